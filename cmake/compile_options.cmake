@@ -1,0 +1,27 @@
+# What every target of vug is compiled with: C++20, warnings (errors with VUG_WERROR), this machine's vector
+# instructions. Finite-math flags are refused: the guards of a run rest on NaN being NaN.
+include_guard(GLOBAL)
+
+option(VUG_WERROR "Treat warnings as errors" OFF)
+option(VUG_NATIVE "Compile for this machine's processor" ON)
+option(VUG_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} $ENV{CXXFLAGS}" MATCHES "-ffast-math|-ffinite-math-only|-Ofast")
+  message(FATAL_ERROR "vug detects diverging runs by NaN: -ffast-math, -ffinite-math-only and -Ofast are refused")
+endif()
+
+add_library(vug_options INTERFACE)
+target_compile_features(vug_options INTERFACE cxx_std_20)
+target_include_directories(vug_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
+target_compile_options(vug_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor $<$<BOOL:${VUG_WERROR}>:-Werror>)
+if(VUG_BACKEND STREQUAL "CUDA")
+  # nvcc's own front end repeats host warnings for code that Kokkos generates
+  target_compile_options(vug_options INTERFACE -Wno-shadow -Wno-unused-parameter -Wno-unknown-pragmas)
+endif()
+if(VUG_NATIVE AND NOT VUG_BACKEND STREQUAL "CUDA" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  target_compile_options(vug_options INTERFACE -march=native -mprefer-vector-width=512)
+endif()
+if(VUG_SANITIZE)
+  target_compile_options(vug_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(vug_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,217 @@
+#pragma once
+// The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
+// modelled. Units and ranges of every key are in docs/case-file.md.
+#include "dem/parameters.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace vug {
+
+struct LatticeSection {
+  double length_x = 0, length_y = 0;  ///< size = [Lx, Ly], m
+  double spacing = 0;                 ///< m
+  double time_step = 0;               ///< s
+  int nx = 0, ny = 0;                 ///< derived: nodes
+};
+
+struct TimeSection {
+  std::optional<double> end;         ///< s
+  std::optional<std::int64_t> steps;  ///< lattice steps; exactly one of the two is given
+};
+
+struct Rectangle { std::array<double, 2> from, to; };
+struct Disc { std::array<double, 2> centre; double radius; };
+struct Polygon { std::vector<std::array<double, 2>> points; };
+/// A shape drawn on the lattice in the order of the file; later shapes paint over earlier ones. Coordinates in m.
+struct Shape {
+  std::variant<Rectangle, Disc, Polygon> form;
+  bool solid = true;
+};
+
+enum class GeometryKind { open, image, shapes, rock };
+struct GeometrySection {
+  GeometryKind kind = GeometryKind::open;
+  std::string background = "fluid";  ///< of "shapes": what is there before the first shape
+  std::vector<Shape> shapes;
+  std::string image_file;             ///< path as resolved against the folder of the case
+  double image_threshold = 0.5;       ///< fraction of the largest grey value; darker is solid
+  bool image_invert = false;
+  std::array<int, 2> raw_size{0, 0};  ///< of a raw 8-bit file
+};
+
+/// A straight line along which the rock is cracked from the start.
+struct Notch {
+  std::array<double, 2> from, to;  ///< m
+  double aperture = 3;             ///< cells
+};
+/// A rectangular cavity cut into a side of the rock, where fluid is injected.
+struct InjectionHole {
+  std::array<double, 2> from, to;  ///< opposite corners, m
+};
+struct RockSection {
+  std::optional<std::string> mesh;  ///< Gmsh .msh file; otherwise the generator
+  double element_size = 0;          ///< m, mean edge
+  double grading = 1;               ///< largest over smallest element size (1 = uniform), finest at the injection hole
+  std::uint64_t seed = 1;
+  double porosity = 0;              ///< share of the rock that pathways take from the start
+  double pathway_aperture = 3;      ///< cells
+  std::vector<Notch> notches;
+  std::optional<InjectionHole> hole;
+};
+
+enum class Collision { trt, lallemand_luo, bgk, regularised };
+struct FlowSection {
+  double density = 1000;             ///< kg/m3
+  double viscosity = 0;              ///< kinematic, m2/s
+  Collision collision = Collision::trt;
+  std::array<double, 2> body_force{0, 0};  ///< m/s2
+  double initial_pressure = 1e5;     ///< Pa, also the reference of the gauge pressure
+  double speed_limit = 0.2;          ///< lattice units; 0 switches the limiter off
+  double pressure_scale = 1;         ///< forces on the rock are multiplied by it (coarse lattices, docs/model.md)
+};
+
+struct HeatSection {
+  double fluid_diffusivity = 0, solid_diffusivity = 0;      ///< m2/s
+  double fluid_density = 1000, solid_density = 2500;        ///< kg/m3
+  double fluid_heat_capacity = 4000, solid_heat_capacity = 1000;  ///< J/(kg K)
+  double initial_temperature = 293.15;                      ///< K
+};
+
+struct Species {
+  std::string name;
+  double diffusivity = 0;  ///< m2/s
+  double initial = 0;      ///< mol/m3
+};
+enum class ScalarVelocitySet { d2q5, d2q9 };
+struct SoluteSection {
+  std::vector<Species> species;
+  ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
+  /// tau_h of the lattice kinetic scheme; absent: chosen so that Lambda = 1/4
+  std::optional<double> relaxation_time;
+  bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
+};
+
+enum class WallReaction { kinetic, paper };
+enum class BirthFill { mean, split };
+struct ReactionSection {
+  std::string reactant;                 ///< name of a species
+  std::optional<std::string> product;   ///< name of a species
+  double rate_constant = 0;             ///< k_r^0 at the reference temperature, m/s (also when given by Da and length)
+  double activation_energy = 0;         ///< J/mol
+  double reference_temperature = 273.15;  ///< K
+  double temperature = 293.15;          ///< K, of the wall where there is no [heat]
+  double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
+  double molar_volume = 0;              ///< m3/mol; 0 = the wall reacts but does not dissolve
+  WallReaction wall = WallReaction::kinetic;
+  bool surface_normal = true;           ///< correct the staircase area
+  BirthFill birth_fill = BirthFill::mean;
+};
+
+struct MechanicsSection {
+  MechanicsParameters parameters;
+  std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
+  double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
+  bool force_unstable = false;         ///< accept a sub-step above the critical one
+  double preload_time = 150e-6;        ///< s over which the outer stress is ramped before the run
+};
+
+struct DamageSection {
+  double pathway_factor = 0.2;    ///< c_d: aperture of a broken bond over the distance of its centroids
+  double minimum_aperture = 3;    ///< cells
+};
+
+enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
+struct FlowBoundary {
+  FlowBoundaryKind kind = FlowBoundaryKind::wall;
+  double pressure = 0;                 ///< Pa, absolute
+  std::array<double, 2> velocity{0, 0};  ///< m/s (wall: tangential speed of a moving wall)
+  double ramp_time = 0;                ///< s, over which the pressure rises from the initial one
+};
+enum class HeatBoundaryKind { adiabatic, temperature, outflow, periodic };
+struct HeatBoundary {
+  HeatBoundaryKind kind = HeatBoundaryKind::adiabatic;
+  double temperature = 0;  ///< K
+};
+enum class SoluteBoundaryKind { no_flux, concentration, outflow, periodic };
+struct SoluteBoundary {
+  SoluteBoundaryKind kind = SoluteBoundaryKind::no_flux;
+  std::map<std::string, double> concentration;  ///< mol/m3 by species; missing species: 0
+};
+enum class Support { free, roller, fixed };
+struct TractionBoundary {
+  Support support = Support::free;
+  double normal_stress = 0;  ///< Pa, compression positive
+};
+struct BoundarySection {
+  FlowBoundary flow;
+  HeatBoundary heat;
+  SoluteBoundary solute;
+  TractionBoundary traction;
+};
+/// A stretch of one side with conditions of its own.
+struct InjectionSection {
+  std::string side = "left";
+  double centre = 0;  ///< m along the side
+  double width = 0;   ///< m
+  BoundarySection conditions;
+};
+
+enum class Precision { single_precision, double_precision };
+struct AccuracySection {
+  std::string preset = "balanced";
+  Precision precision = Precision::double_precision;
+  int update_interval = 10;  ///< lattice steps between births, pathway openings and chemical-damage updates
+  int heat_interval = 1;     ///< lattice steps per heat step
+  int solute_interval = 1;   ///< lattice steps per solute step
+  int guard_interval = 100;  ///< lattice steps between checks for divergence
+};
+
+struct Probe {
+  std::string name;
+  std::array<double, 2> at;  ///< m
+};
+struct OutputSection {
+  std::optional<double> interval;       ///< s
+  std::optional<std::int64_t> interval_steps;
+  std::optional<double> checkpoint_interval;  ///< s
+  std::vector<std::string> fields;      ///< empty: all
+  bool compress = true;
+  std::vector<Probe> probes;
+};
+
+/// Everything a case file says.
+struct Scene {
+  std::string path;         ///< of the case file
+  std::string source_text;  ///< as read, for provenance; overrides are listed below it
+  std::vector<std::string> overrides;
+  std::string name, description;
+  LatticeSection lattice;
+  TimeSection time;
+  GeometrySection geometry;
+  std::optional<RockSection> rock;
+  std::optional<FlowSection> flow;
+  std::optional<HeatSection> heat;
+  std::optional<SoluteSection> solute;
+  std::optional<ReactionSection> reaction;
+  std::optional<MechanicsSection> mechanics;
+  std::optional<DamageSection> damage;
+  BoundarySection left, right, bottom, top;
+  std::optional<InjectionSection> injection;
+  AccuracySection accuracy;
+  OutputSection output;
+};
+
+/// Reads, overrides (`table.key=value`, value in TOML syntax) and validates a case. Throws InputError with
+/// `file:line:column: what is wrong, what was expected` or FileError for a mesh or image that cannot be read.
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// As read_scene, from text (tests); `path` is used for messages and relative files.
+Scene parse_scene(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace vug

@@ -1,0 +1,76 @@
+#pragma once
+// Two launchers for one physics body: on a host, blocks of nodes whose inner loop the compiler vectorises; on a GPU,
+// one node per thread. Sums are taken per block in a fixed order, so their bits do not depend on the thread count.
+#include "kernels/base.hpp"
+
+#include <string>
+
+namespace vug {
+
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || !defined(__GNUC__) || defined(__clang__)
+#define VUG_VECTORISE
+#else
+#define VUG_VECTORISE _Pragma("GCC ivdep")
+#endif
+
+inline constexpr int nodes_per_block = 512;
+
+KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) { return (n + nodes_per_block - 1) / nodes_per_block; }
+
+namespace detail {
+
+template <class Body>
+struct BlockOfNodes {
+  Body body;
+  int n;
+  KOKKOS_FUNCTION void operator()(int block) const {
+    const int first = block * nodes_per_block;
+    const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
+    VUG_VECTORISE
+    for (int i = first; i < last; ++i) body(i);
+  }
+};
+
+template <class Body>
+struct BlockSum {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Body body;
+  int n;
+  ScalarField<double> total;
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int first = team.league_rank() * nodes_per_block;
+    const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
+    double sum = 0;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, first, last), [&](int i, double& s) { s += body(i); }, sum);
+    Kokkos::single(Kokkos::PerTeam(team), [&] { total(team.league_rank()) += sum; });
+  }
+};
+
+}  // namespace detail
+
+/// Runs body(i) for i in [0, n). Iterations must be independent. Nothing is fenced.
+template <class Body>
+void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
+  if (n <= 0) return;
+  if constexpr (runs_on_host) {
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)), detail::BlockOfNodes<Body>{body, n});
+  } else {
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
+  }
+}
+
+/// total(block) += sum of body(i) over the block's nodes, for i in [0, n); `total` has at least block_count(n)
+/// entries. body(i) returns double and may also write node i. Same bits for any number of host threads.
+template <class Body>
+void add_per_block(const Exec& exec, const std::string& label, int n, const Body& body, const ScalarField<double>& total) {
+  if (n <= 0) return;
+  const int team_size = runs_on_host ? 1 : 128;
+  Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, block_count(n), team_size),
+                       detail::BlockSum<Body>{body, n, total});
+}
+
+/// Sum of all entries in index order, read on the host: for monitors and ledgers, not inside a step.
+double sum_in_order(const ScalarField<double>& values);
+
+}  // namespace vug

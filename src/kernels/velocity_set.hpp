@@ -1,0 +1,38 @@
+#pragma once
+// The discrete velocity sets. D2Q5 is the first five directions of D2Q9, so one table of neighbours serves both.
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// Nine velocities in two dimensions (paper Eqs. 16, 17): rest, four along the axes, four diagonal.
+struct D2Q9 {
+  static constexpr int Q = 9;
+  /// Component `axis` (0 = x, 1 = y) of velocity q, in nodes per step.
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int c(int q, int axis) {
+    constexpr int x[9] = {0, 1, 0, -1, 0, 1, -1, -1, 1};
+    constexpr int y[9] = {0, 0, 1, 0, -1, 1, 1, -1, -1};
+    return axis == 0 ? x[q] : y[q];
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int opposite(int q) {
+    constexpr int opp[9] = {0, 3, 4, 1, 2, 7, 8, 5, 6};
+    return opp[q];
+  }
+  /// Weight of velocity q: 4/9, 1/9, 1/36.
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr double w(int q) {
+    return q == 0 ? 4.0 / 9.0 : q < 5 ? 1.0 / 9.0 : 1.0 / 36.0;
+  }
+};
+
+/// Five velocities in two dimensions for scalars: rest and the four along the axes.
+struct D2Q5 {
+  static constexpr int Q = 5;
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int c(int q, int axis) { return D2Q9::c(q, axis); }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int opposite(int q) { return D2Q9::opposite(q); }
+  /// Weight of velocity q: 1/3, 1/6.
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr double w(int q) { return q == 0 ? 1.0 / 3.0 : 1.0 / 6.0; }
+};
+
+/// Square of the lattice speed of sound of both sets.
+inline constexpr double c_s2 = 1.0 / 3.0;
+
+}  // namespace vug
