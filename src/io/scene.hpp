@@ -2,6 +2,7 @@
 // The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
 // modelled. Units and ranges of every key are in docs/case-file.md.
 #include "dem/parameters.hpp"
+#include "kernels/mrt.hpp"
 
 #include <array>
 #include <cstdint>
@@ -72,7 +73,6 @@ struct RockSection {
   std::optional<InjectionHole> hole;
 };
 
-enum class Collision { trt, lallemand_luo, bgk, regularised };
 struct FlowSection {
   double density = 1000;  ///< kg/m3
   double viscosity = 0;   ///< kinematic, m2/s
