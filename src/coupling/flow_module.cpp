@@ -138,12 +138,13 @@ void FlowModule<T>::limits(LimitTable& table) const {
 template <class T>
 void FlowModule<T>::ledger(Ledger& ledger) const {
   const double kg = units_.fluid_density * units_.volume();
-  Balance balance{"fluid_mass", "kg/m", kg * initial_mass_, kg * total_mass(geometry_.fluid, fields_), {}};
+  Balance& balance = ledger.of("fluid_mass", "kg/m");
+  balance.initial = kg * initial_mass_;
+  balance.stored = kg * total_mass(geometry_.fluid, fields_);
   double entered = 0;
   for (const StretchLinks& boundary : boundaries_) entered += boundary.total();
   balance.gains.push_back({"boundaries", kg * entered});
   balance.gains.push_back({"births", kg * born_mass_});
-  ledger.balances.push_back(balance);
 }
 
 template <class T>
