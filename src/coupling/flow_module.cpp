@@ -106,7 +106,7 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
 }
 
 template <class T>
-void FlowModule<T>::guard(const Exec& exec, const Clock& clock) const {
+void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
   const FlowExtremes extremes = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
   if (extremes.bad < 0) return;
   int node = 0;

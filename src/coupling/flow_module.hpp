@@ -18,7 +18,7 @@ class FlowModule final : public Module {
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;
   void births(const Exec& exec, const Births& births) override;
-  void guard(const Exec& exec, const Clock& clock) const override;
+  void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;

@@ -105,7 +105,7 @@ void SoluteModule<T, Set>::births(const Exec& exec, const Births& births) {
 }
 
 template <class T, class Set>
-void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) const {
+void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
   for (const SpeciesState<T>& s : species_) {
     double largest = s.section.initial / units_.concentration;
     for (const StretchLinks& boundary : s.boundaries)

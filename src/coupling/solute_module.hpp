@@ -31,7 +31,7 @@ class SoluteModule final : public Module {
   std::string_view name() const override { return "solute"; }
   void step(const Exec& exec, const Clock& clock) override;
   void births(const Exec& exec, const Births& births) override;
-  void guard(const Exec& exec, const Clock& clock) const override;
+  void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void fields(FieldList& list) const override;

@@ -1,6 +1,7 @@
 #pragma once
 // The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
 // modelled. Units and ranges of every key are in docs/case-file.md.
+#include "dem/loads.hpp"
 #include "dem/parameters.hpp"
 #include "kernels/dissolution.hpp"
 #include "kernels/reactive_wall.hpp"
@@ -150,7 +151,6 @@ struct SoluteBoundary {
   SoluteBoundaryKind kind = SoluteBoundaryKind::no_flux;
   std::map<std::string, double> concentration;  ///< mol/m3 by species; missing species: 0
 };
-enum class Support { free, roller, fixed };
 struct TractionBoundary {
   Support support = Support::free;
   double normal_stress = 0;  ///< Pa, compression positive
