@@ -73,7 +73,9 @@ struct FlowSection {
   std::array<double, 2> body_force{0, 0};  ///< m/s2
   double initial_pressure = 1e5;     ///< Pa, also the reference of the gauge pressure
   double speed_limit = 0.2;          ///< lattice units; 0 switches the limiter off
-  double pressure_scale = 1;         ///< forces on the rock are multiplied by it (coarse lattices, docs/model.md)
+  /// S_p >= 1 for coarse lattices: the lattice flows under the gauge pressures of the case divided by it, and what the
+  /// fluid does to the rock, and every pressure written out, is multiplied by it (docs/model.md)
+  double pressure_scale = 1;
 };
 
 struct HeatSection {
@@ -108,12 +110,15 @@ struct ReactionSection {
   double temperature = 293.15;          ///< K, of the wall where there is no [heat]
   double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
   double molar_volume = 0;              ///< m3/mol; 0 = the wall reacts but does not dissolve
+  std::optional<double> damkohler;      ///< as given, Da = k_r^0 length / D (Eq. 13)
+  std::optional<double> length;         ///< m, l_c of the Damkohler number
   WallReaction wall = WallReaction::kinetic;
   bool surface_normal = true;           ///< correct the staircase area
   BirthFill birth_fill = BirthFill::mean;
 };
 
 struct MechanicsSection {
+  std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength
   MechanicsParameters parameters;
   std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
@@ -190,6 +195,7 @@ struct Scene {
   std::string path;         ///< of the case file
   std::string source_text;  ///< as read, for provenance; overrides are listed below it
   std::vector<std::string> overrides;
+  std::vector<std::string> warnings;  ///< one line each: allowed, but probably not meant
   std::string name, description;
   LatticeSection lattice;
   TimeSection time;
@@ -208,7 +214,8 @@ struct Scene {
 };
 
 /// Reads, overrides (`table.key=value`, value in TOML syntax) and validates a case. Throws InputError with
-/// `file:line:column: what is wrong, what was expected` or FileError for a mesh or image that cannot be read.
+/// `file:line:column: what is wrong, what was expected`, also for a mesh or image that is not there, or FileError when
+/// reading fails half-way.
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// As read_scene, from text (tests); `path` is used for messages and relative files.
