@@ -1,7 +1,10 @@
 #pragma once
 // The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
 // modelled. Units and ranges of every key are in docs/case-file.md.
+#include "dem/loads.hpp"
 #include "dem/parameters.hpp"
+#include "kernels/dissolution.hpp"
+#include "kernels/reactive_wall.hpp"
 
 #include <array>
 #include <cstdint>
@@ -104,8 +107,6 @@ struct SoluteSection {
   bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
 };
 
-enum class WallReaction { kinetic, paper };
-enum class BirthFill { mean, split };
 struct ReactionSection {
   std::string reactant;                ///< name of a species
   std::optional<std::string> product;  ///< name of a species
@@ -115,7 +116,7 @@ struct ReactionSection {
   double temperature = 293.15;              ///< K, of the wall where there is no [heat]
   double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
   double molar_volume = 0;                  ///< m3/mol; 0 = the wall reacts but does not dissolve
-  WallReaction wall = WallReaction::kinetic;
+  ReactiveWallLaw wall = ReactiveWallLaw::kinetic;
   bool surface_normal = true;  ///< correct the staircase area
   BirthFill birth_fill = BirthFill::mean;
 };
@@ -150,7 +151,6 @@ struct SoluteBoundary {
   SoluteBoundaryKind kind = SoluteBoundaryKind::no_flux;
   std::map<std::string, double> concentration;  ///< mol/m3 by species; missing species: 0
 };
-enum class Support { free, roller, fixed };
 struct TractionBoundary {
   Support support = Support::free;
   double normal_stress = 0;  ///< Pa, compression positive
