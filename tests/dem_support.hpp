@@ -60,7 +60,7 @@ inline Assembly block(double width, double height, double l, double jitter, std:
   }
   for (std::size_t name = 0; name < out.vertices.size(); ++name) {
     auto& [x, y] = out.vertices[name];
-    if (x < 0.1 * dx || x > width - 0.1 * dx || y < 0.1 * dy || y > height - 0.1 * dy) continue;
+    if (x < 0.6 * dx || x > width - 0.6 * dx || y < 0.1 * dy || y > height - 0.1 * dy) continue;
     x += jitter * dx * (2 * uniform_of(seed, name, 0, 0) - 1);
     y += jitter * dy * (2 * uniform_of(seed, name, 1, 0) - 1);
   }
