@@ -7,10 +7,11 @@
 namespace vug::perf {
 namespace {
 
-/// What the sweep moves per node: 18 populations, 8 indices, three stored moments; write-allocation not counted.
+/// What a sweep moves per node: 18 populations, stored moments, indices (8, in place in every second step only);
+/// write-allocation not counted.
 template <class T>
-constexpr double sweep_bytes(int moments) {
-  return (18 + moments) * sizeof(T) + 8 * sizeof(int);
+constexpr double sweep_bytes(int moments, Streaming streaming) {
+  return (18 + moments) * sizeof(T) + (streaming == Streaming::in_place ? 4 : 8) * sizeof(int);
 }
 
 struct Case {
@@ -25,10 +26,10 @@ struct Setting {
   FluidNodes nodes;
   FlowFields<T> fields;
   FlowStep<T> step;
-  explicit Setting(const Case& c) {
+  explicit Setting(const Case& c, Streaming streaming = Streaming::in_place) {
     const Lattice lattice(c.nx, c.ny);
     nodes = make_fluid_nodes(exec, lattice, node_types(*c.geometry, lattice));
-    fields = make_flow_fields<T>(exec, nodes);
+    fields = make_flow_fields<T>(exec, nodes, streaming);
     Kokkos::deep_copy(exec, fields.density, T(1e-3));
     Kokkos::deep_copy(exec, fields.u, T(1e-4));
     set_equilibrium(exec, nodes, fields);
@@ -37,23 +38,23 @@ struct Setting {
 };
 
 template <class T>
-void sweep(benchmark::State& state, const Case& c, Collision collision, bool limited) {
-  Setting<T> s(c);
+void sweep(benchmark::State& state, const Case& c, Streaming streaming, Collision collision, bool limited) {
+  Setting<T> s(c, streaming);
   s.step.collision = collision;
   s.step.rates = relaxation_rates(collision, 0.764);
   if (limited) {
     s.step.speed_limit = T(0.2);
     s.step.limited = ScalarField<double>("limited", block_count(s.nodes.count));
   }
-  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(3),
+  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(3, streaming),
              [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); });
 }
 
 template <class T>
 void hand_written_two_lattices(benchmark::State& state, const Case& c) {
-  Setting<T> s(c);
+  Setting<T> s(c, Streaming::two_lattices);
   const TwoRelaxationTimes<T> relax(s.step.rates);
-  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(0), [&] {
+  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(0, Streaming::two_lattices), [&] {
     for_each_node(s.exec, "vug::perf::two_lattices", s.nodes.count,
                   HandWrittenTwoLattices<T>{s.fields.f.data(), s.fields.f_next.data(), s.nodes.source.data(),
                                             s.nodes.capacity, relax});
@@ -65,20 +66,16 @@ template <class T>
 void hand_written_in_place(benchmark::State& state, const Case& c) {
   Setting<T> s(c);
   const TwoRelaxationTimes<T> relax(s.step.rates);
-  const IndexList turned("turned", s.nodes.source.extent(0));
-  for_each_node(s.exec, "vug::perf::turn_sources", s.nodes.count,
-                TurnSources{s.nodes.source, turned, s.nodes.capacity});
   T* f = s.fields.f.data();
-  bool odd = false;
-  // the table is read in every second step
-  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(0) - 4 * sizeof(int), [&] {
-    if (odd)
-      for_each_node(s.exec, "vug::perf::in_place_odd", s.nodes.count,
-                    HandWrittenInPlace<T, true>{f, turned.data(), s.nodes.capacity, relax});
+  bool at_home = true;
+  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(0, Streaming::in_place), [&] {
+    if (at_home)
+      for_each_node(s.exec, "vug::perf::in_place_from_home", s.nodes.count,
+                    HandWrittenInPlace<T, true>{f, s.nodes.source.data(), s.nodes.capacity, relax});
     else
-      for_each_node(s.exec, "vug::perf::in_place_even", s.nodes.count,
-                    HandWrittenInPlace<T, false>{f, turned.data(), s.nodes.capacity, relax});
-    odd = !odd;
+      for_each_node(s.exec, "vug::perf::in_place_from_turned", s.nodes.count,
+                    HandWrittenInPlace<T, false>{f, s.nodes.source.data(), s.nodes.capacity, relax});
+    at_home = !at_home;
   });
 }
 
@@ -92,20 +89,21 @@ void add(const std::string& name, Function function, Arguments... arguments) {
 
 template <class T>
 void add_precision(const std::string& precision) {
+  constexpr Streaming in_place = Streaming::in_place, two_lattices = Streaming::two_lattices;
   for (const Geometry& geometry : geometries) {
     const Case c{&geometry, 2000, 1400};
     const std::string suffix = "/" + precision + "/" + geometry.name;
-    add("flow/sweep" + suffix, sweep<T>, c, Collision::trt, false);
-    add("flow/sweep_limited" + suffix, sweep<T>, c, Collision::trt, true);
-    add("flow/hand_written_two_lattices" + suffix, hand_written_two_lattices<T>, c);
+    add("flow/in_place" + suffix, sweep<T>, c, in_place, Collision::trt, false);
+    add("flow/two_lattices" + suffix, sweep<T>, c, two_lattices, Collision::trt, false);
+    add("flow/in_place_limited" + suffix, sweep<T>, c, in_place, Collision::trt, true);
+    add("flow/in_place_lallemand_luo" + suffix, sweep<T>, c, in_place, Collision::lallemand_luo, false);
+    add("flow/in_place_regularised" + suffix, sweep<T>, c, in_place, Collision::regularised, false);
     add("flow/hand_written_in_place" + suffix, hand_written_in_place<T>, c);
+    add("flow/hand_written_two_lattices" + suffix, hand_written_two_lattices<T>, c);
   }
-  const Case rock{&geometries[0], 2000, 1400};
-  add("flow/sweep_lallemand_luo/" + precision + "/rock_15", sweep<T>, rock, Collision::lallemand_luo, false);
-  add("flow/sweep_regularised/" + precision + "/rock_15", sweep<T>, rock, Collision::regularised, false);
   for (const int n : {128, 512, 1024, 2048})
-    add("flow/sweep_square_box/" + precision + "/" + std::to_string(n), sweep<T>, Case{&geometries[2], n, n},
-        Collision::trt, false);
+    add("flow/in_place_square_box/" + precision + "/" + std::to_string(n), sweep<T>, Case{&geometries[2], n, n},
+        in_place, Collision::trt, false);
 }
 
 [[maybe_unused]] const bool registered = [] {

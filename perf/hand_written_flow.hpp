@@ -22,9 +22,8 @@ struct HandWrittenTwoLattices {
   }
 };
 
-/// In place: even steps collide where the populations lie and leave them turned round; odd steps pull from and push to
-/// the neighbours. `source` must name the turned slot.
-template <class T, bool odd>
+/// In place: one kind of step pulls from and pushes to the neighbours, the other stays on the node.
+template <class T, bool at_home>
 struct HandWrittenInPlace {
   T* f;
   const int* source;
@@ -33,25 +32,10 @@ struct HandWrittenInPlace {
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
     T v[9];
     v[0] = f[i];
-    for (int q = 1; q < 9; ++q) v[q] = f[odd ? source[q * capacity + i] : q * capacity + i];
+    for (int q = 1; q < 9; ++q) v[q] = f[at_home ? source[q * capacity + i] : D2Q9::opposite(q) * capacity + i];
     relax(v, macroscopic(v), NoForce<T>{});
     f[i] = v[0];
-    for (int q = 1; q < 9; ++q) {
-      const int opposite = D2Q9::opposite(q);
-      f[odd ? source[opposite * capacity + i] : opposite * capacity + i] = v[q];
-    }
-  }
-};
-
-/// The table of sources for the odd steps in place, where population q lies turned, in slot opposite(q).
-struct TurnSources {
-  IndexList source, turned;
-  int capacity;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    for (int q = 0; q < 9; ++q) {
-      const int slot = source(q * capacity + i), direction = slot / capacity, node = slot % capacity;
-      turned(q * capacity + i) = D2Q9::opposite(direction) * capacity + node;
-    }
+    for (int q = 1; q < 9; ++q) f[at_home ? source[D2Q9::opposite(q) * capacity + i] : q * capacity + i] = v[q];
   }
 };
 
