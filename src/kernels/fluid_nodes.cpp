@@ -14,15 +14,6 @@ int round_capacity(int count) {
 
 }  // namespace
 
-/// Dense neighbour of `node` along velocity q, joined sides included; -1 outside the lattice.
-KOKKOS_INLINE_FUNCTION int neighbour(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {
-  int x = lattice.x(node) + D2Q9::c(q, 0);
-  int y = lattice.y(node) + D2Q9::c(q, 1);
-  if (periodic_x) x = (x + lattice.nx) % lattice.nx;
-  if (periodic_y) y = (y + lattice.ny) % lattice.ny;
-  return lattice.inside(x, y) ? lattice.node(x, y) : -1;
-}
-
 /// Interior node number `item` of the lattice counted row by row without halo.
 KOKKOS_INLINE_FUNCTION int interior_node(const Lattice& lattice, int item) {
   return lattice.node(item % lattice.nx, item / lattice.nx);
