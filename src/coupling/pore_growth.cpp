@@ -28,7 +28,7 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
     dissolved_nodes_ += dissolved;
     opened_nodes_ += opened;
   }
-  after_(exec);
+  refresh(exec);
   return dissolved + opened;
 }
 

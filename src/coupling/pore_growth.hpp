@@ -20,6 +20,9 @@ class PoreGrowth {
   /// Opens what is due and returns how many nodes turned fluid. Waits for the device.
   int grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules);
 
+  /// What every call of grow ends with: renews what depends on the solid volume (also after a restart).
+  void refresh(const Exec& exec) { after_(exec); }
+
   /// Adds what pathways could not hand on to the balance of solid volume.
   void ledger(Ledger& ledger, double pixel_volume) const;
   void state(StateList& list);

@@ -125,6 +125,20 @@ int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNo
   return births;
 }
 
+struct IndexOfNode {
+  IndexList node, index;
+  KOKKOS_FUNCTION void operator()(int i) const { index(node(i)) = i; }
+};
+
+void set_fluid_nodes(const Exec& exec, const IndexList& node, int capacity, FluidNodes& nodes) {
+  nodes.count = static_cast<int>(node.extent(0));
+  allocate(exec, nodes, capacity);
+  Kokkos::deep_copy(exec, Kokkos::subview(nodes.node, std::pair(0, nodes.count)), node);
+  Kokkos::deep_copy(exec, nodes.index, -1);
+  for_each_node(exec, "vug::fluid_nodes::index", nodes.count, IndexOfNode{nodes.node, nodes.index});
+  rebuild_links(exec, nodes);
+}
+
 template <class T>
 struct Restride {
   Kokkos::View<const T*> source;
