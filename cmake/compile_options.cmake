@@ -2,7 +2,11 @@
 # instructions. Finite-math flags are refused: the guards of a run rest on NaN being NaN.
 include_guard(GLOBAL)
 
-option(VUG_WERROR "Treat warnings as errors" OFF)
+set(_werror OFF)
+if(DEFINED ENV{CI})
+  set(_werror ON)
+endif()
+option(VUG_WERROR "Treat warnings as errors (on where CI is set in the environment)" ${_werror})
 option(VUG_NATIVE "Compile for this machine's processor" ON)
 option(VUG_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 

@@ -8,15 +8,15 @@ namespace vug {
 struct BondParameters {
   double normal_modulus = 24.03e9;      ///< M_n, Pa
   double tangential_modulus = 10.68e9;  ///< M_t, Pa
-  double length_factor = 0.659;         ///< chi: bond length L = chi h, h the distance of the two centroids across the edge
-  double normal_strength = 15e6;        ///< mean of sigma_n^th, Pa
-  double cohesion = 95e6;               ///< mean internal cohesion c, Pa
-  double internal_friction = 0.47;      ///< tan(phi) in the shear strength
-  double fracture_energy_I = 20;        ///< mean of G_I, N/m
-  double fracture_energy_II = 64;       ///< mean of G_II, N/m
-  double damping = 4.60e-6;             ///< eta, s/m: viscous stress eta M v
-  double weibull_shape = 7;             ///< m; 0 switches the scatter off
-  std::uint64_t seed = 1;               ///< of the scatter
+  double length_factor = 0.659;     ///< chi: bond length L = chi h, h the distance of the two centroids across the edge
+  double normal_strength = 15e6;    ///< mean of sigma_n^th, Pa
+  double cohesion = 95e6;           ///< mean internal cohesion c, Pa
+  double internal_friction = 0.47;  ///< tan(phi) in the shear strength
+  double fracture_energy_I = 20;    ///< mean of G_I, N/m
+  double fracture_energy_II = 64;   ///< mean of G_II, N/m
+  double damping = 4.60e-6;         ///< eta, s/m: viscous stress eta M v
+  double weibull_shape = 7;         ///< m; 0 switches the scatter off
+  std::uint64_t seed = 1;           ///< of the scatter
 };
 
 /// Contact between triangles that no intact bond joins (Table 1).
@@ -31,16 +31,16 @@ struct ContactParameters {
 
 /// Effect of dissolution on bonds (Eqs. 26-29).
 struct ChemicalDamageLaw {
-  bool normalised = true;      ///< divide f1, f2 by their values at d_c = 0, so that d_c = 0 is Table 1 exactly
-  double failure_at = 0.95;    ///< a bond fails at this d_c
+  bool normalised = true;    ///< divide f1, f2 by their values at d_c = 0, so that d_c = 0 is Table 1 exactly
+  double failure_at = 0.95;  ///< a bond fails at this d_c
 };
 
 /// Triangles and how they move.
 struct MechanicsParameters {
-  double density = 2500;               ///< kg/m3
-  double thermal_expansion = 8e-6;     ///< 1/K, linear
-  double local_damping = 0;            ///< Cundall's alpha, 0 to 1
-  double mass_scaling = 1;             ///< density scaling of inertia only, >= 1
+  double density = 2500;            ///< kg/m3
+  double thermal_expansion = 8e-6;  ///< 1/K, linear
+  double local_damping = 0;         ///< Cundall's alpha, 0 to 1
+  double mass_scaling = 1;          ///< density scaling of inertia only, >= 1
   BondParameters bond;
   ContactParameters contact;
   ChemicalDamageLaw chemical;

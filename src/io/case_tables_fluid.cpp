@@ -112,7 +112,7 @@ ReactionSection read_reaction(const TomlCursor& table, const std::optional<Solut
   table.read("equilibrium_constant", equilibrium_constant, {"1", 1e300}, {.low = 1e-12, .infinity_allowed = true});
   reaction.inverse_equilibrium_constant = 1 / equilibrium_constant;
   table.read("molar_volume", reaction.molar_volume, unit::cubic_metre_per_mole, range::not_negative);
-  table.choose("wall", reaction.wall, {{"kinetic", WallReaction::kinetic}, {"paper", WallReaction::paper}});
+  table.choose("wall", reaction.wall, {{"kinetic", ReactiveWallLaw::kinetic}, {"paper", ReactiveWallLaw::paper}});
   table.read("surface_normal", reaction.surface_normal);
   table.choose("birth_fill", reaction.birth_fill, {{"mean", BirthFill::mean}, {"split", BirthFill::split}});
   return reaction;

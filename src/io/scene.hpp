@@ -1,7 +1,11 @@
 #pragma once
 // The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
 // modelled. Units and ranges of every key are in docs/case-file.md.
+#include "dem/loads.hpp"
 #include "dem/parameters.hpp"
+#include "kernels/dissolution.hpp"
+#include "kernels/mrt.hpp"
+#include "kernels/reactive_wall.hpp"
 
 #include <array>
 #include <cstdint>
@@ -65,7 +69,6 @@ struct RockSection {
   std::optional<InjectionHole> hole;
 };
 
-enum class Collision { trt, lallemand_luo, bgk, regularised };
 struct FlowSection {
   double density = 1000;             ///< kg/m3
   double viscosity = 0;              ///< kinematic, m2/s
@@ -99,8 +102,6 @@ struct SoluteSection {
   bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
 };
 
-enum class WallReaction { kinetic, paper };
-enum class BirthFill { mean, split };
 struct ReactionSection {
   std::string reactant;                 ///< name of a species
   std::optional<std::string> product;   ///< name of a species
@@ -112,7 +113,7 @@ struct ReactionSection {
   double molar_volume = 0;              ///< m3/mol; 0 = the wall reacts but does not dissolve
   std::optional<double> damkohler;      ///< as given, Da = k_r^0 length / D (Eq. 13)
   std::optional<double> length;         ///< m, l_c of the Damkohler number
-  WallReaction wall = WallReaction::kinetic;
+  ReactiveWallLaw wall = ReactiveWallLaw::kinetic;
   bool surface_normal = true;           ///< correct the staircase area
   BirthFill birth_fill = BirthFill::mean;
 };
@@ -148,7 +149,6 @@ struct SoluteBoundary {
   SoluteBoundaryKind kind = SoluteBoundaryKind::no_flux;
   std::map<std::string, double> concentration;  ///< mol/m3 by species; missing species: 0
 };
-enum class Support { free, roller, fixed };
 struct TractionBoundary {
   Support support = Support::free;
   double normal_stress = 0;  ///< Pa, compression positive

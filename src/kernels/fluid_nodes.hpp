@@ -19,12 +19,9 @@ namespace vug {
 /// Kind of a node of the dense lattice.
 enum class NodeType : std::uint8_t { fluid = 0, solid = 1 };
 
-/// What lies beyond a link that leaves a fluid node.
-enum class LinkKind : std::uint8_t { fluid = 0, solid = 1, side = 2 };
-
-/// Sides of the lattice, in the order of the outward velocities 1..4; `injection` is a part of one of them.
-enum class Side : int { right = 0, top = 1, left = 2, bottom = 3 };
-inline constexpr int side_count = 4;
+/// Sides of the lattice; the value is the outward velocity of the set.
+enum class Side : int { right = 1, top = 2, left = 3, bottom = 4 };
+inline constexpr std::array<Side, 4> all_sides{Side::left, Side::right, Side::bottom, Side::top};
 
 /// The compact list of fluid nodes. Births append at the end, so an index never changes.
 struct FluidNodes {
@@ -34,11 +31,12 @@ struct FluidNodes {
   /// Opposite sides that are joined: {left-right, bottom-top}.
   std::array<bool, 2> periodic{false, false};
 
-  IndexList node;                          ///< (fluid) node of the dense lattice
-  IndexList index;                         ///< (dense node) fluid index, -1 in solid and halo
-  Kokkos::View<int*> source;               ///< (q * capacity + fluid) slot that direction q is pulled from
+  IndexList node;                            ///< (fluid) node of the dense lattice
+  IndexList index;                           ///< (dense node) fluid index, -1 in solid and halo
+  Kokkos::View<int*> source;                 ///< (q * capacity + fluid) slot that direction q is pulled from
   Kokkos::View<std::uint16_t*> solid_links;  ///< (fluid) bit q: the neighbour along +q is solid
   Kokkos::View<std::uint16_t*> side_links;   ///< (fluid) bit q: the neighbour along +q is outside the lattice
+  Kokkos::View<std::uint16_t*> open_links;   ///< (fluid) the side links through which fluid may flow (see mark_open)
 };
 
 /// Numbers the fluid nodes of `type` (dense, Lattice numbering) row by row and builds the tables.
@@ -51,11 +49,12 @@ FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokk
 int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes);
 
 /// Rebuilds source, solid_links and side_links of all nodes from node and index (after reading a checkpoint).
-void rebuild_links(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes);
+void rebuild_links(const Exec& exec, FluidNodes& nodes);
 
 /// A copy of direction-major populations with a new distance between directions.
 template <class T>
-ScalarField<T> restride(const Exec& exec, const ScalarField<T>& populations, int directions, int count, int from, int to);
+ScalarField<T> restride(const Exec& exec, const ScalarField<T>& populations, int directions, int count, int from,
+                        int to);
 
 /// The solid nodes that touch fluid: the stage of every process at a wall (force, reaction, dissolution). Work is done
 /// per surface node over its links in a fixed order, so sums need no atomics. Row by row in node order.
@@ -70,14 +69,17 @@ void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<
 /// The fluid nodes beside a stretch of one side of the lattice, for the boundary conditions set there.
 struct BoundaryLinks {
   int count = 0;
-  IndexList fluid;                           ///< (link) fluid index
-  Kokkos::View<std::uint8_t*> direction;     ///< (link) outward direction q whose slot is dressed
+  IndexList fluid;                        ///< (link) fluid index
+  Kokkos::View<std::uint8_t*> direction;  ///< (link) outward direction q whose slot is dressed
 };
 
-/// Links that leave the lattice through `side` with the node's coordinate along it inside [first, last] (node
-/// coordinates, inclusive). A diagonal link through a corner belongs to the side of its node's own row or column that
-/// comes first in the order left, right, bottom, top; a link whose straight neighbour along the side is solid counts
-/// like any other. `directions` is 9 or 5.
-BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last, int directions);
+/// Links that leave the lattice through `side` from nodes whose coordinate along it lies in [first, last], in order
+/// of that coordinate. A diagonal link out of a corner leaves through two sides and belongs to the one that comes
+/// first in all_sides. `directions` is 9 or 5.
+BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
+                                  int directions);
+
+/// Sets the bits of `links` in nodes.open_links; rebuilding the tables (births) clears them all.
+void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);
 
 }  // namespace vug

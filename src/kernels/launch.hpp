@@ -15,7 +15,9 @@ namespace vug {
 
 inline constexpr int nodes_per_block = 512;
 
-KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) { return (n + nodes_per_block - 1) / nodes_per_block; }
+KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
+  return (n + nodes_per_block - 1) / nodes_per_block;
+}
 
 namespace detail {
 
@@ -54,7 +56,8 @@ template <class Body>
 void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)), detail::BlockOfNodes<Body>{body, n});
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)),
+                         detail::BlockOfNodes<Body>{body, n});
   } else {
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
   }
@@ -63,7 +66,8 @@ void for_each_node(const Exec& exec, const std::string& label, int n, const Body
 /// total(block) += sum of body(i) over the block's nodes, for i in [0, n); `total` has at least block_count(n)
 /// entries. body(i) returns double and may also write node i. Same bits for any number of host threads.
 template <class Body>
-void add_per_block(const Exec& exec, const std::string& label, int n, const Body& body, const ScalarField<double>& total) {
+void add_per_block(const Exec& exec, const std::string& label, int n, const Body& body,
+                   const ScalarField<double>& total) {
   if (n <= 0) return;
   const int team_size = runs_on_host ? 1 : 128;
   Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, block_count(n), team_size),

@@ -1,0 +1,17 @@
+#pragma once
+// Where the run stands.
+#include <cstdint>
+
+namespace vug {
+
+/// Lattice steps done and their length; a module that steps less often asks `every`.
+struct Clock {
+  std::int64_t step = 0;  ///< completed lattice steps
+  double time_step = 0;   ///< s
+
+  double time() const { return static_cast<double>(step) * time_step; }  ///< s
+  /// True in the steps after which an action due every `interval` steps is taken.
+  bool every(std::int64_t interval) const { return interval > 0 && (step + 1) % interval == 0; }
+};
+
+}  // namespace vug

@@ -1,0 +1,32 @@
+#pragma once
+// Conserved sums: what is there now, what was there at the start, and every way in which it changed.
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// The balance of one conserved quantity: stored = initial + sum of gains, each gain under its own name.
+struct Balance {
+  struct Term {
+    std::string name;
+    double value;
+  };
+  std::string quantity;  ///< for instance "L1"
+  std::string unit;      ///< for instance "mol/m"
+  double initial = 0;
+  double stored = 0;
+  std::vector<Term> gains;  ///< positive increases what is stored; numerical terms are named as such
+
+  /// stored - initial - sum of gains, over the largest of these amounts (0 when all are 0).
+  double relative_error() const;
+};
+
+/// All balances of a scene. Several modules may add gains to the same quantity.
+struct Ledger {
+  std::vector<Balance> balances;
+  /// The balance of `quantity`, made when it is not there yet.
+  Balance& of(const std::string& quantity, const std::string& unit);
+};
+
+}  // namespace vug

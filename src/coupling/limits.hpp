@@ -1,0 +1,24 @@
+#pragma once
+// The derived numbers of a case with their measured safe ranges: what `vug check` prints and what a run warns of.
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// One derived number.
+struct Limit {
+  std::string module;
+  std::string name;     ///< for instance "relaxation time tau"
+  double value = 0;
+  std::string unit;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  std::string advice;   ///< what to change when it is outside
+
+  bool inside() const { return value >= low && value <= high; }
+};
+
+using LimitTable = std::vector<Limit>;
+
+}  // namespace vug

@@ -1,0 +1,54 @@
+#pragma once
+// One physics of the scene: it owns its state, and reads that of others through const Views.
+#include "coupling/clock.hpp"
+#include "coupling/ledger.hpp"
+#include "coupling/limits.hpp"
+#include "io/field_list.hpp"
+#include "kernels/base.hpp"
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+/// Nodes that have just turned from solid to fluid: fluid indices [first, last) of the list.
+struct Births {
+  int first = 0;
+  int last = 0;
+  int old_capacity = 0;  ///< distance between directions before the births; populations are moved when it changed
+};
+
+/// A number of history.csv.
+struct HistoryValue {
+  std::string name;  ///< with its unit: "time_s"
+  double value;
+};
+
+class Module {
+ public:
+  virtual ~Module() = default;
+  virtual std::string_view name() const = 0;
+
+  /// Brings the state to time zero where that takes computing; not called when a run is resumed or only checked.
+  virtual void begin(const Exec&) {}
+  /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
+  virtual void step(const Exec& exec, const Clock& clock) = 0;
+  /// Takes up newborn fluid nodes; called between steps, when the list of fluid nodes has grown.
+  virtual void births(const Exec&, const Births&) {}
+  /// Throws StabilityError when the state has left its bounds; called every guard interval, may wait for the device.
+  virtual void guard(const Exec&, const Clock&) {}
+  /// Derived numbers with their safe ranges.
+  virtual void limits(LimitTable&) const {}
+  /// Conserved sums.
+  virtual void ledger(Ledger&) const {}
+  /// What it adds to a row of history.csv.
+  virtual void history(std::vector<HistoryValue>&) const {}
+  /// What it offers for output.
+  virtual void fields(FieldList&) const {}
+  /// What a checkpoint must hold. Called anew for every checkpoint: the list of fluid nodes grows.
+  virtual void state(StateList&) {}
+};
+
+}  // namespace vug

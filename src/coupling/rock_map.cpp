@@ -1,0 +1,74 @@
+#include "coupling/rock_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+double cross(const Point& o, const Point& a, const Point& b) {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1];
+  const double along = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy);
+  const double t = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
+}
+
+}  // namespace
+
+RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double spacing) {
+  const std::size_t nodes = static_cast<std::size_t>(lattice.nx) * lattice.ny;
+  RockRaster raster{std::vector<int>(nodes, -1), std::vector<int>(nodes, -1), std::vector<double>(nodes, 0)};
+  for (std::size_t t = 0; t < assembly.triangles.size(); ++t) {
+    std::array<Point, 3> v;
+    for (int k = 0; k < 3; ++k) {
+      const Point& p = assembly.vertices[assembly.triangles[t][k]];
+      v[k] = {p[0] / spacing, p[1] / spacing};
+    }
+    const auto [x_low, x_high] = std::minmax({v[0][0], v[1][0], v[2][0]});
+    const auto [y_low, y_high] = std::minmax({v[0][1], v[1][1], v[2][1]});
+    const double area = cross(v[0], v[1], v[2]);
+    for (int y = std::max(0, static_cast<int>(y_low - 0.5)); y <= std::min<int>(lattice.ny - 1, static_cast<int>(y_high)); ++y)
+      for (int x = std::max(0, static_cast<int>(x_low - 0.5)); x <= std::min<int>(lattice.nx - 1, static_cast<int>(x_high)); ++x) {
+        const std::size_t n = static_cast<std::size_t>(y) * lattice.nx + x;
+        if (raster.owner[n] >= 0) continue;
+        const Point p{x + 0.5, y + 0.5};
+        // lambda[k]: barycentric coordinate opposite to the edge (k, k + 1)
+        const std::array<double, 3> lambda{cross(v[0], v[1], p) / area, cross(v[1], v[2], p) / area,
+                                           cross(v[2], v[0], p) / area};
+        const auto smallest = std::min_element(lambda.begin(), lambda.end());
+        if (*smallest < -1e-12) continue;
+        const int edge = static_cast<int>(smallest - lambda.begin());
+        raster.owner[n] = static_cast<int>(t);
+        raster.edge[n] = edge;
+        raster.edge_distance[n] = distance_to_segment(p, v[edge], v[(edge + 1) % 3]);
+      }
+  }
+  return raster;
+}
+
+Groups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice) {
+  std::vector<int> offset(groups + 1, 0);
+  for (const int k : key)
+    if (k >= 0) ++offset[k + 1];
+  for (int g = 0; g < groups; ++g) offset[g + 1] += offset[g];
+  std::vector<int> item(offset[groups]), next(offset.begin(), offset.end() - 1);
+  for (std::size_t n = 0; n < key.size(); ++n)
+    if (key[n] >= 0)
+      item[next[key[n]]++] = lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx);
+  Groups result{IndexList("vug::rock_map::offset", offset.size()), IndexList("vug::rock_map::item", item.size())};
+  const auto to_device = [](const IndexList& target, const std::vector<int>& values) {
+    Kokkos::deep_copy(target, Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
+  };
+  to_device(result.offset, offset);
+  to_device(result.item, item);
+  return result;
+}
+
+}  // namespace vug

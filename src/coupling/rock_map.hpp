@@ -1,0 +1,32 @@
+#pragma once
+// Which triangle and which bond a node belongs to. Displacements are micrometres where nodes are tens of micrometres
+// apart, so the rock is drawn on the lattice once, in its initial position (paper section 3.3).
+#include "dem/assembly.hpp"
+#include "kernels/lattice.hpp"
+
+#include <vector>
+
+namespace vug {
+
+/// Items in groups, as compressed rows: group g holds items [offset(g), offset(g + 1)) of `item`.
+struct Groups {
+  IndexList offset;
+  IndexList item;
+  int count() const { return static_cast<int>(offset.extent(0)) - 1; }
+};
+
+/// The rock on the lattice, on the host: per node, row by row without halo.
+struct RockRaster {
+  std::vector<int> owner;            ///< triangle, -1 where there is none
+  std::vector<int> edge;             ///< 0..2: the edge (vertices edge, edge + 1) whose sub-triangle holds the node
+  std::vector<double> edge_distance; ///< distance to that edge, in cells
+};
+
+/// Draws the triangles: a node belongs to the triangle (lowest number first) that holds its centre, and within it to
+/// the sub-triangle (centroid, p, q) of the edge whose opposite barycentric coordinate is smallest.
+RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double spacing);
+
+/// Groups the dense nodes by a key per node (row by row without halo; negative keys are left out).
+Groups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice);
+
+}  // namespace vug

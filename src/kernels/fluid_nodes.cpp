@@ -1,0 +1,276 @@
+#include "kernels/fluid_nodes.hpp"
+
+#include "kernels/launch.hpp"
+
+namespace vug {
+
+namespace {
+
+constexpr int Q = D2Q9::Q;
+
+int round_capacity(int count) {
+  return (count + 15) / 16 * 16;
+}
+
+}  // namespace
+
+/// Dense neighbour of `node` along velocity q, joined sides included; -1 outside the lattice.
+KOKKOS_INLINE_FUNCTION int neighbour(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {
+  int x = lattice.x(node) + D2Q9::c(q, 0);
+  int y = lattice.y(node) + D2Q9::c(q, 1);
+  if (periodic_x) x = (x + lattice.nx) % lattice.nx;
+  if (periodic_y) y = (y + lattice.ny) % lattice.ny;
+  return lattice.inside(x, y) ? lattice.node(x, y) : -1;
+}
+
+/// Interior node number `item` of the lattice counted row by row without halo.
+KOKKOS_INLINE_FUNCTION int interior_node(const Lattice& lattice, int item) {
+  return lattice.node(item % lattice.nx, item / lattice.nx);
+}
+
+/// Numbers the fluid nodes that have no number yet, in order of node, from `first` on.
+struct NumberFluid {
+  Lattice lattice;
+  Kokkos::View<const NodeType*> type;
+  IndexList node, index;
+  int first;
+  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
+    const int n = interior_node(lattice, item);
+    if (type(n) != NodeType::fluid || index(n) >= 0) return;
+    if (last) {
+      node(first + running) = n;
+      index(n) = first + running;
+    }
+    ++running;
+  }
+};
+
+struct CountUnnumbered {
+  Lattice lattice;
+  Kokkos::View<const NodeType*> type;
+  IndexList index;
+  KOKKOS_FUNCTION void operator()(int item, int& count) const {
+    const int n = interior_node(lattice, item);
+    if (type(n) == NodeType::fluid && index(n) < 0) ++count;
+  }
+};
+
+/// Bakes the walls into the table of sources and notes what lies beyond every link of one fluid node.
+struct BuildLinks {
+  Lattice lattice;
+  bool periodic_x, periodic_y;
+  int capacity;
+  IndexList node, index, source;
+  Kokkos::View<std::uint16_t*> solid_links, side_links, open_links;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    unsigned solid = 0, side = 0;
+    source(i) = i;
+    for (int q = 1; q < Q; ++q) {
+      const int opposite = D2Q9::opposite(q);
+      const int beyond = neighbour(lattice, periodic_x, periodic_y, node(i), q);
+      const int upstream = neighbour(lattice, periodic_x, periodic_y, node(i), opposite);
+      if (beyond < 0)
+        side |= 1u << q;
+      else if (index(beyond) < 0)
+        solid |= 1u << q;
+      const bool flows = upstream >= 0 && index(upstream) >= 0;
+      source(q * capacity + i) = flows ? q * capacity + index(upstream) : opposite * capacity + i;
+    }
+    solid_links(i) = static_cast<std::uint16_t>(solid);
+    side_links(i) = static_cast<std::uint16_t>(side);
+    open_links(i) = 0;
+  }
+};
+
+void rebuild_links(const Exec& exec, FluidNodes& nodes) {
+  for_each_node(exec, "vug::fluid_nodes::build_links", nodes.count,
+                BuildLinks{nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.capacity, nodes.node, nodes.index,
+                           nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links});
+}
+
+namespace {
+
+void allocate(const Exec& exec, FluidNodes& nodes, int capacity) {
+  nodes.capacity = round_capacity(capacity);
+  Kokkos::resize(exec, nodes.node, nodes.capacity);
+  const auto fresh = [&](const char* name) {
+    return Kokkos::view_alloc(exec, std::string("vug::fluid_nodes::") + name);
+  };
+  nodes.source = IndexList(fresh("source"), static_cast<std::size_t>(Q) * nodes.capacity);
+  nodes.solid_links = Kokkos::View<std::uint16_t*>(fresh("solid_links"), nodes.capacity);
+  nodes.side_links = Kokkos::View<std::uint16_t*>(fresh("side_links"), nodes.capacity);
+  nodes.open_links = Kokkos::View<std::uint16_t*>(fresh("open_links"), nodes.capacity);
+}
+
+}  // namespace
+
+FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokkos::View<NodeType*>& type,
+                            std::array<bool, 2> periodic) {
+  FluidNodes nodes;
+  nodes.lattice = lattice;
+  nodes.periodic = periodic;
+  nodes.node = IndexList("vug::fluid_nodes::node", 0);
+  nodes.index = IndexList("vug::fluid_nodes::index", lattice.size());
+  Kokkos::deep_copy(exec, nodes.index, -1);
+  append_births(exec, type, nodes);
+  if (nodes.count == 0) allocate(exec, nodes, 16);
+  return nodes;
+}
+
+int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes) {
+  const Lattice& lattice = nodes.lattice;
+  const Kokkos::RangePolicy<Exec> interior(exec, 0, lattice.nx * lattice.ny);
+  int births = 0;
+  Kokkos::parallel_reduce("vug::fluid_nodes::count_births", interior, CountUnnumbered{lattice, type, nodes.index},
+                          births);
+  if (births == 0) return 0;
+  const int count = nodes.count + births;
+  // The first numbering is as tight as it gets; later ones leave room so that growth is rare.
+  if (count > nodes.capacity) allocate(exec, nodes, nodes.count == 0 ? count : count + count / 2);
+  Kokkos::parallel_scan("vug::fluid_nodes::number", interior,
+                        NumberFluid{lattice, type, nodes.node, nodes.index, nodes.count});
+  nodes.count = count;
+  rebuild_links(exec, nodes);
+  return births;
+}
+
+template <class T>
+struct Restride {
+  Kokkos::View<const T*> source;
+  ScalarField<T> target;
+  int count, from, to;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int q = item / count;
+    const int i = item % count;
+    target(q * to + i) = source(q * from + i);
+  }
+};
+
+template <class T>
+ScalarField<T> restride(const Exec& exec, const ScalarField<T>& populations, int directions, int count, int from,
+                        int to) {
+  ScalarField<T> moved(Kokkos::view_alloc(exec, populations.label()), static_cast<std::size_t>(directions) * to);
+  for_each_node(exec, "vug::fluid_nodes::restride", directions * count,
+                Restride<T>{populations, moved, count, from, to});
+  return moved;
+}
+
+template ScalarField<float> restride(const Exec&, const ScalarField<float>&, int, int, int, int);
+template ScalarField<double> restride(const Exec&, const ScalarField<double>&, int, int, int, int);
+
+/// Numbers the solid nodes that have a fluid node among their eight neighbours.
+struct NumberSurface {
+  Lattice lattice;
+  bool periodic_x, periodic_y;
+  Kokkos::View<const NodeType*> type;
+  IndexList index, surface;
+  KOKKOS_FUNCTION bool touches_fluid(int node) const {
+    for (int q = 1; q < Q; ++q) {
+      const int n = neighbour(lattice, periodic_x, periodic_y, node, q);
+      if (n >= 0 && index(n) >= 0) return true;
+    }
+    return false;
+  }
+  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
+    const int n = interior_node(lattice, item);
+    if (type(n) != NodeType::solid || !touches_fluid(n)) return;
+    if (last && running < static_cast<int>(surface.extent(0))) surface(running) = n;
+    ++running;
+  }
+};
+
+void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<NodeType*>& type, Surface& surface) {
+  const Lattice& lattice = nodes.lattice;
+  const auto number = [&] {
+    Kokkos::parallel_scan(
+        "vug::fluid_nodes::number_surface", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
+        NumberSurface{lattice, nodes.periodic[0], nodes.periodic[1], type, nodes.index, surface.node}, surface.count);
+  };
+  number();
+  if (surface.count > static_cast<int>(surface.node.extent(0))) {
+    surface.node = IndexList("vug::fluid_nodes::surface", surface.count + surface.count / 2);
+    number();
+  }
+}
+
+/// Collects the links out of one stretch of a side.
+struct CollectLinks {
+  Lattice lattice;
+  bool periodic_x, periodic_y;
+  Side side;
+  int first, directions;
+  IndexList index, fluid;
+  Kokkos::View<std::uint8_t*> direction;
+
+  /// True when velocity q leaves through `s` from node (x, y).
+  KOKKOS_FUNCTION bool leaves(Side s, int x, int y, int q) const {
+    switch (s) {
+      case Side::left:
+        return !periodic_x && x + D2Q9::c(q, 0) < 0;
+      case Side::right:
+        return !periodic_x && x + D2Q9::c(q, 0) >= lattice.nx;
+      case Side::bottom:
+        return !periodic_y && y + D2Q9::c(q, 1) < 0;
+      default:
+        return !periodic_y && y + D2Q9::c(q, 1) >= lattice.ny;
+    }
+  }
+  KOKKOS_FUNCTION bool belongs(int x, int y, int q) const {
+    if (!leaves(side, x, y, q)) return false;
+    constexpr Side order[4] = {Side::left, Side::right, Side::bottom, Side::top};
+    for (const Side s : order) {
+      if (s == side) return true;
+      if (leaves(s, x, y, q)) return false;
+    }
+    return false;
+  }
+  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
+    const int along = first + item;
+    const bool upright = side == Side::left || side == Side::right;
+    const int x = side == Side::left ? 0 : side == Side::right ? lattice.nx - 1 : along;
+    const int y = upright ? along : side == Side::bottom ? 0 : lattice.ny - 1;
+    const int i = index(lattice.node(x, y));
+    if (i < 0) return;
+    for (int q = 1; q < directions; ++q) {
+      if (!belongs(x, y, q)) continue;
+      if (last) {
+        fluid(running) = i;
+        direction(running) = static_cast<std::uint8_t>(q);
+      }
+      ++running;
+    }
+  }
+};
+
+BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
+                                  int directions) {
+  BoundaryLinks links;
+  const int length = last - first + 1;
+  if (length <= 0) return links;
+  links.fluid = IndexList("vug::fluid_nodes::boundary_fluid", 3 * length);
+  links.direction = Kokkos::View<std::uint8_t*>("vug::fluid_nodes::boundary_direction", 3 * length);
+  Kokkos::parallel_scan("vug::fluid_nodes::collect_links", Kokkos::RangePolicy<Exec>(exec, 0, length),
+                        CollectLinks{nodes.lattice, nodes.periodic[0], nodes.periodic[1], side, first, directions,
+                                     nodes.index, links.fluid, links.direction},
+                        links.count);
+  return links;
+}
+
+/// One thread: two links may share a node, and there are few.
+struct MarkOpen {
+  int count;
+  IndexList fluid;
+  Kokkos::View<std::uint8_t*> direction;
+  Kokkos::View<std::uint16_t*> open_links;
+  KOKKOS_FUNCTION void operator()(int) const {
+    for (int l = 0; l < count; ++l)
+      open_links(fluid(l)) = static_cast<std::uint16_t>(open_links(fluid(l)) | (1u << direction(l)));
+  }
+};
+
+void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links) {
+  Kokkos::parallel_for("vug::fluid_nodes::mark_open", Kokkos::RangePolicy<Exec>(exec, 0, 1),
+                       MarkOpen{links.count, links.fluid, links.direction, nodes.open_links});
+}
+
+}  // namespace vug

@@ -1,0 +1,150 @@
+// The compact list of fluid nodes on lattices small enough to check by hand.
+#include "kernels/fluid_nodes.hpp"
+
+#include "kernels/advective_form.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <vector>
+
+namespace vug {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Rows of '.', fluid, and '#', solid; the first row is the top.
+Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<std::string>& rows) {
+  Kokkos::View<NodeType*> type("type", lattice.size());
+  const auto host = Kokkos::create_mirror_view(type);
+  Kokkos::deep_copy(host, NodeType::solid);
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x)
+      if (rows[lattice.ny - 1 - y][x] == '.') host(lattice.node(x, y)) = NodeType::fluid;
+  Kokkos::deep_copy(type, host);
+  return type;
+}
+
+template <class ViewType>
+auto on_host(const ViewType& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+TEST(Lattice, HaloSurroundsEveryNodeWithoutWrapping) {
+  const Lattice lattice(5, 3);
+  EXPECT_EQ(lattice.x(lattice.node(4, 2)), 4);
+  EXPECT_EQ(lattice.y(lattice.node(4, 2)), 2);
+  std::set<int> distinct;
+  for (int y = -1; y <= 3; ++y)
+    for (int x = -1; x <= 5; ++x) {
+      const int n = lattice.node(x, y);
+      EXPECT_GE(n, 0);
+      EXPECT_LT(n, lattice.size());
+      distinct.insert(n);
+    }
+  EXPECT_EQ(distinct.size(), 35u);
+}
+
+TEST(FluidNodes, EverySlotIsPulledExactlyOnceByStreamingOrBounceBack) {
+  const Lattice lattice(4, 4);
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"....", ".##.", "..#.", "...."}));
+  ASSERT_EQ(nodes.count, 13);
+  const auto source = on_host(nodes.source);
+  std::multiset<int> pulled;
+  for (int q = 0; q < 9; ++q)
+    for (int i = 0; i < nodes.count; ++i) pulled.insert(source(q * nodes.capacity + i));
+  for (int q = 0; q < 9; ++q)
+    for (int i = 0; i < nodes.count; ++i) EXPECT_EQ(pulled.count(q * nodes.capacity + i), 1u) << q << ' ' << i;
+}
+
+TEST(FluidNodes, PeriodicSidesJoinAndLeaveNoSideLinks) {
+  const Lattice lattice(3, 3);
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"...", "...", "..."}), {true, false});
+  const auto source = on_host(nodes.source);
+  const auto side = on_host(nodes.side_links);
+  // direction 1 at (0, 1) comes from (2, 1)
+  EXPECT_EQ(source(1 * nodes.capacity + 3), 1 * nodes.capacity + 5);
+  EXPECT_EQ(side(3), 0);
+  // direction 2 at (0, 0) comes back from the bottom wall
+  EXPECT_EQ(source(2 * nodes.capacity + 0), 4 * nodes.capacity + 0);
+  EXPECT_EQ(side(0), (1u << 4) | (1u << 7) | (1u << 8));
+}
+
+TEST(FluidNodes, BirthsAppendInOrderAndKeepNumbers) {
+  const Lattice lattice(4, 3);
+  auto type = node_types(lattice, {"####", "#..#", "####"});
+  FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type);
+  ASSERT_EQ(nodes.count, 2);
+  const auto host = Kokkos::create_mirror_view(type);
+  Kokkos::deep_copy(host, type);
+  host(lattice.node(3, 2)) = NodeType::fluid;
+  host(lattice.node(0, 0)) = NodeType::fluid;
+  Kokkos::deep_copy(type, host);
+  EXPECT_EQ(append_births(Exec{}, type, nodes), 2);
+  EXPECT_EQ(append_births(Exec{}, type, nodes), 0);
+  const auto node = on_host(nodes.node);
+  EXPECT_EQ(std::vector<int>(node.data(), node.data() + 4),
+            (std::vector<int>{lattice.node(1, 1), lattice.node(2, 1), lattice.node(0, 0), lattice.node(3, 2)}));
+  // the newborn at (0, 0) now feeds direction 5 of (1, 1)
+  EXPECT_EQ(on_host(nodes.source)(5 * nodes.capacity + 0), 5 * nodes.capacity + 2);
+}
+
+TEST(FluidNodes, GrowthKeepsPopulations) {
+  ScalarField<double> h("h", 5 * 16);
+  const auto host = Kokkos::create_mirror_view(h);
+  for (int q = 0; q < 5; ++q)
+    for (int i = 0; i < 7; ++i) host(q * 16 + i) = 10 * q + i;
+  Kokkos::deep_copy(h, host);
+  const auto moved = on_host(restride(Exec{}, h, 5, 7, 16, 32));
+  for (int q = 0; q < 5; ++q)
+    for (int i = 0; i < 7; ++i) EXPECT_EQ(moved(q * 32 + i), 10 * q + i);
+}
+
+TEST(Surface, IsTheSolidThatTouchesFluid) {
+  const Lattice lattice(5, 5);
+  const auto type = node_types(lattice, {"#####", "#####", "##.##", "#####", "#####"});
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type);
+  Surface surface;
+  find_surface(Exec{}, nodes, type, surface);
+  ASSERT_EQ(surface.count, 8);
+  EXPECT_EQ(on_host(surface.node)(0), lattice.node(1, 1));
+}
+
+TEST(BoundaryLinks, CornerDiagonalsBelongToOneSideOnly) {
+  const Lattice lattice(3, 3);
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"...", "...", "..."}));
+  int links = 0;
+  for (const Side side : all_sides) links += find_boundary_links(Exec{}, nodes, side, 0, 2, 9).count;
+  const auto side_links = on_host(nodes.side_links);
+  int bits = 0;
+  for (int i = 0; i < nodes.count; ++i) bits += __builtin_popcount(side_links(i));
+  EXPECT_EQ(links, bits);
+  EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::left, 0, 2, 9).count, 9);
+  EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::bottom, 0, 2, 9).count, 7);
+  EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::top, 1, 1, 5).count, 1);
+}
+
+TEST(AdvectiveDefect, SumsToZeroOverAClosedDomain) {
+  const Lattice lattice(4, 4);
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"....", ".##.", "..#.", "...."}));
+  VectorField<double> u("u", nodes.capacity);
+  const auto u_host = Kokkos::create_mirror_view(u);
+  for (int i = 0; i < nodes.count; ++i) {
+    u_host(i, 0) = 0.01 * (i % 5) - 0.02;
+    u_host(i, 1) = 0.015 * (i % 3) - 0.01;
+  }
+  Kokkos::deep_copy(u, u_host);
+  ScalarField<double> e("e", nodes.capacity);
+  advective_defect<D2Q5>(Exec{}, nodes, u, e);
+  const auto host = on_host(e);
+  double sum = 0, largest = 0;
+  for (int i = 0; i < nodes.count; ++i) {
+    sum += host(i);
+    largest = std::max(largest, std::abs(host(i)));
+  }
+  EXPECT_NEAR(sum, 0, 1e-16);
+  EXPECT_GT(largest, 1e-3);
+}
+
+}  // namespace
+}  // namespace vug
