@@ -54,14 +54,7 @@ void warn_about_support(Scene& scene) {
 void warn_about_sides(Scene& scene) {
   const auto remark = [&](const char* pair, const BoundarySection& side) {
     if (side.flow.kind != FlowBoundaryKind::periodic) return;
-    if (scene.heat && side.heat.kind != HeatBoundaryKind::periodic) {
-      scene.warnings.push_back(fmt::format("the flow is periodic across {}, the heat is not", pair));
-    }
-    if (scene.solute && side.solute.kind != SoluteBoundaryKind::periodic) {
-      scene.warnings.push_back(fmt::format("the flow is periodic across {}, the solutes are not", pair));
-    }
-    if (scene.mechanics)
-      scene.warnings.push_back(fmt::format("the flow is periodic across {}, the rock never is", pair));
+    scene.warnings.push_back(fmt::format("the fluid is periodic across {}, the rock never is", pair));
   };
   remark("left and right", scene.left);
   remark("bottom and top", scene.bottom);
@@ -71,9 +64,9 @@ void warn_about_sides(Scene& scene) {
 
 void collect_warnings(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
-  warn_about_sides(scene);
   if (scene.rock && scene.rock->hole && scene.injection) warn_about_injection(scene);
   if (scene.mechanics) warn_about_support(scene);
+  if (scene.mechanics) warn_about_sides(scene);
   if (scene.rock && !scene.rock->mesh && scene.rock->element_size < 4 * scene.lattice.spacing) {
     scene.warnings.push_back(
         fmt::format("rock.element_size = {:g} m is below four cells: triangles too small for the lattice",
