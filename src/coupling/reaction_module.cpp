@@ -32,6 +32,7 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
     : section_(*scene.reaction),
       units_(units),
       geometry_(geometry),
+      solutes_(solutes),
       reactant_(solutes.species(section_.reactant)),
       product_(section_.product ? &solutes.species(*section_.product) : nullptr),
       heat_(heat) {
@@ -61,8 +62,9 @@ void ReactionModule<T, Set>::renew_normals(const Exec& exec) {
 }
 
 template <class T, class Set>
-void ReactionModule<T, Set>::step(const Exec& exec, const Clock&) {
-  const double k0 = section_.rate_constant / units_.rate_constant();
+void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (!solutes_.due(clock)) return;
+  const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
   const double activation = section_.activation_energy / gas_constant;
   const SoluteFields<T>* product = product_ ? &product_->fields : nullptr;
   if (heat_) {
@@ -82,7 +84,7 @@ void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::limits(LimitTable& table) const {
-  const double k0 = section_.rate_constant / units_.rate_constant();
+  const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
   const double activation = section_.activation_energy / gas_constant;
   const double D = reactant_.parameters.diffusivity();
   const auto row = [&](const char* name, double kelvin) {

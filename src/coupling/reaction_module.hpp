@@ -34,6 +34,7 @@ class ReactionModule final : public Module {
   ReactionSection section_;
   LatticeUnits units_;
   Geometry& geometry_;
+  const SoluteModule<T, Set>& solutes_;
   SpeciesState<T>& reactant_;
   SpeciesState<T>* product_;
   const HeatModule<T>* heat_;

@@ -22,16 +22,17 @@ constexpr double runaway_factor = 100;
 
 template <class T, class Set>
 SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const LatticeUnits& units,
-                                   const Geometry& geometry, const FlowModule<T>* flow)
+                                   const Geometry& geometry, FlowModule<T>* flow)
     : section_(*scene.solute),
       units_(units),
       geometry_(geometry),
-      flow_(flow),
+      carrier_(flow ? &flow->carrier(exec, scene.accuracy.solute_interval, Set::Q) : nullptr),
+      interval_(scene.accuracy.solute_interval),
       fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean) {
   for (const Species& section : section_.species) {
     SpeciesState<T> state;
     state.section = section;
-    const double D = section.diffusivity / units.diffusivity();
+    const double D = interval_ * section.diffusivity / units.diffusivity();
     state.parameters = section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
     state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
     for (const Stretch& stretch : boundary_stretches(scene)) {
@@ -68,7 +69,8 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
 }
 
 template <class T, class Set>
-void SoluteModule<T, Set>::step(const Exec& exec, const Clock&) {
+void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (!due(clock)) return;
   const FluidNodes& fluid = geometry_.fluid;
   for (SpeciesState<T>& s : species_) {
     for (const StretchLinks& boundary : s.boundaries) {
@@ -81,12 +83,12 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock&) {
         dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain);
       }
     }
-    if (!flow_)
+    if (!carrier_)
       advance_solute<Set>(exec, fluid, s.parameters, s.fields);
     else if (section_.advective_form)
-      advance_solute<Set>(exec, fluid, s.parameters, flow_->flow().u, flow_->defect(), s.fields, s.correction);
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction);
     else
-      advance_solute<Set>(exec, fluid, s.parameters, flow_->flow().u, s.fields);
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, s.fields);
   }
 }
 

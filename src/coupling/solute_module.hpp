@@ -21,12 +21,13 @@ struct SpeciesState {
   double initial = 0;              ///< lattice units
 };
 
-/// Owns the populations of all species. `flow` may be null: diffusion only.
+/// Owns the populations of all species. `flow` may be null: diffusion only. Steps every accuracy.solute_interval
+/// lattice steps, with diffusivity, velocity and rate constant times that number.
 template <class T, class Set>
 class SoluteModule final : public Module {
  public:
   SoluteModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
-               const FlowModule<T>* flow);
+               FlowModule<T>* flow);
 
   std::string_view name() const override { return "solute"; }
   void step(const Exec& exec, const Clock& clock) override;
@@ -37,6 +38,8 @@ class SoluteModule final : public Module {
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
+  bool due(const Clock& clock) const { return clock.every(interval_); }
+  int interval() const { return interval_; }
   /// State of the species of that name; the reactive wall dresses its populations.
   SpeciesState<T>& species(const std::string& name);
 
@@ -46,7 +49,8 @@ class SoluteModule final : public Module {
   SoluteSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
-  const FlowModule<T>* flow_;
+  const Carrier<T>* carrier_;  ///< null: the fluid is at rest
+  int interval_;               ///< lattice steps per step
   BirthFill fill_;
   std::vector<SpeciesState<T>> species_;
 };

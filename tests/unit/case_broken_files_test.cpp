@@ -1,6 +1,6 @@
 // Files that are no valid case, each refused with one clear line; and damage at random, which never does worse than
 // that.
-#include "case_files.hpp"
+#include "unit/case_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

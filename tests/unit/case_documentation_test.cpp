@@ -1,8 +1,8 @@
 // docs/case-file.md says what the reader does: the same keys, types, units, defaults and ranges.
-#include "case_files.hpp"
 #include "io/case_keys.hpp"
 #include "io/detail/case_checks.hpp"
 #include "io/detail/quantity.hpp"
+#include "unit/case_files.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // Every key of every table in turn is given what it cannot be; the reader must name it, with its line and column.
-#include "case_files.hpp"
 #include "io/case_keys.hpp"
+#include "unit/case_files.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
