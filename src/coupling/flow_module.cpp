@@ -1,0 +1,236 @@
+#include "coupling/flow_module.hpp"
+
+#include "coupling/read_fields.hpp"
+#include "kernels/advective_form.hpp"
+#include "kernels/guards.hpp"
+#include "kernels/open_boundary.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+// Beyond these the weakly compressible scheme has lost its meaning whatever it still computes.
+constexpr double speed_bound = 0.5;
+constexpr double density_bound = 2.0;
+
+template <class T>
+double total_mass(const FluidNodes& fluid, const FlowFields<T>& fields) {
+  ScalarField<double> partial("vug::flow::partial", block_count(fluid.count));
+  add_mass(Exec{}, fluid, fields, partial);
+  return sum_in_order(partial);
+}
+
+bool is_open(const FlowBoundary& flow) {
+  return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow ||
+         flow.kind == FlowBoundaryKind::velocity;
+}
+
+}  // namespace
+
+template <class T>
+FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry)
+    : section_(*scene.flow), units_(units), geometry_(geometry) {
+  const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
+  step_.collision = section_.collision;
+  step_.rates = relaxation_rates(section_.collision, tau);
+  for (int axis = 0; axis < 2; ++axis)
+    step_.body_force[axis] = static_cast<T>(section_.body_force[axis] / (units.acceleration() * units.pressure_scale));
+  step_.speed_limit = static_cast<T>(section_.speed_limit);
+  fields_ = make_flow_fields<T>(exec, geometry.fluid);
+  for (const Stretch& stretch : boundary_stretches(scene)) boundaries_.push_back({stretch, {}, {}, 0});
+  find_boundaries(exec);
+  initial_mass_ = total_mass(geometry.fluid, fields_);
+}
+
+template <class T>
+void FlowModule<T>::find_boundaries(const Exec& exec) {
+  const FluidNodes& fluid = geometry_.fluid;
+  for (StretchLinks& boundary : boundaries_) {
+    boundary.find(exec, fluid, D2Q9::Q);
+    if (is_open(boundary.stretch.conditions.flow)) mark_open(exec, fluid, boundary.links);
+  }
+  Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
+}
+
+template <class T>
+void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double time) const {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  switch (flow.kind) {
+    case FlowBoundaryKind::pressure: {
+      const double rise = flow.ramp_time > 0 ? std::min(1.0, time / flow.ramp_time) : 1.0;
+      const double pressure = section_.initial_pressure + rise * (flow.pressure - section_.initial_pressure);
+      dress_pressure(exec, geometry_.fluid, boundary.links, units_.lattice_pressure(pressure), fields_, boundary.gain);
+      break;
+    }
+    case FlowBoundaryKind::velocity:
+      dress_velocity(exec, geometry_.fluid, boundary.links,
+                     {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
+                     boundary.gain);
+      break;
+    case FlowBoundaryKind::outflow:
+      dress_outflow(exec, geometry_.fluid, boundary.links, fields_, boundary.gain);
+      break;
+    case FlowBoundaryKind::wall:
+      if (flow.velocity[0] != 0 || flow.velocity[1] != 0)
+        dress_velocity(exec, geometry_.fluid, boundary.links,
+                       {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
+                       boundary.gain);
+      break;
+    case FlowBoundaryKind::periodic:
+      break;
+  }
+}
+
+template <class T>
+const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int directions) {
+  for (const Carrier<T>& carrier : carriers_)
+    if (carrier.interval == interval && carrier.directions == directions) return carrier;
+  Carrier<T>& carrier = carriers_.emplace_back(Carrier<T>{interval, directions, {}, {}});
+  fit_carrier(exec, carrier);
+  return carrier;
+}
+
+template <class T>
+void FlowModule<T>::fit_carrier(const Exec& exec, Carrier<T>& carrier) {
+  if (carrier.interval == 1)
+    carrier.u = fields_.u;
+  else
+    Kokkos::resize(exec, carrier.u, geometry_.fluid.capacity, 2);
+  Kokkos::resize(exec, carrier.e, geometry_.fluid.capacity);
+}
+
+/// u_out = n u.
+template <class T>
+struct ScaleVelocity {
+  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  VectorField<T> scaled;
+  T n;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    scaled(i, 0) = n * u(i, 0);
+    scaled(i, 1) = n * u(i, 1);
+  }
+};
+
+template <class T>
+void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
+  const FluidNodes& fluid = geometry_.fluid;
+  // The velocity that scalars were collided with in the step before is about to be overwritten.
+  for (const Carrier<T>& carrier : carriers_) {
+    if (!carrier.due(clock.step - 1)) continue;
+    if (carrier.directions == D2Q5::Q)
+      advective_defect<D2Q5>(exec, fluid, carrier.u, carrier.e);
+    else
+      advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e);
+  }
+  for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
+  collide_and_stream(exec, fluid, fields_, step_);
+  for (const Carrier<T>& carrier : carriers_)
+    if (carrier.interval > 1 && carrier.due(clock.step))
+      for_each_node(exec, "vug::flow::scale_velocity", fluid.count,
+                    ScaleVelocity<T>{fields_.u, carrier.u, static_cast<T>(carrier.interval)});
+}
+
+template <class T>
+void FlowModule<T>::births(const Exec& exec, const Births& births) {
+  fit_to_capacity(exec, geometry_.fluid, births.first, fields_);
+  const double before = total_mass(geometry_.fluid, fields_);
+  initialise_births(exec, geometry_.fluid, births.first, births.last, fields_);
+  born_mass_ += total_mass(geometry_.fluid, fields_) - before;
+  for (Carrier<T>& carrier : carriers_) fit_carrier(exec, carrier);
+  find_boundaries(exec);
+}
+
+template <class T>
+void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
+  const FlowExtremes extremes = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
+  if (extremes.bad < 0) return;
+  int node = 0;
+  Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, extremes.bad));
+  throw StabilityError(fmt::format(
+      "flow diverged at step {}: node ({}, {}) is not finite or beyond |u| = {}, |rho'| = {} (lattice units); lower the "
+      "pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)",
+      clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), speed_bound, density_bound));
+}
+
+template <class T>
+void FlowModule<T>::limits(LimitTable& table) const {
+  const double nu = section_.viscosity / units_.diffusivity();
+  double highest = 0;
+  for (const StretchLinks& boundary : boundaries_)
+    if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::pressure)
+      highest = std::max(highest, std::abs(units_.lattice_pressure(boundary.stretch.conditions.flow.pressure)));
+  // The lowest relaxation times that survived a stair-step geometry at a pressure difference (docs/stability.md).
+  const double lowest_tau = highest > 0.04 ? 0.764 : highest > 0.01 ? 0.60 : 0.505;
+  table.push_back({"flow", "relaxation time tau_f", 0.5 + 3 * nu, "1", lowest_tau - 1e-9, 2.5,
+                   "change lattice.time_step: tau - 1/2 is proportional to it"});
+  table.push_back({"flow", "viscosity", nu, "lattice", 0, 1, "change lattice.time_step"});
+  table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
+                   "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+  table.push_back({"flow", "Mach number of Bernoulli's bound", std::sqrt(6 * highest), "1", 0, 0.9,
+                   "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+}
+
+template <class T>
+void FlowModule<T>::ledger(Ledger& ledger) const {
+  const double kg = units_.fluid_density * units_.volume();
+  Balance& balance = ledger.of("fluid_mass", "kg/m");
+  balance.initial = kg * initial_mass_;
+  balance.stored = kg * total_mass(geometry_.fluid, fields_);
+  double entered = 0;
+  for (const StretchLinks& boundary : boundaries_) entered += boundary.total();
+  balance.gains.push_back({"boundaries", kg * entered});
+  balance.gains.push_back({"births", kg * born_mass_});
+}
+
+template <class T>
+void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
+  const FlowExtremes extremes = flow_extremes(Exec{}, geometry_.fluid, fields_, speed_bound, density_bound);
+  row.push_back({"largest_mach_1", extremes.speed * std::sqrt(3.0)});
+  row.push_back({"fluid_nodes_1", static_cast<double>(geometry_.fluid.count)});
+  row.push_back({"speed_limiter_uses_1", sum_in_order(step_.limited)});
+}
+
+template <class T>
+void FlowModule<T>::fields(FieldList& list) const {
+  list.lattice.push_back({"pressure", "Pa", 1, [this](std::span<double> out) {
+                            read_fluid(geometry_.fluid, fields_.density,
+                                       {units_.pressure() / 3, units_.reference_pressure, units_.reference_pressure},
+                                       out);
+                          }});
+  list.lattice.push_back({"velocity", "m/s", 2, [this](std::span<double> out) {
+                            for (int axis = 0; axis < 2; ++axis)
+                              read_fluid(geometry_.fluid, Kokkos::subview(fields_.u, Kokkos::ALL, axis),
+                                         {units_.velocity(), 0, 0}, out, axis, 2);
+                          }});
+}
+
+template <class T>
+void FlowModule<T>::state(StateList& list) {
+  list.add("flow/f", fields_.f);
+  list.add("flow/density", fields_.density);
+  list.add("flow/u", fields_.u);
+  list.add("flow/limited", step_.limited);
+  for (const Carrier<T>& carrier : carriers_) {
+    const std::string key = "flow/carrier" + std::to_string(carrier.interval) + "_" + std::to_string(carrier.directions);
+    if (carrier.interval > 1) list.add(key + "/u", carrier.u);
+    list.add(key + "/e", carrier.e);
+  }
+  for (StretchLinks& boundary : boundaries_) {
+    const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
+    list.add(key + "/gain", boundary.gain);
+    list.add_value(key + "/entered", boundary.entered);
+  }
+  list.add_value("flow/initial_mass", initial_mass_);
+  list.add_value("flow/born_mass", born_mass_);
+}
+
+template class FlowModule<float>;
+template class FlowModule<double>;
+
+}  // namespace vug

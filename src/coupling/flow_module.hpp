@@ -1,0 +1,50 @@
+#pragma once
+// Flow through the pores (paper section 2.1).
+#include "coupling/carrier.hpp"
+#include "coupling/module.hpp"
+#include "coupling/stretch_links.hpp"
+#include "kernels/flow.hpp"
+#include "kernels/units.hpp"
+
+#include <deque>
+
+namespace vug {
+
+/// Owns the flow populations, velocity and pressure; writes nothing else.
+template <class T>
+class FlowModule final : public Module {
+ public:
+  FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry);
+
+  std::string_view name() const override { return "flow"; }
+  void step(const Exec& exec, const Clock& clock) override;
+  void births(const Exec& exec, const Births& births) override;
+  void guard(const Exec& exec, const Clock& clock) override;
+  void limits(LimitTable& table) const override;
+  void ledger(Ledger& ledger) const override;
+  void history(std::vector<HistoryValue>& row) const override;
+  void fields(FieldList& list) const override;
+  void state(StateList& list) override;
+
+  const FlowFields<T>& flow() const { return fields_; }
+  /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities. Asked for
+  /// at set-up; the reference stays valid.
+  const Carrier<T>& carrier(const Exec& exec, int interval, int directions);
+
+ private:
+  void find_boundaries(const Exec& exec);
+  void dress(const Exec& exec, const StretchLinks& boundary, double time) const;
+  void fit_carrier(const Exec& exec, Carrier<T>& carrier);
+
+  FlowSection section_;
+  LatticeUnits units_;
+  const Geometry& geometry_;
+  std::vector<StretchLinks> boundaries_;
+  FlowFields<T> fields_;
+  FlowStep<T> step_;
+  std::deque<Carrier<T>> carriers_;
+  double initial_mass_ = 0;  ///< lattice units, as are all sums below
+  double born_mass_ = 0;
+};
+
+}  // namespace vug

@@ -1,0 +1,80 @@
+#include "coupling/pathways.hpp"
+
+#include "kernels/launch.hpp"
+
+namespace vug {
+
+/// Marks the candidates that the damage of their bond opens now and counts them.
+struct MarkOpening {
+  PathwayNodes nodes;
+  Kokkos::View<const double*> d_m;
+  Kokkos::View<NodeType*> type;
+  Kokkos::View<std::uint8_t*> opening;
+  KOKKOS_FUNCTION void operator()(int c, int& count) const {
+    const int n = nodes.node(c), b = nodes.bond(c);
+    if (type(n) != NodeType::solid) return;
+    if (nodes.distance(c) > 0.5 * pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b))) return;
+    type(n) = NodeType::fluid;
+    opening(n) = 1;
+    ++count;
+  }
+};
+
+/// Per particle: the volume of its opening nodes, shared among its solid nodes.
+struct ShareVolume {
+  Groups nodes;
+  Kokkos::View<const NodeType*> type;
+  Kokkos::View<std::uint8_t*> opening;
+  ScalarField<double> volume, stranded;
+  KOKKOS_FUNCTION void operator()(int p) const {
+    double freed = 0;
+    int solid = 0;
+    for (int k = nodes.offset(p); k < nodes.offset(p + 1); ++k) {
+      const int n = nodes.item(k);
+      if (opening(n)) {
+        freed += volume(n);
+        volume(n) = 0;
+        opening(n) = 0;
+      } else if (type(n) == NodeType::solid) {
+        ++solid;
+      }
+    }
+    if (freed == 0) return;
+    if (solid == 0) {
+      stranded(p) += freed;
+      return;
+    }
+    const double part = freed / solid;
+    for (int k = nodes.offset(p); k < nodes.offset(p + 1); ++k)
+      if (type(nodes.item(k)) == NodeType::solid) volume(nodes.item(k)) += part;
+  }
+};
+
+struct ClearOpening {
+  PathwayNodes nodes;
+  Kokkos::View<std::uint8_t*> opening;
+  KOKKOS_FUNCTION void operator()(int c) const { opening(nodes.node(c)) = 0; }
+};
+
+PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, Groups nodes_of_particle)
+    : nodes_(std::move(nodes)),
+      nodes_of_particle_(std::move(nodes_of_particle)),
+      opening_("vug::pathways::opening", lattice.size()),
+      stranded_("vug::pathways::stranded", nodes_of_particle_.count()) {}
+
+int PathwayOpener::open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
+                        const ScalarField<double>& volume) {
+  const int candidates = static_cast<int>(nodes_.node.extent(0));
+  int opened = 0;
+  Kokkos::parallel_reduce("vug::pathways::mark", Kokkos::RangePolicy<Exec>(exec, 0, candidates),
+                          MarkOpening{nodes_, d_m, type, opening_}, opened);
+  if (opened == 0) return 0;
+  if (volume.extent(0) > 0)
+    Kokkos::parallel_for("vug::pathways::share", Kokkos::RangePolicy<Exec>(exec, 0, nodes_of_particle_.count()),
+                         ShareVolume{nodes_of_particle_, type, opening_, volume, stranded_});
+  else
+    for_each_node(exec, "vug::pathways::clear", candidates, ClearOpening{nodes_, opening_});
+  return opened;
+}
+
+}  // namespace vug

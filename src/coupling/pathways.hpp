@@ -1,0 +1,42 @@
+#pragma once
+// How damage conducts: each bond carries a strip of nodes that turn fluid as its mechanical damage grows
+// (paper sections 2.4, 3.1; closure with c_d in docs/model.md, "Pathways").
+#include "coupling/rock_map.hpp"
+#include "kernels/fluid_nodes.hpp"
+
+namespace vug {
+
+/// Aperture of the strip of a bond in cells: w(d_m) = w_0 + d_m (w_1 - w_0).
+KOKKOS_FORCEINLINE_FUNCTION double pathway_aperture(double d_m, double closed, double open) {
+  return closed + d_m * (open - closed);
+}
+
+/// The solid nodes near bonds, each with its bond and its distance from it.
+struct PathwayNodes {
+  IndexList node;                 ///< (candidate) dense node
+  IndexList bond;                 ///< (candidate)
+  ScalarField<double> distance;   ///< (candidate) to the bond's edge, cells
+  ScalarField<double> closed;     ///< (bond) aperture w_0 at d_m = 0, cells
+  ScalarField<double> open;       ///< (bond) aperture w_1 at d_m = 1, cells
+};
+
+/// Turns fluid the nodes whose distance is within half the aperture of their bond, never back, and hands the solid
+/// volume of each to the other solid nodes of its particle in equal parts, so that mass is conserved (section 3.3);
+/// what a particle without solid left cannot take is added to `stranded` (particle). `volume` may be empty (a scene
+/// without dissolution). Returns how many nodes opened.
+class PathwayOpener {
+ public:
+  PathwayOpener(const Lattice& lattice, PathwayNodes nodes, Groups nodes_of_particle);
+  int open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
+           const ScalarField<double>& volume);
+  /// Volume that found no solid node to go to, in pixels, per particle.
+  const ScalarField<double>& stranded() const { return stranded_; }
+
+ private:
+  PathwayNodes nodes_;
+  Groups nodes_of_particle_;
+  Kokkos::View<std::uint8_t*> opening_;  ///< (dense node) 1 while its volume is being handed on
+  ScalarField<double> stranded_;
+};
+
+}  // namespace vug

@@ -1,0 +1,41 @@
+#pragma once
+// From fields on the device to plain arrays over the lattice for output: row by row, without halo, in SI.
+#include "kernels/fluid_nodes.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace vug {
+
+/// How stored values become SI: scale * value + shift, and what stands where nothing is stored.
+struct Conversion {
+  double scale = 1;
+  double shift = 0;
+  double elsewhere = 0;
+};
+
+/// Spreads one value per fluid node over the lattice, as component `component` of `components`.
+template <class ViewType>
+void read_fluid(const FluidNodes& fluid, const ViewType& values, const Conversion& conversion, std::span<double> out,
+                int component = 0, int components = 1) {
+  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fluid.node);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, values);
+  const Lattice& lattice = fluid.lattice;
+  for (std::size_t n = component; n < out.size(); n += components) out[n] = conversion.elsewhere;
+  for (int i = 0; i < fluid.count; ++i) {
+    const std::size_t n = static_cast<std::size_t>(lattice.y(node(i))) * lattice.nx + lattice.x(node(i));
+    out[n * components + component] = conversion.scale * static_cast<double>(host(i)) + conversion.shift;
+  }
+}
+
+/// Copies the interior of a dense field.
+template <class ViewType>
+void read_dense(const Lattice& lattice, const ViewType& values, const Conversion& conversion, std::span<double> out) {
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, values);
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x)
+      out[static_cast<std::size_t>(y) * lattice.nx + x] =
+          conversion.scale * static_cast<double>(host(lattice.node(x, y))) + conversion.shift;
+}
+
+}  // namespace vug

@@ -1,0 +1,78 @@
+#pragma once
+// How far and how fast the two faces of a bond have parted at an integration point.
+#include "dem/bonds.hpp"
+#include "dem/thermal_strain.hpp"
+
+namespace vug {
+
+/// Motion of the particle at one end of a bond.
+struct EndMotion {
+  Vec2 u;       ///< displacement, m
+  Vec2 v;       ///< velocity, m/s
+  double spin;  ///< 1/s
+  Rotation rotation;
+  double scale;  ///< thermal scale of lever arms
+
+  /// Displacement of the end of lever arm r (body frame).
+  KOKKOS_FORCEINLINE_FUNCTION Vec2 displacement_at(Vec2 r) const {
+    return u + (scale - 1) * r + scale * rotation.move(r);
+  }
+};
+
+KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_of(const Particles& p, double expansion, int i) {
+  return {{p.u(i, 0), p.u(i, 1)},
+          {p.v(i, 0), p.v(i, 1)},
+          p.spin(i),
+          {p.rotation(i, 0), p.rotation(i, 1)},
+          thermal_scale(expansion, p.temperature_change(i))};
+}
+
+/// Normal and tangent of a bond now: the mean of the edge's directions as its two ends have turned it.
+struct BondFrame {
+  Vec2 n;
+  Vec2 t;
+};
+
+KOKKOS_FORCEINLINE_FUNCTION BondFrame frame_of(Vec2 normal, const Rotation& a, const Rotation& b) {
+  const Vec2 sum = normal + 0.5 * (a.move(normal) + b.move(normal));
+  const Vec2 n = (1 / norm(sum)) * sum;
+  return {n, {-n.y, n.x}};
+}
+
+/// Opening of one integration point, its rate, and the lever arms of its midpoint. Equal and opposite forces act there,
+/// on one line, so that linear and angular momentum are kept exactly and the elastic forces have a potential.
+struct PointOpening {
+  double delta_n, delta_t;
+  double rate_n, rate_t;
+  Vec2 arm_a, arm_b;
+};
+
+KOKKOS_FORCEINLINE_FUNCTION PointOpening opening_of(const EndMotion& a, const EndMotion& b, Vec2 r_a, Vec2 r_b,
+                                                    const BondFrame& frame) {
+  const Vec2 delta = b.displacement_at(r_b) - a.displacement_at(r_a);
+  const Vec2 arm_a = a.scale * a.rotation.turn(r_a) + 0.5 * delta;
+  const Vec2 arm_b = b.scale * b.rotation.turn(r_b) - 0.5 * delta;
+  const Vec2 rate = b.v + spin_times(b.spin, arm_b) - a.v - spin_times(a.spin, arm_a);
+  return {dot(delta, frame.n), dot(delta, frame.t), dot(rate, frame.n), dot(rate, frame.t), arm_a, arm_b};
+}
+
+/// Frame and both points of one bond.
+struct BondMotion {
+  BondFrame frame;
+  PointOpening opening[2];
+};
+
+KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const Particles& particles, const Bonds& bonds, double expansion,
+                                                      int k) {
+  const EndMotion a = motion_of(particles, expansion, bonds.pair(k, 0));
+  const EndMotion b = motion_of(particles, expansion, bonds.pair(k, 1));
+  BondMotion motion;
+  motion.frame = frame_of({bonds.normal(k, 0), bonds.normal(k, 1)}, a.rotation, b.rotation);
+  for (int s = 0; s < 2; ++s) {
+    motion.opening[s] = opening_of(a, b, {bonds.arm(k, s, 0, 0), bonds.arm(k, s, 0, 1)},
+                                   {bonds.arm(k, s, 1, 0), bonds.arm(k, s, 1, 1)}, motion.frame);
+  }
+  return motion;
+}
+
+}  // namespace vug

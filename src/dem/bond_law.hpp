@@ -1,0 +1,81 @@
+#pragma once
+// The cohesive bond at one integration point: strengths, the unified linear traction-separation law and the damage it
+// leaves. Stresses in Pa, openings in m, tension and opening positive. Equation numbers are the paper's.
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// Comprehensive damage d' = d_m + d_c - d_m d_c (Eq. 26); the modulus keeps the share 1 - d' (Eq. 12).
+KOKKOS_FORCEINLINE_FUNCTION constexpr double comprehensive_damage(double d_m, double d_c) {
+  return d_m + d_c - d_m * d_c;
+}
+
+/// Strength left at chemical damage d_c (Eqs. 27, 29): f1 = -0.83 d2 + 0.017 d + 0.98, over f1(0) when normalised.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_strength_factor(double d_c, bool normalised) {
+  return ((-0.83 * d_c + 0.017) * d_c + 0.98) / (normalised ? 0.98 : 1.0);
+}
+
+/// Where the fit of f2 has its minimum: beyond it dissolved rock would get tougher, so f2 is held there.
+inline constexpr double chemical_energy_turning_point = 3.34 / (2 * 5.29);
+
+/// Fracture energy left at d_c (Eqs. 27, 29): f2 = 5.29 d2 - 3.34 d + 1.01 up to its minimum, then constant.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_energy_factor(double d_c, bool normalised) {
+  const double d = d_c < chemical_energy_turning_point ? d_c : chemical_energy_turning_point;
+  return ((5.29 * d - 3.34) * d + 1.01) / (normalised ? 1.01 : 1.0);
+}
+
+/// Shear strength by Mohr-Coulomb: c + tan(phi) <-sigma_n>; compression strengthens, tension does not weaken.
+KOKKOS_FORCEINLINE_FUNCTION double shear_strength(double cohesion, double tan_phi, double sigma_n) {
+  return cohesion + tan_phi * Kokkos::max(0.0, -sigma_n);
+}
+
+/// What one integration point is made of, at its current chemical damage.
+struct BondPoint {
+  double k_n;      ///< M_n (1 - d_c) / L, Pa/m
+  double k_t;      ///< M_t (1 - d_c) / L, Pa/m
+  double sigma_n;  ///< normal strength, Pa
+  double sigma_t;  ///< shear strength at the current normal stress, Pa
+  double G_I;      ///< N/m
+  double G_II;     ///< N/m
+};
+
+/// The square of the undamaged stress over the strength ellipse: 1 or more means damage (Eq. 11).
+KOKKOS_FORCEINLINE_FUNCTION double ellipse(const BondPoint& p, double delta_n, double delta_t) {
+  constexpr double smallest = 1e-300, largest = 1e100;  // a strength may be zero
+  const double n = p.k_n * Kokkos::max(0.0, delta_n) / Kokkos::max(p.sigma_n, smallest);
+  const double t = p.k_t * delta_t / Kokkos::max(p.sigma_t, smallest);
+  return Kokkos::min(n * n + t * t, largest);
+}
+
+/// Damage that the opening asks for on the unified linear law. With the mixity of the current opening delta_e,
+///   delta_0 = delta_e / r,                       r = sqrt(ellipse)                     (onset, Eq. 11)
+///   delta_f = 2 delta_e r / W,                   W = k_n <delta_n>^2 / G_I + k_t delta_t^2 / G_II
+///   d_m     = delta_f (delta_e - delta_0) / (delta_e (delta_f - delta_0)) = 2 r (r - 1) / (2 r^2 - W),
+/// so that the equivalent stress falls linearly from the ellipse to zero and W_I/G_I + W_II/G_II = 1 on a proportional
+/// path. delta_f <= delta_0 (stored energy above G) is a snap: d_m = 1 at once.
+KOKKOS_FORCEINLINE_FUNCTION double damage_of_opening(const BondPoint& p, double delta_n, double delta_t) {
+  constexpr double smallest = 1e-300, largest = 1e100;
+  const double opening = Kokkos::max(0.0, delta_n);
+  const double e = ellipse(p, delta_n, delta_t);
+  const double r = Kokkos::sqrt(e);
+  const double w = Kokkos::min(p.k_n * opening * opening / Kokkos::max(p.G_I, smallest) +
+                                   p.k_t * delta_t * delta_t / Kokkos::max(p.G_II, smallest),
+                               largest * largest);
+  const double span = 2 * e - w;
+  const double softening = span > 0 ? Kokkos::min(1.0, 2 * r * (r - 1) / span) : 1.0;
+  return r > 1 ? softening : 0.0;
+}
+
+/// Whether the onset is by tension rather than by shear: the larger term of Eq. 11.
+KOKKOS_FORCEINLINE_FUNCTION bool onset_in_tension(const BondPoint& p, double delta_n, double delta_t) {
+  constexpr double smallest = 1e-300;
+  return p.k_n * Kokkos::max(0.0, delta_n) * Kokkos::max(p.sigma_t, smallest) >
+         p.k_t * Kokkos::abs(delta_t) * Kokkos::max(p.sigma_n, smallest);
+}
+
+/// Share of the stiffness that damage leaves: all of it in compression, 1 - d_m in tension (Eq. 12).
+KOKKOS_FORCEINLINE_FUNCTION constexpr double normal_integrity(double d_m, double delta_n) {
+  return delta_n > 0 ? 1 - d_m : 1;
+}
+
+}  // namespace vug

@@ -1,0 +1,158 @@
+#include "dem/bonds.hpp"
+
+#include "dem/edges.hpp"
+#include "dem/heterogeneity.hpp"
+#include "kernels/require.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+namespace {
+
+template <class V>
+V fresh(const char* label, std::size_t count) {
+  return V(std::string("vug::dem::") + label, count);
+}
+
+void allocate(Bonds& b, int n, int particles) {
+  const auto size = static_cast<std::size_t>(n);
+  b.count = n;
+  b.pair = fresh<decltype(b.pair)>("bond_pair", size);
+  b.vertex = fresh<decltype(b.vertex)>("bond_vertex", size);
+  b.length = fresh<ScalarField<double>>("bond_length", size);
+  b.spacing = fresh<ScalarField<double>>("bond_spacing", size);
+  b.normal = fresh<VectorField<double>>("bond_normal", size);
+  b.arm = fresh<decltype(b.arm)>("bond_arm", size);
+  b.normal_strength = fresh<ScalarField<double>>("bond_normal_strength", size);
+  b.cohesion = fresh<ScalarField<double>>("bond_cohesion", size);
+  b.energy_I = fresh<ScalarField<double>>("bond_energy_I", size);
+  b.energy_II = fresh<ScalarField<double>>("bond_energy_II", size);
+  b.point_damage = fresh<decltype(b.point_damage)>("bond_point_damage", size);
+  b.d_m = fresh<ScalarField<double>>("bond_d_m", size);
+  b.d_c = fresh<ScalarField<double>>("bond_d_c", size);
+  b.state = fresh<decltype(b.state)>("bond_state", size);
+  b.slip = fresh<decltype(b.slip)>("bond_slip", size);
+  b.stress = fresh<decltype(b.stress)>("bond_stress", size);
+  b.load = fresh<decltype(b.load)>("bond_load", size);
+  b.row = fresh<IndexList>("bond_row", static_cast<std::size_t>(particles) + 1);
+  b.entry = fresh<IndexList>("bond_entry", 2 * size);
+}
+
+void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, const Particles& particles, Bonds& b) {
+  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  const auto pair = Kokkos::create_mirror_view(b.pair);
+  const auto vertex = Kokkos::create_mirror_view(b.vertex);
+  const auto length = Kokkos::create_mirror_view(b.length);
+  const auto spacing = Kokkos::create_mirror_view(b.spacing);
+  const auto normal = Kokkos::create_mirror_view(b.normal);
+  const auto arm = Kokkos::create_mirror_view(b.arm);
+  for (int k = 0; k < b.count; ++k) {
+    const Edge& edge = edges[static_cast<std::size_t>(k)];
+    const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
+    const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
+    const Vec2 half{0.5 * (q[0] - p[0]), 0.5 * (q[1] - p[1])};
+    const Vec2 middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
+    const double l = 2 * norm(half);
+    const Vec2 n{2 * half.y / l, -2 * half.x / l};
+    Vec2 centre[2];
+    for (int end = 0; end < 2; ++end) {
+      const int i = edge.triangle[static_cast<std::size_t>(end)];
+      pair(k, end) = i;
+      vertex(k, end) = edge.vertex[static_cast<std::size_t>(end)];
+      centre[end] = {x0(i, 0), x0(i, 1)};
+      for (int point = 0; point < 2; ++point) {
+        const Vec2 r = middle + (point == 0 ? -gauss_point : gauss_point) * half - centre[end];
+        arm(k, point, end, 0) = r.x;
+        arm(k, point, end, 1) = r.y;
+      }
+    }
+    length(k) = l;
+    spacing(k) = dot(centre[1] - centre[0], n);
+    normal(k, 0) = n.x;
+    normal(k, 1) = n.y;
+  }
+  Kokkos::deep_copy(b.pair, pair);
+  Kokkos::deep_copy(b.vertex, vertex);
+  Kokkos::deep_copy(b.length, length);
+  Kokkos::deep_copy(b.spacing, spacing);
+  Kokkos::deep_copy(b.normal, normal);
+  Kokkos::deep_copy(b.arm, arm);
+}
+
+void draw(const BondParameters& law, const std::vector<Edge>& edges, BondProperty property, double mean,
+          const ScalarField<double>& values) {
+  const auto host = Kokkos::create_mirror_view(values);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto [low, high] = std::minmax(edges[k].vertex[0], edges[k].vertex[1]);
+    const double u = uniform_of(law.seed, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high),
+                                static_cast<std::uint64_t>(property));
+    host(k) = mean * weibull_of_mean_one(u, law.weibull_shape);
+  }
+  Kokkos::deep_copy(values, host);
+}
+
+void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edges, Bonds& b) {
+  std::set<std::array<int, 2>> cracks;
+  for (const auto& c : assembly.initial_cracks) cracks.insert({std::min(c[0], c[1]), std::max(c[0], c[1])});
+  const auto state = Kokkos::create_mirror_view(b.state);
+  const auto d_m = Kokkos::create_mirror_view(b.d_m);
+  const auto point_damage = Kokkos::create_mirror_view(b.point_damage);
+  for (int k = 0; k < b.count; ++k) {
+    const auto& v = edges[static_cast<std::size_t>(k)].vertex;
+    const bool cracked = cracks.erase({std::min(v[0], v[1]), std::max(v[0], v[1])}) > 0;
+    state(k) = cracked ? BondState::cracked_at_start : BondState::intact;
+    d_m(k) = point_damage(k, 0) = point_damage(k, 1) = cracked ? 1 : 0;
+  }
+  if (!cracks.empty()) {
+    const auto& v = *cracks.begin();
+    throw InputError("rock assembly: initial crack " + std::to_string(v[0]) + "-" + std::to_string(v[1]) +
+                     " is no edge between two triangles");
+  }
+  Kokkos::deep_copy(b.state, state);
+  Kokkos::deep_copy(b.d_m, d_m);
+  Kokkos::deep_copy(b.point_damage, point_damage);
+}
+
+void fill_rows(const std::vector<Edge>& edges, int particles, Bonds& b) {
+  const auto row = Kokkos::create_mirror_view(b.row);
+  const auto entry = Kokkos::create_mirror_view(b.entry);
+  std::vector<std::vector<int>> of(static_cast<std::size_t>(particles));
+  for (int k = 0; k < b.count; ++k) {
+    for (int end = 0; end < 2; ++end) {
+      const auto i = edges[static_cast<std::size_t>(k)].triangle[static_cast<std::size_t>(end)];
+      of[static_cast<std::size_t>(i)].push_back(2 * k + end);
+    }
+  }
+  int next = 0;
+  for (int i = 0; i < particles; ++i) {
+    row(i) = next;
+    for (const int e : of[static_cast<std::size_t>(i)]) entry(next++) = e;
+  }
+  row(particles) = next;
+  Kokkos::deep_copy(b.row, row);
+  Kokkos::deep_copy(b.entry, entry);
+}
+
+}  // namespace
+
+Bonds make_bonds(const Assembly& assembly, const Particles& particles, const MechanicsParameters& parameters) {
+  std::vector<Edge> edges = find_edges(assembly);
+  std::erase_if(edges, [](const Edge& edge) { return edge.triangle[1] < 0; });
+  Bonds b;
+  allocate(b, static_cast<int>(edges.size()), particles.count);
+  fill_geometry(assembly, edges, particles, b);
+  const BondParameters& law = parameters.bond;
+  draw(law, edges, BondProperty::normal_strength, law.normal_strength, b.normal_strength);
+  draw(law, edges, BondProperty::cohesion, law.cohesion, b.cohesion);
+  draw(law, edges, BondProperty::energy_I, law.fracture_energy_I, b.energy_I);
+  draw(law, edges, BondProperty::energy_II, law.fracture_energy_II, b.energy_II);
+  open_initial_cracks(assembly, edges, b);
+  fill_rows(edges, particles.count, b);
+  return b;
+}
+
+}  // namespace vug

@@ -1,0 +1,46 @@
+#pragma once
+// Two bodies that touch without being bonded: normal spring and dashpot that never pull, friction spring with a slider.
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// Springs, dashpots and slider of one contact point.
+struct ContactPoint {
+  double k_n;  ///< normal stiffness
+  double k_t;  ///< tangential stiffness
+  double c_n;  ///< normal dashpot
+  double c_t;  ///< tangential dashpot
+  double mu;   ///< friction coefficient
+};
+
+/// Reaction at a contact point and where its slider stands afterwards.
+struct ContactReaction {
+  double normal;      ///< compression, >= 0
+  double tangential;  ///< along the tangent, opposing stretch
+  double slip;        ///< new position of the slider
+};
+
+/// Reaction to an overlap (closing positive), its rate and the tangential offset of the two bodies:
+///   f_n = max(0, k_n overlap + c_n rate),  f_t = -k_t (offset - slip) - c_t offset_rate,  |f_t| <= mu f_n;
+/// a sliding contact drags the slider behind it, an open one carries it along.
+KOKKOS_FORCEINLINE_FUNCTION ContactReaction contact_reaction(const ContactPoint& p, double overlap, double overlap_rate,
+                                                             double offset, double offset_rate, double slip) {
+  const bool closed = overlap > 0;
+  const double normal = closed ? Kokkos::max(0.0, p.k_n * overlap + p.c_n * overlap_rate) : 0.0;
+  const double limit = p.mu * normal;
+  const double spring = -p.k_t * (offset - slip);
+  const double trial = spring - p.c_t * offset_rate;
+  const double tangential = Kokkos::max(-limit, Kokkos::min(limit, trial));
+  const bool slides = Kokkos::abs(spring) > limit;
+  const double dragged = offset + (spring > 0 ? limit : -limit) / p.k_t;
+  return {normal, tangential, !closed ? offset : slides ? dragged : slip};
+}
+
+/// Restitution of a head-on collision of two bodies of effective mass m: exp(-pi z / sqrt(1 - z^2)),
+/// z = c_n / (2 sqrt(k_n m)), when the dashpot may not pull this is a lower bound.
+KOKKOS_FUNCTION inline double restitution_of_dashpot(double k_n, double c_n, double m) {
+  const double z = c_n / (2 * Kokkos::sqrt(k_n * m));
+  return z < 1 ? Kokkos::exp(-Kokkos::numbers::pi * z / Kokkos::sqrt(1 - z * z)) : 0.0;
+}
+
+}  // namespace vug

@@ -1,0 +1,21 @@
+#pragma once
+// Newton's law for every particle (Eq. 10), leapfrog.
+#include "dem/bonds.hpp"
+#include "dem/loads.hpp"
+
+namespace vug {
+
+/// How one step is taken.
+struct StepControl {
+  double dt = 0;             ///< s
+  double local_damping = 0;  ///< Cundall's alpha
+  double mass_scaling = 1;   ///< of inertia only
+  double load_factor = 1;    ///< scales tractions and gravity, for ramps
+};
+
+/// Gathers the forces on each particle in fixed order and moves it: v(t + dt/2) = v(t - dt/2) + dt F / m,
+/// u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
+void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const BoundaryLoads& loads,
+               const Particles& particles);
+
+}  // namespace vug

@@ -1,0 +1,56 @@
+#pragma once
+// What acts on the outside of the rock: stress and supports on its four sides, and gravity.
+#include "dem/particles.hpp"
+
+#include <array>
+#include <vector>
+
+namespace vug {
+
+/// The four sides of the rock, numbered like the outward axes +x, +y, -x, -y.
+enum class RockSide : int { right = 0, top = 1, left = 2, bottom = 3 };
+inline constexpr int rock_side_count = 4;
+
+/// How a side is held. Held particles are those with an edge on the side.
+enum class Support {
+  free,    ///< not at all
+  roller,  ///< a frictionless rigid platen: normal motion and rotation are held
+  fixed,   ///< a glued rigid platen: all motion is held
+};
+
+/// Loads of the four sides in the order of RockSide.
+struct Loads {
+  std::array<std::array<double, 2>, 4> traction{};  ///< force on the rock per area, Pa: {-5e6, 0} on the right presses
+  std::array<Support, 4> support{Support::free, Support::free, Support::free, Support::free};
+  std::array<std::array<double, 2>, 4> velocity{};  ///< of the platen of a held side, m/s
+  std::array<double, 2> gravity{};                  ///< m/s2
+};
+
+/// An edge of the rock's boundary.
+struct BoundaryEdge {
+  int particle;
+  std::array<int, 2> vertex;  ///< p, q with the rock on their left
+  int side;                   ///< RockSide, or -1: hole, notch or inner surface
+};
+
+/// All boundary edges. An edge belongs to a side when both its ends lie on that side of the assembly's bounding box.
+std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
+
+/// Steady loads of each particle, ready for the integrator. The torque of a dead load turns with the particle:
+/// T = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
+struct BoundaryLoads {
+  VectorField<double> force;   ///< (particle, axis) N
+  VectorField<double> moment;  ///< (particle, A or B) N m
+  double gravity_x = 0;        ///< m/s2
+  double gravity_y = 0;
+};
+
+/// Places tractions at the edges' midpoints and writes the supports into held and drive of the particles.
+BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary, const Loads& loads,
+                          const Particles& particles);
+
+/// Changes the speed of the platen at a held side.
+void set_platen_velocity(const std::vector<BoundaryEdge>& boundary, RockSide side, std::array<double, 2> velocity,
+                         const Particles& particles);
+
+}  // namespace vug

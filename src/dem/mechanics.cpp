@@ -1,0 +1,105 @@
+#include "dem/mechanics.hpp"
+
+#include "dem/bond_forces.hpp"
+#include "dem/critical_step.hpp"
+#include "dem/require_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace vug {
+
+namespace {
+
+constexpr double preload_damping = 0.7;
+constexpr double at_rest = 1e-9;      // kinetic over elastic energy: the stress oscillates by its square root
+constexpr int looks_at_rest = 3;      // in a row, a fifth of the ramp apart: no turning point of an oscillation
+constexpr int longest_settling = 50;  // times the ramp
+
+MechanicsParameters checked(const MechanicsParameters& parameters) {
+  require_parameters(parameters);
+  return parameters;
+}
+
+}  // namespace
+
+Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parameters, const Loads& loads)
+    : parameters_(checked(parameters)),
+      boundary_(find_boundary(assembly)),
+      particles_(make_particles(assembly, parameters)),
+      bonds_(make_bonds(assembly, particles_, parameters)),
+      loads_(apply_loads(assembly, boundary_, loads, particles_)) {}
+
+double Mechanics::critical_step() const {
+  return vug::critical_step(Exec(), parameters_, particles_, bonds_);
+}
+
+void Mechanics::step(const Exec& exec, const StepControl& control) {
+  compute_bond_forces(exec, parameters_, particles_, bonds_);
+  integrate(exec, control, bonds_, loads_, particles_);
+}
+
+void Mechanics::advance(const Exec& exec, double dt, int substeps) {
+  const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
+  for (int s = 0; s < substeps; ++s) step(exec, control);
+  time_ += dt * substeps;
+}
+
+double Mechanics::kinetic_over_elastic(const Exec& exec) const {
+  const Energies e = energies(exec);
+  return e.kinetic == 0 ? 0 : e.kinetic / e.elastic;
+}
+
+long Mechanics::ramp(const Exec& exec, double dt, double ramp_time) {
+  const long steps = std::max(1L, std::lround(ramp_time / dt));
+  for (long s = 0; s < steps; ++s) {
+    step(exec,
+         {dt, preload_damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps)});
+  }
+  return steps;
+}
+
+PreloadReport Mechanics::preload(const Exec& exec, double ramp_time) {
+  const double dt = 0.3 * critical_step();
+  const StepControl settle{dt, preload_damping, parameters_.mass_scaling, 1};
+  PreloadReport report;
+  report.steps = ramp(exec, dt, ramp_time);
+  const long look = std::max(1L, report.steps / 5), last = report.steps * (1 + longest_settling);
+  int rested = 0;
+  while (rested < looks_at_rest && report.steps < last) {
+    for (long s = 0; s < look; ++s) step(exec, settle);
+    report.steps += look;
+    report.kinetic_over_elastic = kinetic_over_elastic(exec);
+    rested = report.kinetic_over_elastic < at_rest ? rested + 1 : 0;
+  }
+  report.settled = rested == looks_at_rest;
+  report.bonds = bond_counts();
+  Kokkos::deep_copy(exec, particles_.v, 0.0);
+  Kokkos::deep_copy(exec, particles_.spin, 0.0);
+  Kokkos::deep_copy(exec, particles_.u_reference, particles_.u);
+  exec.fence("vug::dem::preload");
+  return report;
+}
+
+void Mechanics::set_platen_velocity(RockSide side, std::array<double, 2> velocity) {
+  vug::set_platen_velocity(boundary_, side, velocity, particles_);
+}
+
+Vec2 Mechanics::reaction(RockSide side) const {
+  std::set<int> held;  // a corner's triangle may have two edges on one side
+  for (const BoundaryEdge& edge : boundary_) {
+    if (edge.side == static_cast<int>(side)) held.insert(edge.particle);
+  }
+  return reaction_of({held.begin(), held.end()}, particles_);
+}
+
+Energies Mechanics::energies(const Exec& exec) const {
+  return measure_energies(exec, parameters_, particles_, bonds_);
+}
+
+RunawayParticle Mechanics::runaway(const Exec& exec, double largest_speed) const {
+  return find_runaway(exec, particles_, largest_speed);
+}
+
+}  // namespace vug

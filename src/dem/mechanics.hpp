@@ -1,0 +1,70 @@
+#pragma once
+// The rock as one moving thing: particles, bonds, loads and the loop over sub-steps.
+#include "dem/bonds.hpp"
+#include "dem/energy.hpp"
+#include "dem/integrate.hpp"
+#include "dem/loads.hpp"
+#include "dem/monitors.hpp"
+
+#include <vector>
+
+namespace vug {
+
+/// How the preload ended.
+struct PreloadReport {
+  long steps = 0;
+  bool settled = false;  ///< kinetic energy fell below 1e-9 of the elastic one
+  double kinetic_over_elastic = 0;
+  BondCounts bonds;  ///< damage that the preload did
+};
+
+/// Mechanics of bonded triangles. The coupling writes force, torque, solid_fraction and temperature_change of
+/// `particles()` and d_c of `bonds()`, then calls `advance`.
+class Mechanics {
+ public:
+  /// Throws InputError for an assembly that is no triangulation or parameters that are out of range.
+  Mechanics(const Assembly& assembly, const MechanicsParameters& parameters, const Loads& loads);
+
+  /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
+  double critical_step() const;
+
+  /// Takes `substeps` steps of dt with outside forces and temperatures held. Two kernels each; no fence, no
+  /// allocation, no host copy.
+  void advance(const Exec& exec, double dt, int substeps);
+
+  /// Puts boundary loads and gravity on the rock in a ramp, with local damping 0.7, and waits until it is at rest.
+  /// Velocities are then zero and u_reference holds the displacements reached.
+  PreloadReport preload(const Exec& exec, double ramp_time);
+
+  /// Velocity of the platen of a held side from now on, m/s.
+  void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
+  /// Force that holds a side, N per m of thickness.
+  Vec2 reaction(RockSide side) const;
+  /// Kinetic and stored energy, J per m.
+  Energies energies(const Exec& exec) const;
+  /// The first particle that is not finite or faster than `largest_speed`.
+  RunawayParticle runaway(const Exec& exec, double largest_speed) const;
+  BondCounts bond_counts() const { return count_bonds(bonds_); }
+
+  const Particles& particles() const { return particles_; }
+  const Bonds& bonds() const { return bonds_; }
+  const MechanicsParameters& parameters() const { return parameters_; }
+  const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
+  double time() const { return time_; }
+  /// For a run that is resumed.
+  void set_time(double time) { time_ = time; }
+
+ private:
+  void step(const Exec& exec, const StepControl& control);
+  long ramp(const Exec& exec, double dt, double ramp_time);
+  double kinetic_over_elastic(const Exec& exec) const;
+
+  MechanicsParameters parameters_;
+  std::vector<BoundaryEdge> boundary_;
+  Particles particles_;
+  Bonds bonds_;
+  BoundaryLoads loads_;
+  double time_ = 0;
+};
+
+}  // namespace vug

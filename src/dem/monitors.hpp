@@ -1,0 +1,34 @@
+#pragma once
+// What the host asks now and then: is the motion sane, how many bonds are left. Not for use inside a step.
+#include "dem/bonds.hpp"
+
+#include <vector>
+
+namespace vug {
+
+/// The first particle whose motion is not finite or faster than allowed.
+struct RunawayParticle {
+  int particle = -1;  ///< -1: none
+  double speed = 0;   ///< of that particle, m/s; may be NaN
+};
+
+RunawayParticle find_runaway(const Exec& exec, const Particles& particles, double largest_speed);
+
+/// Bonds by what has become of them.
+struct BondCounts {
+  int damaged = 0;  ///< 0 < d_m < 1
+  int failed_in_tension = 0;
+  int failed_in_shear = 0;
+  int dissolved = 0;
+  int cracked_at_start = 0;
+
+  int failed() const { return failed_in_tension + failed_in_shear + dissolved; }
+};
+
+BondCounts count_bonds(const Bonds& bonds);
+
+/// Force that the platen of a held side puts on the rock, N per m of thickness, summed in the order of the edges'
+/// particles.
+Vec2 reaction_of(const std::vector<int>& held_particles, const Particles& particles);
+
+}  // namespace vug

@@ -1,0 +1,56 @@
+#pragma once
+// The rigid triangles: where they are, how they move, what pushes them from outside.
+#include "dem/assembly.hpp"
+#include "dem/parameters.hpp"
+#include "dem/triangle.hpp"
+
+#include <cstdint>
+
+namespace vug {
+
+/// Shapes and motion of all particles, SI, 1 m thick. Displacements are stored, not positions: micrometres of motion
+/// on centimetres of rock keep all their digits. The coupling writes force, torque, solid_fraction and
+/// temperature_change; the mechanics writes everything else.
+struct Particles {
+  int count = 0;
+  double radius = 0;  ///< of the rounding of all sphero-triangles, m
+
+  VectorField<double> x0;                                   ///< (particle, axis) reference centroid, m
+  Kokkos::View<double* [3][2], Kokkos::LayoutLeft> corner;  ///< (particle, corner, axis) body frame, m
+  Kokkos::View<double* [3][2], Kokkos::LayoutLeft> eroded;  ///< the same of the eroded triangle, m
+  Kokkos::View<int* [3], Kokkos::LayoutLeft> vertex;        ///< (particle, corner) vertex number of the assembly
+  ScalarField<double> mass;                                 ///< of the intact particle, kg
+  ScalarField<double> inertia;                              ///< of the intact particle about its centroid, kg m2
+
+  VectorField<double> u;            ///< displacement of the centroid since the assembly, m
+  VectorField<double> u_reference;  ///< displacement at the end of the preload, m
+  VectorField<double> v;            ///< velocity of the centroid, half a step behind u, m/s
+  ScalarField<double> angle;        ///< rotation since the assembly, counter-clockwise
+  ScalarField<double> spin;         ///< 1/s, half a step behind angle
+  VectorField<double> rotation;     ///< (cos(angle) - 1, sin(angle)), kept with angle
+
+  VectorField<double> force;               ///< from outside, written by the coupling, N
+  ScalarField<double> torque;              ///< from outside about the moving centroid, N m
+  ScalarField<double> solid_fraction;      ///< remaining solid volume over the initial one
+  ScalarField<double> temperature_change;  ///< mean of T - T_ref, K
+
+  Kokkos::View<std::uint8_t*> held;  ///< bits 1, 2, 4: x, y, spin follow `drive` instead of the forces
+  VectorField<double> drive;         ///< (particle, axis) velocity of held axes, m/s
+  VectorField<double> reaction;      ///< (particle, axis) force that holds, N; zero on free axes
+};
+
+/// Smallest fraction of its mass that a dissolving particle keeps, so that the time step stays finite.
+inline constexpr double smallest_mass_fraction = 0.05;
+
+/// Mass or inertia of a particle of which `solid_fraction` remains, relative to the intact one.
+KOKKOS_FORCEINLINE_FUNCTION double mass_fraction(double solid_fraction) {
+  return Kokkos::max(solid_fraction, smallest_mass_fraction);
+}
+
+/// Triangle k of an assembly.
+Triangle triangle_of(const Assembly& assembly, int k);
+
+/// Particles at rest in the place of the triangles. Throws InputError for an assembly that is no triangulation.
+Particles make_particles(const Assembly& assembly, const MechanicsParameters& parameters);
+
+}  // namespace vug

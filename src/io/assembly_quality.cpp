@@ -1,0 +1,135 @@
+#include "io/assembly_quality.hpp"
+
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+namespace vug {
+
+namespace {
+
+struct Side {
+  int low, high;  // vertex numbers
+  bool forward;   // run through from low to high
+  int triangle;
+};
+
+// All sides of all triangles, those of one edge next to each other.
+std::vector<Side> sorted_sides(const Assembly& assembly) {
+  std::vector<Side> sides;
+  sides.reserve(3 * assembly.triangles.size());
+  for (int t = 0; t < static_cast<int>(assembly.triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = assembly.triangles[t][k];
+      const int b = assembly.triangles[t][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), a < b, t});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return sides;
+}
+
+int root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+double length(const Assembly& assembly, int a, int b) {
+  const auto& p = assembly.vertices[a];
+  const auto& q = assembly.vertices[b];
+  return std::hypot(q[0] - p[0], q[1] - p[1]);
+}
+
+double signed_area(const Assembly& assembly, const std::array<int, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const auto& p = assembly.vertices[a];
+  const auto& q = assembly.vertices[b];
+  const auto& r = assembly.vertices[c];
+  return 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+}
+
+// Smallest angle in degrees: opposite the shortest side, by the law of cosines.
+double smallest_angle(const Assembly& assembly, const std::array<int, 3>& triangle) {
+  std::array<double, 3> side{};
+  for (int k = 0; k < 3; ++k) side[k] = length(assembly, triangle[k], triangle[(k + 1) % 3]);
+  std::sort(side.begin(), side.end());
+  if (side[1] == 0) return 0;
+  const double cosine = (side[1] * side[1] + side[2] * side[2] - side[0] * side[0]) / (2 * side[1] * side[2]);
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+void measure_edges(const Assembly& assembly, AssemblyQuality& quality) {
+  const auto sides = sorted_sides(assembly);
+  std::vector<int> parent(assembly.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  int edges = 0;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(first, sides.end(),
+                                   [&first](const Side& s) { return s.low != first->low || s.high != first->high; });
+    ++edges;
+    quality.mean_edge += length(assembly, first->low, first->high);
+    for (auto other = first + 1; other < last; ++other)
+      parent[root(parent, other->triangle)] = root(parent, first->triangle);
+    const auto uses = last - first;
+    quality.overused_edges += uses > 2 || (uses == 2 && first->forward == (first + 1)->forward);
+    first = last;
+  }
+  if (edges > 0) quality.mean_edge /= edges;
+  for (std::size_t t = 0; t < parent.size(); ++t) quality.islands += parent[t] == static_cast<int>(t);
+}
+
+}  // namespace
+
+AssemblyQuality assembly_quality(const Assembly& assembly) {
+  AssemblyQuality quality;
+  if (assembly.triangles.empty()) return quality;
+  quality.min_angle = 60;
+  double smallest = signed_area(assembly, assembly.triangles.front());
+  for (const auto& triangle : assembly.triangles) {
+    const double area = signed_area(assembly, triangle);
+    quality.area += area;
+    smallest = std::min(smallest, area);
+    quality.inverted_triangles += !(area > 0);
+    quality.min_angle = std::min(quality.min_angle, smallest_angle(assembly, triangle));
+  }
+  quality.min_area_share = smallest * static_cast<double>(assembly.triangles.size()) / quality.area;
+  measure_edges(assembly, quality);
+  return quality;
+}
+
+bool usable(const AssemblyQuality& quality, const AssemblyLimits& limits, std::string& why) {
+  if (quality.islands == 0) {
+    why = "the rock has no triangles";
+  } else if (quality.inverted_triangles > 0) {
+    why = fmt::format("{} triangles are clockwise or have no area", quality.inverted_triangles);
+  } else if (quality.overused_edges > 0) {
+    why = fmt::format("{} edges belong to more than two triangles, or triangles overlap there", quality.overused_edges);
+  } else if (quality.islands > limits.islands) {
+    why = fmt::format("the rock falls into {} pieces that share no edge (allowed: {}); are vertices doubled?",
+                      quality.islands, limits.islands);
+  } else if (!(quality.min_angle >= limits.min_angle)) {
+    why = fmt::format("the smallest angle of a triangle is {:.3g} degrees, at least {:g} is needed", quality.min_angle,
+                      limits.min_angle);
+  } else if (!(quality.min_area_share >= limits.min_area_share)) {
+    why = fmt::format("the smallest triangle has {:.3g} of the mean area, at least {:.3g} is needed",
+                      quality.min_area_share, limits.min_area_share);
+  } else {
+    why.clear();
+  }
+  return why.empty();
+}
+
+void require_usable(const Assembly& assembly, const AssemblyLimits& limits, const std::string& where) {
+  std::string why;
+  if (!usable(assembly_quality(assembly), limits, why)) throw InputError(where + ": " + why);
+}
+
+}  // namespace vug

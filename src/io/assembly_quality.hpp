@@ -1,0 +1,35 @@
+#pragma once
+// What makes a triangulation usable as rock: no needles, no crumbs, no loose pieces, no edge with three sides.
+#include "dem/assembly.hpp"
+
+#include <string>
+
+namespace vug {
+
+/// Measures of a triangulation.
+struct AssemblyQuality {
+  double min_angle = 0;        ///< degrees
+  double min_area_share = 0;   ///< smallest area over the mean
+  double mean_edge = 0;        ///< m, over all edges
+  double area = 0;             ///< m2
+  int islands = 0;             ///< pieces that no shared edge joins
+  int overused_edges = 0;      ///< edges of three or more triangles, or of two that run along it in the same sense
+  int inverted_triangles = 0;  ///< clockwise or without area
+};
+
+/// Bounds outside which the mechanics would be wrong or crawl: the time step falls with the smallest height.
+struct AssemblyLimits {
+  double min_angle = 20;        ///< degrees
+  double min_area_share = 0.2;  ///< of the mean area
+  int islands = 1;
+};
+
+AssemblyQuality assembly_quality(const Assembly& assembly);
+
+/// True when `quality` is inside `limits`; otherwise `why` says what is wrong and what is allowed.
+bool usable(const AssemblyQuality& quality, const AssemblyLimits& limits, std::string& why);
+
+/// Throws InputError, beginning with `where`, when the assembly is not usable.
+void require_usable(const Assembly& assembly, const AssemblyLimits& limits, const std::string& where);
+
+}  // namespace vug

@@ -1,0 +1,164 @@
+#include "io/rock_generator.hpp"
+
+#include "io/assembly_quality.hpp"
+#include "io/detail/delaunay.hpp"
+#include "io/detail/poisson_disc.hpp"
+#include "io/detail/rock_outline.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace vug {
+
+namespace {
+
+using detail::Outline;
+using detail::Point;
+using Triangles = std::vector<std::array<int, 3>>;
+
+constexpr double spacing_per_edge = 0.787;  // distance that points keep over the mean edge that results (measured)
+constexpr int smoothing_sweeps = 6;
+constexpr int attempts = 8;
+
+/// One try at a mesh: everything that stays the same between tries.
+struct Mesher {
+  Point length;
+  detail::IntegerGrid grid;
+  detail::ElementSize size;
+  Outline outline;
+
+  Mesher(Point length_, const RockSection& rock)
+      : length(length_), grid(length_), size(length_, rock), outline(detail::rock_outline(length_, rock, size)) {}
+
+  bool in_hole(Point p) const { return outline.hole && outline.hole->contains(p, 0); }
+  bool in_rock(Point p) const {
+    return p[0] > 0 && p[1] > 0 && p[0] < length[0] && p[1] < length[1] &&
+           !(outline.hole && outline.hole->contains(p, 1e-9 * length[0]));
+  }
+  // The discs over the edges of the outline stay empty, which makes those edges Delaunay.
+  detail::KeepOut edge_discs(double factor) const;
+  std::vector<Point> scatter(std::uint64_t stream) const;
+  void smooth(std::vector<Point>& points, const Triangles& triangles) const;
+  Assembly assemble(const std::vector<Point>& points, const Triangles& triangles) const;
+};
+
+double edge_length(const Outline& outline, const Outline::Edge& edge) {
+  const Point& a = outline.points[edge.a];
+  const Point& b = outline.points[edge.b];
+  return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]));
+}
+
+detail::KeepOut Mesher::edge_discs(double factor) const {
+  double longest = size.largest();
+  for (const auto& edge : outline.edges) longest = std::max(longest, edge_length(outline, edge));
+  detail::KeepOut keep_out(length, longest);
+  for (const auto& edge : outline.edges) {
+    const Point& a = outline.points[edge.a];
+    const Point& b = outline.points[edge.b];
+    keep_out.add_disc({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}, factor * edge_length(outline, edge));
+  }
+  return keep_out;
+}
+
+std::vector<Point> Mesher::scatter(std::uint64_t stream) const {
+  auto keep_out = edge_discs(0.6);
+  const auto spacing = [this](Point p) { return spacing_per_edge * size(p); };
+  for (const Point& p : outline.points) keep_out.add_point(p, spacing(p));
+  auto points = outline.points;
+  detail::fill_with_points(points, keep_out, spacing, [this](Point p) { return in_rock(p); }, {stream});
+  return points;
+}
+
+// Laplace: every free point moves to the mean of its neighbours, in order, unless it would enter an edge's disc.
+void Mesher::smooth(std::vector<Point>& points, const Triangles& triangles) const {
+  const auto discs = edge_discs(0.5);
+  std::vector<std::vector<int>> neighbours(points.size());
+  for (const auto& t : triangles)
+    for (int k = 0; k < 3; ++k) neighbours[t[k]].push_back(t[(k + 1) % 3]);  // a closed fan names each once
+  for (std::size_t i = outline.points.size(); i < points.size(); ++i) {
+    Point mean{0, 0};
+    for (const int n : neighbours[i])
+      for (int axis = 0; axis < 2; ++axis) mean[axis] += points[n][axis] / static_cast<double>(neighbours[i].size());
+    if (in_rock(mean) && discs.allows(mean, 0)) points[i] = mean;
+  }
+}
+
+// Drops the hole and the points nobody uses, and numbers points row by row so that neighbours are close in memory.
+Assembly Mesher::assemble(const std::vector<Point>& points, const Triangles& triangles) const {
+  Triangles kept;
+  std::set<int> used;
+  for (const auto& t : triangles) {
+    const Point centre{(points[t[0]][0] + points[t[1]][0] + points[t[2]][0]) / 3,
+                       (points[t[0]][1] + points[t[1]][1] + points[t[2]][1]) / 3};
+    if (in_hole(centre)) continue;
+    kept.push_back(t);
+    used.insert(t.begin(), t.end());
+  }
+  std::vector<int> order(used.begin(), used.end());
+  const double row = 2 * size.largest();
+  const auto key = [&](int i) { return std::tuple(std::floor(points[i][1] / row), points[i][0], points[i][1]); };
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return key(i) < key(j); });
+
+  Assembly assembly;
+  std::vector<int> number(points.size(), -1);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[order[i]] = static_cast<int>(i);
+    assembly.vertices.push_back(points[order[i]]);
+  }
+  for (const auto& t : kept) {
+    std::array<int, 3> renamed{number[t[0]], number[t[1]], number[t[2]]};
+    std::rotate(renamed.begin(), std::min_element(renamed.begin(), renamed.end()), renamed.end());
+    assembly.triangles.push_back(renamed);
+  }
+  std::sort(assembly.triangles.begin(), assembly.triangles.end());
+  for (const auto& edge : outline.edges)
+    if (edge.notch)
+      assembly.initial_cracks.push_back(
+          {std::min(number[edge.a], number[edge.b]), std::max(number[edge.a], number[edge.b])});
+  return assembly;
+}
+
+bool contains_outline(const Outline& outline, const Triangles& triangles) {
+  std::set<std::array<int, 2>> edges;
+  for (const auto& t : triangles)
+    for (int k = 0; k < 3; ++k) edges.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+  return std::all_of(outline.edges.begin(), outline.edges.end(), [&edges](const Outline::Edge& e) {
+    return edges.contains({std::min(e.a, e.b), std::max(e.a, e.b)});
+  });
+}
+
+}  // namespace
+
+Assembly generate_rock(double length_x, double length_y, const RockSection& rock) {
+  if (!(rock.element_size > 0) || !(rock.grading >= 1))
+    throw InputError("rock: element_size must be positive and grading at least 1");
+  if (!(rock.element_size < 0.5 * std::min(length_x, length_y)))
+    throw InputError(
+        fmt::format("rock.element_size = {:g} m is more than half the rock's shorter side", rock.element_size));
+  const Mesher mesher({length_x, length_y}, rock);
+  const AssemblyLimits limits{20, 0.2 / (rock.grading * rock.grading), 1};
+  std::string why;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    auto points = mesher.scatter(detail::CounterRandom{rock.seed * attempts + attempt}.next());
+    auto triangles = detail::delaunay(mesher.grid, points);
+    for (int sweep = 0; sweep < smoothing_sweeps; ++sweep) {
+      mesher.smooth(points, triangles);
+      triangles = detail::delaunay(mesher.grid, points);
+    }
+    if (!contains_outline(mesher.outline, triangles)) {
+      why = "an edge of the hole or of a notch is not an edge of the mesh";
+      continue;
+    }
+    auto assembly = mesher.assemble(points, triangles);
+    if (usable(assembly_quality(assembly), limits, why)) return assembly;
+  }
+  throw InputError("rock: no usable mesh after " + std::to_string(attempts) + " attempts, " + why +
+                   "; are notches, hole and sides closer than rock.element_size to each other?");
+}
+
+}  // namespace vug

@@ -1,0 +1,31 @@
+#pragma once
+// From a pixel that has dissolved to a fluid node (volume of pixel, paper section 3.3): called at a fixed small
+// interval, between two lattice steps, as
+//   mark_dissolved -> append_births -> (restride if the capacity grew) -> initialise_births per species ->
+//   find_surface.
+#include "kernels/solute.hpp"
+
+namespace vug {
+
+/// Turns every surface node with V <= 0 into fluid and returns how many (0: nothing else was touched; waits for the
+/// device). What a pixel was overdrawn by, -V, is taken from the neighbouring solid node (of eight) with the lowest
+/// number, whichever number of pixels dissolve at once and in an order that does not matter; where no solid is left,
+/// lost(block) += V (negative). V of the new fluid nodes is 0: sum V + lost is unchanged.
+/// `lost` has at least block_count(surface.count) entries.
+int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
+                   const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost);
+
+/// How a newborn fluid node gets its solute.
+enum class BirthFill {
+  mean,  ///< mean concentration of the old fluid neighbours (paper); creates solute, which the ledger says
+  split  ///< an equal share of the content of every old fluid neighbour; conserves
+};
+
+/// Fills the newborn fluid nodes [first, last) of one species, at rest, from their old fluid neighbours of the velocity
+/// set; a newborn without any gets none. Several newborns side by side do not see each other: the result does not
+/// depend on their order. created(block) += solute that came from nowhere (mean); block_count(last) entries at least.
+template <class Set, class T>
+void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,
+                       const SoluteFields<T>& s, const ScalarField<double>& created);
+
+}  // namespace vug

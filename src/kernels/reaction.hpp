@@ -1,0 +1,58 @@
+#pragma once
+// Rate laws of the reaction L1 + S1 -> L2 at a wall (paper Eqs. 6-8), as pure functions of what one wall link sees.
+// Lattice units; q = 1/K_eq (0 = irreversible); every form keeps its digits for rate constants from 1e-30 to 1e30 in
+// float as well as in double.
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// The range in which the Arrhenius law is used; temperatures outside are taken as its nearest end.
+inline constexpr double coldest_reaction = 250;  ///< K
+inline constexpr double hottest_reaction = 600;  ///< K
+
+/// Rate constant at temperature `temperature` in K (Eq. 8): k0 exp(Ea/R (T - T0)/(T T0)), where k0 is the constant at
+/// T0. One product instead of the difference 1/T0 - 1/T; T is clamped to [250, 600] K.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real arrhenius(Real k0, Real activation_temperature, Real temperature, Real reference) {
+  const Real t = Kokkos::fmin(Kokkos::fmax(temperature, Real(coldest_reaction)), Real(hottest_reaction));
+  return k0 * Kokkos::exp(activation_temperature * (t - reference) / (t * reference));
+}
+
+/// k/(1 + k b) without overflow for large k.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real saturating_rate(Real k, Real b) {
+  return k < Real(1) ? k / (Real(1) + k * b) : Real(1) / (Real(1) / k + b);
+}
+
+/// Amount of acid that a link of weight w turns into product in one step (closed link form of Eq. 7). From a = A/w, the
+/// outgoing populations over the weight: C_1w = a1 - 3 k r, C_2w = a2 + 3 k r, r = C_1w - q C_2w, J = 6 w k r, in which
+/// w cancels. A1 - J and A2 + J return. Exact bookkeeping; |A1 - J| <= A1 for q = 0 and any k.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real kinetic_flux(Real k, Real q, Real A1, Real A2) {
+  return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q)) * (A1 - q * A2);
+}
+
+/// Concentrations at the wall and rate per unit face of the paper's finite-difference wall (Eqs. 21, 22, 24).
+template <class Real>
+struct PaperWall {
+  Real C1, C2;  ///< at the wall
+  Real rate;    ///< k (C1 - q C2)
+};
+
+/// Eqs. 21-22 solved without the products K_eq D1 D2: the rate from both film resistances in series.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION PaperWall<Real> paper_wall(Real k, Real q, Real D1, Real D2, Real C1, Real C2) {
+  const Real rate = saturating_rate(k, Real(0.5) / D1 + Real(0.5) * q / D2) * (C1 - q * C2);
+  return {C1 - Real(0.5) * rate / D1, C2 + Real(0.5) * rate / D2, rate};
+}
+
+/// Share of a wall link's area that is true surface: |n.c| with n the unit normal of the surface and c the link's
+/// velocity, so that the links of a stair-step wall of any orientation add up to its true length. Where the normal is
+/// undefined (a lone pixel), pi/4: the mean ratio of a disc's circumference to that of its staircase.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real link_area_share(Real nx, Real ny, int cx, int cy) {
+  const Real share = Kokkos::abs(nx * Real(cx) + ny * Real(cy));
+  return nx == Real(0) && ny == Real(0) ? Real(0.78539816339744831) : share;
+}
+
+}  // namespace vug

@@ -1,0 +1,91 @@
+#include "kernels/solute_boundary.hpp"
+
+#include "kernels/launch.hpp"
+
+namespace vug {
+
+struct UniformSideConcentration {
+  double value;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int) const { return value; }
+};
+
+struct SideConcentrationProfile {
+  Kokkos::View<const double*> value;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int link) const { return value(link); }
+};
+
+/// h_in = -A + 2 w C_b in the slot of the outgoing population of one link. 8 + 5 + 2 s + 16 bytes per link.
+template <class T, class Set, class Concentration>
+struct DressConcentration {
+  IndexList fluid;
+  Kokkos::View<std::uint8_t*> direction;
+  ScalarField<T> h;
+  ScalarField<double> gain;
+  int capacity;
+  Concentration C_b;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int q = direction(link);
+    const int slot = q * capacity + fluid(link);
+    const T out = h(slot);
+    const T in = T(2 * Set::w(q) * C_b(link)) - out;
+    h(slot) = in;
+    gain(link) += double(in) - double(out);
+  }
+};
+
+/// h_in = h*_in of the same node in the slot of the outgoing population of one link.
+template <class T, class Set>
+struct DressOutflow {
+  IndexList fluid;
+  Kokkos::View<std::uint8_t*> direction;
+  ScalarField<T> h;
+  ScalarField<double> gain;
+  int capacity;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int q = direction(link);
+    const int slot = q * capacity + fluid(link);
+    const T out = h(slot);
+    const T in = h(Set::opposite(q) * capacity + fluid(link));
+    h(slot) = in;
+    gain(link) += double(in) - double(out);
+  }
+};
+
+template <class Set, class T>
+void dress_concentration(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, double C_b,
+                         const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  for_each_node(exec, "vug::solute_boundary::concentration", links.count,
+                DressConcentration<T, Set, UniformSideConcentration>{
+                    links.fluid, links.direction, s.h, gain, nodes.capacity, {C_b}});
+}
+
+template <class Set, class T>
+void dress_concentration(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                         const ScalarField<double>& C_b, const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  for_each_node(exec, "vug::solute_boundary::concentration_profile", links.count,
+                DressConcentration<T, Set, SideConcentrationProfile>{
+                    links.fluid, links.direction, s.h, gain, nodes.capacity, {C_b}});
+}
+
+template <class Set, class T>
+void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const SoluteFields<T>& s,
+                   const ScalarField<double>& gain) {
+  for_each_node(exec, "vug::solute_boundary::outflow", links.count,
+                DressOutflow<T, Set>{links.fluid, links.direction, s.h, gain, nodes.capacity});
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                                                     \
+  template void dress_concentration<Set, T>(const Exec&, const FluidNodes&, const BoundaryLinks&, double,           \
+                                            const SoluteFields<T>&, const ScalarField<double>&);                    \
+  template void dress_concentration<Set, T>(const Exec&, const FluidNodes&, const BoundaryLinks&,                   \
+                                            const ScalarField<double>&, const SoluteFields<T>&,                     \
+                                            const ScalarField<double>&);                                            \
+  template void dress_outflow<Set, T>(const Exec&, const FluidNodes&, const BoundaryLinks&, const SoluteFields<T>&, \
+                                      const ScalarField<double>&);
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,19 @@
+#pragma once
+// Sums and ranges of a species for ledgers and guards. They wait for the device: for monitor steps.
+#include "kernels/solute.hpp"
+
+namespace vug {
+
+/// Solute in the fluid: the sum of all populations, in double and in a fixed order. Right at any moment of a step.
+template <class Set, class T>
+double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s);
+
+/// Smallest and largest value of the first `count` entries of a field, and the first entry that is not finite.
+struct FieldRange {
+  double min = 0, max = 0;    ///< over the finite entries; +infinity and -infinity if there is none
+  int first_not_finite = -1;  ///< -1: all are finite
+};
+template <class T>
+FieldRange field_range(const Exec& exec, const ScalarField<T>& field, int count);
+
+}  // namespace vug

@@ -1,0 +1,21 @@
+#pragma once
+// Which way a stair-step surface really faces, from the solid volume around it.
+#include "kernels/fluid_nodes.hpp"
+
+namespace vug {
+
+/// Unit normal n = -grad V/|grad V| at every surface node, pointing into the fluid, from the solid fraction V (dense,
+/// 1 in full solid, 0 in fluid) over 5 x 5 nodes with Gaussian weights; zero where it is undefined (a lone pixel).
+/// V beyond a side is that of the nearest node inside. normal: (surface, axis); its allocation is reused when it fits.
+/// To be renewed when the surface or V has changed noticeably. Reads 25 x 8 bytes per surface node.
+void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ScalarField<double>& V,
+                  VectorField<double>& normal);
+
+/// Area of the reactive surface in nodes (per node of depth): sum over the links between solid and fluid of
+/// 6 w |n.c|, which is the true length of a straight wall of any orientation. Without normals (extent 0) the area of
+/// the stair-step. Waits for the device; for the history, not inside a step.
+template <class Set>
+double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
+                    const VectorField<double>& normal);
+
+}  // namespace vug

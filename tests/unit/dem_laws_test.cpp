@@ -1,0 +1,70 @@
+#include "dem/bond_law.hpp"
+#include "dem/contact_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace vug;
+
+TEST(ChemicalDamage, FunctionsAreThePapersWithAHeldEnergy) {
+  EXPECT_DOUBLE_EQ(chemical_strength_factor(0, false), 0.98);
+  EXPECT_DOUBLE_EQ(chemical_energy_factor(0, false), 1.01);
+  EXPECT_DOUBLE_EQ(chemical_strength_factor(0, true), 1);
+  EXPECT_DOUBLE_EQ(chemical_energy_factor(0, true), 1);
+  EXPECT_NEAR(chemical_strength_factor(0.3, false), 0.9104, 1e-12);
+  EXPECT_NEAR(chemical_energy_factor(0.3, false), 0.4841, 1e-12);
+  EXPECT_NEAR(chemical_energy_factor(1, false), 0.4828, 1e-4);  // the minimum, not 2.96
+  EXPECT_DOUBLE_EQ(comprehensive_damage(0.5, 0.5), 0.75);
+}
+
+TEST(BondLaw, CompressionStrengthensShearAndTensionDoesNotWeakenIt) {
+  EXPECT_DOUBLE_EQ(shear_strength(95e6, 0.47, -10e6), 99.7e6);
+  EXPECT_DOUBLE_EQ(shear_strength(95e6, 0.47, 10e6), 95e6);
+}
+
+TEST(BondLaw, NeverDamagesByCompressionAlone) {
+  const BondPoint p{3e13, 1.4e13, 15e6, 95e6, 20, 64};
+  for (const double overlap : {1e-9, 1e-6, 1e-3}) EXPECT_EQ(damage_of_opening(p, -overlap, 0), 0);
+}
+
+TEST(BondLaw, DamageRisesWithTheOpeningUntilOne) {
+  const BondPoint p{3e13, 1.4e13, 15e6, 95e6, 20, 64};
+  double before = 0;
+  for (double opening = 1e-8; opening < 5e-6; opening += 1e-8) {
+    const double d = damage_of_opening(p, opening, 0.3 * opening);
+    EXPECT_GE(d, before);
+    EXPECT_LE(d, 1);
+    before = d;
+  }
+  EXPECT_EQ(before, 1);
+}
+
+TEST(BondLaw, StaysFiniteAtTheExtremes) {
+  for (const double strength : {0.0, 1e-30, 15e6, 1e30}) {
+    for (const double energy : {0.0, 1e-30, 20.0, 1e30}) {
+      for (const double k : {0.0, 1e-3, 3e13, 1e30}) {
+        for (const double opening : {-1.0, 0.0, 1e-12, 1e-6, 1.0}) {
+          const double d = damage_of_opening({k, k, strength, strength, energy, energy}, opening, opening);
+          EXPECT_TRUE(d >= 0 && d <= 1) << strength << " " << energy << " " << k << " " << opening << ": " << d;
+        }
+      }
+    }
+  }
+}
+
+TEST(ContactLaw, NeverPullsAndRubsWithinCoulombsLimit) {
+  const ContactPoint p{1e10, 5e9, 1e3, 0, 0.3};
+  EXPECT_EQ(contact_reaction(p, -1e-6, 1, 1e-6, 0, 0).normal, 0);
+  EXPECT_EQ(contact_reaction(p, 1e-9, -1e3, 0, 0, 0).normal, 0);  // parting fast: the dashpot would pull
+  const ContactReaction stuck = contact_reaction(p, 1e-6, 0, 1e-7, 0, 0);
+  EXPECT_DOUBLE_EQ(stuck.tangential, -500);
+  EXPECT_EQ(stuck.slip, 0);
+  const ContactReaction sliding = contact_reaction(p, 1e-6, 0, 1e-5, 0, 0);
+  EXPECT_DOUBLE_EQ(sliding.tangential, -3000);
+  EXPECT_NEAR(sliding.slip, 1e-5 - 3000 / 5e9, 1e-18);
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+#include "dem_support.hpp"
+#include "kernels/require.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+using namespace vug;
+using vug::test::host_copy;
+
+TEST(SpheroTriangle, HasTheMassAndInertiaOfItsSharpTriangle) {
+  const double l = 2e-3;
+  const Triangle t{{{0, 0}, {l, 0}, {l / 2, l * std::sqrt(3.0) / 2}}};
+  EXPECT_NEAR(t.area(), l * l * std::sqrt(3.0) / 4, 1e-15 * l * l);
+  EXPECT_NEAR(t.gyration_squared(), l * l / 12, 1e-15 * l * l);  // equilateral: I = m l^2 / 12
+  EXPECT_NEAR(t.inradius(), l / (2 * std::sqrt(3.0)), 1e-15 * l);
+}
+
+TEST(SpheroTriangle, ErodedEdgesLieOneRadiusInside) {
+  const Triangle t{{{0, 0}, {3e-3, 0}, {1e-3, 2e-3}}};
+  const double radius = 0.2e-3;
+  const Triangle inner{{t.eroded_corner(0, radius), t.eroded_corner(1, radius), t.eroded_corner(2, radius)}};
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 edge = t.corner[(k + 1) % 3] - t.corner[k];
+    for (const int c : {k, (k + 1) % 3}) {
+      EXPECT_NEAR(cross(edge, inner.corner[c] - t.corner[k]) / norm(edge), radius, 1e-12 * radius);
+    }
+  }
+}
+
+TEST(Rotation, KeepsTheDigitsOfTinyAngles) {
+  const Rotation q = Rotation::by(1e-9);
+  EXPECT_DOUBLE_EQ(q.cos_minus_1, -0.5e-18);
+  EXPECT_DOUBLE_EQ(q.sin, 1e-9);
+}
+
+TEST(Bonds, KnowTheirEdgeFromBothSides) {
+  const double l = 2e-3;
+  const Assembly assembly = test::pair_of_triangles(l);
+  const Particles particles = make_particles(assembly, {});
+  const Bonds bonds = make_bonds(assembly, particles, {});
+  ASSERT_EQ(bonds.count, 1);
+  EXPECT_NEAR(host_copy(bonds.length)(0), l, 1e-18);
+  EXPECT_NEAR(host_copy(bonds.spacing)(0), l / std::sqrt(3.0), 1e-15 * l);
+  EXPECT_NEAR(host_copy(bonds.normal)(0, 0), 1, 1e-15);
+  const auto arm = host_copy(bonds.arm);
+  const auto x0 = host_copy(particles.x0);
+  for (int s = 0; s < 2; ++s) {
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_NEAR(x0(0, axis) + arm(0, s, 0, axis), x0(1, axis) + arm(0, s, 1, axis), 1e-18);
+    }
+  }
+}
+
+TEST(Bonds, RefuseAnAssemblyThatIsNoTriangulation) {
+  Assembly clockwise{{{0, 0}, {1, 0}, {0, 1}}, {{0, 2, 1}}, {}};
+  EXPECT_THROW(make_particles(clockwise, {}), InputError);
+  Assembly missing{{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 3}}, {}};
+  EXPECT_THROW(make_particles(missing, {}), InputError);
+  Assembly overlapping{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 1, 2}, {0, 1, 3}}, {}};
+  EXPECT_THROW(make_bonds(overlapping, make_particles(overlapping, {}), {}), InputError);
+  Assembly crack_outside = test::pair_of_triangles(1);
+  crack_outside.initial_cracks = {{0, 2}};
+  EXPECT_THROW(make_bonds(crack_outside, make_particles(crack_outside, {}), {}), InputError);
+}
+
+TEST(Loads, FindTheFourSidesOfABlock) {
+  const Assembly assembly = test::block(0.03, 0.02, 2e-3, 0.2);
+  std::array<double, 4> length{};
+  for (const BoundaryEdge& edge : find_boundary(assembly)) {
+    ASSERT_GE(edge.side, 0);
+    const auto &p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])],
+               &q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
+    length[static_cast<std::size_t>(edge.side)] += std::hypot(q[0] - p[0], q[1] - p[1]);
+  }
+  EXPECT_NEAR(length[0], 0.02, 1e-12);
+  EXPECT_NEAR(length[1], 0.03, 1e-12);
+  EXPECT_NEAR(length[2], 0.02, 1e-12);
+  EXPECT_NEAR(length[3], 0.03, 1e-12);
+}
+
+TEST(MechanicsParameters, OutsideTheirRangeAreRefusedByName) {
+  MechanicsParameters p;
+  p.bond.normal_modulus = -1;
+  EXPECT_THROW(Mechanics(test::pair_of_triangles(1e-3), p, {}), InputError);
+  p = {};
+  p.mass_scaling = 0.5;
+  EXPECT_THROW(Mechanics(test::pair_of_triangles(1e-3), p, {}), InputError);
+}
+
+}  // namespace

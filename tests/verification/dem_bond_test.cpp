@@ -1,0 +1,171 @@
+// One bond between two triangles, its faces moved by hand: the law as the kernel applies it.
+#include "dem/bond_forces.hpp"
+#include "dem/bond_law.hpp"
+#include "dem_support.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace vug;
+using vug::test::host_copy;
+
+class OneBond : public ::testing::Test {
+ protected:
+  static constexpr double l = 2e-3;
+
+  OneBond() {
+    parameters.bond.weibull_shape = 0;
+    parameters.bond.damping = 0;
+    const Assembly assembly = test::pair_of_triangles(l);
+    particles = make_particles(assembly, parameters);
+    bonds = make_bonds(assembly, particles, parameters);
+  }
+
+  double bond_length() const { return parameters.bond.length_factor * l / std::sqrt(3.0); }
+
+  /// Mean stress (normal, tangential) after particle b has moved to (u_n, u_t).
+  std::array<double, 2> stress_at(double u_n, double u_t) {
+    test::place(particles, 1, u_n, u_t);
+    compute_bond_forces(Exec(), parameters, particles, bonds);
+    const auto load = host_copy(bonds.load);
+    return {load(0, 0) / l, load(0, 1) / l};
+  }
+
+  BondState state() const { return host_copy(bonds.state)(0); }
+
+  MechanicsParameters parameters;
+  Particles particles;
+  Bonds bonds;
+};
+
+/// Work per area along a straight opening path, split by modes, and the largest equivalent stress on it.
+struct PathWork {
+  double normal = 0, tangential = 0, peak_ellipse = 0;
+};
+
+TEST_F(OneBond, ModeOneReleasesExactlyItsFractureEnergyAndPeaksAtItsStrength) {
+  const double delta_f = 2 * 20 / 15e6;
+  constexpr int steps = 20000;
+  double work = 0, peak = 0, before = 0;
+  for (int k = 1; k <= steps; ++k) {
+    const double opening = 1.01 * delta_f * k / steps;
+    const double stress = stress_at(opening, 0)[0];
+    work += 0.5 * (before + stress) * 1.01 * delta_f / steps;
+    peak = std::max(peak, stress);
+    before = stress;
+  }
+  // trapezoids of a piecewise linear curve: only the kink's cell errs, by (1/steps)^2
+  EXPECT_NEAR(work, 20, 20 * 1e-6);
+  EXPECT_NEAR(peak, 15e6, 15e6 * 1e-3);  // the sample next to the peak is at most one step (1e-3 of delta_0) away
+  EXPECT_EQ(state(), BondState::failed_in_tension);
+  EXPECT_EQ(host_copy(bonds.d_m)(0), 1);
+}
+
+class MixedModeBond : public OneBond, public ::testing::WithParamInterface<double> {};
+
+TEST_P(MixedModeBond, EnergiesAddUpToOneAndThePeakLiesOnTheEllipse) {
+  const double angle = GetParam() * Kokkos::numbers::pi / 180;
+  constexpr int steps = 20000;
+  const double last = 3e-5;
+  const double k_n = 24.03e9 / bond_length(), k_t = 10.68e9 / bond_length();
+  // end of the law on this path: sum of energies reaches one
+  const double onset = 1 / std::hypot(k_n * std::cos(angle) / 15e6, k_t * std::sin(angle) / 95e6);
+  const double end =
+      std::min(last, 2 / (onset * (k_n * std::pow(std::cos(angle), 2) / 20 + k_t * std::pow(std::sin(angle), 2) / 64)));
+  double work_n = 0, work_t = 0, peak = 0;
+  std::array<double, 2> before{};
+  for (int k = 1; k <= steps; ++k) {
+    const double opening = 1.001 * end * k / steps, step = 1.001 * end / steps;
+    const auto stress = stress_at(opening * std::cos(angle), opening * std::sin(angle));
+    work_n += 0.5 * (before[0] + stress[0]) * step * std::cos(angle);
+    work_t += 0.5 * (before[1] + stress[1]) * step * std::sin(angle);
+    peak = std::max(peak, std::pow(stress[0] / 15e6, 2) + std::pow(stress[1] / 95e6, 2));
+    before = stress;
+  }
+  EXPECT_NEAR(work_n / 20 + work_t / 64, 1, 1e-6);
+  EXPECT_NEAR(peak, 1, 2e-3);  // sampled next to the peak
+  EXPECT_TRUE(has_failed(state()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, MixedModeBond, ::testing::Values(15.0, 30.0, 45.0, 60.0, 75.0));
+
+TEST_F(OneBond, PureShearSnapsAndReleasesWhatItHasStored) {
+  // G_II = 64 N/m needs a bond shorter than 2 G_II M_t / c^2 = 0.1515 mm; this one is 0.76 mm long and stores more
+  const double k_t = 10.68e9 / bond_length(), onset = 95e6 / k_t;
+  EXPECT_NEAR(stress_at(0, 0.999 * onset)[1], 0.999 * 95e6, 1);
+  EXPECT_FALSE(has_failed(state()));
+  EXPECT_EQ(stress_at(0, 1.001 * onset)[1], 0);
+  EXPECT_EQ(state(), BondState::failed_in_shear);
+}
+
+TEST_F(OneBond, ShortBondSoftensInShearAndReleasesG2) {
+  parameters.bond.length_factor = 0.1e-3 / (l / std::sqrt(3.0));
+  constexpr int steps = 20000;
+  const double end = 2 * 64 / 95e6;
+  double work = 0, before = 0;
+  for (int k = 1; k <= steps; ++k) {
+    const double stress = stress_at(0, 1.001 * end * k / steps)[1];
+    work += 0.5 * (before + stress) * 1.001 * end / steps;
+    before = stress;
+  }
+  // onset at 2/3 of the way, then a steep fall: the kink's cell errs by 3 / steps^2 of the area
+  EXPECT_NEAR(work, 64, 64 * 1e-6);
+}
+
+TEST_F(OneBond, UnloadsToTheOriginAndReloadsAlongTheSecant) {
+  const double opening = 1e-6;
+  const double loaded = stress_at(opening, 0)[0];
+  const double d_m = host_copy(bonds.d_m)(0);
+  ASSERT_GT(d_m, 0.1);
+  EXPECT_NEAR(stress_at(0.5 * opening, 0)[0], 0.5 * loaded, 1e-9 * loaded);
+  EXPECT_NEAR(stress_at(0, 0)[0], 0, 1e-9 * loaded);
+  EXPECT_NEAR(stress_at(0.8 * opening, 0)[0], 0.8 * loaded, 1e-9 * loaded);
+  EXPECT_EQ(host_copy(bonds.d_m)(0), d_m);
+}
+
+TEST_F(OneBond, RecoversItsFullStiffnessInCompressionDamagedOrBroken) {
+  const double k_n = 24.03e9 / bond_length();
+  stress_at(1e-6, 0);
+  EXPECT_NEAR(stress_at(-1e-7, 0)[0], -k_n * 1e-7, 1e-9 * k_n * 1e-7);
+  stress_at(1e-5, 0);
+  ASSERT_TRUE(has_failed(state()));
+  EXPECT_EQ(stress_at(1e-7, 0)[0], 0);
+  EXPECT_NEAR(stress_at(-1e-7, 0)[0], -k_n * 1e-7, 1e-9 * k_n * 1e-7);
+}
+
+TEST_F(OneBond, BrokenFacesRubByTheContactsFriction) {
+  const double k_n = 24.03e9 / bond_length(), k_t = 10.68e9 / bond_length();
+  stress_at(1e-5, 0);
+  stress_at(-1e-6, 0);
+  EXPECT_NEAR(stress_at(-1e-6, 1e-8)[1], k_t * 1e-8, 1e-6 * k_t * 1e-8);
+  EXPECT_NEAR(stress_at(-1e-6, 1e-5)[1], 0.3 * k_n * 1e-6, 1e-6 * k_n * 1e-6);
+  EXPECT_NEAR(stress_at(-1e-6, 0.99e-5)[1], 0.3 * k_n * 1e-6 - k_t * 1e-7, 1e-6 * k_n * 1e-6);  // sticks going back
+}
+
+TEST_F(OneBond, DissolutionSoftensWeakensAndFinallyFailsIt) {
+  const double k_n = 24.03e9 / bond_length();
+  Kokkos::deep_copy(bonds.d_c, 0.3);
+  EXPECT_NEAR(stress_at(1e-8, 0)[0], 0.7 * k_n * 1e-8, 1e-9 * k_n * 1e-8);
+  EXPECT_NEAR(stress_at(-1e-8, 0)[0], -0.7 * k_n * 1e-8, 1e-9 * k_n * 1e-8);
+  double peak = 0;
+  for (int k = 1; k <= 4000; ++k) peak = std::max(peak, stress_at(k * 1e-9, 0)[0]);
+  EXPECT_NEAR(peak, 15e6 * 0.9104 / 0.98, 15e6 * 2e-3);
+  Kokkos::deep_copy(bonds.d_c, 0.95);
+  stress_at(0, 0);
+  EXPECT_TRUE(has_failed(state()));
+}
+
+TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
+  const double k_n = 24.03e9 / bond_length(), angle = 1e-6;
+  // particle b turns about the middle of the edge
+  const double arm = l / (2 * std::sqrt(3.0));
+  test::place(particles, 1, arm * (std::cos(angle) - 1), arm * std::sin(angle), angle);
+  compute_bond_forces(Exec(), parameters, particles, bonds);
+  const auto load = host_copy(bonds.load);
+  // two points at ± l / (2 sqrt 3), each with k_n l / 2: torque k_n l^3 / 12 times the angle
+  EXPECT_NEAR(load(0, 3) + arm * load(0, 1), -k_n * l * l * l / 12 * angle, 1e-5 * k_n * l * l * l / 12 * angle);
+  EXPECT_NEAR(load(0, 0), 0, 1e-5 * k_n * l * l * angle);
+}
+
+}  // namespace
