@@ -3,13 +3,9 @@
 // modelled. Units and ranges of every key are in docs/case-file.md.
 #include "dem/loads.hpp"
 #include "dem/parameters.hpp"
-<<<<<<< HEAD
-#include "kernels/mrt.hpp"
-=======
 #include "kernels/dissolution.hpp"
 #include "kernels/mrt.hpp"
 #include "kernels/reactive_wall.hpp"
->>>>>>> main
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "io/run_record.hpp"
 
 #include "kernels/require.hpp"
-#include "unit/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "io/snapshot_writer.hpp"
 
 #include "kernels/require.hpp"
-#include "unit/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
