@@ -60,6 +60,17 @@ struct BondForces {
             (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t)};
   }
 
+  /// The two-point law of crack faces holds while they lie opposite each other.
+  KOKKOS_FUNCTION bool faces_meet(int k, const PointOpening (&opening)[2]) const {
+    if (bonds.joint(k) == 0) return false;
+    const double apart = 0.5 * Kokkos::max(opening[0].delta_n + opening[1].delta_n,
+                                           Kokkos::abs(opening[0].delta_t + opening[1].delta_t));
+    if (apart < 0.5 * bonds.length(k)) return true;
+    bonds.joint(k) = 0;
+    Kokkos::atomic_store(&bonds.events(crack_has_parted), 1);
+    return false;
+  }
+
   KOKKOS_FUNCTION PointStress crack_stress(int k, int s, const BondPoint& point, const PointOpening& o) const {
     const double width = 0.5 * bonds.length(k);
     const ContactPoint joint{point.k_n, point.k_t, contact.normal_damping / width, contact.tangential_damping / width,
@@ -81,6 +92,7 @@ struct BondForces {
         bonds.point_damage(k, s) = 1;
         bonds.slip(k, s) = opening[s].delta_t;
       }
+      Kokkos::atomic_store(&bonds.events(bond_has_failed), 1);
     }
     bonds.d_m(k) = has_failed(state) ? 1 : d_m;
   }
@@ -115,9 +127,10 @@ struct BondForces {
       bonds.state(k) = state;
     }
     PointStress stress[2];
-    for (int s = 0; s < 2; ++s) {
-      stress[s] =
-          has_failed(state) ? crack_stress(k, s, point, opening[s]) : cohesive_stress(k, s, point, d_c, opening[s]);
+    if (!has_failed(state)) {
+      for (int s = 0; s < 2; ++s) stress[s] = cohesive_stress(k, s, point, d_c, opening[s]);
+    } else if (faces_meet(k, opening)) {
+      for (int s = 0; s < 2; ++s) stress[s] = crack_stress(k, s, point, opening[s]);
     }
     store(k, frame, opening, stress);
   }
