@@ -22,6 +22,10 @@ if(VUG_BACKEND STREQUAL "CUDA")
   # nvcc's own front end repeats host warnings for code that Kokkos generates
   target_compile_options(vug_options INTERFACE -Wno-shadow -Wno-unused-parameter -Wno-unknown-pragmas)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  # without them a square root or a choice between two values keeps a loop from vectorising; results and NaN stay
+  target_compile_options(vug_options INTERFACE -fno-math-errno -fno-trapping-math)
+endif()
 if(VUG_NATIVE AND NOT VUG_BACKEND STREQUAL "CUDA" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(vug_options INTERFACE -march=native -mprefer-vector-width=512)
 endif()

@@ -34,9 +34,8 @@ bool is_open(const FlowBoundary& flow) {
 }  // namespace
 
 template <class T>
-FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
-                          bool carries_scalars)
-    : section_(*scene.flow), units_(units), geometry_(geometry), carries_scalars_(carries_scalars) {
+FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry)
+    : section_(*scene.flow), units_(units), geometry_(geometry) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
   step_.collision = section_.collision;
   step_.rates = relaxation_rates(section_.collision, tau);
@@ -56,7 +55,6 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
     boundary.find(exec, fluid, D2Q9::Q);
     if (is_open(boundary.stretch.conditions.flow)) mark_open(exec, fluid, boundary.links);
   }
-  if (carries_scalars_) Kokkos::resize(exec, defect_, fluid.capacity);
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }
 
@@ -90,10 +88,52 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
 }
 
 template <class T>
+const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int directions) {
+  for (const Carrier<T>& carrier : carriers_)
+    if (carrier.interval == interval && carrier.directions == directions) return carrier;
+  Carrier<T>& carrier = carriers_.emplace_back(Carrier<T>{interval, directions, {}, {}});
+  fit_carrier(exec, carrier);
+  return carrier;
+}
+
+template <class T>
+void FlowModule<T>::fit_carrier(const Exec& exec, Carrier<T>& carrier) {
+  if (carrier.interval == 1)
+    carrier.u = fields_.u;
+  else
+    Kokkos::resize(exec, carrier.u, geometry_.fluid.capacity, 2);
+  Kokkos::resize(exec, carrier.e, geometry_.fluid.capacity);
+}
+
+/// u_out = n u.
+template <class T>
+struct ScaleVelocity {
+  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  VectorField<T> scaled;
+  T n;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    scaled(i, 0) = n * u(i, 0);
+    scaled(i, 1) = n * u(i, 1);
+  }
+};
+
+template <class T>
 void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
-  if (carries_scalars_) advective_defect<D2Q5>(exec, geometry_.fluid, fields_.u, defect_);
+  const FluidNodes& fluid = geometry_.fluid;
+  // The velocity that scalars were collided with in the step before is about to be overwritten.
+  for (const Carrier<T>& carrier : carriers_) {
+    if (!carrier.due(clock.step - 1)) continue;
+    if (carrier.directions == D2Q5::Q)
+      advective_defect<D2Q5>(exec, fluid, carrier.u, carrier.e);
+    else
+      advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e);
+  }
   for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
-  collide_and_stream(exec, geometry_.fluid, fields_, step_);
+  collide_and_stream(exec, fluid, fields_, step_);
+  for (const Carrier<T>& carrier : carriers_)
+    if (carrier.interval > 1 && carrier.due(clock.step))
+      for_each_node(exec, "vug::flow::scale_velocity", fluid.count,
+                    ScaleVelocity<T>{fields_.u, carrier.u, static_cast<T>(carrier.interval)});
 }
 
 template <class T>
@@ -102,11 +142,12 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   const double before = total_mass(geometry_.fluid, fields_);
   initialise_births(exec, geometry_.fluid, births.first, births.last, fields_);
   born_mass_ += total_mass(geometry_.fluid, fields_) - before;
+  for (Carrier<T>& carrier : carriers_) fit_carrier(exec, carrier);
   find_boundaries(exec);
 }
 
 template <class T>
-void FlowModule<T>::guard(const Exec& exec, const Clock& clock) const {
+void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
   const FlowExtremes extremes = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
   if (extremes.bad < 0) return;
   int node = 0;
@@ -138,12 +179,13 @@ void FlowModule<T>::limits(LimitTable& table) const {
 template <class T>
 void FlowModule<T>::ledger(Ledger& ledger) const {
   const double kg = units_.fluid_density * units_.volume();
-  Balance balance{"fluid_mass", "kg/m", kg * initial_mass_, kg * total_mass(geometry_.fluid, fields_), {}};
+  Balance& balance = ledger.of("fluid_mass", "kg/m");
+  balance.initial = kg * initial_mass_;
+  balance.stored = kg * total_mass(geometry_.fluid, fields_);
   double entered = 0;
   for (const StretchLinks& boundary : boundaries_) entered += boundary.total();
   balance.gains.push_back({"boundaries", kg * entered});
   balance.gains.push_back({"births", kg * born_mass_});
-  ledger.balances.push_back(balance);
 }
 
 template <class T>
@@ -174,6 +216,11 @@ void FlowModule<T>::state(StateList& list) {
   list.add("flow/density", fields_.density);
   list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);
+  for (const Carrier<T>& carrier : carriers_) {
+    const std::string key = "flow/carrier" + std::to_string(carrier.interval) + "_" + std::to_string(carrier.directions);
+    if (carrier.interval > 1) list.add(key + "/u", carrier.u);
+    list.add(key + "/e", carrier.e);
+  }
   for (StretchLinks& boundary : boundaries_) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
     list.add(key + "/gain", boundary.gain);

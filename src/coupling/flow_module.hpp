@@ -1,9 +1,12 @@
 #pragma once
 // Flow through the pores (paper section 2.1).
+#include "coupling/carrier.hpp"
 #include "coupling/module.hpp"
 #include "coupling/stretch_links.hpp"
 #include "kernels/flow.hpp"
 #include "kernels/units.hpp"
+
+#include <deque>
 
 namespace vug {
 
@@ -11,14 +14,12 @@ namespace vug {
 template <class T>
 class FlowModule final : public Module {
  public:
-  /// `carries_scalars`: whether heat or solute is in the scene and needs the advective defect.
-  FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
-             bool carries_scalars);
+  FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry);
 
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;
   void births(const Exec& exec, const Births& births) override;
-  void guard(const Exec& exec, const Clock& clock) const override;
+  void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;
@@ -26,21 +27,22 @@ class FlowModule final : public Module {
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
-  /// (fluid) advective defect of the velocity that the scalars were last collided with (advective_form.hpp).
-  const ScalarField<T>& defect() const { return defect_; }
+  /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities. Asked for
+  /// at set-up; the reference stays valid.
+  const Carrier<T>& carrier(const Exec& exec, int interval, int directions);
 
  private:
   void find_boundaries(const Exec& exec);
   void dress(const Exec& exec, const StretchLinks& boundary, double time) const;
+  void fit_carrier(const Exec& exec, Carrier<T>& carrier);
 
   FlowSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
-  bool carries_scalars_;
   std::vector<StretchLinks> boundaries_;
   FlowFields<T> fields_;
   FlowStep<T> step_;
-  ScalarField<T> defect_;
+  std::deque<Carrier<T>> carriers_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;
 };

@@ -14,6 +14,8 @@ struct Geometry {
   Kokkos::View<NodeType*> type;  ///< (dense node)
   FluidNodes fluid;              ///< empty where the scene has neither flow nor solute
   Surface surface;
+  ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty unless the rock can dissolve
+  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
 };
 
 /// Part of a side of the lattice with one set of boundary conditions.

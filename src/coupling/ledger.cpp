@@ -15,4 +15,10 @@ double Balance::relative_error() const {
   return largest > 0 ? error / largest : 0;
 }
 
+Balance& Ledger::of(const std::string& quantity, const std::string& unit) {
+  for (Balance& balance : balances)
+    if (balance.quantity == quantity) return balance;
+  return balances.emplace_back(Balance{quantity, unit, 0, 0, {}});
+}
+
 }  // namespace vug

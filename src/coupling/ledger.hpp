@@ -22,8 +22,11 @@ struct Balance {
   double relative_error() const;
 };
 
+/// All balances of a scene. Several modules may add gains to the same quantity.
 struct Ledger {
   std::vector<Balance> balances;
+  /// The balance of `quantity`, made when it is not there yet.
+  Balance& of(const std::string& quantity, const std::string& unit);
 };
 
 }  // namespace vug

@@ -31,12 +31,14 @@ class Module {
   virtual ~Module() = default;
   virtual std::string_view name() const = 0;
 
+  /// Brings the state to time zero where that takes computing; not called when a run is resumed or only checked.
+  virtual void begin(const Exec&) {}
   /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
   virtual void step(const Exec& exec, const Clock& clock) = 0;
   /// Takes up newborn fluid nodes; called between steps, when the list of fluid nodes has grown.
   virtual void births(const Exec&, const Births&) {}
-  /// Throws StabilityError when the state has left its bounds; called every guard interval.
-  virtual void guard(const Exec&, const Clock&) const {}
+  /// Throws StabilityError when the state has left its bounds; called every guard interval, may wait for the device.
+  virtual void guard(const Exec&, const Clock&) {}
   /// Derived numbers with their safe ranges.
   virtual void limits(LimitTable&) const {}
   /// Conserved sums.

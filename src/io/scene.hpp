@@ -1,7 +1,11 @@
 #pragma once
 // The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
 // modelled. Units and ranges of every key are in docs/case-file.md.
+#include "dem/loads.hpp"
 #include "dem/parameters.hpp"
+#include "kernels/dissolution.hpp"
+#include "kernels/mrt.hpp"
+#include "kernels/reactive_wall.hpp"
 
 #include <array>
 #include <cstdint>
@@ -21,20 +25,13 @@ struct LatticeSection {
 };
 
 struct TimeSection {
-  std::optional<double> end;          ///< s
+  std::optional<double> end;         ///< s
   std::optional<std::int64_t> steps;  ///< lattice steps; exactly one of the two is given
 };
 
-struct Rectangle {
-  std::array<double, 2> from, to;
-};
-struct Disc {
-  std::array<double, 2> centre;
-  double radius;
-};
-struct Polygon {
-  std::vector<std::array<double, 2>> points;
-};
+struct Rectangle { std::array<double, 2> from, to; };
+struct Disc { std::array<double, 2> centre; double radius; };
+struct Polygon { std::vector<std::array<double, 2>> points; };
 /// A shape drawn on the lattice in the order of the file; later shapes paint over earlier ones. Coordinates in m.
 struct Shape {
   std::variant<Rectangle, Disc, Polygon> form;
@@ -46,8 +43,8 @@ struct GeometrySection {
   GeometryKind kind = GeometryKind::open;
   std::string background = "fluid";  ///< of "shapes": what is there before the first shape
   std::vector<Shape> shapes;
-  std::string image_file;        ///< path as resolved against the folder of the case
-  double image_threshold = 0.5;  ///< fraction of the largest grey value; darker is solid
+  std::string image_file;             ///< path as resolved against the folder of the case
+  double image_threshold = 0.5;       ///< fraction of the largest grey value; darker is solid
   bool image_invert = false;
   std::array<int, 2> raw_size{0, 0};  ///< of a raw 8-bit file
 };
@@ -66,28 +63,29 @@ struct RockSection {
   double element_size = 0;          ///< m, mean edge
   double grading = 1;               ///< largest over smallest element size (1 = uniform), finest at the injection hole
   std::uint64_t seed = 1;
-  double porosity = 0;          ///< share of the rock that pathways take from the start
-  double pathway_aperture = 3;  ///< cells
+  double porosity = 0;              ///< share of the rock that pathways take from the start
+  double pathway_aperture = 3;      ///< cells
   std::vector<Notch> notches;
   std::optional<InjectionHole> hole;
 };
 
-enum class Collision { trt, lallemand_luo, bgk, regularised };
 struct FlowSection {
-  double density = 1000;  ///< kg/m3
-  double viscosity = 0;   ///< kinematic, m2/s
+  double density = 1000;             ///< kg/m3
+  double viscosity = 0;              ///< kinematic, m2/s
   Collision collision = Collision::trt;
   std::array<double, 2> body_force{0, 0};  ///< m/s2
-  double initial_pressure = 1e5;           ///< Pa, also the reference of the gauge pressure
-  double speed_limit = 0.2;                ///< lattice units; 0 switches the limiter off
-  double pressure_scale = 1;               ///< forces on the rock are multiplied by it (coarse lattices, docs/model.md)
+  double initial_pressure = 1e5;     ///< Pa, also the reference of the gauge pressure
+  double speed_limit = 0.2;          ///< lattice units; 0 switches the limiter off
+  /// S_p >= 1 for coarse lattices: the lattice flows under the gauge pressures of the case divided by it, and what the
+  /// fluid does to the rock, and every pressure written out, is multiplied by it (docs/model.md)
+  double pressure_scale = 1;
 };
 
 struct HeatSection {
-  double fluid_diffusivity = 0, solid_diffusivity = 0;            ///< m2/s
-  double fluid_density = 1000, solid_density = 2500;              ///< kg/m3
+  double fluid_diffusivity = 0, solid_diffusivity = 0;      ///< m2/s
+  double fluid_density = 1000, solid_density = 2500;        ///< kg/m3
   double fluid_heat_capacity = 4000, solid_heat_capacity = 1000;  ///< J/(kg K)
-  double initial_temperature = 293.15;                            ///< K
+  double initial_temperature = 293.15;                      ///< K
 };
 
 struct Species {
@@ -104,41 +102,42 @@ struct SoluteSection {
   bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
 };
 
-enum class WallReaction { kinetic, paper };
-enum class BirthFill { mean, split };
 struct ReactionSection {
-  std::string reactant;                ///< name of a species
-  std::optional<std::string> product;  ///< name of a species
-  double rate_constant = 0;            ///< k_r^0 at the reference temperature, m/s (also when given by Da and length)
-  double activation_energy = 0;        ///< J/mol
-  double reference_temperature = 273.15;    ///< K
-  double temperature = 293.15;              ///< K, of the wall where there is no [heat]
+  std::string reactant;                 ///< name of a species
+  std::optional<std::string> product;   ///< name of a species
+  double rate_constant = 0;             ///< k_r^0 at the reference temperature, m/s (also when given by Da and length)
+  double activation_energy = 0;         ///< J/mol
+  double reference_temperature = 273.15;  ///< K
+  double temperature = 293.15;          ///< K, of the wall where there is no [heat]
   double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
-  double molar_volume = 0;                  ///< m3/mol; 0 = the wall reacts but does not dissolve
-  WallReaction wall = WallReaction::kinetic;
-  bool surface_normal = true;  ///< correct the staircase area
+  double molar_volume = 0;              ///< m3/mol; 0 = the wall reacts but does not dissolve
+  std::optional<double> damkohler;      ///< as given, Da = k_r^0 length / D (Eq. 13)
+  std::optional<double> length;         ///< m, l_c of the Damkohler number
+  ReactiveWallLaw wall = ReactiveWallLaw::kinetic;
+  bool surface_normal = true;           ///< correct the staircase area
   BirthFill birth_fill = BirthFill::mean;
 };
 
 struct MechanicsSection {
+  std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength
   MechanicsParameters parameters;
-  std::optional<int> substeps;     ///< per lattice step; absent: from the critical step
-  double critical_fraction = 0.3;  ///< of the critical time step that a sub-step may take
-  bool force_unstable = false;     ///< accept a sub-step above the critical one
-  double preload_time = 150e-6;    ///< s over which the outer stress is ramped before the run
+  std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
+  double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
+  bool force_unstable = false;         ///< accept a sub-step above the critical one
+  double preload_time = 150e-6;        ///< s over which the outer stress is ramped before the run
 };
 
 struct DamageSection {
-  double pathway_factor = 0.2;  ///< c_d: aperture of a broken bond over the distance of its centroids
-  double minimum_aperture = 3;  ///< cells
+  double pathway_factor = 0.2;    ///< c_d: aperture of a broken bond over the distance of its centroids
+  double minimum_aperture = 3;    ///< cells
 };
 
 enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
 struct FlowBoundary {
   FlowBoundaryKind kind = FlowBoundaryKind::wall;
-  double pressure = 0;                   ///< Pa, absolute
+  double pressure = 0;                 ///< Pa, absolute
   std::array<double, 2> velocity{0, 0};  ///< m/s (wall: tangential speed of a moving wall)
-  double ramp_time = 0;                  ///< s, over which the pressure rises from the initial one
+  double ramp_time = 0;                ///< s, over which the pressure rises from the initial one
 };
 enum class HeatBoundaryKind { adiabatic, temperature, outflow, periodic };
 struct HeatBoundary {
@@ -150,7 +149,6 @@ struct SoluteBoundary {
   SoluteBoundaryKind kind = SoluteBoundaryKind::no_flux;
   std::map<std::string, double> concentration;  ///< mol/m3 by species; missing species: 0
 };
-enum class Support { free, roller, fixed };
 struct TractionBoundary {
   Support support = Support::free;
   double normal_stress = 0;  ///< Pa, compression positive
@@ -184,10 +182,10 @@ struct Probe {
   std::array<double, 2> at;  ///< m
 };
 struct OutputSection {
-  std::optional<double> interval;  ///< s
+  std::optional<double> interval;       ///< s
   std::optional<std::int64_t> interval_steps;
   std::optional<double> checkpoint_interval;  ///< s
-  std::vector<std::string> fields;            ///< empty: all
+  std::vector<std::string> fields;      ///< empty: all
   bool compress = true;
   std::vector<Probe> probes;
 };
@@ -197,6 +195,7 @@ struct Scene {
   std::string path;         ///< of the case file
   std::string source_text;  ///< as read, for provenance; overrides are listed below it
   std::vector<std::string> overrides;
+  std::vector<std::string> warnings;  ///< one line each: allowed, but probably not meant
   std::string name, description;
   LatticeSection lattice;
   TimeSection time;
@@ -215,7 +214,8 @@ struct Scene {
 };
 
 /// Reads, overrides (`table.key=value`, value in TOML syntax) and validates a case. Throws InputError with
-/// `file:line:column: what is wrong, what was expected` or FileError for a mesh or image that cannot be read.
+/// `file:line:column: what is wrong, what was expected`, also for a mesh or image that is not there, or FileError when
+/// reading fails half-way.
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// As read_scene, from text (tests); `path` is used for messages and relative files.

@@ -14,15 +14,6 @@ int round_capacity(int count) {
 
 }  // namespace
 
-/// Dense neighbour of `node` along velocity q, joined sides included; -1 outside the lattice.
-KOKKOS_INLINE_FUNCTION int neighbour(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {
-  int x = lattice.x(node) + D2Q9::c(q, 0);
-  int y = lattice.y(node) + D2Q9::c(q, 1);
-  if (periodic_x) x = (x + lattice.nx) % lattice.nx;
-  if (periodic_y) y = (y + lattice.ny) % lattice.ny;
-  return lattice.inside(x, y) ? lattice.node(x, y) : -1;
-}
-
 /// Interior node number `item` of the lattice counted row by row without halo.
 KOKKOS_INLINE_FUNCTION int interior_node(const Lattice& lattice, int item) {
   return lattice.node(item % lattice.nx, item / lattice.nx);
@@ -132,6 +123,20 @@ int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNo
   nodes.count = count;
   rebuild_links(exec, nodes);
   return births;
+}
+
+struct IndexOfNode {
+  IndexList node, index;
+  KOKKOS_FUNCTION void operator()(int i) const { index(node(i)) = i; }
+};
+
+void set_fluid_nodes(const Exec& exec, const IndexList& node, int capacity, FluidNodes& nodes) {
+  nodes.count = static_cast<int>(node.extent(0));
+  allocate(exec, nodes, capacity);
+  Kokkos::deep_copy(exec, Kokkos::subview(nodes.node, std::pair(0, nodes.count)), node);
+  Kokkos::deep_copy(exec, nodes.index, -1);
+  for_each_node(exec, "vug::fluid_nodes::index", nodes.count, IndexOfNode{nodes.node, nodes.index});
+  rebuild_links(exec, nodes);
 }
 
 template <class T>

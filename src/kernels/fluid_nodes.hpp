@@ -48,7 +48,10 @@ FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokk
 /// must then be moved with `restride`. The new nodes are [old count, new count).
 int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes);
 
-/// Rebuilds source, solid_links and side_links of all nodes from node and index (after reading a checkpoint).
+/// Replaces the list by `node` (fluid), which a checkpoint has kept, with the capacity it had then.
+void set_fluid_nodes(const Exec& exec, const IndexList& node, int capacity, FluidNodes& nodes);
+
+/// Rebuilds source, solid_links, side_links and open_links of all nodes from node and index.
 void rebuild_links(const Exec& exec, FluidNodes& nodes);
 
 /// A copy of direction-major populations with a new distance between directions.

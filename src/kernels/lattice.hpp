@@ -27,4 +27,13 @@ struct Lattice {
   KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return D2Q9::c(q, 1) * pitch + D2Q9::c(q, 0); }
 };
 
+/// Dense neighbour of `node` along velocity q, joined sides included; -1 outside the lattice.
+KOKKOS_FORCEINLINE_FUNCTION int neighbour(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {
+  int x = lattice.x(node) + D2Q9::c(q, 0);
+  int y = lattice.y(node) + D2Q9::c(q, 1);
+  if (periodic_x) x = (x + lattice.nx) % lattice.nx;
+  if (periodic_y) y = (y + lattice.ny) % lattice.ny;
+  return lattice.inside(x, y) ? lattice.node(x, y) : -1;
+}
+
 }  // namespace vug

@@ -3,6 +3,7 @@
 #include "kernels/launch.hpp"
 #include "kernels/require.hpp"
 #include "kernels/scalar_equilibrium.hpp"
+#include "kernels/unroll.hpp"
 
 #include <string>
 
@@ -57,8 +58,10 @@ struct SoluteSweep {
   KOKKOS_FORCEINLINE_FUNCTION double sweep(int i) const {
     T g[Set::Q];
     g[0] = h(i);
+    VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) g[q] = h(source(q * capacity + i));
     T c = g[0], flux_x = 0, flux_y = 0;
+    VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       c += g[q];
       flux_x += T(Set::c(q, 0)) * g[q];
@@ -72,6 +75,7 @@ struct SoluteSweep {
     }
     C(i) = c;
     collide(i, g, c, flux_x, flux_y);
+    VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) h_next(q * capacity + i) = g[q];
     return double(added);
   }
@@ -86,6 +90,7 @@ struct SoluteSweep {
     }
     flux_x *= rate_difference;
     flux_y *= rate_difference;
+    VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) {
       T wc = T(Set::w(q)) * c;
       if constexpr (Flow::moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);

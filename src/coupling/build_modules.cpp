@@ -1,0 +1,112 @@
+#include "coupling/build_modules.hpp"
+
+#include "coupling/flow_module.hpp"
+#include "coupling/heat_module.hpp"
+#include "coupling/mechanics_module.hpp"
+#include "coupling/reaction_module.hpp"
+#include "coupling/solute_module.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+LatticeUnits units_of(const Scene& scene) {
+  LatticeUnits units;
+  units.spacing = scene.lattice.spacing;
+  units.time_step = scene.lattice.time_step;
+  if (scene.flow) {
+    units.fluid_density = scene.flow->density;
+    units.reference_pressure = scene.flow->initial_pressure;
+    units.pressure_scale = scene.flow->pressure_scale;
+  }
+  if (scene.heat) units.reference_temperature = scene.heat->initial_temperature;
+  if (scene.solute) {
+    double largest = 0;
+    for (const Species& species : scene.solute->species) largest = std::max(largest, species.initial);
+    for (const Stretch& stretch : boundary_stretches(scene))
+      for (const auto& [name, value] : stretch.conditions.solute.concentration) largest = std::max(largest, value);
+    if (largest > 0) units.concentration = largest;
+  }
+  return units;
+}
+
+namespace {
+
+/// Node types from a mask row by row without halo; the halo is solid.
+Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<bool>& solid) {
+  Kokkos::View<NodeType*> type("vug::geometry::type", lattice.size());
+  const auto host = Kokkos::create_mirror_view(type);
+  Kokkos::deep_copy(host, NodeType::solid);
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x)
+      if (!solid[static_cast<std::size_t>(y) * lattice.nx + x]) host(lattice.node(x, y)) = NodeType::fluid;
+  Kokkos::deep_copy(type, host);
+  return type;
+}
+
+template <class T, class Set>
+void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
+  FlowModule<T>* flow = nullptr;
+  HeatModule<T>* heat = nullptr;
+  const auto add = [&]<class M>(std::unique_ptr<M> module) {
+    M* pointer = module.get();
+    parts.modules.push_back(std::move(module));
+    return pointer;
+  };
+  Geometry& geometry = parts.geometry;
+  if (scene.flow) flow = add(std::make_unique<FlowModule<T>>(exec, scene, parts.units, geometry));
+  if (scene.heat) heat = add(std::make_unique<HeatModule<T>>(exec, scene, parts.units, geometry, flow));
+  std::unique_ptr<SoluteModule<T, Set>> solutes;
+  if (scene.solute) solutes = std::make_unique<SoluteModule<T, Set>>(exec, scene, parts.units, geometry, flow);
+  ReactionModule<T, Set>* reaction = nullptr;
+  if (scene.reaction)
+    reaction = add(std::make_unique<ReactionModule<T, Set>>(exec, scene, parts.units, geometry, *solutes, heat));
+  if (solutes) add(std::move(solutes));
+
+  std::unique_ptr<PathwayOpener> opener;
+  ScalarField<double> d_m;
+  if (scene.mechanics) {
+    const auto* mechanics = add(
+        std::make_unique<MechanicsModule<T>>(exec, scene, parts.units, geometry, *parts.rock, flow, heat));
+    parts.mechanics = &mechanics->mechanics();
+    d_m = mechanics->mechanics().bonds().d_m;
+    if (scene.damage && geometry.fluid.count > 0)
+      opener = std::make_unique<PathwayOpener>(geometry.lattice, parts.rock->pathways, parts.rock->nodes_of_particle);
+  }
+  const bool dissolves = reaction && scene.reaction->molar_volume > 0;
+  if (!dissolves && !opener) return;
+  parts.growth = std::make_unique<PoreGrowth>(geometry, std::move(opener), d_m,
+                                              dissolves ? reaction->lost() : ScalarField<double>(),
+                                              [reaction](const Exec& e) {
+                                                if (reaction) reaction->renew_normals(e);
+                                              });
+}
+
+}  // namespace
+
+std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
+  auto parts = std::make_unique<Parts>();
+  parts->units = units_of(scene);
+  Geometry& geometry = parts->geometry;
+  geometry.lattice = Lattice(scene.lattice.nx, scene.lattice.ny);
+  geometry.spacing = scene.lattice.spacing;
+  if (scene.geometry.kind == GeometryKind::rock) {
+    parts->rock = build_rock(scene, geometry.lattice);
+    geometry.type = node_types(geometry.lattice, parts->rock->solid);
+  } else {
+    geometry.type = node_types(geometry.lattice, solid_mask(scene));
+  }
+  if (scene.flow || scene.solute) {
+    geometry.fluid = make_fluid_nodes(exec, geometry.lattice, geometry.type, periodic_sides(scene));
+    find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
+  }
+  const bool paper_set = scene.solute && scene.solute->velocity_set == ScalarVelocitySet::d2q9;
+  const bool single = scene.accuracy.precision == Precision::single_precision;
+  if (single)
+    paper_set ? build_physics<float, D2Q9>(exec, scene, *parts) : build_physics<float, D2Q5>(exec, scene, *parts);
+  else
+    paper_set ? build_physics<double, D2Q9>(exec, scene, *parts) : build_physics<double, D2Q5>(exec, scene, *parts);
+  return parts;
+}
+
+}  // namespace vug

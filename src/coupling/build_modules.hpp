@@ -1,0 +1,37 @@
+#pragma once
+// From a scene to the modules that it needs, and no others.
+#include "coupling/geometry.hpp"
+#include "coupling/module.hpp"
+#include "coupling/pore_growth.hpp"
+#include "coupling/rock.hpp"
+#include "dem/mechanics.hpp"
+#include "kernels/units.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace vug {
+
+/// Everything a simulation is made of. Modules hold references into it, so it stays where it is.
+struct Parts {
+  LatticeUnits units;
+  Geometry geometry;
+  std::optional<Rock> rock;
+  /// In the order of a step: a module sees what those above did in this step and those below in the last.
+  std::vector<std::unique_ptr<Module>> modules;
+  std::unique_ptr<PoreGrowth> growth;   ///< null where no node can turn fluid
+  const Mechanics* mechanics = nullptr; ///< null without [mechanics]
+
+  Parts() = default;
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+};
+
+/// SI to lattice units for a scene: temperatures count from the initial one of the rock, concentrations in the largest
+/// that the case names.
+LatticeUnits units_of(const Scene& scene);
+
+/// Builds what the tables of the scene ask for: table present, module present; table absent, not a byte.
+std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene);
+
+}  // namespace vug

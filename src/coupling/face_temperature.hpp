@@ -1,0 +1,19 @@
+#pragma once
+// The temperature that the reaction at a wall sees.
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// Temperature in K of the face between a solid and a fluid node whose centres are half a node away on either side:
+/// (lambda_f T_f + lambda_s T_s)/(lambda_f + lambda_s), from continuity of the heat flux (Eq. 4).
+template <class T>
+struct FaceTemperature {
+  Kokkos::View<const T*> theta;  ///< (dense node), K above the reference
+  double solid_share = 0.5;      ///< lambda_s/(lambda_f + lambda_s)
+  double reference = 0;          ///< K
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
+    return reference + solid_share * static_cast<double>(theta(solid)) + (1 - solid_share) * static_cast<double>(theta(fluid));
+  }
+};
+
+}  // namespace vug

@@ -1,0 +1,159 @@
+#include "coupling/heat_module.hpp"
+
+#include "coupling/read_fields.hpp"
+#include "kernels/heat_sums.hpp"
+#include "kernels/launch.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+// Temperatures this far outside what the case puts in are no solution of the heat equation.
+constexpr double runaway_margin = 1000;  // K
+
+HeatCondition condition_of(HeatBoundaryKind kind) {
+  switch (kind) {
+    case HeatBoundaryKind::temperature: return HeatCondition::temperature;
+    case HeatBoundaryKind::outflow: return HeatCondition::outflow;
+    default: return HeatCondition::adiabatic;
+  }
+}
+
+}  // namespace
+
+template <class T>
+HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
+                          FlowModule<T>* flow)
+    : section_(*scene.heat),
+      units_(units),
+      geometry_(geometry),
+      carrier_(flow ? &flow->carrier(exec, scene.accuracy.heat_interval, D2Q5::Q) : nullptr),
+      interval_(scene.accuracy.heat_interval),
+      periodic_(periodic_sides(scene)),
+      initial_theta_(units.lattice_temperature(section_.initial_temperature)),
+      coldest_(section_.initial_temperature),
+      hottest_(section_.initial_temperature) {
+  const double scale = interval_ / units.diffusivity();
+  const double sigma = section_.solid_density * section_.solid_heat_capacity /
+                       (section_.fluid_density * section_.fluid_heat_capacity);
+  fields_ = make_heat_fields<T>(exec, geometry.lattice,
+                                {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma},
+                                geometry.type, periodic_, initial_theta_);
+  for (const Stretch& stretch : boundary_stretches(scene)) {
+    const HeatBoundary& heat = stretch.conditions.heat;
+    if (periodic_[stretch.side == Side::left || stretch.side == Side::right ? 0 : 1]) continue;
+    double theta = 0;
+    if (heat.kind == HeatBoundaryKind::temperature) {
+      theta = units.lattice_temperature(heat.temperature);
+      coldest_ = std::min(coldest_, heat.temperature);
+      hottest_ = std::max(hottest_, heat.temperature);
+    }
+    stretches_.push_back(stretch);
+    sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), theta));
+  }
+  created_ = ScalarField<double>("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  initial_energy_ = energy();
+}
+
+template <class T>
+double HeatModule<T>::energy() const {
+  ScalarField<double> partial("vug::heat::partial", heat_energy_blocks(geometry_.lattice));
+  add_heat_energy(Exec{}, fields_, partial);
+  return sum_in_order(partial);
+}
+
+template <class T>
+FaceTemperature<T> HeatModule<T>::face_temperature() const {
+  const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
+  const double solid = section_.solid_density * section_.solid_heat_capacity * section_.solid_diffusivity;
+  return {fields_.theta, solid / (fluid + solid), units_.reference_temperature};
+}
+
+template <class T>
+void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
+  if (!clock.every(interval_)) return;
+  for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
+  for (int axis = 0; axis < 2; ++axis)
+    if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
+  conduct(exec, fields_);
+  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, fields_, created_);
+}
+
+template <class T>
+void HeatModule<T>::births(const Exec& exec, const Births& births) {
+  add_birth_energy(exec, fields_, geometry_.fluid.node, births.first, births.last, born_);
+  set_heat_geometry(exec, geometry_.type, periodic_, fields_);
+}
+
+template <class T>
+void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
+  const HeatExtremes extremes = heat_extremes(exec, fields_);
+  const double lowest = extremes.lowest + units_.reference_temperature;
+  const double highest = extremes.highest + units_.reference_temperature;
+  if (extremes.not_finite == 0 && lowest > coldest_ - runaway_margin && highest < hottest_ + runaway_margin) return;
+  throw StabilityError(fmt::format(
+      "heat diverged at step {}: temperatures from {:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise "
+      "the diffusivities",
+      clock.step, lowest, highest, extremes.not_finite));
+}
+
+template <class T>
+void HeatModule<T>::limits(LimitTable& table) const {
+  const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
+  table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
+                   "change lattice.time_step"});
+  table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
+                   "change lattice.time_step"});
+}
+
+template <class T>
+void HeatModule<T>::ledger(Ledger& ledger) const {
+  // theta nodes in fluid heat capacities -> J per m of thickness
+  const double joule = section_.fluid_density * section_.fluid_heat_capacity * units_.volume();
+  Balance& balance = ledger.of("heat", "J/m");
+  balance.initial = joule * initial_energy_;
+  balance.stored = joule * energy();
+  double injected = 0, sides = 0;
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    (stretches_[s].name == "injection" ? injected : sides) += sum_in_order(sides_[s].energy_in);
+  balance.gains.push_back({"injection", joule * injected});
+  balance.gains.push_back({"sides", joule * sides});
+  balance.gains.push_back({"births", joule * sum_in_order(born_)});
+  balance.gains.push_back({"advective_form", joule * sum_in_order(created_)});
+}
+
+template <class T>
+void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
+  const HeatExtremes extremes = heat_extremes(Exec{}, fields_);
+  const double change = std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
+  row.push_back({"largest_temperature_change_K", change});
+}
+
+template <class T>
+void HeatModule<T>::fields(FieldList& list) const {
+  list.lattice.push_back({"temperature", "K", 1, [this](std::span<double> out) {
+                            read_dense(geometry_.lattice, fields_.theta, {1, units_.reference_temperature, 0}, out);
+                          }});
+}
+
+template <class T>
+void HeatModule<T>::state(StateList& list) {
+  list.add("heat/g", fields_.g);
+  list.add("heat/theta", fields_.theta);
+  list.add("heat/created", created_);
+  list.add("heat/born", born_);
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    list.add("heat/" + stretches_[s].name + "/" + std::to_string(stretches_[s].first), sides_[s].energy_in);
+  list.add_value("heat/initial_energy", initial_energy_);
+}
+
+template class HeatModule<float>;
+template class HeatModule<double>;
+
+}  // namespace vug

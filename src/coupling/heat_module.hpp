@@ -1,0 +1,55 @@
+#pragma once
+// Heat through fluid and rock (paper section 2.2).
+#include "coupling/face_temperature.hpp"
+#include "coupling/flow_module.hpp"
+#include "coupling/module.hpp"
+#include "kernels/heat.hpp"
+#include "kernels/heat_boundary.hpp"
+#include "kernels/units.hpp"
+
+namespace vug {
+
+/// Owns the temperature of every node. `flow` may be null: conduction only. Steps every accuracy.heat_interval lattice
+/// steps, with diffusivities and velocity times that number.
+template <class T>
+class HeatModule final : public Module {
+ public:
+  HeatModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
+             FlowModule<T>* flow);
+
+  std::string_view name() const override { return "heat"; }
+  void step(const Exec& exec, const Clock& clock) override;
+  void births(const Exec& exec, const Births& births) override;
+  void guard(const Exec& exec, const Clock& clock) override;
+  void limits(LimitTable& table) const override;
+  void ledger(Ledger& ledger) const override;
+  void history(std::vector<HistoryValue>& row) const override;
+  void fields(FieldList& list) const override;
+  void state(StateList& list) override;
+
+  const HeatFields<T>& heat() const { return fields_; }
+  double initial_theta() const { return initial_theta_; }
+  /// Temperature of the faces between solid and fluid, for the reaction.
+  FaceTemperature<T> face_temperature() const;
+  double coldest() const { return coldest_; }  ///< K, of everything the case names
+  double hottest() const { return hottest_; }  ///< K
+
+ private:
+  double energy() const;
+
+  HeatSection section_;
+  LatticeUnits units_;
+  const Geometry& geometry_;
+  const Carrier<T>* carrier_;  ///< null: the fluid is at rest
+  int interval_;
+  HeatFields<T> fields_;
+  std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
+  std::vector<HeatSide> sides_;
+  std::array<bool, 2> periodic_;
+  ScalarField<double> created_;  ///< (block) energy that the advective form added
+  ScalarField<double> born_;     ///< (block) energy that births added
+  double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
+  double initial_energy_ = 0;    ///< in fluid heat capacities
+};
+
+}  // namespace vug

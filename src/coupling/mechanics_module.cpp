@@ -1,0 +1,200 @@
+#include "coupling/mechanics_module.hpp"
+
+#include "coupling/chemical_damage.hpp"
+#include "coupling/thermal_exchange.hpp"
+#include "kernels/momentum_exchange.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+// Nothing in rock outruns its own sound.
+constexpr double runaway_speed = 3000;  // m/s
+
+template <class ViewType>
+auto host_copy(const ViewType& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+}  // namespace
+
+Loads boundary_loads(const Scene& scene) {
+  Loads loads;
+  const auto side = [&](RockSide which, const BoundarySection& boundary, double nx, double ny) {
+    const int s = static_cast<int>(which);
+    loads.support[s] = boundary.traction.support;
+    loads.traction[s] = {-boundary.traction.normal_stress * nx, -boundary.traction.normal_stress * ny};
+  };
+  side(RockSide::right, scene.right, 1, 0);
+  side(RockSide::top, scene.top, 0, 1);
+  side(RockSide::left, scene.left, -1, 0);
+  side(RockSide::bottom, scene.bottom, 0, -1);
+  return loads;
+}
+
+template <class T>
+MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const LatticeUnits& units,
+                                    const Geometry& geometry, const Rock& rock, const FlowModule<T>* flow,
+                                    const HeatModule<T>* heat)
+    : section_(*scene.mechanics),
+      units_(units),
+      geometry_(geometry),
+      flow_(flow),
+      heat_(heat),
+      update_interval_(scene.accuracy.update_interval),
+      nodes_of_particle_(rock.nodes_of_particle),
+      nodes_of_bond_(rock.nodes_of_bond),
+      mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
+      wet_(geometry.lattice, rock.nodes_of_particle) {
+  KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
+  if (flow_) wet_.rebuild(exec, geometry.surface);
+  if (geometry.volume.extent(0) > 0) {
+    particle_volume_ = ScalarField<double>("vug::mechanics::particle_volume", nodes_of_particle_.count());
+    bond_volume_ = ScalarField<double>("vug::mechanics::bond_volume", nodes_of_bond_.count());
+    particle_dissolved_ = ScalarField<double>("vug::mechanics::particle_dissolved", nodes_of_particle_.count());
+    sum_over_nodes(exec, nodes_of_particle_, geometry.volume, particle_volume_);
+    sum_over_nodes(exec, nodes_of_bond_, geometry.volume, bond_volume_);
+  }
+  Kokkos::resize(exec, node_force_, geometry.surface.node.extent(0));
+  choose_substeps();
+}
+
+template <class T>
+void MechanicsModule<T>::choose_substeps() {
+  const double critical = mechanics_.critical_step();
+  if (section_.substeps) {
+    substeps_ = *section_.substeps;
+    if (units_.time_step / substeps_ > critical && !section_.force_unstable)
+      throw InputError(fmt::format(
+          "mechanics.substeps = {} gives a mechanical time step of {:.3g} s above the critical {:.3g} s; use at least "
+          "{} sub-steps, leave the key out, or set mechanics.force_unstable = true",
+          substeps_, units_.time_step / substeps_, critical, std::ceil(units_.time_step / critical)));
+  } else {
+    substeps_ = std::max(1, static_cast<int>(std::ceil(units_.time_step / (section_.critical_fraction * critical))));
+  }
+}
+
+template <class T>
+void MechanicsModule<T>::begin(const Exec& exec) {
+  mechanics_.preload(exec, section_.preload_time);
+}
+
+template <class T>
+void MechanicsModule<T>::take_up_dissolution(const Exec& exec) {
+  dissolved_share(exec, nodes_of_particle_, geometry_.dissolved, particle_volume_, particle_dissolved_);
+  remaining_share(exec, particle_dissolved_, mechanics_.particles().solid_fraction);
+  dissolved_share(exec, nodes_of_bond_, geometry_.dissolved, bond_volume_, mechanics_.bonds().d_c);
+}
+
+template <class T>
+void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
+  const Particles& particles = mechanics_.particles();
+  if (flow_) {
+    exchange_momentum(exec, geometry_.fluid, geometry_.surface, flow_->flow(), node_force_);
+    load_particles(exec, geometry_.lattice, geometry_.spacing, units_.force(), geometry_.surface, wet_, node_force_,
+                   particles.x0, particles.force, particles.torque);
+  }
+  if (clock.step % update_interval_ == 0) {
+    if (heat_)
+      warm_particles(exec, nodes_of_particle_, heat_->heat().theta, heat_->initial_theta(),
+                     particles.temperature_change);
+    if (particle_volume_.extent(0) > 0) take_up_dissolution(exec);
+  }
+  mechanics_.advance(exec, units_.time_step / substeps_, substeps_);
+}
+
+template <class T>
+void MechanicsModule<T>::births(const Exec& exec, const Births&) {
+  if (node_force_.extent(0) < geometry_.surface.node.extent(0))
+    node_force_ = VectorField<double>("vug::mechanics::node_force", geometry_.surface.node.extent(0));
+  if (flow_) wet_.rebuild(exec, geometry_.surface);
+}
+
+template <class T>
+void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
+  const RunawayParticle runaway = mechanics_.runaway(exec, runaway_speed);
+  if (runaway.particle >= 0)
+    throw StabilityError(fmt::format(
+        "mechanics diverged at step {}: particle {} moves at {:.3g} m/s; take more sub-steps (mechanics.substeps)",
+        clock.step, runaway.particle, runaway.speed));
+  if (!section_.substeps) choose_substeps();  // dissolving particles grow lighter
+}
+
+template <class T>
+void MechanicsModule<T>::limits(LimitTable& table) const {
+  const double critical = mechanics_.critical_step();
+  table.push_back({"mechanics", "sub-steps per lattice step", static_cast<double>(substeps_), "1", 1, 1e4,
+                   "lower lattice.time_step or raise rock.element_size"});
+  table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
+                   "raise mechanics.substeps or leave it out"});
+}
+
+template <class T>
+void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
+  const BondCounts counts = mechanics_.bond_counts();
+  row.push_back({"bonds_damaged_1", static_cast<double>(counts.damaged)});
+  row.push_back({"bonds_failed_in_tension_1", static_cast<double>(counts.failed_in_tension)});
+  row.push_back({"bonds_failed_in_shear_1", static_cast<double>(counts.failed_in_shear)});
+  row.push_back({"bonds_dissolved_1", static_cast<double>(counts.dissolved)});
+  const Energies energies = mechanics_.energies(Exec{});
+  row.push_back({"kinetic_energy_J_per_m", energies.kinetic});
+  row.push_back({"elastic_energy_J_per_m", energies.elastic});
+}
+
+template <class T>
+void MechanicsModule<T>::fields(FieldList& list) const {
+  const Particles& particles = mechanics_.particles();
+  const Bonds& bonds = mechanics_.bonds();
+  const auto scalar = [](std::vector<Field>& group, std::string name, std::string unit, auto view) {
+    group.push_back({std::move(name), std::move(unit), 1, [view](std::span<double> out) {
+                       const auto host = host_copy(view);
+                       for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<double>(host(i));
+                     }});
+  };
+  const auto vector = [](std::vector<Field>& group, std::string name, std::string unit, auto view) {
+    group.push_back({std::move(name), std::move(unit), 2, [view](std::span<double> out) {
+                       const auto host = host_copy(view);
+                       for (std::size_t i = 0; i < out.size(); ++i) out[i] = host(i / 2, i % 2);
+                     }});
+  };
+  vector(list.particles, "displacement", "m", particles.u);
+  scalar(list.particles, "rotation", "rad", particles.angle);
+  scalar(list.particles, "temperature_change", "K", particles.temperature_change);
+  scalar(list.particles, "solid_fraction", "1", particles.solid_fraction);
+  vector(list.particles, "force", "N/m", particles.force);
+  scalar(list.bonds, "d_m", "1", bonds.d_m);
+  scalar(list.bonds, "d_c", "1", bonds.d_c);
+  scalar(list.bonds, "state", "1", bonds.state);
+  vector(list.bonds, "stress", "Pa", bonds.stress);
+}
+
+template <class T>
+void MechanicsModule<T>::state(StateList& list) {
+  const Particles& p = mechanics_.particles();
+  list.add("mechanics/u", p.u);
+  list.add("mechanics/u_reference", p.u_reference);
+  list.add("mechanics/v", p.v);
+  list.add("mechanics/angle", p.angle);
+  list.add("mechanics/spin", p.spin);
+  list.add("mechanics/rotation", p.rotation);
+  list.add("mechanics/solid_fraction", p.solid_fraction);
+  list.add("mechanics/temperature_change", p.temperature_change);
+  const Bonds& b = mechanics_.bonds();
+  list.add("mechanics/point_damage", b.point_damage);
+  list.add("mechanics/d_m", b.d_m);
+  list.add("mechanics/d_c", b.d_c);
+  list.add("mechanics/state", b.state);
+  list.add("mechanics/slip", b.slip);
+  list.add("mechanics/stress", b.stress);
+  list.add_value("mechanics/substeps", substeps_);
+}
+
+template class MechanicsModule<float>;
+template class MechanicsModule<double>;
+
+}  // namespace vug

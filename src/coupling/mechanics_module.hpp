@@ -1,0 +1,55 @@
+#pragma once
+// The rock's mechanics, moved by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
+#include "coupling/heat_module.hpp"
+#include "coupling/flow_module.hpp"
+#include "coupling/module.hpp"
+#include "coupling/particle_load.hpp"
+#include "coupling/rock.hpp"
+#include "dem/mechanics.hpp"
+
+namespace vug {
+
+/// Outer stress and supports of the four sides.
+Loads boundary_loads(const Scene& scene);
+
+/// Owns particles and bonds. `flow` and `heat` may be null; dissolution acts when the geometry has a solid volume.
+template <class T>
+class MechanicsModule final : public Module {
+ public:
+  MechanicsModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
+                  const Rock& rock, const FlowModule<T>* flow, const HeatModule<T>* heat);
+
+  std::string_view name() const override { return "mechanics"; }
+  void begin(const Exec& exec) override;
+  void step(const Exec& exec, const Clock& clock) override;
+  void births(const Exec& exec, const Births& births) override;
+  void guard(const Exec& exec, const Clock& clock) override;
+  void limits(LimitTable& table) const override;
+  void history(std::vector<HistoryValue>& row) const override;
+  void fields(FieldList& list) const override;
+  void state(StateList& list) override;
+
+  const Mechanics& mechanics() const { return mechanics_; }
+  int substeps() const { return substeps_; }
+
+ private:
+  void choose_substeps();
+  void take_up_dissolution(const Exec& exec);
+
+  MechanicsSection section_;
+  LatticeUnits units_;
+  const Geometry& geometry_;
+  const FlowModule<T>* flow_;
+  const HeatModule<T>* heat_;
+  int update_interval_;
+  Groups nodes_of_particle_, nodes_of_bond_;
+  Mechanics mechanics_;
+  WetSurface wet_;
+  VectorField<double> node_force_;          ///< (surface, axis) lattice units
+  ScalarField<double> particle_volume_;     ///< (particle) initial solid volume, pixels
+  ScalarField<double> bond_volume_;         ///< (bond) likewise of its region
+  ScalarField<double> particle_dissolved_;  ///< (particle) share dissolved
+  int substeps_ = 1;
+};
+
+}  // namespace vug

@@ -1,0 +1,46 @@
+#include "coupling/pore_growth.hpp"
+
+#include "kernels/dissolution.hpp"
+#include "kernels/launch.hpp"
+
+namespace vug {
+
+PoreGrowth::PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m,
+                       ScalarField<double> lost, std::function<void(const Exec&)> after)
+    : geometry_(geometry),
+      opener_(std::move(opener)),
+      d_m_(std::move(d_m)),
+      lost_(std::move(lost)),
+      after_(std::move(after)) {}
+
+int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules) {
+  FluidNodes& fluid = geometry_.fluid;
+  int dissolved = 0, opened = 0;
+  if (lost_.extent(0) > 0)
+    dissolved = mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_);
+  if (opener_) opened = opener_->open(exec, d_m_, geometry_.type, geometry_.volume);
+  if (dissolved + opened > 0) {
+    Births births{fluid.count, fluid.count, fluid.capacity};
+    append_births(exec, geometry_.type, fluid);
+    births.last = fluid.count;
+    find_surface(exec, fluid, geometry_.type, geometry_.surface);
+    for (const auto& module : modules) module->births(exec, births);
+    dissolved_nodes_ += dissolved;
+    opened_nodes_ += opened;
+  }
+  refresh(exec);
+  return dissolved + opened;
+}
+
+void PoreGrowth::ledger(Ledger& ledger, double pixel_volume) const {
+  if (opener_ && geometry_.volume.extent(0) > 0)
+    ledger.of("solid_volume", "m3/m").gains.push_back({"stranded", -pixel_volume * sum_in_order(opener_->stranded())});
+}
+
+void PoreGrowth::state(StateList& list) {
+  if (opener_) list.add("growth/stranded", opener_->stranded());
+  list.add_value("growth/dissolved_nodes", dissolved_nodes_);
+  list.add_value("growth/opened_nodes", opened_nodes_);
+}
+
+}  // namespace vug

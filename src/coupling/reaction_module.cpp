@@ -1,0 +1,154 @@
+#include "coupling/reaction_module.hpp"
+
+#include "coupling/face_temperature.hpp"
+#include "coupling/read_fields.hpp"
+#include "kernels/reactive_wall_kernel.hpp"
+#include "kernels/surface_normal.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+constexpr double gas_constant = 8.314462618;  // J/(mol K)
+
+/// V = 1 in solid, 0 in fluid, over the interior.
+struct FillVolume {
+  Kokkos::View<const NodeType*> type;
+  Lattice lattice;
+  ScalarField<double> volume;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int n = lattice.node(item % lattice.nx, item / lattice.nx);
+    volume(n) = type(n) == NodeType::solid ? 1 : 0;
+  }
+};
+
+}  // namespace
+
+template <class T, class Set>
+ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, const LatticeUnits& units,
+                                       Geometry& geometry, SoluteModule<T, Set>& solutes, const HeatModule<T>* heat)
+    : section_(*scene.reaction),
+      units_(units),
+      geometry_(geometry),
+      solutes_(solutes),
+      reactant_(solutes.species(section_.reactant)),
+      product_(section_.product ? &solutes.species(*section_.product) : nullptr),
+      heat_(heat) {
+  wall_.law = section_.wall;
+  wall_.molar_volume = section_.molar_volume * units.concentration;
+  wall_.inverse_equilibrium = section_.inverse_equilibrium_constant;
+  wall_.D_reactant = reactant_.parameters.diffusivity();
+  if (product_) wall_.D_product = product_->parameters.diffusivity();
+
+  const Lattice& lattice = geometry.lattice;
+  geometry.volume = ScalarField<double>("vug::reaction::volume", lattice.size());
+  geometry.dissolved = ScalarField<double>("vug::reaction::dissolved", lattice.size());
+  for_each_node(exec, "vug::reaction::fill", lattice.nx * lattice.ny,
+                FillVolume{geometry.type, lattice, geometry.volume});
+  sums_ = {geometry.volume, geometry.dissolved,
+           ScalarField<double>("vug::reaction::consumed", block_count(lattice.size())), {}};
+  if (wall_.law == ReactiveWallLaw::paper && product_)
+    sums_.released = ScalarField<double>("vug::reaction::released", lattice.size());
+  lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
+  initial_volume_ = sum_in_order(geometry.volume);
+  renew_normals(exec);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::renew_normals(const Exec& exec) {
+  if (section_.surface_normal) find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, normal_);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (!solutes_.due(clock)) return;
+  const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
+  const double activation = section_.activation_energy / gas_constant;
+  const SoluteFields<T>* product = product_ ? &product_->fields : nullptr;
+  if (heat_) {
+    const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
+                                                 heat_->face_temperature()};
+    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product, sums_);
+  } else {
+    const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};
+    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product, sums_);
+  }
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
+  renew_normals(exec);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::limits(LimitTable& table) const {
+  const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
+  const double activation = section_.activation_energy / gas_constant;
+  const double D = reactant_.parameters.diffusivity();
+  const auto row = [&](const char* name, double kelvin) {
+    const double k = arrhenius(k0, activation, kelvin, section_.reference_temperature);
+    table.push_back({"reaction", std::string("Damkohler number of a node, k dx/D, ") + name, k / D, "1", 0,
+                     std::numeric_limits<double>::infinity(), ""});
+  };
+  if (heat_) {
+    row("coldest", heat_->coldest());
+    row("hottest", heat_->hottest());
+  } else {
+    row("at the case's temperature", section_.temperature);
+  }
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
+  const double mol = units_.amount();
+  const double consumed = sum_in_order(sums_.consumed);
+  ledger.of(reactant_.section.name, "mol/m").gains.push_back({"reaction", -mol * consumed});
+  if (product_) {
+    const double released = sums_.released.extent(0) > 0 ? sum_in_order(sums_.released) : consumed;
+    ledger.of(product_->section.name, "mol/m").gains.push_back({"reaction", mol * released});
+  }
+  if (wall_.molar_volume == 0) return;
+  const double dissolved = sum_in_order(geometry_.dissolved);
+  Balance& solid = ledger.of("solid_volume", "m3/m");
+  solid.initial = units_.volume() * initial_volume_;
+  solid.stored = units_.volume() * sum_in_order(geometry_.volume);
+  solid.gains.push_back({"dissolved", -units_.volume() * dissolved});
+  solid.gains.push_back({"overdrawn", -units_.volume() * sum_in_order(lost_)});
+  Balance& reaction = ledger.of("dissolved_volume", "m3/m");
+  reaction.stored = units_.volume() * dissolved;
+  reaction.gains.push_back({"acid_times_molar_volume", units_.volume() * wall_.molar_volume * consumed});
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
+  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal_);
+  row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
+  row.push_back({"dissolved_volume_m3_per_m", sum_in_order(geometry_.dissolved) * units_.volume()});
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::fields(FieldList& list) const {
+  list.lattice.push_back({"dissolved_fraction", "1", 1, [this](std::span<double> out) {
+                            read_dense(geometry_.lattice, geometry_.dissolved, {}, out);
+                          }});
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::state(StateList& list) {
+  list.add("reaction/volume", geometry_.volume);
+  list.add("reaction/dissolved", geometry_.dissolved);
+  list.add("reaction/consumed", sums_.consumed);
+  if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
+  if (normal_.extent(0) > 0) list.add("reaction/normal", normal_);
+  list.add("reaction/lost", lost_);
+  list.add_value("reaction/initial_volume", initial_volume_);
+}
+
+template class ReactionModule<float, D2Q5>;
+template class ReactionModule<float, D2Q9>;
+template class ReactionModule<double, D2Q5>;
+template class ReactionModule<double, D2Q9>;
+
+}  // namespace vug

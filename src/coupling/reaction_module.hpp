@@ -1,0 +1,48 @@
+#pragma once
+// The reaction at the walls and the solid it dissolves (paper Eqs. 6-9, 21-24).
+#include "coupling/heat_module.hpp"
+#include "coupling/module.hpp"
+#include "coupling/solute_module.hpp"
+#include "kernels/reactive_wall.hpp"
+
+namespace vug {
+
+/// Dresses the populations of reactant and product at the walls and takes the dissolved volume off the solid nodes.
+/// Stands before the solutes in the list of modules: the wall acts on populations that are about to return.
+/// `heat` may be null: the temperature of the case is used everywhere.
+template <class T, class Set>
+class ReactionModule final : public Module {
+ public:
+  ReactionModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, Geometry& geometry,
+                 SoluteModule<T, Set>& solutes, const HeatModule<T>* heat);
+
+  std::string_view name() const override { return "reaction"; }
+  void step(const Exec& exec, const Clock& clock) override;
+  void births(const Exec& exec, const Births& births) override;
+  void limits(LimitTable& table) const override;
+  void ledger(Ledger& ledger) const override;
+  void history(std::vector<HistoryValue>& row) const override;
+  void fields(FieldList& list) const override;
+  void state(StateList& list) override;
+
+  /// Renews the surface normals; called when nodes were born and at every update interval, since V shrinks.
+  void renew_normals(const Exec& exec);
+  /// (block) volume that dissolving pixels were overdrawn by and that found no neighbour, pixels.
+  const ScalarField<double>& lost() const { return lost_; }
+
+ private:
+  ReactionSection section_;
+  LatticeUnits units_;
+  Geometry& geometry_;
+  const SoluteModule<T, Set>& solutes_;
+  SpeciesState<T>& reactant_;
+  SpeciesState<T>* product_;
+  const HeatModule<T>* heat_;
+  ReactiveWall wall_;
+  ReactionLedger sums_;
+  VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
+  ScalarField<double> lost_;
+  double initial_volume_ = 0;   ///< pixels
+};
+
+}  // namespace vug

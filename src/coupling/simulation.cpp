@@ -1,0 +1,137 @@
+#include "coupling/simulation.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+Simulation::Simulation(const Scene& scene)
+    : scene_(scene),
+      clock_{0, scene.lattice.time_step},
+      update_interval_(scene.accuracy.update_interval),
+      parts_(build_modules(exec_, scene)) {}
+
+void Simulation::begin() {
+  for (const auto& module : parts_->modules) module->begin(exec_);
+}
+
+void Simulation::step() {
+  for (const auto& module : parts_->modules) module->step(exec_, clock_);
+  ++clock_.step;
+  if (parts_->growth && clock_.step % update_interval_ == 0) parts_->growth->grow(exec_, parts_->modules);
+}
+
+void Simulation::guard() {
+  for (const auto& module : parts_->modules) module->guard(exec_, clock_);
+}
+
+double Simulation::updates_per_step() const {
+  const Geometry& geometry = parts_->geometry;
+  double updates = 0;
+  if (scene_.flow) updates += geometry.fluid.count;
+  if (scene_.heat)
+    updates += static_cast<double>(geometry.lattice.nx) * geometry.lattice.ny / scene_.accuracy.heat_interval;
+  if (scene_.solute)
+    updates += static_cast<double>(scene_.solute->species.size()) * geometry.fluid.count / scene_.accuracy.solute_interval;
+  return updates;
+}
+
+LimitTable Simulation::limits() const {
+  LimitTable table;
+  for (const auto& module : parts_->modules) module->limits(table);
+  return table;
+}
+
+Ledger Simulation::ledger() const {
+  Ledger ledger;
+  for (const auto& module : parts_->modules) module->ledger(ledger);
+  if (parts_->growth) parts_->growth->ledger(ledger, parts_->units.volume());
+  return ledger;
+}
+
+std::vector<HistoryValue> Simulation::history() const {
+  std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
+  for (const auto& module : parts_->modules) module->history(row);
+  if (parts_->growth) {
+    row.push_back({"nodes_dissolved_1", static_cast<double>(parts_->growth->dissolved_nodes())});
+    row.push_back({"nodes_opened_by_damage_1", static_cast<double>(parts_->growth->opened_nodes())});
+  }
+  for (const Balance& balance : ledger().balances) {
+    std::string unit = balance.unit;
+    std::replace(unit.begin(), unit.end(), '/', '_');
+    const auto column = [&](const std::string& what) { return balance.quantity + "_" + what + "_" + unit; };
+    row.push_back({column("initial"), balance.initial});
+    row.push_back({column("stored"), balance.stored});
+    for (const Balance::Term& gain : balance.gains) row.push_back({column("gain_" + gain.name), gain.value});
+    row.push_back({balance.quantity + "_balance_error_1", balance.relative_error()});
+  }
+  return row;
+}
+
+FieldList Simulation::fields() const {
+  FieldList list;
+  const Geometry& geometry = parts_->geometry;
+  for (const auto& module : parts_->modules) module->fields(list);
+  list.lattice.push_back({"node_type", "1", 1, [&geometry](std::span<double> out) {
+                            const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+                            const Lattice& lattice = geometry.lattice;
+                            for (int y = 0; y < lattice.ny; ++y)
+                              for (int x = 0; x < lattice.nx; ++x)
+                                out[static_cast<std::size_t>(y) * lattice.nx + x] =
+                                    static_cast<double>(host(lattice.node(x, y)));
+                          }});
+  list.lattice.push_back({"solid_fraction", "1", 1, [&geometry](std::span<double> out) {
+                            const bool dissolves = geometry.volume.extent(0) > 0;
+                            const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+                            const auto volume = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.volume);
+                            const Lattice& lattice = geometry.lattice;
+                            for (int y = 0; y < lattice.ny; ++y)
+                              for (int x = 0; x < lattice.nx; ++x) {
+                                const int n = lattice.node(x, y);
+                                out[static_cast<std::size_t>(y) * lattice.nx + x] =
+                                    dissolves ? volume(n) : type(n) == NodeType::solid ? 1.0 : 0.0;
+                              }
+                          }});
+  return list;
+}
+
+StateList Simulation::geometry_state() {
+  StateList list;
+  list.add_value("clock/step", clock_.step);
+  fluid_count_ = parts_->geometry.fluid.count;
+  fluid_capacity_ = parts_->geometry.fluid.capacity;
+  list.add_value("geometry/count", fluid_count_);
+  list.add_value("geometry/capacity", fluid_capacity_);
+  return list;
+}
+
+StateList Simulation::state() {
+  StateList list = geometry_state();
+  Geometry& geometry = parts_->geometry;
+  list.add("geometry/type", geometry.type);
+  if (fluid_count_ > 0) list.add("geometry/node", Kokkos::subview(geometry.fluid.node, std::pair(0, fluid_count_)));
+  for (const auto& module : parts_->modules) module->state(list);
+  if (parts_->growth) parts_->growth->state(list);
+  return list;
+}
+
+void Simulation::restore(const std::function<void(StateList&)>& load) {
+  Geometry& geometry = parts_->geometry;
+  StateList header = geometry_state();
+  load(header);
+  if (fluid_count_ > 0) {
+    const Births births{std::min(geometry.fluid.count, fluid_count_), fluid_count_, geometry.fluid.capacity};
+    StateList list;
+    IndexList node("vug::geometry::node", fluid_count_);
+    list.add("geometry/type", geometry.type);
+    list.add("geometry/node", node);
+    load(list);
+    set_fluid_nodes(exec_, node, fluid_capacity_, geometry.fluid);
+    find_surface(exec_, geometry.fluid, geometry.type, geometry.surface);
+    for (const auto& module : parts_->modules) module->births(exec_, births);
+  }
+  StateList everything = state();
+  load(everything);
+  if (parts_->growth) parts_->growth->refresh(exec_);
+}
+
+}  // namespace vug

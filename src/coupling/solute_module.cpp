@@ -1,0 +1,186 @@
+#include "coupling/solute_module.hpp"
+
+#include "coupling/read_fields.hpp"
+#include "kernels/advective_form.hpp"
+#include "kernels/require.hpp"
+#include "kernels/solute_boundary.hpp"
+#include "kernels/solute_totals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace vug {
+
+namespace {
+
+// A concentration this far beyond the largest that was ever put in has nothing to do with the equations any more.
+constexpr double runaway_factor = 100;
+
+}  // namespace
+
+template <class T, class Set>
+SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const LatticeUnits& units,
+                                   const Geometry& geometry, FlowModule<T>* flow)
+    : section_(*scene.solute),
+      units_(units),
+      geometry_(geometry),
+      carrier_(flow ? &flow->carrier(exec, scene.accuracy.solute_interval, Set::Q) : nullptr),
+      interval_(scene.accuracy.solute_interval),
+      fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean) {
+  for (const Species& section : section_.species) {
+    SpeciesState<T> state;
+    state.section = section;
+    const double D = interval_ * section.diffusivity / units.diffusivity();
+    state.parameters = section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
+    state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
+    for (const Stretch& stretch : boundary_stretches(scene)) {
+      const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
+      if (kind == SoluteBoundaryKind::concentration || kind == SoluteBoundaryKind::outflow)
+        state.boundaries.push_back({stretch, {}, {}, 0});
+    }
+    // outflow is dressed first: it reads populations that the others overwrite
+    std::stable_partition(state.boundaries.begin(), state.boundaries.end(), [](const StretchLinks& boundary) {
+      return boundary.stretch.conditions.solute.kind == SoluteBoundaryKind::outflow;
+    });
+    species_.push_back(std::move(state));
+  }
+  find_boundaries(exec);
+  for (SpeciesState<T>& s : species_) s.initial = total_solute<Set>(exec, geometry_.fluid, s.fields);
+}
+
+template <class T, class Set>
+SpeciesState<T>& SoluteModule<T, Set>::species(const std::string& name) {
+  const auto found = std::find_if(species_.begin(), species_.end(),
+                                  [&](const SpeciesState<T>& s) { return s.section.name == name; });
+  KOKKOS_ASSERT(found != species_.end());
+  return *found;
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
+  const int blocks = block_count(geometry_.fluid.capacity);
+  for (SpeciesState<T>& s : species_) {
+    for (StretchLinks& boundary : s.boundaries) boundary.find(exec, geometry_.fluid, Set::Q);
+    Kokkos::resize(exec, s.correction, blocks);
+    Kokkos::resize(exec, s.created, blocks);
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (!due(clock)) return;
+  const FluidNodes& fluid = geometry_.fluid;
+  for (SpeciesState<T>& s : species_) {
+    for (const StretchLinks& boundary : s.boundaries) {
+      const SoluteBoundary& condition = boundary.stretch.conditions.solute;
+      if (condition.kind == SoluteBoundaryKind::outflow) {
+        dress_outflow<Set>(exec, fluid, boundary.links, s.fields, boundary.gain);
+      } else {
+        const auto given = condition.concentration.find(s.section.name);
+        const double C = given == condition.concentration.end() ? 0.0 : given->second / units_.concentration;
+        dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain);
+      }
+    }
+    if (!carrier_)
+      advance_solute<Set>(exec, fluid, s.parameters, s.fields);
+    else if (section_.advective_form)
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction);
+    else
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, s.fields);
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::births(const Exec& exec, const Births& births) {
+  const FluidNodes& fluid = geometry_.fluid;
+  find_boundaries(exec);
+  for (SpeciesState<T>& s : species_) {
+    if (fluid.capacity != births.old_capacity) {
+      s.fields.h = restride(exec, s.fields.h, Set::Q, births.first, births.old_capacity, fluid.capacity);
+      s.fields.h_next = ScalarField<T>("vug::solute::h_next", s.fields.h.extent(0));
+      Kokkos::resize(exec, s.fields.C, fluid.capacity);
+    }
+    initialise_births<Set>(exec, fluid, births.first, births.last, fill_, s.fields, s.created);
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
+  for (const SpeciesState<T>& s : species_) {
+    double largest = s.section.initial / units_.concentration;
+    for (const StretchLinks& boundary : s.boundaries)
+      for (const auto& [species, value] : boundary.stretch.conditions.solute.concentration)
+        largest = std::max(largest, value / units_.concentration);
+    const double bound = runaway_factor * std::max(1.0, largest);
+    const FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.count);
+    if (range.first_not_finite < 0 && range.min >= -bound && range.max <= bound) continue;
+    throw StabilityError(fmt::format(
+        "solute {} diverged at step {}: concentrations from {:.3g} to {:.3g} mol/m3{}; lower the velocity or raise the "
+        "diffusivity",
+        s.section.name, clock.step, range.min * units_.concentration, range.max * units_.concentration,
+        range.first_not_finite < 0 ? "" : ", and some that are not finite"));
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::limits(LimitTable& table) const {
+  for (const SpeciesState<T>& s : species_) {
+    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-4, 1,
+                     "change lattice.time_step"});
+    table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
+                     "change lattice.time_step"});
+    table.push_back({"solute", s.section.name + " relaxation time tau_h", s.parameters.tau_h, "1", 0.5,
+                     std::numeric_limits<double>::infinity(), "raise solute.relaxation_time above 1/2"});
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
+  for (const SpeciesState<T>& s : species_) {
+    const double mol = units_.amount();
+    Balance& balance = ledger.of(s.section.name, "mol/m");
+    balance.initial = mol * s.initial;
+    balance.stored = mol * total_solute<Set>(Exec{}, geometry_.fluid, s.fields);
+    double injected = 0, left = 0;
+    for (const StretchLinks& boundary : s.boundaries)
+      (boundary.stretch.conditions.solute.kind == SoluteBoundaryKind::outflow ? left : injected) += boundary.total();
+    balance.gains.push_back({"injected", mol * injected});
+    balance.gains.push_back({"outflow", mol * left});
+    balance.gains.push_back({"births", mol * sum_in_order(s.created)});
+    balance.gains.push_back({"advective_form", mol * sum_in_order(s.correction)});
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::fields(FieldList& list) const {
+  for (const SpeciesState<T>& s : species_)
+    list.lattice.push_back({"concentration_" + s.section.name, "mol/m3", 1, [this, &s](std::span<double> out) {
+                              read_fluid(geometry_.fluid, s.fields.C, {units_.concentration, 0, 0}, out);
+                            }});
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::state(StateList& list) {
+  for (SpeciesState<T>& s : species_) {
+    const std::string key = "solute/" + s.section.name;
+    list.add(key + "/h", s.fields.h);
+    list.add(key + "/C", s.fields.C);
+    list.add(key + "/correction", s.correction);
+    list.add(key + "/created", s.created);
+    list.add_value(key + "/initial", s.initial);
+    for (StretchLinks& boundary : s.boundaries) {
+      const std::string side = key + "/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
+      list.add(side + "/gain", boundary.gain);
+      list.add_value(side + "/entered", boundary.entered);
+    }
+  }
+}
+
+template class SoluteModule<float, D2Q5>;
+template class SoluteModule<float, D2Q9>;
+template class SoluteModule<double, D2Q5>;
+template class SoluteModule<double, D2Q9>;
+
+}  // namespace vug

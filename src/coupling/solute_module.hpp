@@ -1,0 +1,58 @@
+#pragma once
+// Dissolved species carried by the fluid (paper sections 2.3, 3.2).
+#include "coupling/flow_module.hpp"
+#include "coupling/module.hpp"
+#include "coupling/stretch_links.hpp"
+#include "kernels/dissolution.hpp"
+#include "kernels/solute.hpp"
+#include "kernels/units.hpp"
+
+namespace vug {
+
+/// One species: its state, its boundaries and what its balance needs.
+template <class T>
+struct SpeciesState {
+  Species section;
+  SoluteParameters parameters;
+  SoluteFields<T> fields;
+  std::vector<StretchLinks> boundaries;
+  ScalarField<double> correction;  ///< (block) added by the advective form
+  ScalarField<double> created;     ///< (block) added by filling newborn nodes
+  double initial = 0;              ///< lattice units
+};
+
+/// Owns the populations of all species. `flow` may be null: diffusion only. Steps every accuracy.solute_interval
+/// lattice steps, with diffusivity, velocity and rate constant times that number.
+template <class T, class Set>
+class SoluteModule final : public Module {
+ public:
+  SoluteModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
+               FlowModule<T>* flow);
+
+  std::string_view name() const override { return "solute"; }
+  void step(const Exec& exec, const Clock& clock) override;
+  void births(const Exec& exec, const Births& births) override;
+  void guard(const Exec& exec, const Clock& clock) override;
+  void limits(LimitTable& table) const override;
+  void ledger(Ledger& ledger) const override;
+  void fields(FieldList& list) const override;
+  void state(StateList& list) override;
+
+  bool due(const Clock& clock) const { return clock.every(interval_); }
+  int interval() const { return interval_; }
+  /// State of the species of that name; the reactive wall dresses its populations.
+  SpeciesState<T>& species(const std::string& name);
+
+ private:
+  void find_boundaries(const Exec& exec);
+
+  SoluteSection section_;
+  LatticeUnits units_;
+  const Geometry& geometry_;
+  const Carrier<T>* carrier_;  ///< null: the fluid is at rest
+  int interval_;               ///< lattice steps per step
+  BirthFill fill_;
+  std::vector<SpeciesState<T>> species_;
+};
+
+}  // namespace vug

@@ -1,0 +1,70 @@
+// A case file becomes a Scene: text, TOML with overrides, known names, tables, contradictions, files.
+#include "io/case_keys.hpp"
+#include "io/detail/case_checks.hpp"
+#include "io/detail/case_tables.hpp"
+#include "io/detail/case_text.hpp"
+#include "io/scene.hpp"
+
+namespace vug {
+
+void read_tables(const TomlCursor& root, Scene& scene) {
+  if (const auto table = root.table("case"); table.given()) read_case(table, scene);
+  scene.lattice = read_lattice(root.table("lattice"));
+  scene.time = read_time(root.table("time"));
+  if (const auto table = root.table("geometry"); table.given()) scene.geometry = read_geometry(table);
+  if (const auto table = root.table("rock"); table.given()) scene.rock = read_rock(table);
+  if (const auto table = root.table("flow"); table.given()) scene.flow = read_flow(table);
+  if (const auto table = root.table("heat"); table.given()) scene.heat = read_heat(table);
+  if (const auto table = root.table("solute"); table.given()) scene.solute = read_solute(table);
+  if (const auto table = root.table("reaction"); table.given()) scene.reaction = read_reaction(table, scene.solute);
+  if (const auto table = root.table("mechanics"); table.given()) scene.mechanics = read_mechanics(table);
+  if (const auto table = root.table("damage"); table.given()) {
+    ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
+    scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
+  }
+  const auto boundary = root.table("boundary");
+  scene.left = read_boundary(boundary.table("left", "<side>"));
+  if (!root.describing()) {
+    scene.right = read_boundary(boundary.table("right", "<side>"));
+    scene.bottom = read_boundary(boundary.table("bottom", "<side>"));
+    scene.top = read_boundary(boundary.table("top", "<side>"));
+  }
+  if (const auto table = boundary.table("injection"); table.given()) scene.injection = read_injection(table);
+  if (const auto table = root.table("accuracy"); table.given()) scene.accuracy = read_accuracy(table);
+  if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
+}
+
+const std::vector<KeyDescription>& case_keys() {
+  static const std::vector<KeyDescription> keys = [] {
+    KeyLog log;
+    Scene unused;
+    read_tables(TomlCursor(log), unused);
+    return log;
+  }();
+  return keys;
+}
+
+Scene parse_scene(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  check_text(text, path);
+  const TomlDocument document(text, path, overrides);
+  check_names(document);
+  Scene scene;
+  scene.path = path;
+  scene.source_text = text;
+  scene.overrides = overrides;
+  read_tables(TomlCursor(document), scene);
+  check_modules(document, scene);
+  check_species(document, scene);
+  check_places(document, scene);
+  check_times(document, scene);
+  check_boundaries(document, scene);
+  check_files(document, scene);
+  collect_warnings(scene);
+  return scene;
+}
+
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_scene(read_case_text(path), path, overrides);
+}
+
+}  // namespace vug

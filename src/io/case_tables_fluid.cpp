@@ -1,0 +1,121 @@
+// [flow], [heat], [solute], [reaction]: what fills the pores and what it does to their walls.
+#include "io/detail/case_tables.hpp"
+#include "io/detail/nearest_name.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace vug {
+namespace {
+
+/// A name that can be part of a data set's name and of `--set`.
+bool is_plain_name(const std::string& name) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '+' || c == '-'; };
+  return !name.empty() && name.size() <= 40 && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+         std::all_of(name.begin(), name.end(), plain);
+}
+
+/// k_r^0 as given, or from Da = k_r^0 l / D of the reactant (Eq. 13).
+void read_rate(const TomlCursor& table, const std::optional<SoluteSection>& solute, ReactionSection& reaction) {
+  std::optional<double> rate;
+  table.read("rate_constant", rate, unit::metre_per_second, range::not_negative);
+  table.read("damkohler", reaction.damkohler, unit::none, range::between(0, 1e12));
+  table.read("length", reaction.length, unit::metre, range::positive);
+  if (table.describing()) return;
+  if (rate && reaction.damkohler) table.fail("damkohler", "stands beside reaction.rate_constant; give one of the two");
+  if (rate && reaction.length)
+    table.fail("length", "belongs to reaction.damkohler, but the rate is given by reaction.rate_constant");
+  if (!rate && !reaction.damkohler) {
+    table.fail("rate_constant",
+               "is missing; give reaction.rate_constant (m/s), or reaction.damkohler with reaction.length (m)");
+  }
+  if (reaction.damkohler && !reaction.length) {
+    table.fail("length", "is missing; reaction.damkohler needs the length it is formed with (m): k = Da D / length");
+  }
+  if (rate) reaction.rate_constant = *rate;
+  if (!reaction.damkohler || !solute) return;
+  for (const Species& species : solute->species) {
+    if (species.name == reaction.reactant)
+      reaction.rate_constant = *reaction.damkohler * species.diffusivity / *reaction.length;
+  }
+}
+
+}  // namespace
+
+FlowSection read_flow(const TomlCursor& table) {
+  FlowSection flow;
+  table.read("density", flow.density, unit::kilogram_per_cubic_metre, range::positive);
+  table.need("viscosity", flow.viscosity, unit::square_metre_per_second, range::positive);
+  table.choose("collision", flow.collision,
+               {{"trt", Collision::trt},
+                {"lallemand_luo", Collision::lallemand_luo},
+                {"bgk", Collision::bgk},
+                {"regularised", Collision::regularised}});
+  table.read("body_force", flow.body_force, unit::metre_per_square_second);
+  table.read("initial_pressure", flow.initial_pressure, unit::pascal, range::not_negative);
+  table.read("speed_limit", flow.speed_limit, unit::none, range::between(0, 0.5));
+  table.read("pressure_scale", flow.pressure_scale, unit::none, range::between(1, 1e6));
+  return flow;
+}
+
+HeatSection read_heat(const TomlCursor& table) {
+  HeatSection heat;
+  table.need("fluid_diffusivity", heat.fluid_diffusivity, unit::square_metre_per_second, range::positive);
+  table.need("solid_diffusivity", heat.solid_diffusivity, unit::square_metre_per_second, range::positive);
+  table.read("fluid_density", heat.fluid_density, unit::kilogram_per_cubic_metre, range::positive);
+  table.read("solid_density", heat.solid_density, unit::kilogram_per_cubic_metre, range::positive);
+  table.read("fluid_heat_capacity", heat.fluid_heat_capacity, unit::joule_per_kilogram_kelvin, range::positive);
+  table.read("solid_heat_capacity", heat.solid_heat_capacity, unit::joule_per_kilogram_kelvin, range::positive);
+  table.read("initial_temperature", heat.initial_temperature, unit::kelvin, range::positive);
+  return heat;
+}
+
+SoluteSection read_solute(const TomlCursor& table) {
+  SoluteSection solute;
+  table.choose("velocity_set", solute.velocity_set,
+               {{"d2q5", ScalarVelocitySet::d2q5}, {"d2q9", ScalarVelocitySet::d2q9}});
+  table.read("relaxation_time", solute.relaxation_time, unit::none, {.low = 0.5, .high = 100, .low_open = true});
+  table.read("advective_form", solute.advective_form);
+  constexpr std::size_t most = 64;  // every species is a lattice field of its own
+  for (const TomlCursor& element : table.tables("species")) {
+    if (solute.species.size() == most)
+      element.fail("name", fmt::format("is one species too many; at most {} are accepted", most));
+    Species species;
+    element.need("name", species.name);
+    element.need("diffusivity", species.diffusivity, unit::square_metre_per_second, range::positive);
+    element.read("initial", species.initial, unit::mole_per_cubic_metre, range::not_negative);
+    solute.species.push_back(species);
+    if (table.describing()) continue;
+    if (!is_plain_name(species.name)) {
+      element.fail("name", "must begin with a letter and hold at most 40 letters, digits, '_', '+' or '-'");
+    }
+    for (std::size_t i = 0; i + 1 < solute.species.size(); ++i) {
+      if (solute.species[i].name == species.name) element.fail("name", "is the name of an earlier species");
+    }
+  }
+  if (solute.species.empty()) table.fail("species", "is missing; [solute] needs at least one [[solute.species]]");
+  return solute;
+}
+
+ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute) {
+  ReactionSection reaction;
+  table.need("reactant", reaction.reactant);
+  table.read("product", reaction.product);
+  read_rate(table, solute, reaction);
+  table.read("activation_energy", reaction.activation_energy, unit::joule_per_mole, range::not_negative);
+  table.read("reference_temperature", reaction.reference_temperature, unit::kelvin, range::positive);
+  table.read("temperature", reaction.temperature, unit::kelvin, range::positive);
+  double equilibrium_constant = std::numeric_limits<double>::infinity();
+  table.read("equilibrium_constant", equilibrium_constant, {"1", 1e300}, {.low = 1e-12, .infinity_allowed = true});
+  reaction.inverse_equilibrium_constant = 1 / equilibrium_constant;
+  table.read("molar_volume", reaction.molar_volume, unit::cubic_metre_per_mole, range::not_negative);
+  table.choose("wall", reaction.wall, {{"kinetic", ReactiveWallLaw::kinetic}, {"paper", ReactiveWallLaw::paper}});
+  table.read("surface_normal", reaction.surface_normal);
+  table.choose("birth_fill", reaction.birth_fill, {{"mean", BirthFill::mean}, {"split", BirthFill::split}});
+  return reaction;
+}
+
+}  // namespace vug

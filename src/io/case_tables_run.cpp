@@ -1,0 +1,73 @@
+// [accuracy] and [output]: how a case is computed and what is kept of it.
+#include "io/detail/case_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace vug {
+namespace {
+
+enum class Preset { fast, balanced, reference };
+
+/// What a preset stands for; single keys in the case override it (docs/accuracy.md has the measured errors).
+AccuracySection accuracy_of(Preset preset) {
+  AccuracySection accuracy;
+  if (preset == Preset::reference) {
+    accuracy.preset = "reference";
+    accuracy.update_interval = 1;
+  }
+  if (preset == Preset::fast) {
+    accuracy.preset = "fast";
+    accuracy.precision = Precision::single_precision;
+    accuracy.heat_interval = 2;
+    accuracy.solute_interval = 2;
+  }
+  return accuracy;
+}
+
+}  // namespace
+
+AccuracySection read_accuracy(const TomlCursor& table) {
+  Preset preset = Preset::balanced;
+  table.choose("preset", preset,
+               {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"reference", Preset::reference}});
+  AccuracySection accuracy = accuracy_of(preset);
+  table.choose("precision", accuracy.precision,
+               {{"single", Precision::single_precision}, {"double", Precision::double_precision}});
+  table.read("update_interval", accuracy.update_interval, range::between(1, 1e6));
+  table.read("heat_interval", accuracy.heat_interval, range::between(1, 1000));
+  table.read("solute_interval", accuracy.solute_interval, range::between(1, 1000));
+  table.read("guard_interval", accuracy.guard_interval, range::between(1, 1e6));
+  return accuracy;
+}
+
+OutputSection read_output(const TomlCursor& table) {
+  OutputSection output;
+  table.read("interval", output.interval, unit::second, range::positive);
+  table.read("interval_steps", output.interval_steps, range::between(1, 1e15));
+  table.read("checkpoint_interval", output.checkpoint_interval, unit::second, range::positive);
+  table.read("fields", output.fields);
+  table.read("compress", output.compress);
+  std::set<std::string> probe_names, field_names;
+  for (const TomlCursor& element : table.tables("probes")) {
+    Probe probe{};
+    element.need("name", probe.name);
+    element.need("at", probe.at, unit::metre);
+    if (!table.describing() && probe.name.empty()) element.fail("name", "must not be empty");
+    if (!table.describing() && !probe_names.insert(probe.name).second)
+      element.fail("name", "is the name of an earlier probe");
+    output.probes.push_back(probe);
+  }
+  if (table.describing()) return output;
+  if (output.interval && output.interval_steps)
+    table.fail("interval_steps", "stands beside output.interval; give one of the two");
+  for (std::size_t i = 0; i < output.fields.size(); ++i) {
+    if (output.fields[i].empty()) table.fail(fmt::format("fields.{}", i), "must be the name of a field");
+    if (!field_names.insert(output.fields[i]).second)
+      table.fail(fmt::format("fields.{}", i), "stands in the list twice");
+  }
+  return output;
+}
+
+}  // namespace vug

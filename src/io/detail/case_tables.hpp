@@ -1,0 +1,30 @@
+#pragma once
+// One function per table of the case file: keys to struct. Each is called with the table's cursor only when the table
+// is there (or when the keys are being described); what tables demand of each other is in case_checks.hpp.
+#include "io/detail/toml_cursor.hpp"
+#include "io/scene.hpp"
+
+namespace vug {
+
+void read_case(const TomlCursor& table, Scene& scene);
+LatticeSection read_lattice(const TomlCursor& table);
+TimeSection read_time(const TomlCursor& table);
+GeometrySection read_geometry(const TomlCursor& table);
+RockSection read_rock(const TomlCursor& table);
+FlowSection read_flow(const TomlCursor& table);
+HeatSection read_heat(const TomlCursor& table);
+SoluteSection read_solute(const TomlCursor& table);
+/// Needs the solutes for the diffusivity in the Damkohler number.
+ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute);
+MechanicsSection read_mechanics(const TomlCursor& table);
+/// Also fills the chemical law of the mechanics.
+DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
+BoundarySection read_boundary(const TomlCursor& table);
+InjectionSection read_injection(const TomlCursor& table);
+AccuracySection read_accuracy(const TomlCursor& table);
+OutputSection read_output(const TomlCursor& table);
+
+/// All tables of a case, in the order of docs/case-file.md.
+void read_tables(const TomlCursor& root, Scene& scene);
+
+}  // namespace vug

@@ -1,0 +1,152 @@
+// Conditions on the sides of the lattice against the modules they need and against each other.
+#include "io/detail/case_checks.hpp"
+#include "io/detail/nearest_name.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace vug {
+namespace {
+
+struct NamedBoundary {
+  const char* name;
+  const BoundarySection& section;
+};
+
+std::array<NamedBoundary, 4> sides(const Scene& scene) {
+  return {{{"left", scene.left}, {"right", scene.right}, {"bottom", scene.bottom}, {"top", scene.top}}};
+}
+
+/// A condition may only be written where its module is there.
+void check_modules_of(const TomlDocument& document, const Scene& scene, const std::string& name) {
+  const auto refuse = [&](const char* physics, bool modelled, const char* needed) {
+    const std::string key = fmt::format("boundary.{}.{}", name, physics);
+    if (!modelled && document.find(key) != nullptr)
+      document.fail_at(key, fmt::format("{} needs the table {}", key, needed));
+  };
+  refuse("flow", scene.flow.has_value(), "[flow]");
+  refuse("heat", scene.heat.has_value(), "[heat]");
+  refuse("solute", scene.solute.has_value(), "[solute]");
+  refuse("traction", scene.mechanics.has_value(), "[mechanics]");
+}
+
+void check_concentrations(const TomlDocument& document, const Scene& scene, const std::string& name,
+                          const SoluteBoundary& boundary) {
+  std::vector<std::string> known;
+  if (scene.solute) {
+    for (const Species& species : scene.solute->species) known.push_back(species.name);
+  }
+  for (const auto& [species, value] : boundary.concentration) {
+    if (std::find(known.begin(), known.end(), species) != known.end()) continue;
+    document.fail(fmt::format("boundary.{}.solute.concentration.{}", name, species),
+                  fmt::format("is for \"{}\", which is not the name of a [[solute.species]]{}", species,
+                              suggestion(species, known)));
+  }
+}
+
+/// Opposite sides are periodic together or not at all.
+template <class Kind>
+void check_pair(const TomlDocument& document, const char* physics, const char* name_a, Kind a, const char* name_b,
+                Kind b) {
+  if ((a == Kind::periodic) == (b == Kind::periodic)) return;
+  const char* periodic = a == Kind::periodic ? name_a : name_b;
+  const char* other = a == Kind::periodic ? name_b : name_a;
+  document.fail(fmt::format("boundary.{}.{}.type", periodic, physics),
+                fmt::format("needs boundary.{}.{}.type = \"periodic\" as well", other, physics));
+}
+
+/// Periodicity belongs to the lattice: where one physics is periodic, those that say nothing become so as well and
+/// those that say otherwise are refused.
+template <class Kind>
+void join(const TomlDocument& document, const char* physics, const char* side, Kind& kind) {
+  const std::string key = fmt::format("boundary.{}.{}.type", side, physics);
+  if (kind != Kind::periodic && document.find(key) != nullptr) {
+    document.fail(key,
+                  "is not periodic, but another condition of this side is: a side is periodic for all physics or none");
+  }
+  kind = Kind::periodic;
+}
+
+void check_periodic(const TomlDocument& document, const Scene& scene, const char* name_a, BoundarySection& a,
+                    const char* name_b, BoundarySection& b) {
+  check_pair(document, "flow", name_a, a.flow.kind, name_b, b.flow.kind);
+  check_pair(document, "heat", name_a, a.heat.kind, name_b, b.heat.kind);
+  check_pair(document, "solute", name_a, a.solute.kind, name_b, b.solute.kind);
+  const bool periodic = a.flow.kind == FlowBoundaryKind::periodic || a.heat.kind == HeatBoundaryKind::periodic ||
+                        a.solute.kind == SoluteBoundaryKind::periodic;
+  if (!periodic) return;
+  for (auto [name, side] : {std::pair{name_a, &a}, std::pair{name_b, &b}}) {
+    if (scene.flow) join(document, "flow", name, side->flow.kind);
+    if (scene.heat) join(document, "heat", name, side->heat.kind);
+    if (scene.solute) join(document, "solute", name, side->solute.kind);
+  }
+}
+
+void check_injection(const TomlDocument& document, const Scene& scene) {
+  const InjectionSection& injection = *scene.injection;
+  const bool upright = injection.side == "left" || injection.side == "right";
+  const double side = upright ? scene.lattice.length_y : scene.lattice.length_x;
+  const double slack = 1e-6 * scene.lattice.spacing;
+  if (injection.width > side + slack) {
+    document.fail("boundary.injection.width", fmt::format("m is wider than the {} side, {:g} m", injection.side, side));
+  }
+  if (injection.width < scene.lattice.spacing - slack) {
+    document.fail("boundary.injection.width",
+                  fmt::format("m is narrower than one cell, lattice.spacing = {:g} m", scene.lattice.spacing));
+  }
+  if (injection.centre - injection.width / 2 < -slack || injection.centre + injection.width / 2 > side + slack) {
+    document.fail("boundary.injection.centre",
+                  fmt::format("m with width = {:g} m reaches beyond the {} side, 0 ... {:g} m", injection.width,
+                              injection.side, side));
+  }
+  for (const auto& [name, section] : sides(scene)) {
+    if (injection.side != name) continue;
+    const bool periodic = section.flow.kind == FlowBoundaryKind::periodic ||
+                          section.heat.kind == HeatBoundaryKind::periodic ||
+                          section.solute.kind == SoluteBoundaryKind::periodic;
+    if (periodic)
+      document.fail("boundary.injection.side", "is periodic; a stretch of it cannot have conditions of its own");
+  }
+  const BoundarySection& own = injection.conditions;
+  const auto refuse = [&](const char* physics, bool periodic) {
+    if (periodic)
+      document.fail(fmt::format("boundary.injection.{}.type", physics),
+                    "is a condition of a whole side, not of a stretch");
+  };
+  refuse("flow", own.flow.kind == FlowBoundaryKind::periodic);
+  refuse("heat", own.heat.kind == HeatBoundaryKind::periodic);
+  refuse("solute", own.solute.kind == SoluteBoundaryKind::periodic);
+}
+
+/// A wall only moves along itself.
+void check_wall(const TomlDocument& document, const NamedBoundary& side) {
+  const FlowBoundary& flow = side.section.flow;
+  const std::string_view name = side.name;
+  const int normal = name == "left" || name == "right" ? 0 : 1;
+  if (flow.kind == FlowBoundaryKind::wall && flow.velocity[normal] != 0) {
+    document.fail(
+        fmt::format("boundary.{}.flow.velocity", name),
+        fmt::format("moves a wall through itself; its {} component must be 0", normal == 0 ? "first" : "second"));
+  }
+}
+
+}  // namespace
+
+void check_boundaries(const TomlDocument& document, Scene& scene) {
+  for (const NamedBoundary& side : sides(scene)) {
+    check_modules_of(document, scene, side.name);
+    check_concentrations(document, scene, side.name, side.section.solute);
+    check_wall(document, side);
+  }
+  check_periodic(document, scene, "left", scene.left, "right", scene.right);
+  check_periodic(document, scene, "bottom", scene.bottom, "top", scene.top);
+  if (!scene.injection) return;
+  check_modules_of(document, scene, "injection");
+  check_concentrations(document, scene, "injection", scene.injection->conditions.solute);
+  check_injection(document, scene);
+}
+
+}  // namespace vug

@@ -1,0 +1,167 @@
+// Which table of a case needs which other, names of species, times, places and files.
+#include "io/detail/case_checks.hpp"
+#include "io/detail/nearest_name.hpp"
+#include "io/detail/toml_cursor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace vug {
+namespace {
+
+struct Box {
+  double x0, y0, x1, y1;
+};
+
+Box box_of(const Shape& shape) {
+  if (const auto* rectangle = std::get_if<Rectangle>(&shape.form)) {
+    const auto [x0, x1] = std::minmax(rectangle->from[0], rectangle->to[0]);
+    const auto [y0, y1] = std::minmax(rectangle->from[1], rectangle->to[1]);
+    return {x0, y0, x1, y1};
+  }
+  if (const auto* disc = std::get_if<Disc>(&shape.form)) {
+    return {disc->centre[0] - disc->radius, disc->centre[1] - disc->radius, disc->centre[0] + disc->radius,
+            disc->centre[1] + disc->radius};
+  }
+  const auto& points = std::get<Polygon>(shape.form).points;
+  Box box{points[0][0], points[0][1], points[0][0], points[0][1]};
+  for (const auto& [x, y] : points) {
+    box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
+  }
+  return box;
+}
+
+/// A point on the lattice, its edge included; half a cell of slack for decimal fractions.
+void check_point(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
+                 const Point& point) {
+  const double slack = 1e-6 * lattice.spacing;
+  const bool inside = point[0] >= -slack && point[0] <= lattice.length_x + slack && point[1] >= -slack &&
+                      point[1] <= lattice.length_y + slack;
+  if (!inside) {
+    document.fail(
+        key, fmt::format("m lies outside the lattice, [0, {:g}] x [0, {:g}] m", lattice.length_x, lattice.length_y));
+  }
+}
+
+std::vector<std::string> names_of(const SoluteSection& solute) {
+  std::vector<std::string> names;
+  for (const Species& species : solute.species) names.push_back(species.name);
+  return names;
+}
+
+void check_file(const TomlDocument& document, const std::string& key, std::string& file) {
+  namespace fs = std::filesystem;
+  if (file.empty()) document.fail(key, "must name a file");
+  fs::path path(file);
+  if (path.is_relative()) path = fs::path(document.path()).parent_path() / path;
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  const std::string where = path.lexically_normal().string();
+  if (status.type() == fs::file_type::not_found)
+    document.fail(key, fmt::format("does not exist (looked for {})", where));
+  if (error) document.fail(key, fmt::format("cannot be opened ({}: {})", where, error.message()));
+  if (fs::is_directory(status)) document.fail(key, fmt::format("is a folder, not a file ({})", where));
+  file = where;
+}
+
+}  // namespace
+
+void check_modules(const TomlDocument& document, const Scene& scene) {
+  const bool rock = scene.geometry.kind == GeometryKind::rock;
+  if (rock && !scene.rock) document.fail("geometry.type", "needs the table [rock]");
+  if (scene.rock && !rock) document.fail_at("rock", "[rock] needs geometry.type = \"rock\"");
+  if (scene.reaction && !scene.solute) document.fail_at("reaction", "[reaction] needs the table [solute]");
+  if (scene.mechanics && !scene.rock)
+    document.fail_at("mechanics", "[mechanics] needs the table [rock] (and geometry.type = \"rock\")");
+  if (scene.damage && !scene.mechanics) document.fail_at("damage", "[damage] needs the table [mechanics]");
+  if (!scene.flow && !scene.heat && !scene.solute && !scene.mechanics) {
+    document.fail_at("", "the case models nothing; it needs at least one of [flow], [heat], [solute], [mechanics]");
+  }
+}
+
+void check_species(const TomlDocument& document, const Scene& scene) {
+  if (!scene.reaction) return;
+  const auto names = names_of(*scene.solute);
+  const auto known = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const ReactionSection& reaction = *scene.reaction;
+  if (!known(reaction.reactant)) {
+    document.fail("reaction.reactant",
+                  "is not the name of a [[solute.species]]" + suggestion(reaction.reactant, names));
+  }
+  if (!reaction.product) {
+    if (reaction.inverse_equilibrium_constant > 0) {
+      document.fail("reaction.equilibrium_constant",
+                    "needs reaction.product: a reversible reaction runs back from its product");
+    }
+    return;
+  }
+  if (!known(*reaction.product)) {
+    document.fail("reaction.product", "is not the name of a [[solute.species]]" + suggestion(*reaction.product, names));
+  }
+  if (*reaction.product == reaction.reactant)
+    document.fail("reaction.product", "is the reactant; it must be another species");
+}
+
+void check_places(const TomlDocument& document, const Scene& scene) {
+  const LatticeSection& lattice = scene.lattice;
+  for (std::size_t i = 0; i < scene.geometry.shapes.size(); ++i) {
+    const Box box = box_of(scene.geometry.shapes[i]);
+    if (box.x1 <= 0 || box.y1 <= 0 || box.x0 >= lattice.length_x || box.y0 >= lattice.length_y) {
+      document.fail(
+          fmt::format("geometry.shapes.{}", i),
+          fmt::format("lies outside the lattice, [0, {:g}] x [0, {:g}] m", lattice.length_x, lattice.length_y));
+    }
+  }
+  for (std::size_t i = 0; i < scene.output.probes.size(); ++i) {
+    check_point(document, lattice, fmt::format("output.probes.{}.at", i), scene.output.probes[i].at);
+  }
+  if (!scene.rock) return;
+  const RockSection& rock = *scene.rock;
+  for (std::size_t i = 0; i < rock.notches.size(); ++i) {
+    check_point(document, lattice, fmt::format("rock.notches.{}.from", i), rock.notches[i].from);
+    check_point(document, lattice, fmt::format("rock.notches.{}.to", i), rock.notches[i].to);
+  }
+  if (rock.hole) {
+    check_point(document, lattice, "rock.hole.from", rock.hole->from);
+    check_point(document, lattice, "rock.hole.to", rock.hole->to);
+  }
+  const double largest = std::min(lattice.length_x, lattice.length_y);
+  if (!rock.mesh && rock.element_size > largest) {
+    document.fail("rock.element_size", fmt::format("is larger than the rock itself; at most {:g} m", largest));
+  }
+}
+
+void check_times(const TomlDocument& document, const Scene& scene) {
+  const double step = scene.lattice.time_step;
+  const double slack = 1e-9 * step;
+  if (scene.time.end && *scene.time.end < step - slack) {
+    document.fail("time.end", fmt::format("is shorter than one lattice.time_step = {:g} s", step));
+  }
+  if (scene.time.end && *scene.time.end / step > 1e15) {
+    document.fail("time.end", fmt::format("is more than 1e15 steps of lattice.time_step = {:g} s", step));
+  }
+  const double end = scene.time.end ? *scene.time.end : static_cast<double>(*scene.time.steps) * step;
+  const auto check_interval = [&](const char* key, const std::optional<double>& interval) {
+    if (!interval) return;
+    if (*interval < step - slack)
+      document.fail(key, fmt::format("is shorter than one lattice.time_step = {:g} s", step));
+    if (*interval > end + slack) document.fail(key, fmt::format("is longer than the whole run, {:g} s", end));
+  };
+  check_interval("output.interval", scene.output.interval);
+  check_interval("output.checkpoint_interval", scene.output.checkpoint_interval);
+  if (scene.output.interval_steps && static_cast<double>(*scene.output.interval_steps) * step > end + slack) {
+    document.fail("output.interval_steps", fmt::format("is more than the whole run, {:.0f} steps", end / step));
+  }
+}
+
+void check_files(const TomlDocument& document, Scene& scene) {
+  if (scene.geometry.kind == GeometryKind::image) check_file(document, "geometry.file", scene.geometry.image_file);
+  if (scene.rock && scene.rock->mesh) check_file(document, "rock.mesh", *scene.rock->mesh);
+}
+
+}  // namespace vug

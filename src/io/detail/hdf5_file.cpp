@@ -1,0 +1,214 @@
+#include "io/detail/hdf5_file.hpp"
+
+#include "kernels/require.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace vug::detail {
+
+static_assert(sizeof(hid_t) == sizeof(Hdf5Id));
+
+namespace {
+
+// The library's own words for what went wrong, those of the operating system where there are any.
+herr_t collect_reason(unsigned, const H5E_error2_t* error, void* out) {
+  auto& reason = *static_cast<std::string*>(out);
+  if (!error->desc) return 0;
+  const std::string_view text(error->desc);
+  const std::string_view mark = "error message = '";
+  if (const auto at = text.find(mark); at != std::string_view::npos) {
+    const auto from = at + mark.size();
+    reason = std::string(text.substr(from, text.find('\'', from) - from));
+    return 1;
+  }
+  reason = text;  // the innermost comes last
+  return 0;
+}
+
+[[noreturn]] void fail(const std::string& path, const char* action) {
+  std::string reason = "unknown reason";
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, collect_reason, &reason);
+  H5Eclear2(H5E_DEFAULT);
+  throw FileError(path + ": cannot " + action + ": " + reason);
+}
+
+template <class Result>
+Result check(Result result, const std::string& path, const char* action) {
+  if (result < 0) fail(path, action);
+  return result;
+}
+
+/// An identifier that is closed when it goes out of scope.
+struct Handle {
+  hid_t id;
+  herr_t (*close)(hid_t);
+  Handle(hid_t id_, herr_t (*close_)(hid_t), const std::string& path, const char* action)
+      : id(check(id_, path, action)), close(close_) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() { close(id); }
+};
+
+// Quiet (errors become exceptions), without locks (a viewer may hold the file open while the run goes on), and without
+// the library's own clean-up at exit, which never ends after a full disk.
+hid_t access_properties(const std::string& path) {
+  static const bool quiet = H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  if (!quiet) throw FileError(path + ": the HDF5 library does not start");
+  const hid_t properties = check(H5Pcreate(H5P_FILE_ACCESS), path, "open");
+#if H5_VERSION_GE(1, 10, 7)
+  check(H5Pset_file_locking(properties, false, true), path, "open");
+#endif
+  check(H5Pset_fclose_degree(properties, H5F_CLOSE_STRONG), path, "open");
+  return properties;
+}
+
+void write_attribute(hid_t object, const Attribute& attribute, const std::string& path) {
+  const char* action = "write an attribute";
+  const auto put = [&](hid_t type, hid_t space, const void* data) {
+    const Handle handle(H5Acreate2(object, attribute.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                        path, action);
+    check(H5Awrite(handle.id, type, data), path, action);
+  };
+  const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, path, action);
+  if (const auto* text = std::get_if<std::string>(&attribute.value)) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, path, action);
+    check(H5Tset_size(type.id, std::max<std::size_t>(1, text->size())), path, action);
+    check(H5Tset_cset(type.id, H5T_CSET_UTF8), path, action);
+    put(type.id, scalar.id, text->c_str());
+  } else if (const auto* whole = std::get_if<std::int64_t>(&attribute.value)) {
+    put(H5T_NATIVE_INT64, scalar.id, whole);
+  } else if (const auto* number = std::get_if<double>(&attribute.value)) {
+    put(H5T_NATIVE_DOUBLE, scalar.id, number);
+  } else {
+    const auto& numbers = std::get<std::vector<double>>(attribute.value);
+    const hsize_t extent = numbers.size();
+    const Handle simple(H5Screate_simple(1, &extent, nullptr), H5Sclose, path, action);
+    put(H5T_NATIVE_DOUBLE, simple.id, numbers.data());
+  }
+}
+
+hid_t file_type(StoredAs type) {
+  if (type == StoredAs::float32) return H5T_IEEE_F32LE;
+  return type == StoredAs::float64 ? H5T_IEEE_F64LE : H5T_STD_I32LE;
+}
+
+// Chunks of at most 64 k values: whole small arrays, tiles of large ones.
+std::vector<hsize_t> chunk_of(const std::vector<hsize_t>& extent) {
+  auto chunk = extent;
+  const hsize_t limit = extent.size() > 1 && extent[1] > 3 ? 256 : 65536;
+  for (hsize_t& side : chunk) side = std::clamp<hsize_t>(side, 1, limit);
+  return chunk;
+}
+
+template <class Visit>
+void for_each_link(hid_t group, const std::string& path, Visit visit) {
+  H5G_info_t info;
+  check(H5Gget_info(group, &info), path, "list");
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const auto length =
+        check(H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT), path, "list");
+    std::string name(static_cast<std::size_t>(length), '\0');
+    check(H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size() + 1, H5P_DEFAULT),
+          path, "list");
+    visit(name);
+  }
+}
+
+}  // namespace
+
+Hdf5File Hdf5File::create(const std::string& path) {
+  const Handle access(access_properties(path), H5Pclose, path, "open");
+  return {path, check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id), path, "create")};
+}
+
+Hdf5File Hdf5File::open(const std::string& path) {
+  const Handle access(access_properties(path), H5Pclose, path, "open");
+  return {path, check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id), path, "open")};
+}
+
+Hdf5File::~Hdf5File() {
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+void Hdf5File::close() {
+  check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_, "write");
+  check(H5Fclose(std::exchange(file_, -1)), path_, "write");
+}
+
+Hdf5File::Group::Group(Hdf5File& file, std::string name, const std::vector<Attribute>& attributes)
+    : file_(file),
+      name_(std::move(name)),
+      group_(check(H5Gcreate_anon(file.file_, H5P_DEFAULT, H5P_DEFAULT), file.path_, "write")) {
+  for (const auto& attribute : attributes) write_attribute(group_, attribute, file_.path_);
+}
+
+Hdf5File::Group::~Group() {
+  if (group_ >= 0) H5Gclose(group_);
+}
+
+void Hdf5File::Group::write(const std::string& name, const std::vector<std::size_t>& shape,
+                            std::span<const double> values, StoredAs type, bool compress,
+                            const std::vector<Attribute>& attributes) {
+  const auto& path = file_.path_;
+  const std::vector<hsize_t> extent(shape.begin(), shape.end());
+  const int rank = static_cast<int>(extent.size());
+  const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, path, "write");
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "write");
+  if (compress && !values.empty()) {
+    check(H5Pset_chunk(layout.id, rank, chunk_of(extent).data()), path, "write");
+    check(H5Pset_shuffle(layout.id), path, "write");
+    check(H5Pset_deflate(layout.id, 4), path, "write");
+  }
+  const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path, "write");
+  check(H5Pset_create_intermediate_group(link.id, 1), path, "write");  // of names like "bonds/d_m"
+  const Handle data(H5Dcreate2(group_, name.c_str(), file_type(type), space.id, link.id, layout.id, H5P_DEFAULT),
+                    H5Dclose, path, "write");
+  if (!values.empty())
+    check(H5Dwrite(data.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path, "write");
+  for (const auto& attribute : attributes) write_attribute(data.id, attribute, path);
+}
+
+void Hdf5File::Group::publish() {
+  check(H5Fflush(file_.file_, H5F_SCOPE_LOCAL), file_.path_, "write");  // all of the group, at the end of the file
+  check(H5Olink(group_, file_.file_, name_.c_str(), H5P_DEFAULT, H5P_DEFAULT), file_.path_, "write");
+  check(H5Fflush(file_.file_, H5F_SCOPE_LOCAL), file_.path_, "write");
+  check(H5Gclose(std::exchange(group_, -1)), file_.path_, "write");
+}
+
+std::vector<std::string> Hdf5File::groups() const {
+  std::vector<std::string> names;
+  const Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, path_, "read");
+  for_each_link(root.id, path_, [&names](const std::string& name) { names.push_back(name); });
+  return names;
+}
+
+std::vector<std::pair<std::string, std::vector<std::size_t>>> Hdf5File::datasets(const std::string& group) const {
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> found;
+  const Handle parent(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, path_, "read");
+  for_each_link(parent.id, path_, [&](const std::string& name) {
+    const Handle data(H5Dopen2(parent.id, name.c_str(), H5P_DEFAULT), H5Dclose, path_, "read");
+    const Handle space(H5Dget_space(data.id), H5Sclose, path_, "read");
+    std::vector<hsize_t> extent(static_cast<std::size_t>(check(H5Sget_simple_extent_ndims(space.id), path_, "read")));
+    check(H5Sget_simple_extent_dims(space.id, extent.data(), nullptr), path_, "read");
+    found.emplace_back(name, std::vector<std::size_t>(extent.begin(), extent.end()));
+  });
+  return found;
+}
+
+double Hdf5File::attribute(const std::string& object, const std::string& name) const {
+  const Handle handle(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, path_,
+                      "read");
+  double value = 0;
+  check(H5Aread(handle.id, H5T_NATIVE_DOUBLE, &value), path_, "read");
+  return value;
+}
+
+void Hdf5File::remove(const std::string& group) {
+  check(H5Ldelete(file_, group.c_str(), H5P_DEFAULT), path_, "write");
+  check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_, "write");
+}
+
+}  // namespace vug::detail

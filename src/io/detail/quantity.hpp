@@ -1,0 +1,17 @@
+#pragma once
+// Numbers written as text with a unit of their own: "10 MPa", "15 degC", "3 mol/L".
+#include "io/detail/range.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace vug {
+
+/// The value in `unit` of a text that holds a number and a unit; nothing when it is not one of the accepted forms.
+std::optional<double> parse_quantity(std::string_view text, Unit unit);
+
+/// The units that may be written where `unit` is expected, for messages: "Pa, kPa, MPa, GPa, bar".
+std::string accepted_units(Unit unit);
+
+}  // namespace vug

@@ -1,0 +1,64 @@
+#pragma once
+// What a number in a case file is measured in and how large it may be.
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace vug {
+
+/// An SI unit and the largest magnitude of it that is accepted: beyond it a number is a slip of the pen.
+struct Unit {
+  std::string_view symbol;
+  double largest;
+};
+
+namespace unit {
+constexpr Unit none{"1", 1e18};
+constexpr Unit cells{"cells", 1e4};
+constexpr Unit metre{"m", 1e5};
+constexpr Unit second{"s", 1e9};
+constexpr Unit kelvin{"K", 1e4};
+constexpr Unit pascal{"Pa", 1e13};
+constexpr Unit metre_per_second{"m/s", 1e6};
+constexpr Unit metre_per_square_second{"m/s2", 1e12};
+constexpr Unit square_metre_per_second{"m2/s", 1e4};
+constexpr Unit kilogram_per_cubic_metre{"kg/m3", 1e6};
+constexpr Unit joule_per_kilogram_kelvin{"J/(kg K)", 1e7};
+constexpr Unit joule_per_mole{"J/mol", 1e7};
+constexpr Unit mole_per_cubic_metre{"mol/m3", 1e6};
+constexpr Unit cubic_metre_per_mole{"m3/mol", 1};
+constexpr Unit per_kelvin{"1/K", 1};
+constexpr Unit newton_per_metre{"N/m", 1e15};
+constexpr Unit newton_second_per_metre{"N s/m", 1e12};
+constexpr Unit second_per_metre{"s/m", 1};
+}  // namespace unit
+
+/// An interval of numbers; an open end excludes its bound.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+  bool infinity_allowed = false;  ///< +inf is a value, for instance an irreversible reaction's equilibrium constant
+
+  bool contains(double value) const;
+  std::string text() const;  ///< "> 0", "0 ... 1", "any"
+};
+
+namespace range {
+constexpr Range any{};
+constexpr Range positive{.low = 0, .low_open = true};
+constexpr Range not_negative{.low = 0};
+constexpr Range at_least(double low) {
+  return {.low = low};
+}
+constexpr Range between(double low, double high) {
+  return {.low = low, .high = high};
+}
+/// (0, high]
+constexpr Range positive_to(double high) {
+  return {.low = 0, .high = high, .low_open = true};
+}
+}  // namespace range
+
+}  // namespace vug

@@ -1,0 +1,123 @@
+#pragma once
+// Reads the keys of one table of a case into variables that already hold their defaults, checking type, unit and range.
+// With a KeyLog it reads nothing and writes down every key it is asked for instead: the documentation and the search
+// for misspelt keys use that list, so the reader is the only place where a key is named.
+#include "io/case_keys.hpp"
+#include "io/detail/range.hpp"
+#include "io/detail/toml_document.hpp"
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+using Point = std::array<double, 2>;
+using KeyLog = std::vector<KeyDescription>;
+
+class TomlCursor {
+ public:
+  explicit TomlCursor(const TomlDocument& document) : document_(&document), given_(true) {}
+  /// A cursor that only describes.
+  explicit TomlCursor(KeyLog& log) : log_(&log), given_(true) {}
+
+  /// Whether the table is in the case; always so while describing.
+  bool given() const { return given_; }
+  bool describing() const { return log_ != nullptr; }
+  bool has(std::string_view key) const { return !describing() && given_ && document_->find(inside(key)) != nullptr; }
+
+  /// The table `key` below this one; `documented` replaces its name in the documentation ("<side>").
+  TomlCursor table(std::string_view key, std::string_view documented = {}) const;
+  /// The elements of the array of tables `key`; one empty element while describing.
+  std::vector<TomlCursor> tables(std::string_view key) const;
+  /// Names and values of a table with free keys; `documented` stands for such a key.
+  std::vector<std::pair<std::string, double>> named_numbers(std::string_view key, std::string_view documented,
+                                                            Unit unit, Range range) const;
+
+  void read(std::string_view key, double& value, Unit unit, Range range = range::any) const;
+  void read(std::string_view key, std::optional<double>& value, Unit unit, Range range = range::any) const;
+  void read(std::string_view key, Point& value, Unit unit, Range range = range::any) const;
+  void read(std::string_view key, std::vector<Point>& value, Unit unit, Range range = range::any) const;
+  void read(std::string_view key, int& value, Range range) const;
+  void read(std::string_view key, std::int64_t& value, Range range) const;
+  void read(std::string_view key, std::uint64_t& value) const;
+  void read(std::string_view key, std::optional<int>& value, Range range) const;
+  void read(std::string_view key, std::optional<std::int64_t>& value, Range range) const;
+  void read(std::string_view key, std::array<int, 2>& value, Range range) const;
+  void read(std::string_view key, bool& value) const;
+  void read(std::string_view key, std::string& value) const;
+  void read(std::string_view key, std::optional<std::string>& value) const;
+  void read(std::string_view key, std::vector<std::string>& value) const;
+
+  template <class Value>
+  using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
+  /// One of a list of words.
+  template <class Value>
+  void choose(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const;
+
+  /// As read or choose, but the key must be there.
+  template <class Value, class... Arguments>
+  void need(std::string_view key, Value& value, Arguments... arguments) const;
+  template <class Value>
+  void need_choice(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const;
+
+  /// Refuses `key` where another choice makes it meaningless; `reason` as in "is only for type = \"pressure\"".
+  void refuse(std::string_view key, std::string_view reason) const;
+  [[noreturn]] void fail(std::string_view key, std::string_view problem) const {
+    document_->fail(inside(key), problem);
+  }
+  /// Full key path, for messages and for checks between tables.
+  std::string inside(std::string_view key) const;
+
+ private:
+  const toml::node* look_up(KeyDescription description) const;
+  const toml::node* node(std::string_view key) const;
+  double number(const toml::node& node, const std::string& key, Unit unit, Range range) const;
+  std::int64_t whole(const toml::node& node, const std::string& key, Range range) const;
+  std::string word(std::string_view key, const std::string& fallback, const std::vector<std::string>& words) const;
+  const toml::array& array_of(const toml::node& node, const std::string& key, std::size_t size,
+                              std::string_view expected) const;
+  void require(std::string_view key) const;
+  void mark_required() const;
+  std::string documented(std::string_view key) const;
+
+  const TomlDocument* document_ = nullptr;
+  KeyLog* log_ = nullptr;
+  std::string path_, documented_path_;
+  bool given_ = false;
+};
+
+template <class Value>
+void TomlCursor::choose(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const {
+  std::vector<std::string> words;
+  std::string fallback;
+  for (const auto& [name, meaning] : choices) {
+    words.emplace_back(name);
+    if (meaning == value) fallback = name;
+  }
+  const std::string chosen = word(key, fallback, words);
+  for (const auto& [name, meaning] : choices) {
+    if (name == chosen) value = meaning;
+  }
+}
+
+template <class Value, class... Arguments>
+void TomlCursor::need(std::string_view key, Value& value, Arguments... arguments) const {
+  require(key);
+  read(key, value, arguments...);
+  mark_required();
+}
+
+template <class Value>
+void TomlCursor::need_choice(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const {
+  require(key);
+  choose(key, value, choices);
+  mark_required();
+}
+
+}  // namespace vug

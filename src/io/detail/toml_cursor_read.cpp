@@ -1,0 +1,128 @@
+// One overload per type of variable that a key can fill.
+#include "io/detail/toml_cursor.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace vug {
+namespace {
+
+std::string quoted(const std::string& text) {
+  return text.empty() ? "\"\"" : fmt::format("\"{}\"", text);
+}
+
+}  // namespace
+
+void TomlCursor::read(std::string_view key, double& value, Unit unit, Range range) const {
+  const auto* found =
+      look_up({std::string(key), "number", std::string(unit.symbol), fmt::format("{:g}", value), range.text()});
+  if (found != nullptr) value = number(*found, inside(key), unit, range);
+}
+
+void TomlCursor::read(std::string_view key, std::optional<double>& value, Unit unit, Range range) const {
+  const auto* found = look_up({std::string(key), "number", std::string(unit.symbol), "-", range.text()});
+  if (found != nullptr) value = number(*found, inside(key), unit, range);
+}
+
+void TomlCursor::read(std::string_view key, Point& value, Unit unit, Range range) const {
+  const auto* found = look_up({std::string(key), "two numbers", std::string(unit.symbol),
+                               fmt::format("[{:g}, {:g}]", value[0], value[1]), range.text()});
+  if (found == nullptr) return;
+  const auto& array = array_of(*found, inside(key), 2, "an array of two numbers, [x, y]");
+  for (std::size_t i = 0; i < 2; ++i) {
+    value[i] = number(*array.get(i), fmt::format("{}.{}", inside(key), i), unit, range);
+  }
+}
+
+void TomlCursor::read(std::string_view key, std::vector<Point>& value, Unit unit, Range range) const {
+  const auto* found = look_up({std::string(key), "list of points", std::string(unit.symbol), "-", range.text()});
+  if (found == nullptr) return;
+  value.clear();
+  const auto& array = array_of(*found, inside(key), 0, "a list of points, [[x, y], [x, y], ...]");
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const std::string name = fmt::format("{}.{}", inside(key), i);
+    const auto& pair = array_of(*array.get(i), name, 2, "a point, [x, y]");
+    value.push_back({number(*pair.get(0), name + ".0", unit, range), number(*pair.get(1), name + ".1", unit, range)});
+  }
+}
+
+void TomlCursor::read(std::string_view key, int& value, Range range) const {
+  const auto* found = look_up({std::string(key), "whole number", "1", fmt::format("{}", value), range.text()});
+  if (found == nullptr) return;
+  const std::int64_t number = whole(*found, inside(key), range);
+  if (number > std::numeric_limits<int>::max()) fail(key, "is too large: at most 2147483647 is accepted");
+  if (number < std::numeric_limits<int>::min()) fail(key, "is too small: at least -2147483648 is accepted");
+  value = static_cast<int>(number);
+}
+
+void TomlCursor::read(std::string_view key, std::optional<int>& value, Range range) const {
+  const auto* found = look_up({std::string(key), "whole number", "1", "-", range.text()});
+  if (found == nullptr) return;
+  const std::int64_t number = whole(*found, inside(key), range);
+  if (number > std::numeric_limits<int>::max()) fail(key, "is too large: at most 2147483647 is accepted");
+  value = static_cast<int>(number);
+}
+
+void TomlCursor::read(std::string_view key, std::int64_t& value, Range range) const {
+  const auto* found = look_up({std::string(key), "whole number", "1", fmt::format("{}", value), range.text()});
+  if (found != nullptr) value = whole(*found, inside(key), range);
+}
+
+void TomlCursor::read(std::string_view key, std::uint64_t& value) const {
+  const auto* found = look_up({std::string(key), "whole number", "1", fmt::format("{}", value), ">= 0"});
+  if (found != nullptr) value = static_cast<std::uint64_t>(whole(*found, inside(key), range::not_negative));
+}
+
+void TomlCursor::read(std::string_view key, std::optional<std::int64_t>& value, Range range) const {
+  const auto* found = look_up({std::string(key), "whole number", "1", "-", range.text()});
+  if (found != nullptr) value = whole(*found, inside(key), range);
+}
+
+void TomlCursor::read(std::string_view key, std::array<int, 2>& value, Range range) const {
+  const auto* found =
+      look_up({std::string(key), "two whole numbers", "1", fmt::format("[{}, {}]", value[0], value[1]), range.text()});
+  if (found == nullptr) return;
+  const auto& array = array_of(*found, inside(key), 2, "an array of two whole numbers");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string name = fmt::format("{}.{}", inside(key), i);
+    const std::int64_t number = whole(*array.get(i), name, range);
+    if (number > std::numeric_limits<int>::max()) document_->fail(name, "is too large");
+    value[i] = static_cast<int>(number);
+  }
+}
+
+void TomlCursor::read(std::string_view key, bool& value) const {
+  const auto* found = look_up({std::string(key), "true or false", "", value ? "true" : "false", ""});
+  if (found == nullptr) return;
+  if (!found->is_boolean()) fail(key, "must be true or false");
+  value = found->as_boolean()->get();
+}
+
+void TomlCursor::read(std::string_view key, std::string& value) const {
+  const auto* found = look_up({std::string(key), "text", "", quoted(value), ""});
+  if (found == nullptr) return;
+  if (!found->is_string()) fail(key, "must be text in quotes");
+  value = found->as_string()->get();
+}
+
+void TomlCursor::read(std::string_view key, std::optional<std::string>& value) const {
+  std::string text;
+  const auto* found = look_up({std::string(key), "text", "", "-", ""});
+  if (found == nullptr) return;
+  if (!found->is_string()) fail(key, "must be text in quotes");
+  value = found->as_string()->get();
+}
+
+void TomlCursor::read(std::string_view key, std::vector<std::string>& value) const {
+  const auto* found = look_up({std::string(key), "list of text", "", value.empty() ? "[]" : "-", ""});
+  if (found == nullptr) return;
+  const auto& array = array_of(*found, inside(key), 0, "a list of texts");
+  value.clear();
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const auto* text = array.get(i)->as_string();
+    if (text == nullptr) document_->fail(fmt::format("{}.{}", inside(key), i), "must be text in quotes");
+    value.push_back(text->get());
+  }
+}
+
+}  // namespace vug

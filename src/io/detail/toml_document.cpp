@@ -1,0 +1,118 @@
+#include "io/detail/toml_document.hpp"
+
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace vug {
+namespace {
+
+const toml::node* child(const toml::node& parent, std::string_view name) {
+  if (const auto* table = parent.as_table()) return table->get(name);
+  if (const auto* array = parent.as_array()) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+    if (error == std::errc{} && end == name.data() + name.size() && index < array->size()) return array->get(index);
+  }
+  return nullptr;
+}
+
+bool lies_in(std::string_view key, std::string_view table) {
+  return key == table || (key.size() > table.size() && key.starts_with(table) && key[table.size()] == '.');
+}
+
+}  // namespace
+
+std::vector<std::string> split_key(std::string_view key) {
+  std::vector<std::string> segments;
+  std::size_t begin = 0;
+  while (begin <= key.size()) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    segments.emplace_back(key.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return segments;
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  return text;
+}
+
+std::string shown(const toml::node& node) {
+  std::string text;
+  if (const auto* value = node.as_string()) text = fmt::format("\"{}\"", value->get());
+  if (const auto* value = node.as_integer()) text = fmt::format("{}", value->get());
+  if (const auto* value = node.as_floating_point()) text = fmt::format("{}", value->get());
+  if (const auto* value = node.as_boolean()) text = value->get() ? "true" : "false";
+  if (node.is_date() || node.is_time() || node.is_date_time()) text = "a date or time";
+  if (node.is_table()) text = "a table";
+  if (const auto* array = node.as_array()) {
+    for (const toml::node& element : *array) {
+      if (text.size() > 60) break;
+      text += (text.empty() ? "" : ", ") + shown(element);
+    }
+    text = "[" + text + "]";
+  }
+  if (text.size() > 60) {
+    std::size_t cut = 56;  // not inside a character of several bytes
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80) --cut;
+    text = text.substr(0, cut) + " ...";
+  }
+  return one_line(text);
+}
+
+TomlDocument::TomlDocument(const std::string& text, std::string path, const std::vector<std::string>& overrides)
+    : path_(std::move(path)) {
+  try {
+    root_ = toml::parse(text, path_);
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    throw InputError(one_line(fmt::format("{}:{}:{}: not valid TOML: {}", path_, std::max(begin.line, 1u),
+                                          std::max(begin.column, 1u), error.description())));
+  }
+  for (const std::string& line : overrides) overrides_.push_back(apply_override(root_, line));
+}
+
+const toml::node* TomlDocument::find(std::string_view key) const {
+  const toml::node* node = &root_;
+  if (key.empty()) return node;
+  for (const std::string& segment : split_key(key)) {
+    node = child(*node, segment);
+    if (node == nullptr) return nullptr;
+  }
+  return node;
+}
+
+std::string TomlDocument::where(std::string_view key) const {
+  const auto setting = std::find_if(overrides_.rbegin(), overrides_.rend(),
+                                    [&](const Override& entry) { return lies_in(key, entry.key); });
+  if (setting != overrides_.rend()) return "--set " + setting->text;
+  // the nearest enclosing thing that was written in the file: overrides and implied tables have no line
+  for (std::string_view name = key;;) {
+    const toml::node* node = find(name);
+    if (node != nullptr && !name.empty() && node->source().begin) {
+      return fmt::format("{}:{}:{}", path_, node->source().begin.line, node->source().begin.column);
+    }
+    if (name.empty()) return path_;
+    const auto dot = name.rfind('.');
+    name = dot == std::string_view::npos ? std::string_view{} : name.substr(0, dot);
+  }
+}
+
+void TomlDocument::fail(std::string_view key, std::string_view problem) const {
+  const toml::node* node = find(key);
+  const bool plain = node != nullptr && !node->is_table() && !node->is_array_of_tables();
+  fail_at(key, plain ? fmt::format("{} = {} {}", key, shown(*node), problem) : fmt::format("{} {}", key, problem));
+}
+
+void TomlDocument::fail_at(std::string_view key, std::string_view message) const {
+  throw InputError(one_line(fmt::format("{}: {}", where(key), message)));
+}
+
+}  // namespace vug

@@ -1,0 +1,80 @@
+// Remarks on what a case may say but probably does not mean.
+#include "io/detail/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+namespace {
+
+void warn_about_reaction(Scene& scene) {
+  const ReactionSection& reaction = *scene.reaction;
+  if (reaction.activation_energy > 0 && reaction.reference_temperature < 250) {
+    scene.warnings.push_back(
+        fmt::format("reaction.reference_temperature = {:g} K is below 250 K; the published table prints 237.15 K where "
+                    "273.15 K is likely "
+                    "meant, which changes the rate 66 times",
+                    reaction.reference_temperature));
+  }
+  if (reaction.rate_constant == 0) scene.warnings.emplace_back("reaction.rate_constant is 0: nothing reacts");
+  if (scene.geometry.kind == GeometryKind::open) {
+    scene.warnings.emplace_back(
+        "[reaction] acts on walls of rock, and geometry.type = \"open\" has none but the sides");
+  }
+}
+
+/// The hole should open where the injection is.
+void warn_about_injection(Scene& scene) {
+  const InjectionHole& hole = *scene.rock->hole;
+  const InjectionSection& injection = *scene.injection;
+  const bool upright = injection.side == "left" || injection.side == "right";
+  const double side_at = injection.side == "right" ? scene.lattice.length_x
+                         : injection.side == "top" ? scene.lattice.length_y
+                                                   : 0;
+  const int across = upright ? 0 : 1, along = upright ? 1 : 0;
+  const double cell = scene.lattice.spacing;
+  const bool touches = std::min(std::abs(hole.from[across] - side_at), std::abs(hole.to[across] - side_at)) < cell;
+  const auto [low, high] = std::minmax(hole.from[along], hole.to[along]);
+  const bool overlaps = injection.centre + injection.width / 2 > low && injection.centre - injection.width / 2 < high;
+  if (!touches || !overlaps) {
+    scene.warnings.push_back(fmt::format("boundary.injection on the {} side does not meet rock.hole", injection.side));
+  }
+}
+
+/// Rock that nothing holds drifts away under the thrust of the injection.
+void warn_about_support(Scene& scene) {
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
+    if (side->traction.support != Support::free) return;
+  }
+  scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
+}
+
+void warn_about_sides(Scene& scene) {
+  const auto remark = [&](const char* pair, const BoundarySection& side) {
+    if (side.flow.kind != FlowBoundaryKind::periodic) return;
+    scene.warnings.push_back(fmt::format("the fluid is periodic across {}, the rock never is", pair));
+  };
+  remark("left and right", scene.left);
+  remark("bottom and top", scene.bottom);
+}
+
+}  // namespace
+
+void collect_warnings(Scene& scene) {
+  if (scene.reaction) warn_about_reaction(scene);
+  if (scene.rock && scene.rock->hole && scene.injection) warn_about_injection(scene);
+  if (scene.mechanics) warn_about_support(scene);
+  if (scene.mechanics) warn_about_sides(scene);
+  if (scene.rock && !scene.rock->mesh && scene.rock->element_size < 4 * scene.lattice.spacing) {
+    scene.warnings.push_back(
+        fmt::format("rock.element_size = {:g} m is below four cells: triangles too small for the lattice",
+                    scene.rock->element_size));
+  }
+  if (scene.mechanics && scene.mechanics->force_unstable) {
+    scene.warnings.emplace_back("mechanics.force_unstable accepts a time step that may diverge");
+  }
+}
+
+}  // namespace vug

@@ -1,0 +1,22 @@
+#pragma once
+// The words of XDMF 2 (ParaView's and VTK's "Xdmf Reader"): light XML beside the heavy HDF5.
+#include <string>
+#include <vector>
+
+namespace vug::detail {
+
+/// A data set as XDMF refers to it.
+struct XdmfArray {
+  std::string location;  ///< file.h5:/group/name, relative to the XDMF file
+  std::vector<std::size_t> shape;
+  bool integer = false;
+  int bytes = 4;  ///< per value
+};
+
+std::string xdmf_item(const XdmfArray& array);
+/// Values at cells; vectors have three components.
+std::string xdmf_attribute(const std::string& name, const XdmfArray& array);
+/// A whole document: one collection over time of `grids`.
+std::string xdmf_document(const std::vector<std::string>& grids);
+
+}  // namespace vug::detail

@@ -1,0 +1,31 @@
+#pragma once
+// history.csv: one row of numbers per output time.
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// Appends rows to a CSV file, 17 significant digits (which read back to the same bits), each on the disk's way before
+/// `write` returns. The first column is the time. Throws FileError.
+class HistoryWriter {
+ public:
+  /// Columns are named with their units ("time_s"). With `resume_time` an existing file is continued: rows after that
+  /// time and a torn last line are dropped; throws FileError when its header is another one.
+  HistoryWriter(const std::string& path, const std::vector<std::string>& columns,
+                std::optional<double> resume_time = std::nullopt);
+  void write(std::span<const double> row);
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::string path_;
+  std::size_t columns_;
+  std::unique_ptr<std::FILE, Closer> file_;
+};
+
+}  // namespace vug

@@ -1,0 +1,110 @@
+#include "io/progress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+constexpr double window_seconds = 30;
+
+std::string duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds > 1e8) return "unknown";
+  const auto s = static_cast<std::int64_t>(std::llround(seconds));
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{} min {:02d} s", s / 60, s % 60);
+  if (s < 86400) return fmt::format("{} h {:02d} min", s / 3600, s / 60 % 60);
+  return fmt::format("{} d {} h", s / 86400, s / 3600 % 24);
+}
+
+}  // namespace
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock)
+    : out_(out),
+      terminal_(terminal),
+      run_(run),
+      clock_(std::move(clock)),
+      start_(clock_()),
+      shown_(start_),
+      step_(run.first_step),
+      shown_step_(run.first_step),
+      window_{{start_, run.first_step}} {}
+
+double Progress::fraction(std::int64_t step) const {
+  const auto all = static_cast<double>(run_.last_step);
+  return all > 0 ? std::clamp(static_cast<double>(step) / all, 0.0, 1.0) : 1;
+}
+
+bool Progress::due(double now) const {
+  if (terminal_) return now - shown_ >= 0.2;
+  const auto last = std::max<std::int64_t>(1, run_.last_step);
+  const bool far = 20 * step_ / last > 20 * shown_step_ / last;
+  return now - shown_ >= interval_ || (far && now - shown_ >= 2);
+}
+
+void Progress::update(std::int64_t step, double updates_per_step) {
+  run_.updates_per_step = updates_per_step;
+  updates_ += static_cast<double>(step - step_) * updates_per_step;
+  step_ = step;
+  const double now = clock_();
+  if (now - window_.back().time >= 0.1 || window_.size() < 2) window_.push_back({now, step});
+  while (window_.size() > 2 && now - window_.front().time > window_seconds) window_.pop_front();
+  if (!due(now)) return;
+  if (now - shown_ >= interval_) interval_ = std::min(60.0, 2 * interval_);
+  shown_ = now;
+  shown_step_ = step;
+  if (terminal_)
+    out_ << "\r\x1b[K" << bar() << line() << std::flush;
+  else
+    out_ << line() << '\n' << std::flush;
+}
+
+void Progress::note(std::string_view text) {
+  if (terminal_) out_ << "\r\x1b[K";
+  out_ << text << '\n' << std::flush;
+}
+
+void Progress::finish(std::string_view reason) {
+  if (terminal_) out_ << "\r\x1b[K";
+  const double wall = wall_time();
+  out_ << fmt::format("{} at t = {:.4g} s, step {}: {} steps in {}, {:.1f} MLUPS", reason,
+                      static_cast<double>(step_) * run_.time_step, step_, step_ - run_.first_step, duration(wall),
+                      mlups())
+       << '\n'
+       << std::flush;
+}
+
+double Progress::steps_per_second() const {
+  const double seconds = window_.back().time - window_.front().time;
+  return seconds > 0 ? static_cast<double>(window_.back().step - window_.front().step) / seconds : 0;
+}
+
+double Progress::mlups() const {
+  const double wall = wall_time();
+  return wall > 0 ? 1e-6 * updates_ / wall : 0;
+}
+
+std::string Progress::line() const {
+  const double speed = steps_per_second();
+  const auto left = static_cast<double>(run_.last_step - step_);
+  return fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  step {}  {:.4g} steps/s  {:.1f} MLUPS  ETA {}",
+                     std::floor(100 * fraction(step_)), static_cast<double>(step_) * run_.time_step,
+                     static_cast<double>(run_.last_step) * run_.time_step, step_, speed,
+                     1e-6 * speed * run_.updates_per_step, duration(speed > 0 ? left / speed : INFINITY));
+}
+
+std::string Progress::bar() const {
+  constexpr int width = 20;
+  const int full = static_cast<int>(width * fraction(step_));
+  return fmt::format("[{}{}] ", std::string(full, '#'), std::string(width - full, '.'));
+}
+
+}  // namespace vug

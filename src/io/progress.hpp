@@ -1,0 +1,60 @@
+#pragma once
+// How far the run is: a bar on a terminal, plain lines in a log.
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace vug {
+
+/// Seconds on a clock that never goes back.
+double steady_seconds();
+
+/// Reports time, steps per second, MLUPS and the time left, from the speed of the last half minute. On a terminal one
+/// line is redrawn five times a second; in a log a line is added every 5 % but at most every two seconds, and when that
+/// takes long, after 5, 10, 20, 40 and then every 60 seconds.
+class Progress {
+ public:
+  struct Run {
+    std::int64_t first_step = 0, last_step = 0;
+    double time_step = 0;         ///< s
+    double updates_per_step = 0;  ///< lattice-node updates, all fields together
+  };
+  Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds);
+
+  /// Cheap enough for every step of a small lattice; `updates_per_step` may have grown with the fluid.
+  void update(std::int64_t step, double updates_per_step);
+  void update(std::int64_t step) { update(step, run_.updates_per_step); }
+  /// A line of its own: something physical has happened.
+  void note(std::string_view line);
+  /// The last line, with the averages of the whole run.
+  void finish(std::string_view reason);
+
+  double steps_per_second() const;
+  /// Averages over the whole run.
+  double wall_time() const { return clock_() - start_; }
+  double mlups() const;
+
+ private:
+  struct Sample {
+    double time;
+    std::int64_t step;
+  };
+  bool due(double now) const;
+  std::string line() const;
+  std::string bar() const;
+  double fraction(std::int64_t step) const;
+
+  std::ostream& out_;
+  bool terminal_;
+  Run run_;
+  std::function<double()> clock_;
+  double start_, shown_, interval_ = 5;
+  std::int64_t step_, shown_step_;
+  double updates_ = 0;  // done so far
+  std::deque<Sample> window_;
+};
+
+}  // namespace vug

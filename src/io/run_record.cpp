@@ -1,0 +1,92 @@
+#include "io/run_record.hpp"
+
+#include "io/detail/digest.hpp"
+#include "io/detail/files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+#include <sys/resource.h>
+
+namespace vug {
+
+namespace {
+
+// A JSON string. Bytes that are no UTF-8 would make the file unreadable; the case reader accepts only UTF-8.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += {'\\', c};
+    else if (c == '\n')
+      out += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null";
+}
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{1024} * usage.ru_maxrss;
+}
+
+}  // namespace
+
+std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides) {
+  detail::Digest digest;
+  digest.add(case_text);
+  for (const auto& entry : overrides) digest.add("\n" + entry);
+  return fmt::format("{:016x}", digest.value());
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+void write_run_record(const std::string& directory, const RunRecord& r) {
+  std::string text = "{\n";
+  const auto put = [&text](const char* key, const std::string& value) {
+    text += fmt::format("{}  \"{}\": {}", text.size() > 2 ? ",\n" : "", key, value);
+  };
+  std::vector<std::string> overrides;
+  for (const auto& entry : r.overrides) overrides.push_back(quoted(entry));
+  put("status", quoted(r.status));
+  put("exit_reason", quoted(r.exit_reason));
+  put("exit_code", fmt::format("{}", r.exit_code));
+  put("started", quoted(r.started));
+  put("ended", quoted(r.ended));
+  put("wall_time_s", number(r.wall_time));
+  put("first_step", fmt::format("{}", r.first_step));
+  put("steps", fmt::format("{}", r.steps));
+  put("simulated_time_s", number(r.simulated_time));
+  put("mlups", number(r.mlups));
+  put("peak_memory_bytes", fmt::format("{}", peak_memory_bytes()));
+  put("version", quoted(r.version));
+  put("commit", quoted(r.commit));
+  put("compiler", quoted(r.compiler));
+  put("backend", quoted(r.backend));
+  put("device", quoted(r.device));
+  put("precision", quoted(r.precision));
+  put("threads", fmt::format("{}", r.threads));
+  put("case_path", quoted(r.case_path));
+  put("case_hash", quoted(case_hash(r.case_text, r.overrides)));
+  put("overrides", fmt::format("[{}]", fmt::join(overrides, ", ")));
+  put("case_text", quoted(r.case_text));
+  detail::replace_file(directory + "/run.json", {text + "\n}\n"}, true);
+}
+
+}  // namespace vug

@@ -1,0 +1,36 @@
+#pragma once
+// run.json: where the results of a run come from.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// Provenance of a run, written at its start (status "running") and again at its end.
+struct RunRecord {
+  std::string case_path, case_text;
+  std::vector<std::string> overrides;
+  std::string version, commit, compiler, backend, device, precision;
+  int threads = 1;
+  std::string status = "running";  ///< running, done, interrupted, diverged or failed
+  std::string exit_reason;         ///< one line; empty while running
+  int exit_code = 0;
+  std::string started, ended;   ///< UTC, ISO 8601
+  std::int64_t first_step = 0;  ///< more than 0 after --resume
+  std::int64_t steps = 0;       ///< lattice steps reached
+  double simulated_time = 0;    ///< s reached
+  double wall_time = 0;         ///< s
+  double mlups = 0;             ///< million lattice-node updates per second of wall time
+};
+
+/// Writes `directory`/run.json: the record, the hash of the case and the peak memory of the process so far. The file is
+/// replaced in one stroke. Throws FileError.
+void write_run_record(const std::string& directory, const RunRecord& record);
+
+/// Hash of what was asked for: the text of the case and its overrides, 16 hexadecimal digits (FNV-1a).
+std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides);
+
+/// Now, as "2026-01-31T23:59:59Z".
+std::string utc_now();
+
+}  // namespace vug

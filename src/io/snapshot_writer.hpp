@@ -1,0 +1,58 @@
+#pragma once
+// Snapshots: fields.h5 with fields.xdmf on the lattice, particles.h5 with particles.xdmf on the triangles and bonds.
+#include "dem/assembly.hpp"
+#include "io/field_list.hpp"
+#include "kernels/lattice.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// A bond as it is drawn: the two triangles it joins and the two vertices of the edge they share.
+struct BondEdge {
+  std::array<int, 2> particles;
+  std::array<int, 2> vertices;
+};
+
+/// What particles.h5 needs to draw triangles and bonds. Where the particles offer the fields "displacement" (m, two
+/// components) and "rotation" (rad), the vertices move with them.
+struct RockShape {
+  Assembly assembly;
+  std::vector<BondEdge> bonds;
+};
+
+struct SnapshotOptions {
+  std::vector<std::string> fields;  ///< names to write; empty: all
+  bool compress = true;
+  bool double_precision = false;  ///< store as double instead of float
+  /// Continue the files of a run: snapshots after this step are dropped, the next ones appended.
+  std::optional<std::int64_t> resume_step;
+};
+
+/// Writes snapshots in SI into `directory`, which exists. In the HDF5 files every snapshot is a group
+/// `step_<number>` with one data set per field, shape (ny, nx) or (ny, nx, 3), row 0 at the bottom, with attributes
+/// unit, time, step, dx, origin. A group appears in the file only when it is complete, and the XDMF file, replaced in
+/// one stroke, names only such groups: the files of a killed run are readable. Throws FileError.
+class SnapshotWriter {
+ public:
+  /// `rock` is absent in a scene without particles. Throws InputError for a name in `options.fields` that no list has.
+  SnapshotWriter(const std::string& directory, const Lattice& lattice, double spacing, FieldList fields,
+                 const SnapshotOptions& options, std::optional<RockShape> rock = std::nullopt);
+  ~SnapshotWriter();
+  SnapshotWriter(SnapshotWriter&&) noexcept;
+  SnapshotWriter& operator=(SnapshotWriter&&) noexcept;
+
+  void write(double time, std::int64_t step);
+
+ private:
+  class LatticeFile;
+  class RockFile;
+  std::unique_ptr<LatticeFile> lattice_;
+  std::unique_ptr<RockFile> rock_;
+};
+
+}  // namespace vug

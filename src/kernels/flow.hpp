@@ -1,0 +1,57 @@
+#pragma once
+// The flow of a fluid through its nodes: populations, and the one sweep that streams and collides them.
+//
+// Between steps f holds the populations after collision, in slot q * capacity + i. A step is
+//   dress the slots of open and moving boundaries (open_boundary.hpp) -> collide_and_stream,
+// and what reads f (momentum exchange, births, guards, mass) does so after the sweep and before the dressing.
+#include "kernels/fluid_nodes.hpp"
+#include "kernels/mrt.hpp"
+
+namespace vug {
+
+/// Populations and moments of the fluid nodes, lattice units, as deviations from rest at the reference pressure.
+template <class T>
+struct FlowFields {
+  ScalarField<T> f;        ///< (q * capacity + fluid) after collision
+  ScalarField<T> f_next;   ///< (q * capacity + fluid) scratch of the sweep, exchanged with f
+  ScalarField<T> density;  ///< (fluid) rho' = 3 p'
+  VectorField<T> u;        ///< (fluid, axis) velocity, with half the body force
+};
+
+/// What one step needs to know beside the fields.
+template <class T>
+struct FlowStep {
+  Collision collision = Collision::trt;
+  RelaxationRates rates;
+  std::array<T, 2> body_force{0, 0};  ///< per volume over reference density, lattice units
+  /// Largest speed before collision, lattice units; momentum above it is removed, mass kept. 0: no limiter.
+  T speed_limit = 0;
+  ScalarField<double> limited;  ///< (block) uses of the limiter are added to it; needed with a speed limit
+};
+
+/// Fields for `nodes` at rest at the reference pressure.
+template <class T>
+FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes);
+
+/// Moves the first `count` nodes of the fields to the capacity of `nodes`, which has grown. Nothing when it has not.
+template <class T>
+void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
+
+/// f = feq(density, u) on every node, from the density and velocity that the fields hold.
+template <class T>
+void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);
+
+/// One time step: pulls the populations, takes their moments, limits, collides and stores; exchanges f and f_next.
+template <class T>
+void collide_and_stream(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields, const FlowStep<T>& step);
+
+/// Populations of the new nodes [first, last): rest at the mean rho' of their fluid neighbours that were there before
+/// (index below `first`); at the reference pressure where there is none. The mass added is the sum of their density.
+template <class T>
+void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, const FlowFields<T>& fields);
+
+/// total(block) += sum of rho' over the block's nodes, from the populations.
+template <class T>
+void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, const ScalarField<double>& total);
+
+}  // namespace vug

@@ -1,0 +1,12 @@
+#pragma once
+// Loops over the directions of a velocity set must be unrolled before the loop over nodes around them can vectorise.
+
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define VUG_UNROLL _Pragma("unroll")
+#elif defined(__clang__)
+#define VUG_UNROLL _Pragma("clang loop unroll(full)")
+#elif defined(__GNUC__)
+#define VUG_UNROLL _Pragma("GCC unroll 9")
+#else
+#define VUG_UNROLL
+#endif

@@ -1,0 +1,143 @@
+#pragma once
+// A reacting pixel domain for tests: everything of the solute side wired together as a run wires it.
+#include "kernels/dissolution.hpp"
+#include "kernels/launch.hpp"
+#include "kernels/reactive_wall.hpp"
+#include "kernels/solute.hpp"
+#include "kernels/solute_boundary.hpp"
+#include "kernels/solute_totals.hpp"
+#include "kernels/surface_normal.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vug::reference {
+
+template <class ViewType>
+auto on_host(const ViewType& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+/// One or two species, one reactive solid, concentrations given on some sides.
+template <class Set, class T>
+struct ReactiveBox {
+  struct GivenSide {
+    BoundaryLinks links;
+    ScalarField<double> C_b, gain;
+  };
+
+  Exec exec;
+  Lattice lattice;
+  Kokkos::View<NodeType*> type;
+  ScalarField<double> V, dissolved, consumed, lost, created;
+  FluidNodes nodes;
+  Surface surface;
+  VectorField<double> normal;
+  SoluteParameters parameters;
+  SoluteFields<T> acid, product;
+  bool has_product = false, use_normals = false;
+  ReactiveWall wall;
+  double k = 0;
+  std::vector<GivenSide> given;
+
+  ReactiveBox(int nx, int ny, const std::function<bool(int, int)>& solid, SoluteParameters p, double C0 = 0,
+              std::array<bool, 2> periodic = {false, false})
+      : lattice(nx, ny),
+        type("type", lattice.size()),
+        V("V", lattice.size()),
+        dissolved("dissolved", lattice.size()),
+        consumed("consumed", block_count(lattice.size())),
+        lost("lost", block_count(lattice.size())),
+        created("created", block_count(lattice.size())),
+        parameters(p) {
+    const auto type_host = Kokkos::create_mirror_view(type);
+    const auto V_host = Kokkos::create_mirror_view(V);
+    Kokkos::deep_copy(type_host, NodeType::solid);
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x) {
+        type_host(lattice.node(x, y)) = solid(x, y) ? NodeType::solid : NodeType::fluid;
+        V_host(lattice.node(x, y)) = solid(x, y) ? 1 : 0;
+      }
+    Kokkos::deep_copy(type, type_host);
+    Kokkos::deep_copy(V, V_host);
+    nodes = make_fluid_nodes(exec, lattice, type, periodic);
+    find_surface(exec, nodes, type, surface);
+    acid = make_solute_fields<T, Set>(exec, nodes, C0);
+  }
+
+  void add_product(double C0 = 0) {
+    product = make_solute_fields<T, Set>(exec, nodes, C0);
+    has_product = true;
+  }
+
+  /// Concentration C(coordinate along the side) half way beyond `side`.
+  void give_concentration(Side side, const std::function<double(int)>& C) {
+    const bool upright = side == Side::left || side == Side::right;
+    GivenSide g{find_boundary_links(exec, nodes, side, 0, (upright ? lattice.ny : lattice.nx) - 1, Set::Q), {}, {}};
+    g.C_b = ScalarField<double>("C_b", g.links.count);
+    g.gain = ScalarField<double>("gain", g.links.count);
+    const auto fluid = on_host(g.links.fluid);
+    const auto node = on_host(nodes.node);
+    const auto C_b = Kokkos::create_mirror_view(g.C_b);
+    for (int l = 0; l < g.links.count; ++l) C_b(l) = C(upright ? lattice.y(node(fluid(l))) : lattice.x(node(fluid(l))));
+    Kokkos::deep_copy(g.C_b, C_b);
+    given.push_back(g);
+  }
+
+  void renew_normals() {
+    if (use_normals) find_normals(exec, nodes, surface, V, normal);
+  }
+
+  void step() {
+    for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, g.C_b, acid, g.gain);
+    if (k > 0)
+      react_at_wall<Set>(exec, nodes, surface, wall, UniformRate{k}, normal, acid, has_product ? &product : nullptr,
+                         ReactionLedger{V, dissolved, consumed, {}});
+    advance_solute<Set>(exec, nodes, parameters, acid);
+    if (has_product) advance_solute<Set>(exec, nodes, parameters, product);
+  }
+
+  /// Turns dissolved pixels into fluid; returns how many. Call between steps. Not with sides of given concentration
+  /// that the newborn nodes touch.
+  int births(BirthFill fill) {
+    if (mark_dissolved(exec, nodes, surface, type, V, lost) == 0) return 0;
+    const int first = nodes.count, old_capacity = nodes.capacity;
+    const int births = append_births(exec, type, nodes);
+    if (nodes.capacity != old_capacity) {
+      grow(acid, first, old_capacity);
+      if (has_product) grow(product, first, old_capacity);
+    }
+    initialise_births<Set>(exec, nodes, first, nodes.count, fill, acid, created);
+    if (has_product) initialise_births<Set>(exec, nodes, first, nodes.count, fill, product, created);
+    find_surface(exec, nodes, type, surface);
+    renew_normals();
+    return births;
+  }
+
+  void grow(SoluteFields<T>& s, int count, int old_capacity) {
+    s.h = restride(exec, s.h, Set::Q, count, old_capacity, nodes.capacity);
+    s.h_next = ScalarField<T>("h_next", s.h.extent(0));
+    Kokkos::resize(s.C, nodes.capacity);
+  }
+
+  double acid_total() const { return total_solute<Set>(exec, nodes, acid); }
+  double product_total() const { return total_solute<Set>(exec, nodes, product); }
+  double solid_total() const { return sum_in_order(V); }
+  double gained() const {
+    double sum = 0;
+    for (const GivenSide& g : given) sum += sum_in_order(g.gain);
+    return sum;
+  }
+
+  /// Concentration of the last sweep at lattice node (x, y) of a dense host array [y * nx + x]; 0 in solid.
+  std::vector<double> concentration(const SoluteFields<T>& s) const {
+    std::vector<double> dense(static_cast<std::size_t>(lattice.nx) * lattice.ny, 0);
+    const auto C = on_host(s.C);
+    const auto node = on_host(nodes.node);
+    for (int i = 0; i < nodes.count; ++i) dense[lattice.y(node(i)) * lattice.nx + lattice.x(node(i))] = double(C(i));
+    return dense;
+  }
+};
+
+}  // namespace vug::reference

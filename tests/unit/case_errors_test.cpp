@@ -1,0 +1,171 @@
+// What is wrong with a case is said in one line: where, which key, what was found, what is allowed.
+#include "io/scene.hpp"
+#include "kernels/require.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace vug {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// The message of the InputError that a case causes; a failure when it causes none.
+std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_scene(text, "a.toml", overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted:\n" << text;
+  return "";
+}
+
+std::string quickstart_message(const std::vector<std::string>& overrides) {
+  try {
+    read_scene(VUG_SOURCE_DIR "/cases/quickstart.toml", overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << testing::PrintToString(overrides);
+  return "";
+}
+
+const std::string lattice = "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n";
+const std::string time = "[time]\nsteps = 10\n";
+const std::string flow = "[flow]\nviscosity = 1e-3\n";
+
+TEST(CaseErrors, NameFileLineColumnKeyValueAndRange) {
+  EXPECT_EQ(message("[lattice]\nsize = [1, 1]\nspacing = 0.1\n  time_step = -1\n" + time + flow),
+            "a.toml:4:15: lattice.time_step = -1 must be > 0 (s)");
+}
+
+TEST(CaseErrors, MisspeltKeyGetsTheNearestValidOne) {
+  EXPECT_EQ(message(lattice + "spacin = 3\n" + time + flow),
+            "a.toml:5:1: unknown key \"lattice.spacin\"; did you mean \"spacing\"?");
+  EXPECT_THAT(message(lattice + time + "[flwo]\nviscosity = 1\n"),
+              AllOf(StartsWith("a.toml:7:2: unknown table \"flwo\""), HasSubstr("did you mean \"flow\"?")));
+  EXPECT_THAT(message(lattice + time + flow + "[boundary.rihgt]\n"), HasSubstr("did you mean \"right\"?"));
+}
+
+TEST(CaseErrors, KeyOfAnotherTableIsSaidSo) {
+  EXPECT_THAT(message(lattice + time + flow + "porosity = 0.1\n"), HasSubstr("table \"rock\" has a key of this name"));
+}
+
+TEST(CaseErrors, MissingKeySaysWhatItMustBe) {
+  EXPECT_EQ(message("[lattice]\nsize = [1, 1]\nspacing = 0.1\n" + time + flow),
+            "a.toml:1:1: lattice.time_step is missing; it must be given (number in s, > 0)");
+  EXPECT_THAT(message(time + flow), HasSubstr("lattice.size is missing"));
+}
+
+TEST(CaseErrors, WordGetsTheListAndTheNearest) {
+  EXPECT_THAT(
+      message(lattice + time + flow + "collision = \"mtr\"\n"),
+      AllOf(StartsWith("a.toml:9:13: flow.collision = \"mtr\" must be one of"), HasSubstr("did you mean \"trt\"?")));
+}
+
+TEST(CaseErrors, SizeMustBeWholeCells) {
+  EXPECT_EQ(
+      message("[lattice]\nsize = [0.0105, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n" + time + flow),
+      "a.toml:2:9: lattice.size.0 = 0.0105 m is 10.5 cells of lattice.spacing = 0.001 m, it must be a whole number "
+      "of them: use 0.01 or 0.011");
+  EXPECT_THAT(message("[lattice]\nsize = [0.002, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n" + time + flow),
+              HasSubstr("at least 3"));
+  EXPECT_THAT(message("[lattice]\nsize = [100, 100]\nspacing = 1e-3\ntime_step = 1e-4\n" + time + flow),
+              HasSubstr("2^28"));
+}
+
+TEST(CaseErrors, TomlSyntaxKeepsLineAndColumn) {
+  EXPECT_THAT(message("[lattice]\nsize = [1, \n"), StartsWith("a.toml:"));
+  EXPECT_THAT(message(lattice + lattice), AllOf(StartsWith("a.toml:5:"), HasSubstr("not valid TOML")));
+}
+
+TEST(CaseErrors, ContradictionsBetweenTables) {
+  const auto broken = [](const std::string& override_text, const std::string& expected) {
+    EXPECT_THAT(quickstart_message({override_text}), HasSubstr(expected)) << override_text;
+  };
+  broken("reaction.product=L1", "is the reactant");
+  broken("reaction.product=L3", "is not the name of a [[solute.species]]; did you mean \"L1\"?");
+  broken("reaction.reactant=acid", "is not the name of a [[solute.species]]; valid are L1, L2");
+  broken("boundary.injection.centre=0.069", "reaches beyond the left side");
+  broken("boundary.injection.width=0.08", "wider than the left side");
+  broken("boundary.left.flow.type=periodic", "needs boundary.right.flow.type = \"periodic\" as well");
+  broken("time.steps=10", "stands beside time.end");
+  broken("time.end=1e-6", "shorter than one lattice.time_step");
+  broken("output.interval=1e-7", "shorter than one lattice.time_step");
+  broken("output.interval=1", "longer than the whole run");
+  broken("rock.hole.to=[0.2, 0.04]", "outside the lattice");
+  broken("rock.notches.0.to=[-0.1, 0.04]", "outside the lattice");
+  broken("boundary.right.traction.support=fixed", "holds still");
+  broken("boundary.injection.solute.concentration.L4=1", "which is not the name of a [[solute.species]]");
+  broken("rock.mesh=none.msh", "rock.mesh replaces it");
+  broken("geometry.type=open", "[rock] needs geometry.type");
+  broken("reaction.rate_constant=1", "stands beside reaction.rate_constant");
+}
+
+TEST(CaseErrors, TablesThatNeedOthers) {
+  EXPECT_THAT(message(lattice + time + flow + "[reaction]\nreactant = \"A\"\nrate_constant = 1\n"),
+              HasSubstr("[reaction] needs the table [solute]"));
+  EXPECT_THAT(message(lattice + time + flow + "[damage]\n"), HasSubstr("[damage] needs the table [mechanics]"));
+  EXPECT_THAT(message(lattice + time + flow + "[mechanics]\n"), HasSubstr("[mechanics] needs the table [rock]"));
+  EXPECT_THAT(message(lattice + time + flow + "[geometry]\ntype = \"rock\"\n"), HasSubstr("needs the table [rock]"));
+  EXPECT_THAT(message(lattice + time + flow + "[boundary.left.heat]\ntype = \"adiabatic\"\n"),
+              HasSubstr("needs the table [heat]"));
+  EXPECT_THAT(message(lattice + time + flow + "[boundary.top.traction]\nnormal_stress = 1\n"),
+              HasSubstr("needs the table [mechanics]"));
+  EXPECT_THAT(message(lattice + time), HasSubstr("models nothing"));
+}
+
+TEST(CaseErrors, OverridesAreNamed) {
+  EXPECT_EQ(message(lattice + time + flow, {"lattice.spacin=1"}),
+            "--set lattice.spacin=1: unknown key \"lattice.spacin\"; did you mean \"spacing\"?");
+  EXPECT_EQ(message(lattice + time + flow, {"time.steps=-1"}),
+            "--set time.steps=-1: time.steps = -1 must be a whole number 1 ... 1e+15");
+  EXPECT_THAT(message(lattice + time + flow, {"nonsense"}), StartsWith("--set nonsense: expected table.key=value"));
+  EXPECT_THAT(message(lattice + time + flow, {"=1"}), HasSubstr("expected table.key=value"));
+  EXPECT_THAT(message(lattice + time + flow, {"lattice..size=1"}), HasSubstr("expected table.key=value"));
+  EXPECT_THAT(message(lattice + time + flow, {"lattice.size="}), HasSubstr("value is missing"));
+  EXPECT_THAT(message(lattice + time + flow, {"lattice.size=[1, 2"}), HasSubstr("not valid TOML"));
+  EXPECT_THAT(message(lattice + time + flow, {"lattice.spacing.x=1"}), HasSubstr("inside a plain value"));
+  EXPECT_THAT(quickstart_message({"solute.species.7.name=x"}), HasSubstr("element 7 does not exist, there are 2"));
+}
+
+TEST(CaseErrors, FilesThatAreNoCase) {
+  const auto refused = [](const std::string& path) {
+    try {
+      read_scene(path);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refused("/nonexistent/case.toml"), HasSubstr("no such file"));
+  EXPECT_THAT(refused("/"), HasSubstr("is a folder"));
+  EXPECT_THAT(message(""), HasSubstr("is empty"));
+  EXPECT_THAT(message("\xEF\xBB\xBF"), HasSubstr("is empty"));
+  EXPECT_THAT(message(std::string("\x7f"
+                                  "ELF\0\0\1",
+                                  7)),
+              HasSubstr("is not a text file"));
+  EXPECT_THAT(message("\xff\xfe[\0"), HasSubstr("UTF-16"));
+}
+
+TEST(CaseErrors, ByteOrderMarkOfUtf8IsAccepted) {
+  EXPECT_NO_THROW(parse_scene("\xEF\xBB\xBF" + lattice + time + flow, "a.toml"));
+}
+
+TEST(CaseErrors, MeshOrImageThatIsNotThereIsAnInputError) {
+  EXPECT_THAT(message(lattice + time + flow + "[geometry]\ntype = \"image\"\nfile = \"no.png\"\n"),
+              AllOf(HasSubstr("geometry.file = \"no.png\" does not exist")));
+  EXPECT_THAT(message(lattice + time + flow + "[geometry]\ntype = \"rock\"\n[rock]\nmesh = \"no.msh\"\n"),
+              HasSubstr("rock.mesh = \"no.msh\" does not exist"));
+}
+
+}  // namespace
+}  // namespace vug

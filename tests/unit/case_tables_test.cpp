@@ -1,0 +1,179 @@
+// Tables of a case become sections of a Scene, in SI and with the documented defaults.
+#include "io/case_keys.hpp"
+#include "io/scene.hpp"
+#include "kernels/require.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace vug {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return read_scene(VUG_SOURCE_DIR "/cases/" + name, overrides);
+}
+
+const std::string open_flow = R"([lattice]
+size = [0.01, 0.02]
+spacing = 1e-3
+time_step = 1e-4
+[time]
+steps = 10
+[flow]
+viscosity = 1e-3
+)";
+
+Scene parsed(const std::string& more, const std::vector<std::string>& overrides = {}) {
+  return parse_scene(open_flow + more, "a.toml", overrides);
+}
+
+TEST(CaseTables, QuickstartIsThePapersRockInSI) {
+  const Scene scene = shipped("quickstart.toml");
+  EXPECT_EQ(scene.name, "quickstart");
+  EXPECT_EQ(scene.lattice.nx, 400);
+  EXPECT_EQ(scene.lattice.ny, 280);
+  EXPECT_DOUBLE_EQ(*scene.time.end, 0.16);
+  EXPECT_EQ(scene.geometry.kind, GeometryKind::rock);
+  EXPECT_DOUBLE_EQ(scene.rock->porosity, 0.15);
+  EXPECT_DOUBLE_EQ(scene.rock->hole->to[1], 0.0375);
+  ASSERT_EQ(scene.rock->notches.size(), 1u);
+  EXPECT_DOUBLE_EQ(scene.flow->viscosity, 2.2e-3);
+  EXPECT_DOUBLE_EQ(scene.flow->pressure_scale, 25);
+  EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injection->conditions.heat.temperature, 200);
+  ASSERT_EQ(scene.solute->species.size(), 2u);
+  EXPECT_DOUBLE_EQ(scene.injection->conditions.solute.concentration.at("L1"), 3000);
+  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 20e6);
+  EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
+  EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 57e6);
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.normal_modulus, 24.03e9);
+  EXPECT_EQ(scene.left.traction.support, Support::roller);
+  EXPECT_DOUBLE_EQ(scene.right.traction.normal_stress, 5e6);
+  EXPECT_DOUBLE_EQ(scene.top.traction.normal_stress, 7.5e6);
+  EXPECT_EQ(scene.bottom.flow.kind, FlowBoundaryKind::pressure);
+  EXPECT_EQ(scene.bottom.solute.kind, SoluteBoundaryKind::outflow);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(CaseTables, EveryShippedCaseIsValid) {
+  EXPECT_EQ(shipped("poiseuille.toml").left.flow.kind, FlowBoundaryKind::periodic);
+  const Scene cavity = shipped("diffusion_reaction.toml");
+  EXPECT_EQ(cavity.lattice.ny, 81);
+  EXPECT_FALSE(cavity.flow.has_value());
+  EXPECT_DOUBLE_EQ(cavity.reaction->rate_constant, 4.8 * 1e-9 / 0.8e-3);
+  EXPECT_EQ(cavity.reaction->inverse_equilibrium_constant, 0);
+}
+
+TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
+  const Scene scene = parsed("");
+  EXPECT_TRUE(scene.flow.has_value());
+  EXPECT_FALSE(scene.heat || scene.solute || scene.reaction || scene.rock || scene.mechanics || scene.damage);
+  EXPECT_FALSE(scene.injection.has_value());
+  EXPECT_EQ(scene.geometry.kind, GeometryKind::open);
+  EXPECT_EQ(scene.accuracy.preset, "balanced");
+  EXPECT_EQ(scene.left.flow.kind, FlowBoundaryKind::wall);
+}
+
+TEST(CaseTables, UnitsInTextAreConvertedToSI) {
+  const Scene scene = parsed(R"(
+initial_pressure = "10 MPa"
+[heat]
+fluid_diffusivity = "1.4 mm2/s"
+solid_diffusivity = 1
+initial_temperature = "15 degC"
+[solute]
+[[solute.species]]
+name = "A"
+diffusivity = 1
+initial = "3 mol/L"
+[boundary.top]
+flow = { type = "pressure", pressure = "1bar", ramp_time = "5 ms" }
+)",
+                             {"lattice.size=[\"1 cm\", \"20 mm\"]", "lattice.time_step=100 us"});
+  EXPECT_DOUBLE_EQ(scene.flow->initial_pressure, 10e6);
+  EXPECT_DOUBLE_EQ(scene.heat->fluid_diffusivity, 1.4e-6);
+  EXPECT_DOUBLE_EQ(scene.heat->solid_diffusivity, 1.0);  // an integer is a number
+  EXPECT_DOUBLE_EQ(scene.heat->initial_temperature, 288.15);
+  EXPECT_DOUBLE_EQ(scene.solute->species[0].initial, 3000);
+  EXPECT_DOUBLE_EQ(scene.top.flow.pressure, 1e5);
+  EXPECT_DOUBLE_EQ(scene.top.flow.ramp_time, 5e-3);
+  EXPECT_DOUBLE_EQ(scene.lattice.time_step, 1e-4);
+  EXPECT_EQ(scene.lattice.nx, 10);
+  EXPECT_EQ(scene.lattice.ny, 20);
+}
+
+TEST(CaseTables, ShapesKeepTheirOrderAndMaterial) {
+  const Scene scene = parsed(R"([geometry]
+type = "shapes"
+background = "solid"
+[[geometry.shapes]]
+type = "disc"
+centre = [0.005, 0.01]
+radius = 0.002
+material = "fluid"
+[[geometry.shapes]]
+type = "polygon"
+points = [[0, 0], [0.01, 0], [0, 0.02]]
+[[geometry.shapes]]
+type = "rectangle"
+from = [0, 0]
+to = [0.001, 0.001]
+)");
+  EXPECT_EQ(scene.geometry.background, "solid");
+  ASSERT_EQ(scene.geometry.shapes.size(), 3u);
+  EXPECT_FALSE(scene.geometry.shapes[0].solid);
+  EXPECT_DOUBLE_EQ(std::get<Disc>(scene.geometry.shapes[0].form).radius, 0.002);
+  EXPECT_TRUE(scene.geometry.shapes[1].solid);
+  EXPECT_DOUBLE_EQ(std::get<Polygon>(scene.geometry.shapes[1].form).points[2][1], 0.02);
+  EXPECT_DOUBLE_EQ(std::get<Rectangle>(scene.geometry.shapes[2].form).to[0], 0.001);
+}
+
+TEST(CaseTables, PresetsAreOverriddenBySingleKeys) {
+  const Scene fast = parsed("[accuracy]\npreset = \"fast\"\nheat_interval = 4\n");
+  EXPECT_EQ(fast.accuracy.precision, Precision::single_precision);
+  EXPECT_EQ(fast.accuracy.heat_interval, 4);
+  const Scene reference = parsed("[accuracy]\npreset = \"reference\"\n");
+  EXPECT_EQ(reference.accuracy.precision, Precision::double_precision);
+  EXPECT_EQ(reference.accuracy.update_interval, 1);
+}
+
+TEST(CaseTables, MechanicsProfilesDifferInCohesionOnly) {
+  EXPECT_DOUBLE_EQ(shipped("quickstart.toml", {"mechanics.profile=paper-literal"}).mechanics->parameters.bond.cohesion,
+                   95e6);
+  const Scene own = shipped("quickstart.toml", {"mechanics.bond.cohesion=60 MPa"});
+  EXPECT_EQ(own.mechanics->profile, "calibrated");
+  EXPECT_DOUBLE_EQ(own.mechanics->parameters.bond.cohesion, 60e6);
+}
+
+TEST(CaseTables, LowReferenceTemperatureIsRemarkedNotRefused) {
+  const Scene scene = shipped("quickstart.toml", {"reaction.reference_temperature=237.15"});
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("reaction.reference_temperature = 237.15 K is below 250 K")));
+}
+
+TEST(CaseOverrides, ReachTablesElementsAndThingsNotThereYet) {
+  const Scene scene =
+      shipped("quickstart.toml", {"solute.species.1.diffusivity=1e-9", "rock.notches.0.to=[0.03, 0.035]",
+                                  "rock.notches.1.from=[0.02, 0.03]", "rock.notches.1.to=[0.03, 0.03]",
+                                  "mechanics.contact.friction=0.5", "case.name=other", "output.fields.0=pressure"});
+  EXPECT_DOUBLE_EQ(scene.solute->species[1].diffusivity, 1e-9);
+  EXPECT_DOUBLE_EQ(scene.rock->notches[0].to[0], 0.03);
+  ASSERT_EQ(scene.rock->notches.size(), 2u);
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.contact.friction, 0.5);
+  EXPECT_EQ(scene.name, "other");
+  EXPECT_THAT(scene.output.fields, ElementsAre("pressure"));
+  EXPECT_EQ(scene.overrides.size(), 7u);
+}
+
+TEST(CaseOverrides, TheLastOfTwoWins) {
+  EXPECT_EQ(*parsed("", {"time.steps=5", "time.steps=7"}).time.steps, 7);
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,141 @@
+// The collisions on one node: bases, conservation, fixed points.
+#include "kernels/mrt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace vug {
+namespace {
+
+constexpr double round_off = 1e-15;
+
+std::array<double, 9> random_populations(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(-0.05, 0.05);
+  std::array<double, 9> f;
+  for (double& value : f) value = uniform(random);
+  return f;
+}
+
+template <class Relaxation, class Force>
+std::array<double, 9> collided(const Relaxation& relax, std::array<double, 9> f, const Force& force) {
+  double g[9];
+  std::copy(f.begin(), f.end(), g);
+  Macroscopic<double> m = macroscopic(g);
+  m.ux += force.x / 2;
+  m.uy += force.y / 2;
+  relax(g, m, force);
+  std::copy(g, g + 9, f.begin());
+  return f;
+}
+
+Macroscopic<double> moments(const std::array<double, 9>& f) {
+  double g[9];
+  std::copy(f.begin(), f.end(), g);
+  return macroscopic(g);
+}
+
+/// Calls test(relaxation object) for every collision at one relaxation time.
+template <class Test>
+void for_every_collision(double tau, const Test& test) {
+  for (const Collision c : {Collision::trt, Collision::bgk}) test(TwoRelaxationTimes<double>(relaxation_rates(c, tau)));
+  test(MultipleRelaxationTimes<double>(relaxation_rates(Collision::lallemand_luo, tau)));
+  test(Regularised<double>(relaxation_rates(Collision::regularised, tau)));
+}
+
+TEST(MomentBasis, RowsAreOrthogonalWithTheStatedNorms) {
+  for (int k = 0; k < 9; ++k)
+    for (int l = 0; l < 9; ++l) {
+      int product = 0;
+      for (int q = 0; q < 9; ++q) product += MomentBasis::row(k, q) * MomentBasis::row(l, q);
+      EXPECT_EQ(product, k == l ? MomentBasis::norm2(k) : 0) << k << ' ' << l;
+    }
+}
+
+TEST(RelaxationRates, MagicProductIsThreeSixteenthsAtAnyViscosity) {
+  for (const double tau : {0.5001, 0.55, 0.764, 1.0, 5.0}) {
+    const RelaxationRates r = relaxation_rates(Collision::trt, tau);
+    EXPECT_NEAR((1 / r.s_nu - 0.5) * (1 / r.s_q - 0.5), 3.0 / 16.0, 1e-12);  // cancellation of tau - 1/2 at .5001
+    EXPECT_NEAR(r.s_q, 8 * (2 - r.s_nu) / (8 - r.s_nu), 1e-12);
+  }
+}
+
+TEST(Equilibrium, CarriesDensityMomentumAndMomentumFlux) {
+  const double rho = 0.03, ux = 0.05, uy = -0.02;
+  double mass = 0, jx = 0, jy = 0, xx = 0, yy = 0, xy = 0;
+  for (int q = 0; q < 9; ++q) {
+    const double f = equilibrium(q, rho, ux, uy);
+    const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
+    mass += f;
+    jx += cx * f;
+    jy += cy * f;
+    xx += cx * cx * f;
+    yy += cy * cy * f;
+    xy += cx * cy * f;
+  }
+  EXPECT_NEAR(mass, rho, round_off);
+  EXPECT_NEAR(jx, ux, round_off);
+  EXPECT_NEAR(jy, uy, round_off);
+  EXPECT_NEAR(xx, rho / 3 + ux * ux, round_off);
+  EXPECT_NEAR(yy, rho / 3 + uy * uy, round_off);
+  EXPECT_NEAR(xy, ux * uy, round_off);
+}
+
+TEST(Collision, KeepsMassAndAddsExactlyTheBodyForce) {
+  std::mt19937 random(1);
+  for (const double tau : {0.51, 0.764, 3.0})
+    for_every_collision(tau, [&](const auto& relax) {
+      const auto f = random_populations(random);
+      const Macroscopic<double> before = moments(f);
+      const Macroscopic<double> free = moments(collided(relax, f, NoForce<double>{}));
+      EXPECT_NEAR(free.rho, before.rho, round_off);
+      EXPECT_NEAR(free.ux, before.ux, round_off);
+      EXPECT_NEAR(free.uy, before.uy, round_off);
+      const Macroscopic<double> forced = moments(collided(relax, f, BodyForce<double>{3e-3, -5e-3}));
+      EXPECT_NEAR(forced.rho, before.rho, round_off);
+      EXPECT_NEAR(forced.ux, before.ux + 3e-3, round_off);
+      EXPECT_NEAR(forced.uy, before.uy - 5e-3, round_off);
+    });
+}
+
+TEST(Collision, LeavesEquilibriumAlone) {
+  std::array<double, 9> f;
+  for (int q = 0; q < 9; ++q) f[q] = equilibrium(q, 0.1, 0.04, -0.07);
+  for_every_collision(0.6, [&](const auto& relax) {
+    const auto after = collided(relax, f, NoForce<double>{});
+    for (int q = 0; q < 9; ++q) EXPECT_NEAR(after[q], f[q], round_off);
+  });
+}
+
+TEST(Collision, TwoRelaxationTimesIsTheMomentFormWithTwoRates) {
+  std::mt19937 random(2);
+  for (const double tau : {0.55, 0.764, 2.0}) {
+    const RelaxationRates rates = relaxation_rates(Collision::trt, tau);
+    const auto f = random_populations(random);
+    const BodyForce<double> force{2e-3, 7e-3};
+    const auto pairs = collided(TwoRelaxationTimes<double>(rates), f, force);
+    const auto by_moments = collided(MultipleRelaxationTimes<double>(rates), f, force);
+    for (int q = 0; q < 9; ++q) EXPECT_NEAR(pairs[q], by_moments[q], round_off);
+  }
+}
+
+TEST(Collision, EveryFormRelaxesShearStressWithTheViscousRate) {
+  std::mt19937 random(3);
+  const double tau = 0.7;
+  const auto f = random_populations(random);
+  const Macroscopic<double> m = moments(f);
+  const auto excess = [&](const std::array<double, 9>& g, int moment) {
+    double sum = 0;
+    for (int q = 0; q < 9; ++q) sum += MomentBasis::row(moment, q) * (g[q] - equilibrium(q, m.rho, m.ux, m.uy));
+    return sum;
+  };
+  for_every_collision(tau, [&](const auto& relax) {
+    const auto after = collided(relax, f, NoForce<double>{});
+    for (const int moment : {MomentBasis::pxx, MomentBasis::pxy})
+      EXPECT_NEAR(excess(after, moment), (1 - 1 / tau) * excess(f, moment), round_off);
+  });
+}
+
+}  // namespace
+}  // namespace vug

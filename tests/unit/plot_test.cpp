@@ -1,0 +1,131 @@
+// scripts/plot makes a picture of whatever subset of fields a run has written.
+#include "io/history_writer.hpp"
+#include "io/rock_generator.hpp"
+#include "io/run_record.hpp"
+#include "io/snapshot_writer.hpp"
+#include "temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace vug {
+namespace {
+
+constexpr int nx = 200, ny = 140;
+constexpr double spacing = 5e-4;
+
+Field on_lattice(const std::string& name, const std::string& unit, double (*value)(double, double)) {
+  return {name, unit, 1, [value](std::span<double> out) {
+            for (int y = 0; y < ny; ++y)
+              for (int x = 0; x < nx; ++x) out[y * nx + x] = value((x + 0.5) * spacing, (y + 0.5) * spacing);
+          }};
+}
+
+double plume(double x, double y) {
+  return std::exp(-(x * x + (y - 0.035) * (y - 0.035)) / 4e-4);
+}
+
+// A made-up state of the paper's rock, of the size and look of a real one.
+FieldList made_up_fields() {
+  FieldList list;
+  list.lattice.push_back(on_lattice("pressure", "Pa", [](double x, double) { return 2e7 * (1 - x / 0.1); }));
+  list.lattice.push_back({"velocity", "m/s", 2, [](std::span<double> out) {
+                            for (std::size_t i = 0; i < out.size(); ++i) out[i] = i % 2 == 0 ? 0.1 : 0.0;
+                          }});
+  list.lattice.push_back(on_lattice("temperature", "K", [](double x, double y) { return 488 - 200 * plume(x, y); }));
+  list.lattice.push_back(on_lattice("concentration_L1", "mol/m3", [](double x, double y) { return plume(x, y); }));
+  list.lattice.push_back(
+      on_lattice("concentration_L2", "mol/m3", [](double x, double y) { return 0.5 * plume(x, y); }));
+  list.lattice.push_back(on_lattice("solid_fraction", "1", [](double x, double y) {
+    return std::fmod(x + 0.7 * y, 0.008) < 0.0015 ? 0.0 : 1 - 0.3 * plume(x, y);
+  }));
+  return list;
+}
+
+RockShape generated_rock() {
+  RockSection section;
+  section.element_size = 0.004;
+  section.hole = InjectionHole{{0, 0.0325}, {0.005, 0.0375}};
+  RockShape rock{generate_rock(0.1, 0.07, section), {}};
+  std::map<std::array<int, 2>, int> first;
+  for (int t = 0; t < static_cast<int>(rock.assembly.triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = rock.assembly.triangles[t][k], b = rock.assembly.triangles[t][(k + 1) % 3];
+      const std::array<int, 2> edge{std::min(a, b), std::max(a, b)};
+      if (const auto found = first.find(edge); found != first.end())
+        rock.bonds.push_back({{found->second, t}, edge});
+      else
+        first[edge] = t;
+    }
+  }
+  return rock;
+}
+
+int plot(const std::string& folder, const std::string& options = "") {
+  const auto command =
+      std::string(VUG_PYTHON) + " " + VUG_SOURCE_DIR + "/scripts/plot " + options + " " + folder + " > /dev/null";
+  return std::system(command.c_str());
+}
+
+// A PNG with something on it: one colour compresses to almost nothing.
+bool is_picture(const std::string& path) {
+  const auto data = test::contents(path);
+  return data.starts_with("\x89PNG") && data.size() > 10000;
+}
+
+TEST(Plot, DrawsEveryFieldTheOverviewAndTheHistories) {
+  const test::TemporaryFolder temporary;
+  // VUG_KEEP_PLOTS=FOLDER keeps the pictures there, to be looked at
+  const char* keep = std::getenv("VUG_KEEP_PLOTS");
+  const std::string folder = keep ? keep : temporary.path();
+  auto rock = generated_rock();
+  auto fields = made_up_fields();
+  const auto bonds = rock.bonds;
+  const auto assembly = rock.assembly;
+  fields.bonds.push_back({"state", "1", 1, [bonds, assembly](std::span<double> out) {
+                            for (std::size_t i = 0; i < out.size(); ++i) {
+                              const auto& p = assembly.vertices[bonds[i].vertices[0]];
+                              const double distance = std::hypot(p[0] - 0.005, 3 * (p[1] - 0.035));
+                              out[i] = distance < 0.03 ? 3 : distance < 0.045 ? 1 : 0;
+                            }
+                          }});
+  SnapshotWriter writer(folder, Lattice(nx, ny), spacing, fields, {}, rock);
+  writer.write(0, 0);
+  writer.write(0.08, 800);
+  HistoryWriter history(folder + "/history.csv",
+                        {"time_s", "reactive_area_m2", "bonds_damaged_1", "bonds_failed_1", "kinetic_energy_J_per_m"});
+  for (int i = 0; i < 50; ++i)
+    history.write(std::vector<double>{i * 0.002, 1e-3 * i * i, 3.0 * i, 1.0 * i, 1e-7 * std::sin(0.3 * i)});
+  RunRecord record;
+  record.case_path = "cases/made-up.toml";
+  write_run_record(folder, record);
+
+  ASSERT_EQ(plot(folder), 0);
+  for (const char* name : {"pressure", "speed", "temperature", "concentration_L1", "concentration_L2", "solid_fraction",
+                           "overview", "histories"})
+    EXPECT_TRUE(is_picture(folder + "/figures/" + name + ".png")) << name;
+}
+
+TEST(Plot, DrawsEverySnapshotOfASceneWithPressureOnly) {
+  const test::TemporaryFolder folder;
+  FieldList fields;
+  fields.lattice.push_back(made_up_fields().lattice[0]);
+  SnapshotWriter writer(folder.path(), Lattice(nx, ny), spacing, fields, {});
+  writer.write(0, 0);
+  writer.write(0.08, 800);
+  ASSERT_EQ(plot(folder.path(), "--all"), 0);
+  for (const char* name : {"pressure", "pressure_000000000000", "pressure_000000000800", "overview"})
+    EXPECT_TRUE(is_picture(folder / ("figures/" + std::string(name) + ".png"))) << name;
+}
+
+TEST(Plot, SaysWhatIsMissing) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(plot(folder.path(), "2> " + (folder / "error")), 4 * 256);
+  EXPECT_NE(test::contents(folder / "error").find("run directory"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,61 @@
+#include "io/run_record.hpp"
+
+#include "kernels/require.hpp"
+#include "temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace vug {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(RunRecord, IsJsonThatKeepsTheCaseToTheLetter) {
+  const test::TemporaryFolder folder;
+  RunRecord record;
+  record.case_path = "cases/\"odd\" name.toml";
+  record.case_text = "# tab\there, quote \", backslash \\ and µm\n[case]\r\n\x01";
+  record.overrides = {"time.end = 1e-3", "case.name = \"x\""};
+  record.mlups = NAN;
+  write_run_record(folder.path(), record);
+  test::write_text(folder / "case.toml", record.case_text);
+  const std::string script =
+      "import json,sys; r=json.load(open(sys.argv[1]+'/run.json',encoding='utf-8')); "
+      "assert r['case_text']==open(sys.argv[1]+'/case.toml',newline='',encoding='utf-8').read(); "
+      "assert r['status']=='running' and r['mlups'] is None and len(r['overrides'])==2; "
+      "assert r['peak_memory_bytes']>1e6 and len(r['case_hash'])==16";
+  EXPECT_EQ(std::system((std::string(VUG_PYTHON) + " -c \"" + script + "\" " + folder.path()).c_str()), 0);
+}
+
+TEST(RunRecord, ReplacesTheOneBefore) {
+  const test::TemporaryFolder folder;
+  RunRecord record;
+  write_run_record(folder.path(), record);
+  record.status = "done";
+  write_run_record(folder.path(), record);
+  EXPECT_THAT(test::contents(folder / "run.json"), HasSubstr("\"status\": \"done\""));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.json.tmp"));
+}
+
+TEST(RunRecord, HashesTextAndOverrides) {
+  EXPECT_EQ(case_hash("", {}), "cbf29ce484222325");        // FNV-1a, published offset basis
+  EXPECT_EQ(case_hash("foobar", {}), "85944171f73967e8");  // published test vector
+  EXPECT_NE(case_hash("a", {}), case_hash("a", {"b"}));
+}
+
+TEST(RunRecord, NamesPathAndReasonWhenTheFolderIsMissing) {
+  try {
+    write_run_record("/proc/no/such", {});
+    FAIL() << "accepted";
+  } catch (const FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("/proc/no/such/run.json"));
+    EXPECT_THAT(e.what(), HasSubstr("No such file"));
+  }
+}
+
+}  // namespace
+}  // namespace vug

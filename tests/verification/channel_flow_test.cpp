@@ -1,0 +1,132 @@
+// Plane channels: the solutions that halfway bounce-back with two relaxation times represents exactly.
+#include "kernels/guards.hpp"
+#include "kernels/open_boundary.hpp"
+#include "support/flow_setup.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+namespace {
+
+using test::Flow;
+
+/// Sweeps (with `dress` before each) until the velocity no longer changes, and fails when it does not get there.
+template <class Dress>
+void run_to_rest(Flow<double>& flow, double tolerance, const Dress& dress) {
+  constexpr int interval = 200;
+  std::vector<double> last(2 * static_cast<std::size_t>(flow.nodes.count));
+  for (int t = 0; t < 2'000'000; t += interval) {
+    for (int k = 0; k < interval; ++k) {
+      dress();
+      flow.sweep();
+    }
+    const auto u = test::on_host(flow.fields.u);
+    double change = 0, size = 0;
+    for (int i = 0; i < flow.nodes.count; ++i)
+      for (int axis = 0; axis < 2; ++axis) {
+        change = std::max(change, std::abs(u(i, axis) - last[2 * i + axis]));
+        size = std::max(size, std::abs(u(i, axis)));
+        last[2 * i + axis] = u(i, axis);
+      }
+    if (change <= tolerance * size) return;
+  }
+  FAIL() << "the flow did not become steady";
+}
+
+/// Relative L2 error of a channel of n nodes driven by a body force along x (axis 0) or y (axis 1).
+double poiseuille_error(Collision collision, int n, double tau, int axis) {
+  Flow<double> flow(axis == 0 ? 2 : n, axis == 0 ? n : 2, {axis == 0, axis == 1}, collision, tau);
+  const double nu = (tau - 0.5) / 3, top_speed = 0.01, force = 8 * nu * top_speed / (n * n);
+  flow.step.body_force[axis] = force;
+  run_to_rest(flow, 1e-15, [] {});
+  double error2 = 0, size2 = 0;
+  for (int k = 0; k < n; ++k) {
+    const double y = k + 0.5, exact = force / (2 * nu) * y * (n - y);
+    const Macroscopic<double> m = axis == 0 ? flow.at(1, k) : flow.at(k, 1);
+    error2 += std::pow((axis == 0 ? m.ux : m.uy) - exact, 2) + std::pow(axis == 0 ? m.uy : m.ux, 2);
+    size2 += exact * exact;
+  }
+  return std::sqrt(error2 / size2);
+}
+
+TEST(Poiseuille, ExactAtAnyWidthAndViscosityWithTwoRelaxationTimes) {
+  // round-off only: the magic product 3/16 puts the no-slip plane exactly half way (1e-15 per step, amplified by the
+  // number of steps a wide viscous channel takes)
+  for (const int n : {3, 5, 9, 17})
+    for (const double tau : {0.55, 0.764, 1.0, 2.0, 5.0})
+      EXPECT_LT(poiseuille_error(Collision::trt, n, tau, 0), 1e-12) << n << " nodes, tau " << tau;
+}
+
+TEST(Poiseuille, TheSameAlongTheOtherAxis) {
+  for (const double tau : {0.55, 0.764, 5.0})
+    EXPECT_LT(poiseuille_error(Collision::trt, 5, tau, 1), 1e-12) << "tau " << tau;
+}
+
+TEST(Poiseuille, OtherCollisionsSlipAsTheoryPredictsAndConverge) {
+  // With the product Lambda the profile is the exact parabola plus a constant slip of F/(2 nu) (4 Lambda/3 - 1/4)
+  // (Ginzburg and d'Humieres): second order in 1/n.
+  const double tau = 0.764;
+  for (const Collision c : {Collision::bgk, Collision::lallemand_luo}) {
+    const RelaxationRates r = relaxation_rates(c, tau);
+    const double lambda = (1 / r.s_nu - 0.5) * (1 / r.s_q - 0.5);
+    std::array<double, 2> error;
+    for (const int n : {5, 17}) {
+      double size2 = 0;
+      const double scale = 0.04 / (n * n);  // F/(2 nu) of poiseuille_error
+      for (int k = 0; k < n; ++k) size2 += std::pow(scale * (k + 0.5) * (n - k - 0.5), 2);
+      const double expected = std::abs(scale * (4 * lambda / 3 - 0.25)) * std::sqrt(n / size2);
+      error[n == 17] = poiseuille_error(c, n, tau, 0);
+      EXPECT_NEAR(error[n == 17], expected, 1e-10 * expected + 1e-12) << n;
+    }
+    EXPECT_NEAR(std::log(error[0] / error[1]) / std::log(17.0 / 5.0), 2, 0.1);
+  }
+}
+
+TEST(Poiseuille, RegularisedConvergesWithSecondOrder) {
+  const double coarse = poiseuille_error(Collision::regularised, 5, 0.764, 0);
+  const double fine = poiseuille_error(Collision::regularised, 17, 0.764, 0);
+  EXPECT_LT(coarse, 0.02);  // measured independently: 0.016
+  EXPECT_GT(std::log(coarse / fine) / std::log(17.0 / 5.0), 1.9);
+}
+
+TEST(Couette, LinearProfileIsExactInEveryCollision) {
+  constexpr int n = 7;
+  for (const Collision c : {Collision::trt, Collision::lallemand_luo, Collision::bgk, Collision::regularised}) {
+    Flow<double> flow(2, n, {true, false}, c, 0.764);
+    const BoundaryLinks top = flow.side(Side::top);
+    run_to_rest(flow, 1e-15, [&] { dress_velocity(flow.exec, flow.nodes, top, {0.05, 0}, flow.fields, flow.gain); });
+    for (int y = 0; y < n; ++y) EXPECT_NEAR(flow.at(1, y).ux, 0.05 * (y + 0.5) / n, 1e-14) << int(c);
+    EXPECT_NEAR(sum_in_order(flow.gain), 0, 1e-13);  // a wall that slides lets nothing in
+  }
+}
+
+TEST(PressureDrivenChannel, CarriesTheFlowOfItsInteriorGradient) {
+  // The openings cost half a node of length or so; inside, the gradient and the profile obey Poiseuille. What is left
+  // is inertia (rho u.grad u ~ u^2 over the entrance) and the entrance itself, which decays as exp(-4.2 x/h).
+  constexpr int h = 9, length = 8 * h;
+  Flow<double> flow(length, h, {false, false}, Collision::trt, 0.764);
+  const BoundaryLinks left = flow.side(Side::left), right = flow.side(Side::right);
+  const ScalarField<double> out("gain", 100);
+  run_to_rest(flow, 1e-13, [&] {
+    dress_pressure(flow.exec, flow.nodes, left, 1e-4, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, right, 0, flow.fields, out);
+  });
+  const int a = length / 3, b = 2 * length / 3, middle = length / 2;
+  const double nu = (0.764 - 0.5) / 3;
+  const double gradient = (flow.at(a, h / 2).rho - flow.at(b, h / 2).rho) / 3 / (b - a);
+  double flux = 0;
+  for (int y = 0; y < h; ++y) flux += flow.at(middle, y).ux;
+  double exact = 0;  // of the node sum, which differs from the integral h^3/12 by the exact parabola's own quadrature
+  for (int y = 0; y < h; ++y) exact += gradient / (2 * nu) * (y + 0.5) * (h - y - 0.5);
+  EXPECT_NEAR(flux / exact, 1, 1e-4);
+  // the openings cost half a node or so of length each
+  const double nominal = 1e-4 / length / gradient;
+  EXPECT_NEAR(nominal, 1, 0.03);
+  for (int y = 0; y < h; ++y) EXPECT_NEAR(flow.at(middle, y).uy, 0, 1e-4 * flow.at(middle, h / 2).ux);
+}
+
+}  // namespace
+}  // namespace vug
