@@ -127,6 +127,14 @@ GeometrySection read_geometry(const TomlCursor& table) {
     table.read("threshold", geometry.image_threshold, unit::none, range::between(0, 1));
     table.read("invert", geometry.image_invert);
     table.read("raw_size", geometry.raw_size, range::between(1, 1 << 28));
+    if (table.describing()) return geometry;
+    const bool png = geometry.image_file.ends_with(".png") || geometry.image_file.ends_with(".PNG");
+    if (png) table.refuse("raw_size", "is for raw files; a .png knows its own size");
+    if (!png && !table.has("raw_size")) {
+      table.fail("raw_size",
+                 "is missing; a file that is not .png is read as raw bytes, one per pixel, and needs raw_size = "
+                 "[columns, rows]");
+    }
   } else {
     for (const char* key : {"file", "threshold", "invert", "raw_size"})
       table.refuse(key, "is only for geometry.type = \"image\"");

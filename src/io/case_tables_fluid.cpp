@@ -79,7 +79,10 @@ SoluteSection read_solute(const TomlCursor& table) {
                {{"d2q5", ScalarVelocitySet::d2q5}, {"d2q9", ScalarVelocitySet::d2q9}});
   table.read("relaxation_time", solute.relaxation_time, unit::none, {.low = 0.5, .high = 100, .low_open = true});
   table.read("advective_form", solute.advective_form);
+  constexpr std::size_t most = 64;  // every species is a lattice field of its own
   for (const TomlCursor& element : table.tables("species")) {
+    if (solute.species.size() == most)
+      element.fail("name", fmt::format("is one species too many; at most {} are accepted", most));
     Species species;
     element.need("name", species.name);
     element.need("diffusivity", species.diffusivity, unit::square_metre_per_second, range::positive);

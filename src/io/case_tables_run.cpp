@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 namespace vug {
 namespace {
@@ -49,23 +49,23 @@ OutputSection read_output(const TomlCursor& table) {
   table.read("checkpoint_interval", output.checkpoint_interval, unit::second, range::positive);
   table.read("fields", output.fields);
   table.read("compress", output.compress);
+  std::set<std::string> probe_names, field_names;
   for (const TomlCursor& element : table.tables("probes")) {
     Probe probe{};
     element.need("name", probe.name);
     element.need("at", probe.at, unit::metre);
     if (!table.describing() && probe.name.empty()) element.fail("name", "must not be empty");
-    for (const Probe& earlier : output.probes) {
-      if (!table.describing() && earlier.name == probe.name) element.fail("name", "is the name of an earlier probe");
-    }
+    if (!table.describing() && !probe_names.insert(probe.name).second)
+      element.fail("name", "is the name of an earlier probe");
     output.probes.push_back(probe);
   }
   if (table.describing()) return output;
   if (output.interval && output.interval_steps)
     table.fail("interval_steps", "stands beside output.interval; give one of the two");
   for (std::size_t i = 0; i < output.fields.size(); ++i) {
-    const bool repeated = std::count(output.fields.begin(), output.fields.end(), output.fields[i]) > 1;
-    if (repeated) table.fail(fmt::format("fields.{}", i), "stands in the list twice");
     if (output.fields[i].empty()) table.fail(fmt::format("fields.{}", i), "must be the name of a field");
+    if (!field_names.insert(output.fields[i]).second)
+      table.fail(fmt::format("fields.{}", i), "stands in the list twice");
   }
   return output;
 }

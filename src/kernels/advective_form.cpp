@@ -2,6 +2,7 @@
 
 #include "kernels/launch.hpp"
 #include "kernels/scalar_equilibrium.hpp"
+#include "kernels/unroll.hpp"
 
 namespace vug {
 
@@ -14,17 +15,16 @@ struct AdvectiveDefect {
   ScalarField<T> e;
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
-    const unsigned closed = solid_links(i) | (side_links(i) & ~open_links(i));
+    const int closed = solid_links(i) | (side_links(i) & ~open_links(i));
     const T ux = u(i, 0), uy = u(i, 1);
     T sum = T(Set::w(0)) * (scalar_equilibrium<Set, T>(0, ux, uy) - T(1));
+    VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const int opposite = Set::opposite(q);
-      const bool own = ((solid_links(i) | side_links(i)) >> opposite) & 1u;
-      const bool bounced = (closed >> opposite) & 1u;
-      const int from = own ? i : source(q * capacity + i) - q * capacity;
-      const T arriving = scalar_equilibrium<Set, T>(q, u(from, 0), u(from, 1));
-      const T returning = scalar_equilibrium<Set, T>(opposite, ux, uy);
-      sum += T(Set::w(q)) * ((bounced ? returning : arriving) - T(1));
+      const int from = source(q * capacity + i) - q * capacity;
+      const int upstream = from >= 0 && from < capacity ? from : i;  // at a wall or a side the node itself
+      const T sign = (closed >> opposite) & 1 ? T(-1) : T(1);  // what bounces back comes with the velocity reversed
+      sum += T(Set::w(q)) * (scalar_equilibrium<Set, T>(q, sign * u(upstream, 0), sign * u(upstream, 1)) - T(1));
     }
     e(i) = sum;
   }

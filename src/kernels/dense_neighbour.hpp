@@ -20,6 +20,13 @@ struct DenseNeighbour {
     return lattice.inside(x, y) ? lattice.node(x, y) : -1;
   }
 
+  /// Fluid index of the node one step along q; -1 if it is solid or outside.
+  KOKKOS_FORCEINLINE_FUNCTION int fluid_along(const IndexList& index, int node, int q) const {
+    if (!periodic_x && !periodic_y) return index(node + lattice.offset(q));  // -1 in the halo as well
+    const int n = along(node, q);
+    return n < 0 ? -1 : index(n);
+  }
+
   /// The node (dx, dy) away; beyond a side that is not joined, the nearest node inside.
   KOKKOS_FORCEINLINE_FUNCTION int nearest(int node, int dx, int dy) const {
     const int x = clamped(folded(lattice.x(node) + dx, lattice.nx, periodic_x), lattice.nx);

@@ -19,8 +19,9 @@ template <class T>
 void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                     std::array<double, 2> velocity, const FlowFields<T>& fields, const ScalarField<double>& gain);
 
-/// Outflow by zero gradient: f_in = the population that already moves inwards at the node. Pressure is free to drift;
-/// something else must fix its level.
+/// Outflow by zero gradient: the pressure rule with the pressure of the node itself. (Handing back the population that
+/// already moves inwards, the other common form, diverges where a sliding wall meets the outflow.) Only what enters
+/// elsewhere and the friction behind it fix the level of pressure.
 template <class T>
 void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
                    const ScalarField<double>& gain);

@@ -71,7 +71,7 @@ struct PaperLink {
 template <class Set, class Link, class Rate, class Area>
 struct ReactAtWall {
   DenseNeighbour lattice;
-  IndexList node, index;
+  IndexList node, index, fluid_node;
   int capacity;
   Link link;
   Rate rate;
@@ -83,12 +83,11 @@ struct ReactAtWall {
     const int solid = node(s);
     LinkTurnover sum;
     for (int q = 1; q < Set::Q; ++q) {
-      const int beyond = lattice.along(solid, q);
-      const int fluid = beyond < 0 ? -1 : index(beyond);
+      const int fluid = lattice.fluid_along(index, solid, q);
       if (fluid < 0) continue;
       const int outgoing = Set::opposite(q);
-      const LinkTurnover t =
-          link.react(fluid, outgoing * capacity + fluid, outgoing, Set::w(q), rate(solid, beyond) * area.share(s, q));
+      const LinkTurnover t = link.react(fluid, outgoing * capacity + fluid, outgoing, Set::w(q),
+                                        rate(solid, fluid_node(fluid)) * area.share(s, q));
       sum.acid += t.acid;
       sum.product += t.product;
       sum.solid += t.solid;
@@ -107,7 +106,7 @@ void react_at_wall_with(const Exec& exec, const FluidNodes& nodes, const Surface
   const auto launch = [&](const auto& link, const auto& area) {
     using Kernel = ReactAtWall<Set, std::decay_t<decltype(link)>, Rate, std::decay_t<decltype(area)>>;
     add_per_block(exec, "vug::reactive_wall::react", surface.count,
-                  Kernel{DenseNeighbour(nodes), surface.node, nodes.index, nodes.capacity, link, rate, area,
+                  Kernel{DenseNeighbour(nodes), surface.node, nodes.index, nodes.node, nodes.capacity, link, rate, area,
                          wall.molar_volume, ledger},
                   ledger.consumed);
   };

@@ -51,8 +51,7 @@ struct SurfaceNodeArea {
   KOKKOS_FUNCTION double operator()(int s) const {
     double sum = 0;
     for (int q = 1; q < Set::Q; ++q) {
-      const int beyond = lattice.along(node(s), q);
-      if (beyond >= 0 && index(beyond) >= 0) sum += 6 * Set::w(q) * area.share(s, q);
+      if (lattice.fluid_along(index, node(s), q) >= 0) sum += 6 * Set::w(q) * area.share(s, q);
     }
     return sum;
   }

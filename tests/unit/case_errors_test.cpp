@@ -126,7 +126,7 @@ TEST(CaseErrors, OverridesAreNamed) {
   EXPECT_EQ(message(lattice + time + flow, {"lattice.spacin=1"}),
             "--set lattice.spacin=1: unknown key \"lattice.spacin\"; did you mean \"spacing\"?");
   EXPECT_EQ(message(lattice + time + flow, {"time.steps=-1"}),
-            "--set time.steps=-1: time.steps = -1 must be a whole number 1 ... 1000000000000000");
+            "--set time.steps=-1: time.steps = -1 must be a whole number 1 ... 1e+15");
   EXPECT_THAT(message(lattice + time + flow, {"nonsense"}), StartsWith("--set nonsense: expected table.key=value"));
   EXPECT_THAT(message(lattice + time + flow, {"=1"}), HasSubstr("expected table.key=value"));
   EXPECT_THAT(message(lattice + time + flow, {"lattice..size=1"}), HasSubstr("expected table.key=value"));

@@ -116,7 +116,7 @@ TEST(PressureBoundary, HoldsRestAtItsPressureAndBooksMass) {
   }
   EXPECT_NEAR(flow.at(2, 1).rho, 3 * p, 1e-15);
   EXPECT_NEAR(flow.at(0, 0).ux, 0, 1e-15);
-  EXPECT_NEAR(sum_in_order(flow.gain), 0, 1e-15);
+  EXPECT_NEAR(sum_in_order(flow.gain), 0, 1e-14);  // 20 steps of round-off on 9 links
 }
 
 TEST(OpenBoundaries, MassInTheBoxIsWhatTheyBooked) {

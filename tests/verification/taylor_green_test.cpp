@@ -64,7 +64,6 @@ TEST(TaylorGreen, SecondOrderInEveryCollision) {
     const double coarse = error_after_half_life(c, 32), fine = error_after_half_life(c, 64);
     EXPECT_GT(std::log2(coarse / fine), 1.9) << int(c);
     EXPECT_LT(fine, 2e-3) << int(c);  // (k dx)^2 = 0.01 times a coefficient of order 0.1
-    std::printf("collision %d: %.3e %.3e\n", int(c), coarse, fine);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace vug {
 namespace {
@@ -48,19 +49,40 @@ void check_concentrations(const TomlDocument& document, const Scene& scene, cons
 
 /// Opposite sides are periodic together or not at all.
 template <class Kind>
-void check_pair(const TomlDocument& document, const char* physics, const NamedBoundary& a, Kind kind_a,
-                const NamedBoundary& b, Kind kind_b) {
-  if ((kind_a == Kind::periodic) == (kind_b == Kind::periodic)) return;
-  const char* periodic = kind_a == Kind::periodic ? a.name : b.name;
-  const char* other = kind_a == Kind::periodic ? b.name : a.name;
+void check_pair(const TomlDocument& document, const char* physics, const char* name_a, Kind a, const char* name_b,
+                Kind b) {
+  if ((a == Kind::periodic) == (b == Kind::periodic)) return;
+  const char* periodic = a == Kind::periodic ? name_a : name_b;
+  const char* other = a == Kind::periodic ? name_b : name_a;
   document.fail(fmt::format("boundary.{}.{}.type", periodic, physics),
                 fmt::format("needs boundary.{}.{}.type = \"periodic\" as well", other, physics));
 }
 
-void check_periodic(const TomlDocument& document, const NamedBoundary& a, const NamedBoundary& b) {
-  check_pair(document, "flow", a, a.section.flow.kind, b, b.section.flow.kind);
-  check_pair(document, "heat", a, a.section.heat.kind, b, b.section.heat.kind);
-  check_pair(document, "solute", a, a.section.solute.kind, b, b.section.solute.kind);
+/// Periodicity belongs to the lattice: where one physics is periodic, those that say nothing become so as well and
+/// those that say otherwise are refused.
+template <class Kind>
+void join(const TomlDocument& document, const char* physics, const char* side, Kind& kind) {
+  const std::string key = fmt::format("boundary.{}.{}.type", side, physics);
+  if (kind != Kind::periodic && document.find(key) != nullptr) {
+    document.fail(key,
+                  "is not periodic, but another condition of this side is: a side is periodic for all physics or none");
+  }
+  kind = Kind::periodic;
+}
+
+void check_periodic(const TomlDocument& document, const Scene& scene, const char* name_a, BoundarySection& a,
+                    const char* name_b, BoundarySection& b) {
+  check_pair(document, "flow", name_a, a.flow.kind, name_b, b.flow.kind);
+  check_pair(document, "heat", name_a, a.heat.kind, name_b, b.heat.kind);
+  check_pair(document, "solute", name_a, a.solute.kind, name_b, b.solute.kind);
+  const bool periodic = a.flow.kind == FlowBoundaryKind::periodic || a.heat.kind == HeatBoundaryKind::periodic ||
+                        a.solute.kind == SoluteBoundaryKind::periodic;
+  if (!periodic) return;
+  for (auto [name, side] : {std::pair{name_a, &a}, std::pair{name_b, &b}}) {
+    if (scene.flow) join(document, "flow", name, side->flow.kind);
+    if (scene.heat) join(document, "heat", name, side->heat.kind);
+    if (scene.solute) join(document, "solute", name, side->solute.kind);
+  }
 }
 
 void check_injection(const TomlDocument& document, const Scene& scene) {
@@ -113,14 +135,14 @@ void check_wall(const TomlDocument& document, const NamedBoundary& side) {
 
 }  // namespace
 
-void check_boundaries(const TomlDocument& document, const Scene& scene) {
+void check_boundaries(const TomlDocument& document, Scene& scene) {
   for (const NamedBoundary& side : sides(scene)) {
     check_modules_of(document, scene, side.name);
     check_concentrations(document, scene, side.name, side.section.solute);
     check_wall(document, side);
   }
-  check_periodic(document, {"left", scene.left}, {"right", scene.right});
-  check_periodic(document, {"bottom", scene.bottom}, {"top", scene.top});
+  check_periodic(document, scene, "left", scene.left, "right", scene.right);
+  check_periodic(document, scene, "bottom", scene.bottom, "top", scene.top);
   if (!scene.injection) return;
   check_modules_of(document, scene, "injection");
   check_concentrations(document, scene, "injection", scene.injection->conditions.solute);

@@ -17,10 +17,10 @@ std::string Range::text() const {
   const bool has_high = std::isfinite(high);
   std::string text = "any";
   if (has_low && has_high && !low_open && !high_open) {
-    text = fmt::format("{} ... {}", low, high);
+    text = fmt::format("{:g} ... {:g}", low, high);
   } else if (has_low || has_high) {
-    text = has_low ? fmt::format("{} {}", low_open ? ">" : ">=", low) : "";
-    if (has_high) text += fmt::format("{}{} {}", has_low ? ", " : "", high_open ? "<" : "<=", high);
+    text = has_low ? fmt::format("{} {:g}", low_open ? ">" : ">=", low) : "";
+    if (has_high) text += fmt::format("{}{} {:g}", has_low ? ", " : "", high_open ? "<" : "<=", high);
   }
   return infinity_allowed ? text + " or inf" : text;
 }

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vug {
 namespace {
 
@@ -22,17 +25,36 @@ void warn_about_reaction(Scene& scene) {
   }
 }
 
+/// The hole should open where the injection is.
+void warn_about_injection(Scene& scene) {
+  const InjectionHole& hole = *scene.rock->hole;
+  const InjectionSection& injection = *scene.injection;
+  const bool upright = injection.side == "left" || injection.side == "right";
+  const double side_at = injection.side == "right" ? scene.lattice.length_x
+                         : injection.side == "top" ? scene.lattice.length_y
+                                                   : 0;
+  const int across = upright ? 0 : 1, along = upright ? 1 : 0;
+  const double cell = scene.lattice.spacing;
+  const bool touches = std::min(std::abs(hole.from[across] - side_at), std::abs(hole.to[across] - side_at)) < cell;
+  const auto [low, high] = std::minmax(hole.from[along], hole.to[along]);
+  const bool overlaps = injection.centre + injection.width / 2 > low && injection.centre - injection.width / 2 < high;
+  if (!touches || !overlaps) {
+    scene.warnings.push_back(fmt::format("boundary.injection on the {} side does not meet rock.hole", injection.side));
+  }
+}
+
+/// Rock that nothing holds drifts away under the thrust of the injection.
+void warn_about_support(Scene& scene) {
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
+    if (side->traction.support != Support::free) return;
+  }
+  scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
+}
+
 void warn_about_sides(Scene& scene) {
   const auto remark = [&](const char* pair, const BoundarySection& side) {
     if (side.flow.kind != FlowBoundaryKind::periodic) return;
-    if (scene.heat && side.heat.kind != HeatBoundaryKind::periodic) {
-      scene.warnings.push_back(fmt::format("the flow is periodic across {}, the heat is not", pair));
-    }
-    if (scene.solute && side.solute.kind != SoluteBoundaryKind::periodic) {
-      scene.warnings.push_back(fmt::format("the flow is periodic across {}, the solutes are not", pair));
-    }
-    if (scene.mechanics)
-      scene.warnings.push_back(fmt::format("the flow is periodic across {}, the rock never is", pair));
+    scene.warnings.push_back(fmt::format("the fluid is periodic across {}, the rock never is", pair));
   };
   remark("left and right", scene.left);
   remark("bottom and top", scene.bottom);
@@ -42,7 +64,9 @@ void warn_about_sides(Scene& scene) {
 
 void collect_warnings(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
-  warn_about_sides(scene);
+  if (scene.rock && scene.rock->hole && scene.injection) warn_about_injection(scene);
+  if (scene.mechanics) warn_about_support(scene);
+  if (scene.mechanics) warn_about_sides(scene);
   if (scene.rock && !scene.rock->mesh && scene.rock->element_size < 4 * scene.lattice.spacing) {
     scene.warnings.push_back(
         fmt::format("rock.element_size = {:g} m is below four cells: triangles too small for the lattice",

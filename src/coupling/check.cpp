@@ -1,0 +1,124 @@
+#include "coupling/check.hpp"
+
+#include "coupling/run.hpp"
+#include "coupling/simulation.hpp"
+#include "kernels/memory.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace vug {
+
+namespace {
+
+constexpr int warm_up_steps = 3;
+constexpr int measured_steps = 10;
+
+std::string range_of(const Limit& limit) {
+  if (std::isinf(limit.low) && std::isinf(limit.high)) return "";
+  if (std::isinf(limit.high)) return fmt::format(">= {:.4g}", limit.low);
+  return fmt::format("{:.4g} to {:.4g}", limit.low, limit.high);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.3g} min", seconds / 60);
+  return fmt::format("{:.3g} h", seconds / 3600);
+}
+
+std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
+
+std::string json_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+CheckReport check_case(const Scene& scene) {
+  CheckReport report;
+  const double before = allocated_bytes();
+  Simulation simulation(scene);
+  report.bytes = allocated_bytes() - before;
+  const Parts& parts = simulation.parts();
+  report.limits = simulation.limits();
+  report.warnings = scene.warnings;
+  report.nx = scene.lattice.nx;
+  report.ny = scene.lattice.ny;
+  report.fluid_nodes = parts.geometry.fluid.count;
+  if (parts.rock) {
+    report.particles = parts.rock->nodes_of_particle.count();
+    report.bonds = parts.rock->bonds;
+  }
+  report.porosity = static_cast<double>(report.fluid_nodes) / (static_cast<double>(report.nx) * report.ny);
+  report.steps = last_step(scene);
+  for (int step = 0; step < warm_up_steps; ++step) simulation.step();
+  Kokkos::fence();
+  Kokkos::Timer timer;
+  for (int step = 0; step < measured_steps; ++step) simulation.step();
+  Kokkos::fence();
+  report.seconds_per_step = timer.seconds() / measured_steps;
+  report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
+  report.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
+  report.preset = scene.accuracy.preset;
+  return report;
+}
+
+std::string to_text(const CheckReport& report) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "lattice {} x {}, {} fluid nodes ({:.1f} %)", report.nx, report.ny, report.fluid_nodes,
+                 100 * report.porosity);
+  if (report.particles > 0) fmt::format_to(out, ", {} triangles, {} bonds", report.particles, report.bonds);
+  fmt::format_to(out, "\n{} precision, preset {}, {:.3g} MiB, {:.1f} bytes per node\n", report.precision, report.preset,
+                 report.bytes / 1048576, report.bytes / (static_cast<double>(report.nx) * report.ny));
+  fmt::format_to(out, "{} steps, {:.3g} ms per step at the start: about {}\n\n", report.steps,
+                 1e3 * report.seconds_per_step, duration(report.seconds));
+  fmt::format_to(out, "{:<10} {:<42} {:>12} {:<9} {}\n", "module", "number", "value", "unit", "safe range");
+  for (const Limit& limit : report.limits)
+    fmt::format_to(out, "{:<10} {:<42} {:>12.5g} {:<9} {}\n", limit.module, limit.name, limit.value, limit.unit,
+                   range_of(limit));
+  for (const Limit& limit : report.limits)
+    if (!limit.inside())
+      fmt::format_to(out, "warning: {}: {} = {:.5g} is outside {}: {}\n", limit.module, limit.name, limit.value,
+                     range_of(limit), limit.advice);
+  for (const std::string& warning : report.warnings) fmt::format_to(out, "warning: {}\n", warning);
+  return text;
+}
+
+std::string to_json(const CheckReport& report) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out,
+                 "{{\n  \"nx\": {}, \"ny\": {}, \"fluid_nodes\": {}, \"particles\": {}, \"bonds\": {},\n"
+                 "  \"precision\": {}, \"preset\": {},\n  \"bytes\": {}, \"steps\": {}, \"seconds_per_step\": {}, "
+                 "\"seconds\": {},\n  \"limits\": [",
+                 report.nx, report.ny, report.fluid_nodes, report.particles, report.bonds, json_string(report.precision),
+                 json_string(report.preset), json_number(report.bytes), report.steps,
+                 json_number(report.seconds_per_step), json_number(report.seconds));
+  for (std::size_t i = 0; i < report.limits.size(); ++i) {
+    const Limit& limit = report.limits[i];
+    fmt::format_to(out,
+                   "{}\n    {{\"module\": {}, \"name\": {}, \"value\": {}, \"unit\": {}, \"low\": {}, \"high\": {}, "
+                   "\"inside\": {}, \"advice\": {}}}",
+                   i ? "," : "", json_string(limit.module), json_string(limit.name), json_number(limit.value),
+                   json_string(limit.unit), json_number(limit.low), json_number(limit.high), limit.inside(),
+                   json_string(limit.advice));
+  }
+  fmt::format_to(out, "\n  ],\n  \"warnings\": [");
+  for (std::size_t i = 0; i < report.warnings.size(); ++i)
+    fmt::format_to(out, "{}\n    {}", i ? "," : "", json_string(report.warnings[i]));
+  fmt::format_to(out, "\n  ]\n}}\n");
+  return text;
+}
+
+}  // namespace vug

@@ -1,0 +1,32 @@
+#pragma once
+// `vug check`: what a case amounts to, before a single step.
+#include "coupling/limits.hpp"
+#include "io/scene.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// Derived numbers, size and cost of a case.
+struct CheckReport {
+  LimitTable limits;
+  std::vector<std::string> warnings;
+  int nx = 0, ny = 0, fluid_nodes = 0, particles = 0, bonds = 0;
+  double porosity = 0;          ///< fluid share of the lattice at the start
+  double bytes = 0;             ///< held in Views
+  std::int64_t steps = 0;
+  double seconds_per_step = 0;  ///< measured on this machine with a few steps of a copy of the case
+  double seconds = 0;
+  std::string precision, preset;
+};
+
+/// Builds the case, measures a few steps of it that are then forgotten, and writes nothing.
+CheckReport check_case(const Scene& scene);
+
+/// The report as text for a person, or as JSON.
+std::string to_text(const CheckReport& report);
+std::string to_json(const CheckReport& report);
+
+}  // namespace vug

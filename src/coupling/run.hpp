@@ -1,0 +1,40 @@
+#pragma once
+// A run from its scene to its run directory: steps, guards, snapshots, history, provenance.
+#include "io/scene.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace vug {
+
+/// What the command line adds to a scene.
+struct RunOptions {
+  std::string directory;
+  std::optional<std::int64_t> steps;  ///< stop after this many lattice steps, whatever the case says
+  bool resume = false;                ///< continue from the newest checkpoint in `directory`
+  bool terminal = false;              ///< the progress goes to a terminal
+  std::ostream* progress = nullptr;   ///< null: quiet
+  /// Set by a signal handler: finish the step, write a checkpoint, stop.
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+/// What a program says of itself; written to run.json and printed by `vug info`.
+struct BuildInfo {
+  std::string version, commit, compiler, backend, device;
+  int threads = 1;
+};
+BuildInfo build_info();
+
+/// How a run ended.
+enum class RunEnd { done, interrupted };
+
+/// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint) or FileError.
+RunEnd run_case(const Scene& scene, const RunOptions& options);
+
+/// Lattice steps that the case asks for.
+std::int64_t last_step(const Scene& scene);
+
+}  // namespace vug

@@ -1,0 +1,151 @@
+#include "dem/laboratory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vug {
+
+namespace {
+
+template <class V>
+auto host_copy(const V& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+/// Rectangle around the vertices.
+struct Extent {
+  double left, bottom, right, top;
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+};
+
+Extent extent_of(const Assembly& assembly) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Extent e{far, far, -far, -far};
+  for (const auto& [x, y] : assembly.vertices) {
+    e = {std::min(e.left, x), std::min(e.bottom, y), std::max(e.right, x), std::max(e.top, y)};
+  }
+  return e;
+}
+
+/// Two groups of particles whose mean distance along an axis is watched.
+struct Gauge {
+  std::vector<int> group[2];
+  int axis;
+
+  double mean(const VectorField<double>::host_mirror_type& values, int g) const {
+    double sum = 0;
+    for (const int i : group[g]) sum += values(i, axis);
+    return sum / static_cast<double>(group[g].size());
+  }
+  double strain(const Particles& p) const {
+    const auto u = host_copy(p.u), x0 = host_copy(p.x0);
+    return (mean(u, 1) - mean(u, 0)) / (mean(x0, 1) - mean(x0, 0));
+  }
+};
+
+/// Gauges across heights 20 and 80 %, and across the flanks of the middle.
+Gauge axial_gauge(const Particles& p, const Extent& e) {
+  Gauge gauge{{}, 1};
+  const auto x0 = host_copy(p.x0);
+  for (int i = 0; i < p.count; ++i) {
+    const double place = (x0(i, 1) - e.bottom) / e.height();
+    if (std::abs(place - 0.2) < 0.05) gauge.group[0].push_back(i);
+    if (std::abs(place - 0.8) < 0.05) gauge.group[1].push_back(i);
+  }
+  return gauge;
+}
+
+Gauge lateral_gauge(const Particles& p, const Extent& e) {
+  Gauge gauge{{}, 0};
+  const auto x0 = host_copy(p.x0);
+  for (int i = 0; i < p.count; ++i) {
+    const double across = (x0(i, 0) - e.left) / e.width();
+    if (std::abs((x0(i, 1) - e.bottom) / e.height() - 0.5) > 0.3) continue;
+    if (across < 0.15) gauge.group[0].push_back(i);
+    if (across > 0.85) gauge.group[1].push_back(i);
+  }
+  return gauge;
+}
+
+/// Mean height of the centroids that a platen holds.
+double held_height(const Mechanics& rock, RockSide side) {
+  const auto x0 = host_copy(rock.particles().x0);
+  double sum = 0, n = 0;
+  for (const BoundaryEdge& edge : rock.boundary()) {
+    if (edge.side != static_cast<int>(side)) continue;
+    sum += x0(edge.particle, 1);
+    n += 1;
+  }
+  return sum / n;
+}
+
+Loads platens(double speed) {
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -speed};
+  return loads;
+}
+
+/// Starts with the velocities of uniform straining, so that no shock runs from the platen.
+void start_uniform_straining(const Particles& p, double low, double high, double speed) {
+  const auto x0 = host_copy(p.x0);
+  const auto v = Kokkos::create_mirror_view(p.v);
+  for (int i = 0; i < p.count; ++i) v(i, 1) = -speed * (x0(i, 1) - low) / (high - low);
+  Kokkos::deep_copy(p.v, v);
+}
+
+/// Slope of y over x by least squares on samples whose stress lies between 20 and 50 % of the peak before it.
+double chord(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& stress,
+             double strength) {
+  const auto peak = static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t k = 0; k < peak; ++k) {
+    if (stress[k] < 0.2 * strength || stress[k] > 0.5 * strength) continue;
+    n += 1, sx += x[k], sy += y[k], sxx += x[k] * x[k], sxy += x[k] * y[k];
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+}  // namespace
+
+PlatenResult load_between_platens(const Exec& exec, const Assembly& block, const MechanicsParameters& parameters,
+                                  const PlatenTest& test) {
+  const Extent extent = extent_of(block);
+  Mechanics rock(block, parameters, platens(test.speed));
+  Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
+  const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);
+  const double sign = test.speed > 0 ? 1 : -1, rate = std::abs(test.speed) / (high - low);
+  start_uniform_straining(rock.particles(), low, high, test.speed);
+  const Gauge axial = axial_gauge(rock.particles(), extent), lateral = lateral_gauge(rock.particles(), extent);
+  PlatenResult result;
+  result.time_step = test.step_fraction * rock.critical_step();
+  const int stride = std::max(1, static_cast<int>(test.sample_strain / (rate * result.time_step)));
+  std::vector<double> axial_strain, lateral_strain;
+  while (true) {
+    rock.advance(exec, result.time_step, stride);
+    exec.fence("vug::dem::laboratory");
+    result.steps += stride;
+    const double force = 0.5 * (rock.reaction(RockSide::bottom).y - rock.reaction(RockSide::top).y);
+    result.strain.push_back(rate * rock.time());
+    result.stress.push_back(sign * force / extent.width());
+    axial_strain.push_back(-sign * axial.strain(rock.particles()));
+    lateral_strain.push_back(sign * lateral.strain(rock.particles()));
+    if (result.stress.back() > result.strength) {
+      result.strength = result.stress.back();
+      result.peak_strain = result.strain.back();
+      result.bonds_at_peak = rock.bond_counts();
+    }
+    const bool broken = result.bonds_at_peak.failed() + rock.bond_counts().failed() > 0 &&
+                        result.stress.back() < test.stop_below * result.strength;
+    if (broken || result.strain.back() > test.largest_strain) break;
+  }
+  result.bonds_at_end = rock.bond_counts();
+  result.modulus = chord(axial_strain, result.stress, result.stress, result.strength);
+  result.poisson = chord(axial_strain, lateral_strain, result.stress, result.strength);
+  return result;
+}
+
+}  // namespace vug

@@ -1,0 +1,30 @@
+#pragma once
+// The laws at an interface between fluid and rock: continuous temperature, continuous heat flux (paper Eq. 4).
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// Reflection r = (1 - sigma) / (1 + sigma) of a link between fluid and solid, sigma = (rho cp)_s / (rho cp)_f.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double interface_reflection(double capacity_ratio) {
+  return (1 - capacity_ratio) / (1 + capacity_ratio);
+}
+
+/// The population that arrives through a link: in = pulled + r (s_nb - s_x) (own - pulled), where `pulled` left the
+/// neighbour for this node, `own` left this node for the neighbour in the same step, and s is 1 in solid, 0 in fluid.
+/// Between unlike nodes this is Li, Chen, Mei & Klausner's half-link condition: into fluid
+/// [(1 - sigma) own + 2 sigma pulled] / (1 + sigma), into solid [2 pulled - (1 - sigma) own] / (1 + sigma). Conserves
+/// energy: (own - in) on the fluid side is sigma times (in - own) on the solid side.
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T conjugate_link(T pulled, T own, T r, T solid_here, T solid_beyond) {
+  return pulled + r * (solid_beyond - solid_here) * (own - pulled);
+}
+
+/// Temperature where fluid and solid meet, half way between two nodes: the one at which both half-links carry the
+/// same flux, (lambda_f T_f + lambda_s T_s) / (lambda_f + lambda_s).
+KOKKOS_FORCEINLINE_FUNCTION double interface_temperature(double fluid_temperature, double solid_temperature,
+                                                         double fluid_conductivity, double solid_conductivity) {
+  return (fluid_conductivity * fluid_temperature + solid_conductivity * solid_temperature) /
+         (fluid_conductivity + solid_conductivity);
+}
+
+}  // namespace vug

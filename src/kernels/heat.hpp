@@ -1,0 +1,67 @@
+#pragma once
+// Conjugate heat on every node of the lattice, fluid and solid alike: D2Q5, two relaxation times with Lambda = 1/4.
+//
+// One step: fill the halo (heat_boundary.hpp), `conduct` on all nodes, then `advect` on the fluid nodes where there is
+// flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
+// fluid's volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
+#include "kernels/fluid_nodes.hpp"
+
+namespace vug {
+
+/// Lattice units (dx = dt = 1); a heat step every n flow steps has n times the diffusivities.
+struct HeatParameters {
+  double fluid_diffusivity = 0;
+  double solid_diffusivity = 0;
+  double capacity_ratio = 1;  ///< sigma = (rho cp)_s / (rho cp)_f
+};
+
+/// What the kernels need of HeatParameters.
+template <class T>
+struct HeatRates {
+  T fluid, solid;  ///< relaxation rate s = 1 / (1/2 + 3 D) of the odd moments; the even ones relax with 2 - s
+  T reflection;    ///< (1 - sigma) / (1 + sigma)
+  double capacity_ratio;
+};
+
+/// Throws InputError unless all three parameters are positive and finite.
+template <class T>
+HeatRates<T> heat_rates(const HeatParameters& parameters);
+
+template <class T>
+struct HeatFields {
+  Lattice lattice;
+  HeatRates<T> rates;
+  ScalarField<T> g, g_next;           ///< (q * lattice.size() + node) post-collision populations, with halo
+  ScalarField<T> theta;               ///< (node) temperature, deviation from the reference; 0 outside the lattice
+  Kokkos::View<std::uint8_t*> solid;  ///< (node) 1 in solid; in the halo like the node beside it or joined to it
+};
+
+/// Allocates the fields; all nodes have temperature `theta`.
+template <class T>
+HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
+                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta);
+
+/// Sets populations at rest from the temperatures in fields.theta.
+template <class T>
+void start_heat(const Exec& exec, HeatFields<T>& fields);
+
+/// Takes over a changed geometry. Populations and temperature of a node stay as they are when its kind changes; the
+/// energy it gains is booked by add_birth_energy (heat_sums.hpp), to be called before.
+template <class T>
+void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
+                       HeatFields<T>& fields);
+
+/// Conduction through fluid and solid: pull, conjugate link, collide at rest, store; writes theta. The halo must have
+/// been filled. Swaps g and g_next.
+template <class T>
+void conduct(const Exec& exec, HeatFields<T>& fields);
+
+/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` (fluid, axis) is the velocity
+/// in nodes per heat step, `defect` (fluid) the e of kernels/advective_form.hpp for the velocity of the heat step
+/// before. `lagged` (fluid) is the state of its lag behind e: 0 at the start and at births, part of a checkpoint.
+/// `created` (block) grows by the energy that the advective form adds; give an empty View to leave it out.
+template <class T>
+void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
+            const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created);
+
+}  // namespace vug

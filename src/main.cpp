@@ -1,0 +1,151 @@
+// vug run | check | info: parse the command line, call, turn exceptions into exit codes.
+#include "coupling/check.hpp"
+#include "coupling/run.hpp"
+#include "io/run_record.hpp"
+#include "kernels/memory.hpp"
+#include "kernels/require.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace {
+
+enum ExitCode { done = 0, invalid_input = 2, diverged = 3, file_failed = 4, out_of_memory = 5, interrupted = 130 };
+
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int) {
+  stop_requested = true;
+}
+
+/// What the user typed.
+struct CommandLine {
+  std::string case_file;
+  std::string directory;
+  std::vector<std::string> overrides;
+  std::optional<std::int64_t> steps;
+  int threads = 0;
+  bool resume = false, quiet = false, json = false;
+  CLI::App* run = nullptr;
+  CLI::App* check = nullptr;
+  CLI::App* info = nullptr;
+};
+
+void describe(CLI::App& app, CommandLine& line) {
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "Help of all commands");
+  line.run = app.add_subcommand("run", "Run a case");
+  line.run->add_option("case", line.case_file, "Case file (TOML)")->required();
+  line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
+  line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(CLI::NonNegativeNumber);
+  line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+  line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory");
+  line.run->add_flag("--quiet", line.quiet, "No progress");
+  line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
+  line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
+  line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+  line.check->add_flag("--json", line.json, "Machine-readable");
+  line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
+  line.info->add_flag("--json", line.json, "Machine-readable");
+}
+
+/// Subnormal numbers cost a hundred times a normal one and carry nothing here: flushed to zero on every thread.
+void flush_subnormals() {
+#if defined(__SSE2__)
+  Kokkos::parallel_for("vug::main::flush_subnormals",
+                       Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(
+                           0, Kokkos::DefaultHostExecutionSpace().concurrency()),
+                       [](int) { _mm_setcsr(_mm_getcsr() | 0x8040); });
+  _mm_setcsr(_mm_getcsr() | 0x8040);
+#endif
+}
+
+int info(const CommandLine& line) {
+  const vug::BuildInfo build = vug::build_info();
+  if (line.json)
+    fmt::print("{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
+               "\"device\": \"{}\", \"threads\": {}, \"precisions\": [\"single\", \"double\"]}}\n",
+               build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
+  else
+    fmt::print("vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nprecisions single, double\n",
+               build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
+  return done;
+}
+
+int check(const CommandLine& line) {
+  const vug::CheckReport report = vug::check_case(vug::read_scene(line.case_file, line.overrides));
+  fmt::print("{}", line.json ? vug::to_json(report) : vug::to_text(report));
+  return done;
+}
+
+int run(const CommandLine& line) {
+  const vug::Scene scene = vug::read_scene(line.case_file, line.overrides);
+  vug::RunOptions options;
+  options.directory = line.directory;
+  options.steps = line.steps;
+  options.resume = line.resume;
+  options.terminal = isatty(STDERR_FILENO) != 0;
+  options.progress = line.quiet ? nullptr : &std::cerr;
+  options.interrupted = &stop_requested;
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  return vug::run_case(scene, options) == vug::RunEnd::done ? done : interrupted;
+}
+
+int fail(ExitCode code, const char* what) {
+  fmt::print(stderr, "vug: {}\n", what);
+  return code;
+}
+
+int dispatch(const CommandLine& line) {
+  try {
+    Kokkos::InitializationSettings settings;
+    if (line.threads > 0) settings.set_num_threads(line.threads);
+    vug::count_allocations();
+    const Kokkos::ScopeGuard kokkos(settings);
+    flush_subnormals();
+    if (*line.info) return info(line);
+    if (*line.check) return check(line);
+    return run(line);
+  } catch (const vug::InputError& error) {
+    return fail(invalid_input, error.what());
+  } catch (const vug::StabilityError& error) {
+    return fail(diverged, error.what());
+  } catch (const vug::FileError& error) {
+    return fail(file_failed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(out_of_memory, "out of memory; `vug check` says how much a case needs");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
+  CommandLine line;
+  describe(app, line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", error.what()).c_str());
+  }
+  return dispatch(line);
+}

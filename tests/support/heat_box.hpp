@@ -1,0 +1,140 @@
+#pragma once
+// A box of conducting nodes for tests: geometry and start from functions of (x, y), steps, and reading back.
+#include "kernels/advective_form.hpp"
+#include "kernels/heat.hpp"
+#include "kernels/heat_boundary.hpp"
+#include "kernels/heat_sums.hpp"
+#include "kernels/launch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace vug::test {
+
+template <class T>
+class HeatBox {
+ public:
+  using IsSolid = std::function<bool(int, int)>;
+  using Value = std::function<double(int, int)>;
+
+  HeatBox(int nx, int ny, const HeatParameters& parameters, const IsSolid& is_solid, const Value& theta,
+          std::array<bool, 2> periodic = {false, false})
+      : lattice(nx, ny), periodic_(periodic), type("type", lattice.size()) {
+    set_type(is_solid);
+    fields = make_heat_fields<T>(exec, lattice, parameters, type, periodic, 0.0);
+    const auto host = Kokkos::create_mirror_view(fields.theta);
+    Kokkos::deep_copy(host, fields.theta);
+    for_all([&](int x, int y) { host(lattice.node(x, y)) = static_cast<T>(theta(x, y)); });
+    Kokkos::deep_copy(fields.theta, host);
+    start_heat(exec, fields);
+  }
+
+  void set_type(const IsSolid& is_solid) {
+    const auto host = Kokkos::create_mirror_view(type);
+    for_all([&](int x, int y) { host(lattice.node(x, y)) = is_solid(x, y) ? NodeType::solid : NodeType::fluid; });
+    Kokkos::deep_copy(type, host);
+  }
+
+  /// Adds a whole side or a stretch; sides of which nothing is added and that are not periodic are adiabatic.
+  void side(Side which, HeatCondition condition, double value) {
+    side(make_heat_side(lattice, which, condition, value));
+  }
+  void side(const HeatSide& stretch) {
+    sides.push_back(stretch);
+    given_.push_back(stretch.side);
+  }
+
+  void flow(const std::function<std::array<double, 2>(int, int)>& velocity) {
+    nodes = make_fluid_nodes(exec, lattice, type, periodic_);
+    u = VectorField<T>("u", nodes.capacity);
+    defect = ScalarField<T>("defect", nodes.capacity);
+    lagged = ScalarField<T>("lagged", nodes.capacity);
+    const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.node);
+    const auto host = Kokkos::create_mirror_view(u);
+    for (int i = 0; i < nodes.count; ++i) {
+      const auto v = velocity(lattice.x(node(i)), lattice.y(node(i)));
+      host(i, 0) = static_cast<T>(v[0]);
+      host(i, 1) = static_cast<T>(v[1]);
+    }
+    Kokkos::deep_copy(u, host);
+    created = ScalarField<double>("created", (lattice.nx * lattice.ny) / 512 + 1);
+  }
+
+  /// Opens a side for the flow (its velocity passes).
+  void open(Side which) {
+    const int length = which == Side::left || which == Side::right ? lattice.ny : lattice.nx;
+    mark_open(exec, nodes, find_boundary_links(exec, nodes, which, 0, length - 1, 5));
+  }
+
+  void run(int steps) {
+    if (!closed_) close();
+    for (int step = 0; step < steps; ++step) {
+      for (int axis = 0; axis < 2; ++axis)
+        if (periodic_[axis]) join_heat_sides(exec, fields, axis);
+      for (const HeatSide& s : sides) fill_heat_side(exec, fields, s);
+      conduct(exec, fields);
+      if (nodes.count == 0) continue;
+      advect(exec, nodes, u, defect, lagged, fields, created);
+      advective_defect<D2Q5>(exec, nodes, u, defect);  // of the velocity that the next step streams with
+    }
+    exec.fence();
+  }
+
+  /// theta of all nodes, row by row.
+  std::vector<double> theta() const {
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fields.theta);
+    std::vector<double> values;
+    for (int y = 0; y < lattice.ny; ++y)
+      for (int x = 0; x < lattice.nx; ++x) values.push_back(host(lattice.node(x, y)));
+    return values;
+  }
+
+  double energy() const {
+    const ScalarField<double> total("total", heat_energy_blocks(lattice));
+    add_heat_energy(exec, fields, total);
+    return sum_in_order(total);
+  }
+
+  double entered() const {
+    double sum = 0;
+    for (const HeatSide& s : sides) sum += sum_in_order(s.energy_in);
+    return sum;
+  }
+
+  Exec exec;
+  Lattice lattice;
+
+ private:
+  std::array<bool, 2> periodic_;
+  bool closed_ = false;
+  std::vector<Side> given_;
+
+ public:
+  Kokkos::View<NodeType*> type;
+  HeatFields<T> fields;
+  FluidNodes nodes;
+  VectorField<T> u;
+  ScalarField<T> defect, lagged;
+  ScalarField<double> created;
+  std::vector<HeatSide> sides;
+
+ private:
+  template <class Visit>
+  void for_all(const Visit& visit) const {
+    for (int y = 0; y < lattice.ny; ++y)
+      for (int x = 0; x < lattice.nx; ++x) visit(x, y);
+  }
+
+  void close() {
+    closed_ = true;
+    for (const Side which : all_sides) {
+      const bool joined = periodic_[which == Side::left || which == Side::right ? 0 : 1];
+      if (!joined && std::find(given_.begin(), given_.end(), which) == given_.end())
+        sides.push_back(make_heat_side(lattice, which, HeatCondition::adiabatic));
+    }
+  }
+};
+
+}  // namespace vug::test

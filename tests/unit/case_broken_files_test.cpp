@@ -1,0 +1,177 @@
+// Files that are no valid case, each refused with one clear line; and damage at random, which never does worse than
+// that.
+#include "unit/case_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <random>
+#include <unistd.h>
+
+namespace vug {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string refusal_of_file(const std::filesystem::path& path) {
+  try {
+    read_scene(path.string());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// What the first line says, "# expect: ..."; files that cannot hold it are listed here.
+std::string expectation(const std::filesystem::path& path) {
+  const std::map<std::string, std::string> unreadable = {{"empty", "is empty"},
+                                                         {"blank", "is empty"},
+                                                         {"byte_order_mark", "is empty"},
+                                                         {"binary", "is not a text file"},
+                                                         {"utf16", "is UTF-16 text"}};
+  const auto listed = unreadable.find(path.stem().string());
+  if (listed != unreadable.end()) return listed->second;
+  const std::string text = testing_cases::bytes_of(path);
+  const std::string mark = "# expect: ";
+  EXPECT_THAT(text, StartsWith(mark)) << path;
+  return text.substr(mark.size(), text.find('\n') - mark.size());
+}
+
+TEST(BrokenCases, EachIsRefusedWithOneLineThatNamesFileAndFault) {
+  const auto paths = testing_cases::cases_in("tests/cases/broken");
+  EXPECT_GE(paths.size(), 80u);
+  for (const auto& path : paths) {
+    const std::string message = refusal_of_file(path);
+    EXPECT_THAT(message, StartsWith(path.string() + ":"));
+    EXPECT_THAT(message, HasSubstr(expectation(path)));
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_LT(message.size(), path.string().size() + 400) << message;
+  }
+}
+
+TEST(BrokenCases, AFileThatMayNotBeReadIsAnInputError) {
+  const auto path = std::filesystem::temp_directory_path() / "vug_case_without_permission.toml";
+  std::ofstream(path) << "[lattice]\n";
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  const std::string message = refusal_of_file(path);
+  std::filesystem::remove(path);
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser may read everything";
+  EXPECT_THAT(message, HasSubstr("cannot be opened"));
+}
+
+TEST(BrokenCases, AHugeFileIsRefusedUnread) {
+  EXPECT_THAT(refusal_of_file("/dev/zero"), HasSubstr("is larger than"));
+}
+
+TEST(BrokenCases, AwkwardTextsTakeNoTimeAndNoStack) {
+  const std::string lattice = "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n[time]\nsteps = 10\n";
+  const auto many = [](const std::string& text, int count) {
+    std::string result;
+    for (int i = 0; i < count; ++i) result += text;
+    return result;
+  };
+  const std::vector<std::string> texts = {many("[", 1000000),
+                                          many("a.", 1000000) + "b = 1",
+                                          "[" + many("\"a\".", 100000) + "b]",
+                                          "a = " + many("{a=", 100000),
+                                          "a = " + many("[", 100000),
+                                          many("[[solute.species]]\nname = \"A\"\n", 50000),
+                                          lattice + "[output]\nfields = [" + many("\"x\", ", 500000) + "]\n",
+                                          "x = \"" + many("y", 3000000) + "\"\n",
+                                          many("y", 3000000) + " = 1\n",
+                                          "[case]\nname = '''" + many("...... ", 100000) + "'''\n"};
+  const auto start = std::chrono::steady_clock::now();
+  for (const std::string& text : texts) {
+    const std::string message = testing_cases::refusal(text, "a.toml");
+    EXPECT_THAT(message, StartsWith("a.toml"));
+    EXPECT_LT(message.size(), 1000u);
+  }
+  // a second each would already be a quadratic search somewhere; sanitizers are slow
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+}
+
+/// One random change: of a byte, a stretch, a line, or a value.
+std::string mutated(std::string text, std::mt19937& random) {
+  const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
+  const std::vector<std::string> values = {
+      "nan",        "-inf", "1e400",       "-0",    "0x7fffffffffffffff",  "[]",  "{}", "\"\"", "true",
+      "1979-05-27", "'''",  "\"\\u0000\"", "[[1]]", "9223372036854775808", "\xff"};
+  const std::size_t at = below(text.size());
+  switch (below(7)) {
+    case 0:
+      text[at] = static_cast<char>(below(256));
+      break;
+    case 1:
+      text.erase(at, 1 + below(40));
+      break;
+    case 2:
+      text.insert(at, 1, static_cast<char>(below(256)));
+      break;
+    case 3:
+      text.resize(at);
+      break;
+    case 4:
+      text.insert(at, text.substr(below(text.size()), below(200)));
+      break;
+    case 5: {  // another value after some equals sign
+      const auto equals = text.find('=', at);
+      if (equals == std::string::npos) break;
+      const auto end = text.find_first_of(",}\n", equals);
+      text.replace(equals + 1, (end == std::string::npos ? text.size() : end) - equals - 1,
+                   values[below(values.size())]);
+      break;
+    }
+    default: {  // two lines change places
+      const auto line = text.find('\n', at);
+      const auto other = text.find('\n', below(text.size()));
+      if (line == std::string::npos || other == std::string::npos) break;
+      const std::string moved = text.substr(line, text.find('\n', line + 1) - line);
+      text.insert(other, moved);
+    }
+  }
+  return text;
+}
+
+TEST(BrokenCases, TwoThousandMutationsAreAcceptedOrRefusedInOneLine) {
+  const std::string path = std::string(VUG_SOURCE_DIR) + "/cases/quickstart.toml";
+  const std::string text = testing_cases::bytes_of(path);
+  ASSERT_GT(text.size(), 1000u);
+  std::mt19937 random(20261121);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string changed = text;
+    for (unsigned change = 0; change <= random() % 4; ++change) changed = mutated(changed, random);
+    try {
+      parse_scene(changed, path);
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      EXPECT_THAT(error.what(), StartsWith(path));
+    } catch (const FileError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);  // most changes break something; comments and texts may change freely
+}
+
+TEST(BrokenCases, MutatedOverridesAreAcceptedOrRefusedInOneLine) {
+  const std::string path = std::string(VUG_SOURCE_DIR) + "/cases/quickstart.toml";
+  const std::string text = testing_cases::bytes_of(path);
+  const std::vector<std::string> seeds = {"solute.species.0.diffusivity=1e-9", "rock.notches.0.to=[0.03, 0.035]",
+                                          "boundary.left.flow={ type = \"wall\" }", "case.name=some text"};
+  std::mt19937 random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const std::string changed = mutated(seeds[random() % seeds.size()], random);
+    try {
+      parse_scene(text, path, {changed});
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vug
