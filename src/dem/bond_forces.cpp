@@ -15,11 +15,8 @@ struct PointStress {
   double tangential = 0;
 };
 
-/// One bond: opening at two Gauss points, damage by the unified linear law (Eqs. 11, 12, 26-29), stress with viscosity
-/// eta M v, forces and torques on both ends at the midpoint of the opening. A failed bond is a crack whose faces press
-/// and rub at the same two points with the bond's own stiffness and the contact's friction and dashpot.
-/// Reads about 45 numbers of the bond and 20 of its particles, writes 6; forces of the two ends add up to zero exactly.
-struct BondForces {
+/// What both kernels of a bond need, and the way in which they leave forces.
+struct BondModel {
   BondParameters law;
   ContactParameters contact;
   ChemicalDamageLaw chemical;
@@ -27,99 +24,161 @@ struct BondForces {
   Particles particles;
   Bonds bonds;
 
-  KOKKOS_FUNCTION BondPoint undamaged_point(int k, double d_c) const {
-    const double length = law.length_factor * bonds.spacing(k);
+  KOKKOS_FORCEINLINE_FUNCTION double chemical_damage(int k) const {
+    const double d_c = bonds.d_c(k);
+    return d_c < chemical.failure_at ? d_c : chemical.failure_at;
+  }
+
+  /// Stiffness and strengths of the bond at its chemical damage; sigma_t holds the cohesion alone.
+  KOKKOS_FORCEINLINE_FUNCTION BondPoint material(int k, double d_c) const {
+    const double inverse_length = 1 / (law.length_factor * bonds.spacing(k));
     const double f1 = chemical_strength_factor(d_c, chemical.normalised);
     const double f2 = chemical_energy_factor(d_c, chemical.normalised);
-    return {law.normal_modulus * (1 - d_c) / length,
-            law.tangential_modulus * (1 - d_c) / length,
+    return {law.normal_modulus * (1 - d_c) * inverse_length,
+            law.tangential_modulus * (1 - d_c) * inverse_length,
             f1 * bonds.normal_strength(k),
             f1 * bonds.cohesion(k),
             f2 * bonds.energy_I(k),
             f2 * bonds.energy_II(k)};
   }
 
-  KOKKOS_FUNCTION void damage_point(int k, int s, BondPoint point, double cohesion, const PointOpening& o,
-                                    BondState& state) const {
-    point.sigma_t = shear_strength(cohesion, law.internal_friction, point.k_n * Kokkos::min(0.0, o.delta_n));
-    const double asked = damage_of_opening(point, o.delta_n, o.delta_t);
-    if (asked <= bonds.point_damage(k, s)) return;
-    bonds.point_damage(k, s) = asked;
-    if (state == BondState::intact) {
-      state =
-          onset_in_tension(point, o.delta_n, o.delta_t) ? BondState::damaged_in_tension : BondState::damaged_in_shear;
-    }
+  /// The same with the shear strength at this opening.
+  KOKKOS_FORCEINLINE_FUNCTION BondPoint pressed(BondPoint point, const PointOpening& o) const {
+    point.sigma_t = shear_strength(point.sigma_t, law.internal_friction, point.k_n * (o.delta_n < 0 ? o.delta_n : 0));
+    return point;
   }
 
-  KOKKOS_FUNCTION PointStress cohesive_stress(int k, int s, const BondPoint& point, double d_c,
-                                              const PointOpening& o) const {
-    const double d_m = bonds.point_damage(k, s);
-    const double normal = normal_integrity(d_m, o.delta_n);
-    const double viscous = law.damping * (1 - d_c);
-    return {normal * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
-            (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t)};
-  }
-
-  KOKKOS_FUNCTION PointStress crack_stress(int k, int s, const BondPoint& point, const PointOpening& o) const {
+  KOKKOS_FORCEINLINE_FUNCTION void store(int k, const BondMotion& motion, const PointStress (&stress)[2]) const {
     const double width = 0.5 * bonds.length(k);
-    const ContactPoint joint{point.k_n, point.k_t, contact.normal_damping / width, contact.tangential_damping / width,
-                             contact.friction};
-    const ContactReaction reaction =
-        contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, bonds.slip(k, s));
-    bonds.slip(k, s) = reaction.slip;
-    return {-reaction.normal, -reaction.tangential};
-  }
-
-  KOKKOS_FUNCTION void settle_state(int k, double d_c, BondState& state, const PointOpening (&opening)[2]) const {
-    const double d_m = 0.5 * (bonds.point_damage(k, 0) + bonds.point_damage(k, 1));
-    const bool dissolved = d_c >= chemical.failure_at;
-    if (d_m >= 1 || dissolved) {
-      state = d_m < 1                                  ? BondState::dissolved
-              : state == BondState::damaged_in_tension ? BondState::failed_in_tension
-                                                       : BondState::failed_in_shear;
-      for (int s = 0; s < 2; ++s) {
-        bonds.point_damage(k, s) = 1;
-        bonds.slip(k, s) = opening[s].delta_t;
-      }
-    }
-    bonds.d_m(k) = has_failed(state) ? 1 : d_m;
-  }
-
-  KOKKOS_FUNCTION void store(int k, const BondFrame& frame, const PointOpening (&opening)[2],
-                             const PointStress (&stress)[2]) const {
-    const double width = 0.5 * bonds.length(k);
-    Vec2 force;
-    double torque_a = 0, torque_b = 0;
-    for (int s = 0; s < 2; ++s) {
-      const Vec2 f = width * (stress[s].normal * frame.n + stress[s].tangential * frame.t);
-      force = force + f;
-      torque_a += cross(opening[s].arm_a, f);
-      torque_b -= cross(opening[s].arm_b, f);
-    }
+    const Vec2 n = motion.frame.n(), t = motion.frame.t();
+    const Vec2 first = width * (stress[0].normal * n + stress[0].tangential * t);
+    const Vec2 second = width * (stress[1].normal * n + stress[1].tangential * t);
+    const Vec2 force = first + second;
     bonds.load(k, 0) = force.x;
     bonds.load(k, 1) = force.y;
-    bonds.load(k, 2) = torque_a;
-    bonds.load(k, 3) = torque_b;
+    bonds.load(k, 2) = cross(motion.opening[0].arm_a, first) + cross(motion.opening[1].arm_a, second);
+    bonds.load(k, 3) = -cross(motion.opening[0].arm_b, first) - cross(motion.opening[1].arm_b, second);
     bonds.stress(k, 0) = 0.5 * (stress[0].normal + stress[1].normal);
     bonds.stress(k, 1) = 0.5 * (stress[0].tangential + stress[1].tangential);
   }
+};
+
+/// One bond as if it held: opening at two Gauss points, damage by the unified linear law (Eqs. 11, 12, 26-29), stress
+/// with viscosity eta M v, forces and torques on both ends at the midpoint of the opening. No branches, so that a
+/// host computes eight bonds at once; bonds that have failed are put right by BondFailure.
+/// Reads about 27 numbers of the bond and 18 of its particles, writes 9; the forces of the two ends cancel exactly.
+struct CohesiveForces {
+  BondModel model;
+
+  KOKKOS_FORCEINLINE_FUNCTION double damage_of(int k, int s, const BondPoint& material, const PointOpening& o) const {
+    const double asked = damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t),
+                 had = model.bonds.point_damage(k, s);
+    return asked > had ? asked : had;
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(const BondPoint& point, double d_m, double d_c,
+                                                    const PointOpening& o) const {
+    const BondParameters& law = model.law;
+    const double viscous = law.damping * (1 - d_c);
+    return {normal_integrity(d_m, o.delta_n) * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
+            (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t)};
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
+    const Bonds& bonds = model.bonds;
+    const BondMotion motion = motion_of_bond(model.particles, bonds, model.expansion, k);
+    const double d_c = model.chemical_damage(k);
+    const BondPoint material = model.material(k, d_c);
+    const double damage[2] = {damage_of(k, 0, material, motion.opening[0]),
+                              damage_of(k, 1, material, motion.opening[1])};
+    const PointStress stress[2] = {stress_of(material, damage[0], d_c, motion.opening[0]),
+                                   stress_of(material, damage[1], d_c, motion.opening[1])};
+    bonds.point_damage(k, 0) = damage[0];
+    bonds.point_damage(k, 1) = damage[1];
+    bonds.d_m(k) = 0.5 * (damage[0] + damage[1]);
+    model.store(k, motion, stress);
+  }
+};
+
+/// The bonds to which something happens: names the mode of first damage, fails a bond whose two points are broken or
+/// whose solid is dissolved, and replaces the forces of a failed one by those of a crack, whose faces press and rub
+/// at the same two points with the bond's own stiffness and the contact's friction and dashpot.
+struct BondFailure {
+  BondModel model;
+
+  KOKKOS_FUNCTION BondState first_damage(int k, const BondMotion& motion) const {
+    const int s = model.bonds.point_damage(k, 0) > 0 ? 0 : 1;
+    const PointOpening& o = motion.opening[s];
+    const BondPoint point = model.pressed(model.material(k, model.chemical_damage(k)), o);
+    return onset_in_tension(point, o.delta_n, o.delta_t) ? BondState::damaged_in_tension : BondState::damaged_in_shear;
+  }
+
+  /// The sliders of the new crack stand where its faces are.
+  KOKKOS_FUNCTION void fail(int k, const BondMotion& motion) const {
+    for (int s = 0; s < 2; ++s) {
+      model.bonds.point_damage(k, s) = 1;
+      model.bonds.slip(k, s) = motion.opening[s].delta_t;
+    }
+    model.bonds.d_m(k) = 1;
+    Kokkos::atomic_store(&model.bonds.events(bond_has_failed), 1);
+  }
+
+  KOKKOS_FUNCTION BondState settled(int k, BondState state, const BondMotion& motion) const {
+    const double d_m = model.bonds.d_m(k);
+    if (state == BondState::intact && d_m > 0) state = first_damage(k, motion);
+    if (d_m < 1 && model.bonds.d_c(k) < model.chemical.failure_at) return state;
+    fail(k, motion);
+    if (d_m < 1) return BondState::dissolved;
+    return state == BondState::damaged_in_tension ? BondState::failed_in_tension : BondState::failed_in_shear;
+  }
+
+  /// The two-point law of crack faces holds while they lie opposite each other.
+  KOKKOS_FUNCTION bool faces_meet(int k, const PointOpening (&opening)[2]) const {
+    const Bonds& bonds = model.bonds;
+    if (bonds.joint(k) == 0) return false;
+    const double apart = 0.5 * Kokkos::max(opening[0].delta_n + opening[1].delta_n,
+                                           Kokkos::abs(opening[0].delta_t + opening[1].delta_t));
+    if (apart < 0.5 * bonds.length(k)) return true;
+    bonds.joint(k) = 0;
+    Kokkos::atomic_store(&bonds.events(crack_has_parted), 1);
+    return false;
+  }
+
+  KOKKOS_FUNCTION PointStress crack_stress(int k, int s, const BondPoint& point, const PointOpening& o) const {
+    const ContactParameters& c = model.contact;
+    const double width = 0.5 * model.bonds.length(k);
+    const ContactPoint joint{point.k_n, point.k_t, c.normal_damping / width, c.tangential_damping / width, c.friction};
+    const ContactReaction reaction =
+        contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, model.bonds.slip(k, s));
+    model.bonds.slip(k, s) = reaction.slip;
+    return {-reaction.normal, -reaction.tangential};
+  }
 
   KOKKOS_FUNCTION void operator()(int k) const {
-    const auto [frame, opening] = motion_of_bond(particles, bonds, expansion, k);
-    const double d_c = Kokkos::min(bonds.d_c(k), chemical.failure_at);
-    const BondPoint point = undamaged_point(k, d_c);
-    BondState state = bonds.state(k);
+    BondState state = model.bonds.state(k);
+    const bool quiet = model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
+    if (!has_failed(state) && quiet) return;
+    const BondMotion motion = motion_of_bond(model.particles, model.bonds, model.expansion, k);
     if (!has_failed(state)) {
-      for (int s = 0; s < 2; ++s) damage_point(k, s, point, point.sigma_t, opening[s], state);
-      settle_state(k, d_c, state, opening);
-      bonds.state(k) = state;
+      state = settled(k, state, motion);
+      model.bonds.state(k) = state;
     }
+    if (!has_failed(state)) return;
     PointStress stress[2];
-    for (int s = 0; s < 2; ++s) {
-      stress[s] =
-          has_failed(state) ? crack_stress(k, s, point, opening[s]) : cohesive_stress(k, s, point, d_c, opening[s]);
+    if (faces_meet(k, motion.opening)) {
+      const BondPoint point = model.material(k, model.chemical_damage(k));
+      for (int s = 0; s < 2; ++s) stress[s] = crack_stress(k, s, point, motion.opening[s]);
     }
-    store(k, frame, opening, stress);
+    model.store(k, motion, stress);
+  }
+};
+
+/// Both in one launch, for devices on which a launch costs more than a branch.
+struct BondForces {
+  BondModel model;
+  KOKKOS_FUNCTION void operator()(int k) const {
+    CohesiveForces{model}(k);
+    BondFailure{model}(k);
   }
 };
 
@@ -127,9 +186,14 @@ struct BondForces {
 
 void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, const Particles& particles,
                          const Bonds& bonds) {
-  for_each_node(exec, "vug::dem::bond_forces", bonds.count,
-                BondForces{parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion,
-                           particles, bonds});
+  const BondModel model{
+      parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, particles, bonds};
+  if constexpr (runs_on_host) {
+    for_each_node(exec, "vug::dem::cohesive_forces", bonds.count, CohesiveForces{model});
+    for_each_node(exec, "vug::dem::bond_failure", bonds.count, BondFailure{model});
+  } else {
+    for_each_node(exec, "vug::dem::bond_forces", bonds.count, BondForces{model});
+  }
 }
 
 }  // namespace vug

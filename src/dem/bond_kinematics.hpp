@@ -29,14 +29,16 @@ KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_of(const Particles& p, double expan
 
 /// Normal and tangent of a bond now: the mean of the edge's directions as its two ends have turned it.
 struct BondFrame {
-  Vec2 n;
-  Vec2 t;
+  double n_x, n_y;
+
+  KOKKOS_FORCEINLINE_FUNCTION Vec2 n() const { return {n_x, n_y}; }
+  KOKKOS_FORCEINLINE_FUNCTION Vec2 t() const { return {-n_y, n_x}; }
 };
 
 KOKKOS_FORCEINLINE_FUNCTION BondFrame frame_of(Vec2 normal, const Rotation& a, const Rotation& b) {
   const Vec2 sum = normal + 0.5 * (a.move(normal) + b.move(normal));
-  const Vec2 n = (1 / norm(sum)) * sum;
-  return {n, {-n.y, n.x}};
+  const double scale = 1 / norm(sum);
+  return {scale * sum.x, scale * sum.y};
 }
 
 /// Opening of one integration point, its rate, and the lever arms of its midpoint. Equal and opposite forces act there,
@@ -53,7 +55,7 @@ KOKKOS_FORCEINLINE_FUNCTION PointOpening opening_of(const EndMotion& a, const En
   const Vec2 arm_a = a.scale * a.rotation.turn(r_a) + 0.5 * delta;
   const Vec2 arm_b = b.scale * b.rotation.turn(r_b) - 0.5 * delta;
   const Vec2 rate = b.v + spin_times(b.spin, arm_b) - a.v - spin_times(a.spin, arm_a);
-  return {dot(delta, frame.n), dot(delta, frame.t), dot(rate, frame.n), dot(rate, frame.t), arm_a, arm_b};
+  return {dot(delta, frame.n()), dot(delta, frame.t()), dot(rate, frame.n()), dot(rate, frame.t()), arm_a, arm_b};
 }
 
 /// Frame and both points of one bond.
@@ -62,17 +64,19 @@ struct BondMotion {
   PointOpening opening[2];
 };
 
+KOKKOS_FORCEINLINE_FUNCTION Vec2 arm_of(const Bonds& bonds, int k, int point, int end) {
+  return {bonds.arm(k, point, end, 0), bonds.arm(k, point, end, 1)};
+}
+
 KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const Particles& particles, const Bonds& bonds, double expansion,
                                                       int k) {
   const EndMotion a = motion_of(particles, expansion, bonds.pair(k, 0));
   const EndMotion b = motion_of(particles, expansion, bonds.pair(k, 1));
-  BondMotion motion;
-  motion.frame = frame_of({bonds.normal(k, 0), bonds.normal(k, 1)}, a.rotation, b.rotation);
-  for (int s = 0; s < 2; ++s) {
-    motion.opening[s] = opening_of(a, b, {bonds.arm(k, s, 0, 0), bonds.arm(k, s, 0, 1)},
-                                   {bonds.arm(k, s, 1, 0), bonds.arm(k, s, 1, 1)}, motion.frame);
-  }
-  return motion;
+  const BondFrame frame = frame_of({bonds.normal(k, 0), bonds.normal(k, 1)}, a.rotation, b.rotation);
+  // no loop over the two points: it would keep the loop over bonds from vectorising
+  return {{frame.n_x, frame.n_y},
+          {opening_of(a, b, arm_of(bonds, k, 0, 0), arm_of(bonds, k, 0, 1), frame),
+           opening_of(a, b, arm_of(bonds, k, 1, 0), arm_of(bonds, k, 1, 1), frame)}};
 }
 
 }  // namespace vug

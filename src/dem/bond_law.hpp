@@ -5,6 +5,14 @@
 
 namespace vug {
 
+// By value: the references of Kokkos::max and min keep loops from vectorising.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double at_least(double bound, double x) {
+  return x > bound ? x : bound;
+}
+KOKKOS_FORCEINLINE_FUNCTION constexpr double at_most(double bound, double x) {
+  return x < bound ? x : bound;
+}
+
 /// Comprehensive damage d' = d_m + d_c - d_m d_c (Eq. 26); the modulus keeps the share 1 - d' (Eq. 12).
 KOKKOS_FORCEINLINE_FUNCTION constexpr double comprehensive_damage(double d_m, double d_c) {
   return d_m + d_c - d_m * d_c;
@@ -25,8 +33,8 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_energy_factor(double d_c, 
 }
 
 /// Shear strength by Mohr-Coulomb: c + tan(phi) <-sigma_n>; compression strengthens, tension does not weaken.
-KOKKOS_FORCEINLINE_FUNCTION double shear_strength(double cohesion, double tan_phi, double sigma_n) {
-  return cohesion + tan_phi * Kokkos::max(0.0, -sigma_n);
+KOKKOS_FORCEINLINE_FUNCTION constexpr double shear_strength(double cohesion, double tan_phi, double sigma_n) {
+  return cohesion + tan_phi * at_least(0, -sigma_n);
 }
 
 /// What one integration point is made of, at its current chemical damage.
@@ -42,9 +50,9 @@ struct BondPoint {
 /// The square of the undamaged stress over the strength ellipse: 1 or more means damage (Eq. 11).
 KOKKOS_FORCEINLINE_FUNCTION double ellipse(const BondPoint& p, double delta_n, double delta_t) {
   constexpr double smallest = 1e-300, largest = 1e100;  // a strength may be zero
-  const double n = p.k_n * Kokkos::max(0.0, delta_n) / Kokkos::max(p.sigma_n, smallest);
-  const double t = p.k_t * delta_t / Kokkos::max(p.sigma_t, smallest);
-  return Kokkos::min(n * n + t * t, largest);
+  const double n = p.k_n * at_least(0, delta_n) / at_least(smallest, p.sigma_n);
+  const double t = p.k_t * delta_t / at_least(smallest, p.sigma_t);
+  return at_most(largest, n * n + t * t);
 }
 
 /// Damage that the opening asks for on the unified linear law. With the mixity of the current opening delta_e,
@@ -55,22 +63,21 @@ KOKKOS_FORCEINLINE_FUNCTION double ellipse(const BondPoint& p, double delta_n, d
 /// path. delta_f <= delta_0 (stored energy above G) is a snap: d_m = 1 at once.
 KOKKOS_FORCEINLINE_FUNCTION double damage_of_opening(const BondPoint& p, double delta_n, double delta_t) {
   constexpr double smallest = 1e-300, largest = 1e100;
-  const double opening = Kokkos::max(0.0, delta_n);
+  const double opening = at_least(0, delta_n);
   const double e = ellipse(p, delta_n, delta_t);
   const double r = Kokkos::sqrt(e);
-  const double w = Kokkos::min(p.k_n * opening * opening / Kokkos::max(p.G_I, smallest) +
-                                   p.k_t * delta_t * delta_t / Kokkos::max(p.G_II, smallest),
-                               largest * largest);
+  const double w = at_most(largest * largest, p.k_n * opening * opening / at_least(smallest, p.G_I) +
+                                                  p.k_t * delta_t * delta_t / at_least(smallest, p.G_II));
   const double span = 2 * e - w;
-  const double softening = span > 0 ? Kokkos::min(1.0, 2 * r * (r - 1) / span) : 1.0;
+  const double softening = span > 0 ? at_most(1, 2 * r * (r - 1) / span) : 1.0;
   return r > 1 ? softening : 0.0;
 }
 
 /// Whether the onset is by tension rather than by shear: the larger term of Eq. 11.
 KOKKOS_FORCEINLINE_FUNCTION bool onset_in_tension(const BondPoint& p, double delta_n, double delta_t) {
   constexpr double smallest = 1e-300;
-  return p.k_n * Kokkos::max(0.0, delta_n) * Kokkos::max(p.sigma_t, smallest) >
-         p.k_t * Kokkos::abs(delta_t) * Kokkos::max(p.sigma_n, smallest);
+  return p.k_n * at_least(0, delta_n) * at_least(smallest, p.sigma_t) >
+         p.k_t * Kokkos::abs(delta_t) * at_least(smallest, p.sigma_n);
 }
 
 /// Share of the stiffness that damage leaves: all of it in compression, 1 - d_m in tension (Eq. 12).

@@ -35,6 +35,9 @@ void allocate(Bonds& b, int n, int particles) {
   b.d_m = fresh<ScalarField<double>>("bond_d_m", size);
   b.d_c = fresh<ScalarField<double>>("bond_d_c", size);
   b.state = fresh<decltype(b.state)>("bond_state", size);
+  b.joint = fresh<decltype(b.joint)>("bond_joint", size);
+  b.events = fresh<IndexList>("bond_events", 2);
+  Kokkos::deep_copy(b.joint, std::uint8_t{1});
   b.slip = fresh<decltype(b.slip)>("bond_slip", size);
   b.stress = fresh<decltype(b.stress)>("bond_stress", size);
   b.load = fresh<decltype(b.load)>("bond_load", size);
@@ -97,6 +100,9 @@ void draw(const BondParameters& law, const std::vector<Edge>& edges, BondPropert
 
 void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edges, Bonds& b) {
   std::set<std::array<int, 2>> cracks;
+  const auto events = Kokkos::create_mirror_view(b.events);
+  events(bond_has_failed) = assembly.initial_cracks.empty() ? 0 : 1;
+  Kokkos::deep_copy(b.events, events);
   for (const auto& c : assembly.initial_cracks) cracks.insert({std::min(c[0], c[1]), std::max(c[0], c[1])});
   const auto state = Kokkos::create_mirror_view(b.state);
   const auto d_m = Kokkos::create_mirror_view(b.d_m);

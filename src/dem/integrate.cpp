@@ -12,18 +12,24 @@ struct Push {
   double torque = 0;
 };
 
+/// Forces of interactions and which of them act on which particle.
+struct Slots {
+  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
+  IndexList row, entry;
+};
+
 /// One particle: the sum of its bonds' slots in row order, outside forces, boundary loads and gravity; local damping
 /// F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds them in `reaction`.
 /// Reads about 40 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
 struct Integrate {
   StepControl control;
-  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
-  IndexList row, entry;
+  Slots bonds, contacts;
   BoundaryLoads boundary;
   Particles p;
 
-  KOKKOS_FUNCTION Push bond_push(int i) const {
-    Push sum;
+  /// Adds what the slots hold for particle i; the second end of a slot feels the opposite force.
+  KOKKOS_FUNCTION static void gather(const Slots& slots, int i, Push& sum) {
+    const auto& [load, row, entry] = slots;
     for (int e = row(i); e < row(i + 1); ++e) {
       const int k = entry(e) / 2, end = entry(e) % 2;
       const double sign = end == 0 ? 1 : -1;
@@ -31,7 +37,6 @@ struct Integrate {
       sum.force.y += sign * load(k, 1);
       sum.torque += load(k, 2 + end);
     }
-    return sum;
   }
 
   KOKKOS_FUNCTION Push outside_push(int i) const {
@@ -56,13 +61,15 @@ struct Integrate {
   }
 
   KOKKOS_FUNCTION void operator()(int i) const {
-    const Push bonds = bond_push(i), outside = outside_push(i);
+    Push push = outside_push(i);
+    gather(bonds, i, push);
+    gather(contacts, i, push);
     const double share = control.mass_scaling * mass_fraction(p.solid_fraction(i));
     const double inverse_mass = 1 / (share * p.mass(i));
-    move(i, 0, bonds.force.x + outside.force.x, inverse_mass);
-    move(i, 1, bonds.force.y + outside.force.y, inverse_mass);
-    const double torque = bonds.torque + outside.torque;
-    p.spin(i) = p.held(i) & 4 ? 0 : kicked(p.spin(i), torque, 1 / (share * p.inertia(i)));
+    move(i, 0, push.force.x, inverse_mass);
+    move(i, 1, push.force.y, inverse_mass);
+
+    p.spin(i) = p.held(i) & 4 ? 0 : kicked(p.spin(i), push.torque, 1 / (share * p.inertia(i)));
     p.angle(i) += control.dt * p.spin(i);
     const Rotation rotation = Rotation::by(p.angle(i));
     p.rotation(i, 0) = rotation.cos_minus_1;
@@ -72,10 +79,14 @@ struct Integrate {
 
 }  // namespace
 
-void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const BoundaryLoads& loads,
-               const Particles& particles) {
+void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
+               const BoundaryLoads& loads, const Particles& particles) {
   for_each_node(exec, "vug::dem::integrate", particles.count,
-                Integrate{control, bonds.load, bonds.row, bonds.entry, loads, particles});
+                Integrate{control,
+                          {bonds.load, bonds.row, bonds.entry},
+                          {contacts.load, contacts.row, contacts.entry},
+                          loads,
+                          particles});
 }
 
 }  // namespace vug

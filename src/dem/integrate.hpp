@@ -1,6 +1,6 @@
 #pragma once
 // Newton's law for every particle (Eq. 10), leapfrog.
-#include "dem/bonds.hpp"
+#include "dem/contacts.hpp"
 #include "dem/loads.hpp"
 
 namespace vug {
@@ -15,7 +15,7 @@ struct StepControl {
 
 /// Gathers the forces on each particle in fixed order and moves it: v(t + dt/2) = v(t - dt/2) + dt F / m,
 /// u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
-void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const BoundaryLoads& loads,
-               const Particles& particles);
+void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
+               const BoundaryLoads& loads, const Particles& particles);
 
 }  // namespace vug

@@ -1,6 +1,7 @@
 #include "dem/mechanics.hpp"
 
 #include "dem/bond_forces.hpp"
+#include "dem/contact_forces.hpp"
 #include "dem/critical_step.hpp"
 #include "dem/require_parameters.hpp"
 
@@ -13,9 +14,10 @@ namespace vug {
 namespace {
 
 constexpr double preload_damping = 0.7;
-constexpr double at_rest = 1e-9;      // kinetic over elastic energy: the stress oscillates by its square root
-constexpr int looks_at_rest = 3;      // in a row, a fifth of the ramp apart: no turning point of an oscillation
-constexpr int longest_settling = 50;  // times the ramp
+constexpr double at_rest = 1e-9;            // kinetic over elastic energy: the stress oscillates by its square root
+constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apart: no turning point of an oscillation
+constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
+constexpr int longest_settling = 50;        // times the ramp
 
 MechanicsParameters checked(const MechanicsParameters& parameters) {
   require_parameters(parameters);
@@ -29,6 +31,8 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       boundary_(find_boundary(assembly)),
       particles_(make_particles(assembly, parameters)),
       bonds_(make_bonds(assembly, particles_, parameters)),
+      contacts_(make_contacts(particles_, bonds_)),
+      grid_(make_neighbour_grid(particles_, contacts_.skin)),
       loads_(apply_loads(assembly, boundary_, loads, particles_)) {}
 
 double Mechanics::critical_step() const {
@@ -36,8 +40,10 @@ double Mechanics::critical_step() const {
 }
 
 void Mechanics::step(const Exec& exec, const StepControl& control) {
+  if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
   compute_bond_forces(exec, parameters_, particles_, bonds_);
-  integrate(exec, control, bonds_, loads_, particles_);
+  compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_);
+  integrate(exec, control, bonds_, contacts_, loads_, particles_);
 }
 
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {

@@ -5,6 +5,7 @@
 #include "dem/integrate.hpp"
 #include "dem/loads.hpp"
 #include "dem/monitors.hpp"
+#include "dem/neighbour_grid.hpp"
 
 #include <vector>
 
@@ -28,8 +29,8 @@ class Mechanics {
   /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
   double critical_step() const;
 
-  /// Takes `substeps` steps of dt with outside forces and temperatures held. Two kernels each; no fence, no
-  /// allocation, no host copy.
+  /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each and two more every 50
+  /// steps; no fence, no allocation, no host copy.
   void advance(const Exec& exec, double dt, int substeps);
 
   /// Puts boundary loads and gravity on the rock in a ramp, with local damping 0.7, and waits until it is at rest.
@@ -48,6 +49,7 @@ class Mechanics {
 
   const Particles& particles() const { return particles_; }
   const Bonds& bonds() const { return bonds_; }
+  const Contacts& contacts() const { return contacts_; }
   const MechanicsParameters& parameters() const { return parameters_; }
   const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
   double time() const { return time_; }
@@ -63,8 +65,11 @@ class Mechanics {
   std::vector<BoundaryEdge> boundary_;
   Particles particles_;
   Bonds bonds_;
+  Contacts contacts_;
+  NeighbourGrid grid_;
   BoundaryLoads loads_;
   double time_ = 0;
+  long steps_ = 0;
 };
 
 }  // namespace vug

@@ -1,0 +1,47 @@
+#pragma once
+// The point of a triangle's outline that is closest to a given point.
+#include "dem/triangle.hpp"
+
+namespace vug {
+
+/// Where a point stands to the outline of a triangle.
+struct ClosestPoint {
+  double distance = 0;  ///< negative inside
+  Vec2 normal;          ///< from the outline towards the point, outwards when inside
+  int corner = -1;      ///< the corner that is closest, -1 when it is the inside of an edge
+};
+
+/// Closest point on the edge p -> q of a counter-clockwise triangle; `corners` are the numbers of p and q.
+KOKKOS_FUNCTION inline ClosestPoint closest_on_edge(Vec2 p, Vec2 q, const int (&corners)[2], Vec2 point) {
+  const Vec2 edge = q - p, from_p = point - p;
+  const double length2 = dot(edge, edge), along = dot(from_p, edge);
+  const Vec2 outward = (1 / Kokkos::sqrt(length2)) * Vec2{edge.y, -edge.x};
+  if (along > 0 && along < length2) {
+    const double height = dot(from_p, outward);
+    return {height, outward, -1};
+  }
+  const int end = along > 0 ? 1 : 0;
+  const Vec2 gap = point - (end == 0 ? p : q);
+  const double distance = norm(gap);
+  return {distance, distance > 0 ? (1 / distance) * gap : outward, corners[end]};
+}
+
+/// Closest point on the outline of a counter-clockwise triangle. A point inside is closest to the edge it is least
+/// deep under.
+KOKKOS_FUNCTION inline ClosestPoint closest_on_triangle(const Triangle& t, Vec2 point) {
+  ClosestPoint best[3];
+  bool inside = true;
+  for (int k = 0; k < 3; ++k) {
+    const int ends[2] = {k, (k + 1) % 3};
+    best[k] = closest_on_edge(t.corner[ends[0]], t.corner[ends[1]], ends, point);
+    inside = inside && cross(t.corner[ends[1]] - t.corner[ends[0]], point - t.corner[ends[0]]) > 0;
+  }
+  int chosen = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (Kokkos::abs(best[k].distance) < Kokkos::abs(best[chosen].distance)) chosen = k;
+  }
+  if (!inside) best[chosen].distance = Kokkos::abs(best[chosen].distance);
+  return best[chosen];
+}
+
+}  // namespace vug

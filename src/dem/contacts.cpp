@@ -1,0 +1,62 @@
+#include "dem/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace vug {
+
+namespace {
+
+constexpr int pairs_per_particle = 10;  // a triangulation has about 5 that share a corner but no edge
+
+template <class V>
+V fresh(const char* label, std::size_t count) {
+  return V(std::string("vug::dem::contact_") + label, count);
+}
+
+/// A fifth of the smallest particle's mean edge: wide enough to be rebuilt rarely, narrow enough to hold few pairs.
+double choose_skin(const Particles& particles) {
+  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.corner);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < particles.count; ++i) {
+    double perimeter = 0;
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3;
+      perimeter += std::hypot(corner(i, d, 0) - corner(i, c, 0), corner(i, d, 1) - corner(i, c, 1));
+    }
+    smallest = std::min(smallest, perimeter / 3);
+  }
+  return 0.2 * smallest;
+}
+
+}  // namespace
+
+Contacts make_contacts(const Particles& particles, const Bonds& bonds) {
+  const auto n = static_cast<std::size_t>(particles.count);
+  Contacts c;
+  c.capacity = pairs_per_particle * particles.count + 64;
+  c.skin = choose_skin(particles);
+  const auto size = static_cast<std::size_t>(c.capacity);
+  c.status = fresh<IndexList>("status", 3);
+  c.first = fresh<decltype(c.first)>("first", n + 1);
+  c.other = fresh<decltype(c.other)>("other", size);
+  c.stretch = fresh<decltype(c.stretch)>("stretch", size);
+  c.load = fresh<decltype(c.load)>("load", size);
+  c.row = fresh<IndexList>("row", n + 1);
+  c.entry = fresh<IndexList>("entry", 2 * size);
+  c.u_built = fresh<VectorField<double>>("u_built", n);
+  c.angle_built = fresh<ScalarField<double>>("angle_built", n);
+  const auto status = Kokkos::create_mirror_view(c.status);
+  status(contacts_stale) = 1;
+  Kokkos::deep_copy(c.status, status);
+  if (bonds.count < particles.count - 1) {  // too few bonds to hold it together
+    const auto events = Kokkos::create_mirror_view(bonds.events);
+    events(bond_has_failed) = 1;
+    Kokkos::deep_copy(bonds.events, events);
+  }
+  return c;
+}
+
+}  // namespace vug

@@ -1,0 +1,36 @@
+#pragma once
+// Pairs of triangles that may touch although no bond joins them, and the memory of their friction.
+#include "dem/bonds.hpp"
+
+namespace vug {
+
+/// Corners of a pair that may touch the other one's outline: three of the lower particle, three of the higher.
+inline constexpr int pair_features = 6;
+
+/// Candidate pairs (low, high), in two generations so that a rebuild can look up the friction of the old list.
+/// Pairs [first(i, g), first(i + 1, g)) belong to particle i as the lower one, ordered by the higher one's number.
+struct Contacts {
+  int capacity = 0;  ///< pairs
+  double skin = 0;   ///< pairs closer than this are candidates, m; rebuilt when a particle moved by a quarter of it
+
+  /// [contacts_stale]: the list must be rebuilt; [contacts_generation] in use, 0 or 1; [contacts_lost]: pairs that
+  /// found no room. Nothing is looked for while Bonds::events says that no bond has failed.
+  IndexList status;
+  Kokkos::View<int* [2], Kokkos::LayoutLeft> first;                      ///< (particle + 1, generation)
+  Kokkos::View<int* [2], Kokkos::LayoutLeft> other;                      ///< (pair, generation) the higher particle
+  Kokkos::View<double* [2][pair_features], Kokkos::LayoutLeft> stretch;  ///< friction springs, m
+  /// (pair, component) force on the lower particle, torque on it, torque on the higher one.
+  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
+  IndexList row;    ///< (particle + 1)
+  IndexList entry;  ///< 2 * pair + (1 for the higher end), ascending in each row
+
+  VectorField<double> u_built;      ///< displacements when the list was built, m
+  ScalarField<double> angle_built;  ///< rotations then
+};
+
+inline constexpr int contacts_stale = 0, contacts_generation = 1, contacts_lost = 2;
+
+/// An empty list for these particles. An assembly in pieces is awake from the start.
+Contacts make_contacts(const Particles& particles, const Bonds& bonds);
+
+}  // namespace vug

@@ -1,0 +1,236 @@
+#include "dem/neighbour_grid.hpp"
+
+#include "dem/closest_point.hpp"
+#include "kernels/launch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+NeighbourGrid make_neighbour_grid(const Particles& particles, double skin) {
+  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.corner);
+  NeighbourGrid grid;
+  double right = x0(0, 0), top = x0(0, 1);
+  grid.left = right;
+  grid.bottom = top;
+  for (int i = 0; i < particles.count; ++i) {
+    grid.left = std::min(grid.left, x0(i, 0)), right = std::max(right, x0(i, 0));
+    grid.bottom = std::min(grid.bottom, x0(i, 1)), top = std::max(top, x0(i, 1));
+    for (int c = 0; c < 3; ++c) grid.reach = std::max(grid.reach, std::hypot(corner(i, c, 0), corner(i, c, 1)));
+  }
+  grid.cell = 2.05 * grid.reach + skin;  // room for warm triangles
+  grid.nx = 1 + static_cast<int>((right - grid.left) / grid.cell);
+  grid.ny = 1 + static_cast<int>((top - grid.bottom) / grid.cell);
+  grid.start = IndexList("vug::dem::grid_start", static_cast<std::size_t>(grid.nx * grid.ny) + 1);
+  grid.item = IndexList("vug::dem::grid_item", static_cast<std::size_t>(particles.count));
+  return grid;
+}
+
+namespace {
+
+/// Marks the list as stale when this particle has moved or turned by more than a quarter of the skin.
+struct WatchMotion {
+  double reach;
+  Particles p;
+  Bonds bonds;
+  Contacts contacts;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if (bonds.events(bond_has_failed) == 0) return;
+    if (i == 0 && bonds.events(crack_has_parted) != 0) {
+      bonds.events(crack_has_parted) = 0;
+      Kokkos::atomic_store(&contacts.status(contacts_stale), 1);
+    }
+    const double moved = norm({p.u(i, 0) - contacts.u_built(i, 0), p.u(i, 1) - contacts.u_built(i, 1)}) +
+                         reach * Kokkos::abs(p.angle(i) - contacts.angle_built(i));
+    if (!(moved < 0.25 * contacts.skin)) Kokkos::atomic_store(&contacts.status(contacts_stale), 1);
+  }
+};
+
+/// The whole rebuild in one team, phases separated by barriers: one launch that returns at once when the list is good.
+/// Pairs come out ordered by particle numbers, whatever the order in which cells were filled.
+struct RebuildPairs {
+  using Team = Kokkos::TeamPolicy<Exec>::member_type;
+  NeighbourGrid grid;
+  Particles p;
+  Bonds bonds;
+  Contacts contacts;
+
+  KOKKOS_FUNCTION Vec2 centre(int i) const { return {p.x0(i, 0) + p.u(i, 0), p.x0(i, 1) + p.u(i, 1)}; }
+  KOKKOS_FUNCTION int cell_of(int i) const {
+    const Vec2 x = centre(i);
+    return grid.line(x.y) * grid.nx + grid.column(x.x);
+  }
+
+  KOKKOS_FUNCTION Triangle outline(int i) const {
+    const Rotation rotation{p.rotation(i, 0), p.rotation(i, 1)};
+    Triangle t;
+    for (int c = 0; c < 3; ++c) t.corner[c] = centre(i) + rotation.turn({p.eroded(i, c, 0), p.eroded(i, c, 1)});
+    return t;
+  }
+
+  /// A bond, or the crack that it left, already lets the two feel each other.
+  KOKKOS_FUNCTION bool joined(int i, int j) const {
+    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
+      const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
+      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) != 0) return true;
+    }
+    return false;
+  }
+
+  KOKKOS_FUNCTION bool candidate(int i, int j) const {
+    const Vec2 gap = centre(j) - centre(i);
+    const double near = 2 * p.radius + contacts.skin;
+    if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near) || joined(i, j)) return false;
+    const Triangle a = outline(i), b = outline(j);
+    for (int c = 0; c < 3; ++c) {
+      if (closest_on_triangle(a, b.corner[c]).distance < near || closest_on_triangle(b, a.corner[c]).distance < near) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Calls found(j) for every candidate j of i, in no particular order.
+  template <class Found>
+  KOKKOS_FUNCTION void for_candidates(int i, const Found& found) const {
+    const Vec2 x = centre(i);
+    const int cx = grid.column(x.x), cy = grid.line(x.y);
+    for (int y = Kokkos::max(0, cy - 1); y <= Kokkos::min(grid.ny - 1, cy + 1); ++y) {
+      for (int c = y * grid.nx + Kokkos::max(0, cx - 1); c <= y * grid.nx + Kokkos::min(grid.nx - 1, cx + 1); ++c) {
+        for (int k = grid.start(c); k < grid.start(c + 1); ++k) {
+          const int j = grid.item(k);
+          if (j != i && candidate(i, j)) found(j);
+        }
+      }
+    }
+  }
+
+  template <class Body>
+  KOKKOS_FUNCTION static void each(const Team& team, int n, const Body& body) {
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), body);
+    team.team_barrier();
+  }
+
+  /// Counts in [0, n) become starts in [0, n], in place.
+  template <class ViewType>
+  KOKKOS_FUNCTION static void accumulate(const Team& team, int n, const ViewType& count) {
+    Kokkos::parallel_scan(Kokkos::TeamThreadRange(team, n + 1), [&](int i, int& sum, bool last) {
+      const int own = i < n ? count(i) : 0;
+      if (last) count(i) = sum;
+      sum += own;
+    });
+    team.team_barrier();
+  }
+
+  KOKKOS_FUNCTION void sort_into_cells(const Team& team) const {
+    const int cells = grid.nx * grid.ny;
+    each(team, cells, [&](int c) { grid.start(c) = 0; });
+    each(team, p.count, [&](int i) { Kokkos::atomic_inc(&grid.start(cell_of(i))); });
+    accumulate(team, cells, grid.start);
+    // filling from the front moves each start to the next one's place; one step back restores it
+    each(team, p.count, [&](int i) { grid.item(Kokkos::atomic_fetch_add(&grid.start(cell_of(i)), 1)) = i; });
+    Kokkos::single(Kokkos::PerTeam(team), [&] {
+      for (int c = cells; c > 0; --c) grid.start(c) = grid.start(c - 1);
+      grid.start(0) = 0;
+    });
+    team.team_barrier();
+  }
+
+  KOKKOS_FUNCTION int find_pair(int low, int high, int generation) const {
+    for (int k = contacts.first(low, generation); k < contacts.first(low + 1, generation); ++k) {
+      if (contacts.other(k, generation) == high) return k;
+    }
+    return -1;
+  }
+
+  /// Writes the pairs of which i is the lower one, ordered, with the friction they had in the old list.
+  KOKKOS_FUNCTION void list_pairs(int i, int now, int before) const {
+    const int first = contacts.first(i, now), last = contacts.first(i + 1, now);
+    int count = first;
+    for_candidates(i, [&](int j) {
+      if (j < i || count == last) return;
+      int k = count++;
+      for (; k > first && contacts.other(k - 1, now) > j; --k) contacts.other(k, now) = contacts.other(k - 1, now);
+      contacts.other(k, now) = j;
+    });
+    for (int k = first; k < last; ++k) {
+      const int old = find_pair(i, contacts.other(k, now), before);
+      for (int f = 0; f < pair_features; ++f) {
+        contacts.stretch(k, now, f) = old < 0 ? 0 : contacts.stretch(old, before, f);
+      }
+    }
+  }
+
+  KOKKOS_FUNCTION void list_rows(int i, int now) const {
+    int at = contacts.row(i);
+    const int first = at;
+    for_candidates(i, [&](int j) {
+      const int pair = find_pair(i < j ? i : j, i < j ? j : i, now);
+      if (pair < 0) return;
+      const int value = 2 * pair + (i < j ? 0 : 1);
+      int k = at++;
+      for (; k > first && contacts.entry(k - 1) > value; --k) contacts.entry(k) = contacts.entry(k - 1);
+      contacts.entry(k) = value;
+    });
+  }
+
+  KOKKOS_FUNCTION void count_pairs(const Team& team, int now) const {
+    const auto first = Kokkos::subview(contacts.first, Kokkos::ALL, now);
+    each(team, p.count, [&](int i) {
+      int higher = 0;
+      for_candidates(i, [&](int j) { higher += j > i; });
+      first(i) = higher;
+    });
+    accumulate(team, p.count, first);
+    Kokkos::single(Kokkos::PerTeam(team),
+                   [&] { contacts.status(contacts_lost) = Kokkos::max(0, first(p.count) - contacts.capacity); });
+    team.team_barrier();
+    each(team, p.count + 1, [&](int i) { first(i) = Kokkos::min(first(i), contacts.capacity); });
+  }
+
+  KOKKOS_FUNCTION void count_rows(const Team& team, int now) const {
+    each(team, p.count, [&](int i) {
+      int pairs = 0;
+      for_candidates(i, [&](int j) { pairs += find_pair(i < j ? i : j, i < j ? j : i, now) >= 0; });
+      contacts.row(i) = pairs;
+    });
+    accumulate(team, p.count, contacts.row);
+  }
+
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    if (bonds.events(bond_has_failed) == 0 || contacts.status(contacts_stale) == 0) return;
+    const int before = contacts.status(contacts_generation), now = 1 - before;
+    team.team_barrier();  // everybody has read the status
+    sort_into_cells(team);
+    count_pairs(team, now);
+    each(team, p.count, [&](int i) { list_pairs(i, now, before); });
+    count_rows(team, now);
+    each(team, p.count, [&](int i) {
+      list_rows(i, now);
+      contacts.u_built(i, 0) = p.u(i, 0);
+      contacts.u_built(i, 1) = p.u(i, 1);
+      contacts.angle_built(i) = p.angle(i);
+    });
+    Kokkos::single(Kokkos::PerTeam(team), [&] {
+      contacts.status(contacts_stale) = 0;
+      contacts.status(contacts_generation) = now;
+    });
+  }
+};
+
+}  // namespace
+
+void update_contacts(const Exec& exec, const NeighbourGrid& grid, const Particles& particles, const Bonds& bonds,
+                     const Contacts& contacts) {
+  for_each_node(exec, "vug::dem::watch_motion", particles.count, WatchMotion{grid.reach, particles, bonds, contacts});
+  const RebuildPairs rebuild{grid, particles, bonds, contacts};
+  if constexpr (runs_on_host) {
+    Kokkos::parallel_for("vug::dem::rebuild_pairs", Kokkos::TeamPolicy<Exec>(exec, 1, 1), rebuild);
+  } else {
+    Kokkos::parallel_for("vug::dem::rebuild_pairs", Kokkos::TeamPolicy<Exec>(exec, 1, Kokkos::AUTO), rebuild);
+  }
+}
+
+}  // namespace vug
