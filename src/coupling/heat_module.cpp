@@ -18,9 +18,12 @@ constexpr double runaway_margin = 1000;  // K
 
 HeatCondition condition_of(HeatBoundaryKind kind) {
   switch (kind) {
-    case HeatBoundaryKind::temperature: return HeatCondition::temperature;
-    case HeatBoundaryKind::outflow: return HeatCondition::outflow;
-    default: return HeatCondition::adiabatic;
+    case HeatBoundaryKind::temperature:
+      return HeatCondition::temperature;
+    case HeatBoundaryKind::outflow:
+      return HeatCondition::outflow;
+    default:
+      return HeatCondition::adiabatic;
   }
 }
 
@@ -39,8 +42,8 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       coldest_(section_.initial_temperature),
       hottest_(section_.initial_temperature) {
   const double scale = interval_ / units.diffusivity();
-  const double sigma = section_.solid_density * section_.solid_heat_capacity /
-                       (section_.fluid_density * section_.fluid_heat_capacity);
+  const double sigma =
+      section_.solid_density * section_.solid_heat_capacity / (section_.fluid_density * section_.fluid_heat_capacity);
   fields_ = make_heat_fields<T>(exec, geometry.lattice,
                                 {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma},
                                 geometry.type, periodic_, initial_theta_);
@@ -99,10 +102,11 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const double lowest = extremes.lowest + units_.reference_temperature;
   const double highest = extremes.highest + units_.reference_temperature;
   if (extremes.not_finite == 0 && lowest > coldest_ - runaway_margin && highest < hottest_ + runaway_margin) return;
-  throw StabilityError(fmt::format(
-      "heat diverged at step {}: temperatures from {:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise "
-      "the diffusivities",
-      clock.step, lowest, highest, extremes.not_finite));
+  throw StabilityError(
+      fmt::format("heat diverged at step {}: temperatures from {:.4g} to {:.4g} K, {} nodes not finite; lower the "
+                  "velocity or raise "
+                  "the diffusivities",
+                  clock.step, lowest, highest, extremes.not_finite));
 }
 
 template <class T>
@@ -133,7 +137,8 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
 template <class T>
 void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
   const HeatExtremes extremes = heat_extremes(Exec{}, fields_);
-  const double change = std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
+  const double change =
+      std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
   row.push_back({"largest_temperature_change_K", change});
 }
 

@@ -47,8 +47,10 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
   geometry.dissolved = ScalarField<double>("vug::reaction::dissolved", lattice.size());
   for_each_node(exec, "vug::reaction::fill", lattice.nx * lattice.ny,
                 FillVolume{geometry.type, lattice, geometry.volume});
-  sums_ = {geometry.volume, geometry.dissolved,
-           ScalarField<double>("vug::reaction::consumed", block_count(lattice.size())), {}};
+  sums_ = {geometry.volume,
+           geometry.dissolved,
+           ScalarField<double>("vug::reaction::consumed", block_count(lattice.size())),
+           {}};
   if (wall_.law == ReactiveWallLaw::paper && product_)
     sums_.released = ScalarField<double>("vug::reaction::released", lattice.size());
   lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
@@ -70,10 +72,12 @@ void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (heat_) {
     const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
                                                  heat_->face_temperature()};
-    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product, sums_);
+    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product,
+                       sums_);
   } else {
     const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};
-    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product, sums_);
+    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product,
+                       sums_);
   }
 }
 

@@ -42,7 +42,7 @@ class ReactionModule final : public Module {
   ReactionLedger sums_;
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
   ScalarField<double> lost_;
-  double initial_volume_ = 0;   ///< pixels
+  double initial_volume_ = 0;  ///< pixels
 };
 
 }  // namespace vug

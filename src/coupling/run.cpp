@@ -52,8 +52,8 @@ std::int64_t output_interval(const Scene& scene) {
 
 /// Lattice steps between two checkpoints: a multiple of the update interval, at which a checkpoint may be taken.
 std::int64_t checkpoint_interval(const Scene& scene) {
-  const std::int64_t wanted = scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene)
-                                                               : output_interval(scene);
+  const std::int64_t wanted =
+      scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
   const std::int64_t unit = scene.accuracy.update_interval;
   return (wanted + unit - 1) / unit * unit;
 }
@@ -64,8 +64,7 @@ std::optional<RockShape> rock_shape(const Parts& parts) {
   const Bonds& bonds = parts.mechanics->bonds();
   const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.vertex);
-  for (int b = 0; b < bonds.count; ++b)
-    shape.bonds.push_back({{pair(b, 0), pair(b, 1)}, {vertex(b, 0), vertex(b, 1)}});
+  for (int b = 0; b < bonds.count; ++b) shape.bonds.push_back({{pair(b, 0), pair(b, 1)}, {vertex(b, 0), vertex(b, 1)}});
   return shape;
 }
 
@@ -278,6 +277,8 @@ class Run {
 
 }  // namespace
 
-RunEnd run_case(const Scene& scene, const RunOptions& options) { return Run(scene, options)(); }
+RunEnd run_case(const Scene& scene, const RunOptions& options) {
+  return Run(scene, options)();
+}
 
 }  // namespace vug

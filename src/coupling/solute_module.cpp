@@ -33,7 +33,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     SpeciesState<T> state;
     state.section = section;
     const double D = interval_ * section.diffusivity / units.diffusivity();
-    state.parameters = section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
+    state.parameters =
+        section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
     state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
     for (const Stretch& stretch : boundary_stretches(scene)) {
       const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
@@ -52,8 +53,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
 
 template <class T, class Set>
 SpeciesState<T>& SoluteModule<T, Set>::species(const std::string& name) {
-  const auto found = std::find_if(species_.begin(), species_.end(),
-                                  [&](const SpeciesState<T>& s) { return s.section.name == name; });
+  const auto found =
+      std::find_if(species_.begin(), species_.end(), [&](const SpeciesState<T>& s) { return s.section.name == name; });
   KOKKOS_ASSERT(found != species_.end());
   return *found;
 }

@@ -148,6 +148,7 @@ struct BondFailure {
     accounts.add_bond(k, 0.5 * model.bonds.length(k) * released, 0, 0);
     model.bonds.d_m(k) = 1;
     Kokkos::atomic_store(&model.bonds.events(bond_has_failed), 1);
+    Kokkos::atomic_store(&model.bonds.events(cracks_have_changed), 1);
   }
 
   KOKKOS_FUNCTION BondState settled(int k, BondState state, const BondMotion& motion) const {
@@ -167,7 +168,7 @@ struct BondFailure {
                                            Kokkos::abs(opening[0].delta_t + opening[1].delta_t));
     if (apart < 0.5 * bonds.length(k)) return true;
     bonds.joint(k) = 0;
-    Kokkos::atomic_store(&bonds.events(crack_has_parted), 1);
+    Kokkos::atomic_store(&bonds.events(cracks_have_changed), 1);
     return false;
   }
 
