@@ -46,15 +46,15 @@ void sweep(benchmark::State& state, const Case& c, Streaming streaming, Collisio
     s.step.speed_limit = T(0.2);
     s.step.limited = ScalarField<double>("limited", block_count(s.nodes.count));
   }
-  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(3, streaming),
-             [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); });
+  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(3, streaming),
+                      [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); });
 }
 
 template <class T>
 void hand_written_two_lattices(benchmark::State& state, const Case& c) {
   Setting<T> s(c, Streaming::two_lattices);
   const TwoRelaxationTimes<T> relax(s.step.rates);
-  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(0, Streaming::two_lattices), [&] {
+  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(0, Streaming::two_lattices), [&] {
     for_each_node(s.exec, "vug::perf::two_lattices", s.nodes.count,
                   HandWrittenTwoLattices<T>{s.fields.f.data(), s.fields.f_next.data(), s.nodes.source.data(),
                                             s.nodes.capacity, relax});
@@ -68,7 +68,7 @@ void hand_written_in_place(benchmark::State& state, const Case& c) {
   const TwoRelaxationTimes<T> relax(s.step.rates);
   T* f = s.fields.f.data();
   bool at_home = true;
-  measure<T>(state, s.nodes.count, 9, sweep_bytes<T>(0, Streaming::in_place), [&] {
+  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(0, Streaming::in_place), [&] {
     if (at_home)
       for_each_node(s.exec, "vug::perf::in_place_from_home", s.nodes.count,
                     HandWrittenInPlace<T, true>{f, s.nodes.source.data(), s.nodes.capacity, relax});

@@ -11,11 +11,11 @@
 namespace vug::perf {
 
 /// a(stream, i) = -a(stream, i): reads and writes each stream once, in place.
-template <class T>
+template <class T, int streams>
 struct InPlaceCopy {
   ScalarField<T> a;
-  int streams, capacity;
-  KOKKOS_FUNCTION void operator()(int i) const {
+  int capacity;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
     for (int s = 0; s < streams; ++s) a(s * capacity + i) = -a(s * capacity + i);
   }
 };
@@ -37,10 +37,10 @@ double seconds(const Call& call) {
 
 /// Runs `step` (one update of `nodes` nodes) in batches beside a copy of `streams` streams of T, and reports
 /// MLUPS and its median, bytes moved per node as stated, GB/s of them, and the share of the copy's rate of updates.
-template <class T, class Step>
-void measure(benchmark::State& state, int nodes, int streams, double bytes_per_node, const Step& step) {
+template <class T, int streams, class Step>
+void measure(benchmark::State& state, int nodes, double bytes_per_node, const Step& step) {
   const int capacity = (nodes + 15) / 16 * 16;
-  const InPlaceCopy<T> copy{ScalarField<T>("copy", static_cast<std::size_t>(streams) * capacity), streams, capacity};
+  const InPlaceCopy<T, streams> copy{ScalarField<T>("copy", static_cast<std::size_t>(streams) * capacity), capacity};
   const int batch = std::clamp(20'000'000 / std::max(nodes, 1), 2, 1000) / 2 * 2;  // some 50 ms on a few cores
   std::vector<double> kernel_times, copy_times;
   step();  // first touch

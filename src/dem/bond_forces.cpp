@@ -21,6 +21,7 @@ struct BondModel {
   ContactParameters contact;
   ChemicalDamageLaw chemical;
   double expansion;
+  double dt;
   Particles particles;
   Bonds bonds;
 
@@ -67,8 +68,10 @@ struct BondModel {
 /// with viscosity eta M v, forces and torques on both ends at the midpoint of the opening. No branches, so that a
 /// host computes eight bonds at once; bonds that have failed are put right by BondFailure.
 /// Reads about 27 numbers of the bond and 18 of its particles, writes 9; the forces of the two ends cancel exactly.
+template <class Keeper>
 struct CohesiveForces {
   BondModel model;
+  Keeper accounts;
 
   KOKKOS_FORCEINLINE_FUNCTION double damage_of(int k, int s, const BondPoint& material, const PointOpening& o) const {
     const double asked = damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t),
@@ -84,6 +87,22 @@ struct CohesiveForces {
             (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t)};
   }
 
+  /// Stored energy that new damage releases, and what viscosity takes; nothing for a bond that failed before.
+  KOKKOS_FORCEINLINE_FUNCTION void keep_account(int k, const BondPoint& material, double d_c, const double (&damage)[2],
+                                                const PointOpening (&opening)[2]) const {
+    const BondParameters& law = model.law;
+    const double holds = model.bonds.point_damage(k, 0) + model.bonds.point_damage(k, 1) < 2 ? 1 : 0;
+    double fracture = 0, viscous = 0;
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening& o = opening[s];
+      fracture += (damage[s] - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, o.delta_t);
+      viscous += normal_integrity(damage[s], o.delta_n) * law.normal_modulus * o.rate_n * o.rate_n +
+                 (1 - damage[s]) * law.tangential_modulus * o.rate_t * o.rate_t;
+    }
+    const double width = 0.5 * model.bonds.length(k);
+    accounts.add_bond(k, width * fracture, 0, holds * model.dt * width * law.damping * (1 - d_c) * viscous);
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
     const Bonds& bonds = model.bonds;
     const BondMotion motion = motion_of_bond(model.particles, bonds, model.expansion, k);
@@ -93,6 +112,7 @@ struct CohesiveForces {
                               damage_of(k, 1, material, motion.opening[1])};
     const PointStress stress[2] = {stress_of(material, damage[0], d_c, motion.opening[0]),
                                    stress_of(material, damage[1], d_c, motion.opening[1])};
+    if constexpr (Keeper::kept) keep_account(k, material, d_c, damage, motion.opening);
     bonds.point_damage(k, 0) = damage[0];
     bonds.point_damage(k, 1) = damage[1];
     bonds.d_m(k) = 0.5 * (damage[0] + damage[1]);
@@ -103,8 +123,10 @@ struct CohesiveForces {
 /// The bonds to which something happens: names the mode of first damage, fails a bond whose two points are broken or
 /// whose solid is dissolved, and replaces the forces of a failed one by those of a crack, whose faces press and rub
 /// at the same two points with the bond's own stiffness and the contact's friction and dashpot.
+template <class Keeper>
 struct BondFailure {
   BondModel model;
+  Keeper accounts;
 
   KOKKOS_FUNCTION BondState first_damage(int k, const BondMotion& motion) const {
     const int s = model.bonds.point_damage(k, 0) > 0 ? 0 : 1;
@@ -115,10 +137,15 @@ struct BondFailure {
 
   /// The sliders of the new crack stand where its faces are.
   KOKKOS_FUNCTION void fail(int k, const BondMotion& motion) const {
+    const BondPoint material = model.material(k, model.chemical_damage(k));
+    double released = 0;
     for (int s = 0; s < 2; ++s) {
+      const PointOpening& o = motion.opening[s];
+      released += (1 - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, o.delta_t);
       model.bonds.point_damage(k, s) = 1;
       model.bonds.slip(k, s) = motion.opening[s].delta_t;
     }
+    accounts.add_bond(k, 0.5 * model.bonds.length(k) * released, 0, 0);
     model.bonds.d_m(k) = 1;
     Kokkos::atomic_store(&model.bonds.events(bond_has_failed), 1);
   }
@@ -150,6 +177,12 @@ struct BondFailure {
     const ContactPoint joint{point.k_n, point.k_t, c.normal_damping / width, c.tangential_damping / width, c.friction};
     const ContactReaction reaction =
         contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, model.bonds.slip(k, s));
+    if constexpr (Keeper::kept) {
+      const double slid =
+          o.delta_n < 0 ? Kokkos::abs(reaction.tangential * (reaction.slip - model.bonds.slip(k, s))) : 0;
+      const double damped = -model.dt * (reaction.normal - at_least(0, -point.k_n * o.delta_n)) * o.rate_n;
+      accounts.add_bond(k, 0, width * slid, width * damped);
+    }
     model.bonds.slip(k, s) = reaction.slip;
     return {-reaction.normal, -reaction.tangential};
   }
@@ -174,26 +207,34 @@ struct BondFailure {
 };
 
 /// Both in one launch, for devices on which a launch costs more than a branch.
+template <class Keeper>
 struct BondForces {
   BondModel model;
+  Keeper accounts;
   KOKKOS_FUNCTION void operator()(int k) const {
-    CohesiveForces{model}(k);
-    BondFailure{model}(k);
+    CohesiveForces<Keeper>{model, accounts}(k);
+    BondFailure<Keeper>{model, accounts}(k);
   }
 };
 
 }  // namespace
 
-void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, const Particles& particles,
-                         const Bonds& bonds) {
+template <class Keeper>
+void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
+                         const Bonds& bonds, const Keeper& accounts) {
   const BondModel model{
-      parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, particles, bonds};
+      parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds};
   if constexpr (runs_on_host) {
-    for_each_node(exec, "vug::dem::cohesive_forces", bonds.count, CohesiveForces{model});
-    for_each_node(exec, "vug::dem::bond_failure", bonds.count, BondFailure{model});
+    for_each_node(exec, "vug::dem::cohesive_forces", bonds.count, CohesiveForces<Keeper>{model, accounts});
+    for_each_node(exec, "vug::dem::bond_failure", bonds.count, BondFailure<Keeper>{model, accounts});
   } else {
-    for_each_node(exec, "vug::dem::bond_forces", bonds.count, BondForces{model});
+    for_each_node(exec, "vug::dem::bond_forces", bonds.count, BondForces<Keeper>{model, accounts});
   }
 }
+
+template void compute_bond_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
+                                  const NoAccounts&);
+template void compute_bond_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
+                                  const Accounts&);
 
 }  // namespace vug

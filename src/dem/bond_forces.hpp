@@ -1,12 +1,14 @@
 #pragma once
 // Forces of all bonds, intact or failed, each into its own slot.
+#include "dem/accounts.hpp"
 #include "dem/bonds.hpp"
 
 namespace vug {
 
 /// Evaluates every bond at the current displacements and velocities: advances its damage, its state and the slider of
-/// its crack, and writes Bonds::load and Bonds::stress.
-void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, const Particles& particles,
-                         const Bonds& bonds);
+/// its crack, and writes Bonds::load and Bonds::stress. dt is the step over which losses are accounted.
+template <class Keeper>
+void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
+                         const Bonds& bonds, const Keeper& accounts);
 
 }  // namespace vug

@@ -68,15 +68,20 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2 arm_of(const Bonds& bonds, int k, int point, in
   return {bonds.arm(k, point, end, 0), bonds.arm(k, point, end, 1)};
 }
 
-KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const Particles& particles, const Bonds& bonds, double expansion,
+KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const EndMotion& a, const EndMotion& b, const Bonds& bonds,
                                                       int k) {
-  const EndMotion a = motion_of(particles, expansion, bonds.pair(k, 0));
-  const EndMotion b = motion_of(particles, expansion, bonds.pair(k, 1));
   const BondFrame frame = frame_of({bonds.normal(k, 0), bonds.normal(k, 1)}, a.rotation, b.rotation);
   // no loop over the two points: it would keep the loop over bonds from vectorising
   return {{frame.n_x, frame.n_y},
           {opening_of(a, b, arm_of(bonds, k, 0, 0), arm_of(bonds, k, 0, 1), frame),
            opening_of(a, b, arm_of(bonds, k, 1, 0), arm_of(bonds, k, 1, 1), frame)}};
+}
+
+KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const Particles& particles, const Bonds& bonds, double expansion,
+                                                      int k) {
+  const EndMotion a = motion_of(particles, expansion, bonds.pair(k, 0));
+  const EndMotion b = motion_of(particles, expansion, bonds.pair(k, 1));
+  return motion_of_bond(a, b, bonds, k);
 }
 
 }  // namespace vug

@@ -40,9 +40,10 @@ void allocate(Bonds& b, int n, int particles) {
   Kokkos::deep_copy(b.joint, std::uint8_t{1});
   b.slip = fresh<decltype(b.slip)>("bond_slip", size);
   b.stress = fresh<decltype(b.stress)>("bond_stress", size);
-  b.load = fresh<decltype(b.load)>("bond_load", size);
+  b.load = fresh<decltype(b.load)>("bond_load", size + 1);
   b.row = fresh<IndexList>("bond_row", static_cast<std::size_t>(particles) + 1);
   b.entry = fresh<IndexList>("bond_entry", 2 * size);
+  b.slot = fresh<decltype(b.slot)>("bond_slot", static_cast<std::size_t>(particles));
 }
 
 void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, const Particles& particles, Bonds& b) {
@@ -126,6 +127,7 @@ void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edge
 void fill_rows(const std::vector<Edge>& edges, int particles, Bonds& b) {
   const auto row = Kokkos::create_mirror_view(b.row);
   const auto entry = Kokkos::create_mirror_view(b.entry);
+  const auto slot = Kokkos::create_mirror_view(b.slot);
   std::vector<std::vector<int>> of(static_cast<std::size_t>(particles));
   for (int k = 0; k < b.count; ++k) {
     for (int end = 0; end < 2; ++end) {
@@ -136,11 +138,16 @@ void fill_rows(const std::vector<Edge>& edges, int particles, Bonds& b) {
   int next = 0;
   for (int i = 0; i < particles; ++i) {
     row(i) = next;
-    for (const int e : of[static_cast<std::size_t>(i)]) entry(next++) = e;
+    for (int edge = 0; edge < 3; ++edge) slot(i, edge) = 2 * b.count;
+    for (const int e : of[static_cast<std::size_t>(i)]) {
+      slot(i, next - row(i)) = e;
+      entry(next++) = e;
+    }
   }
   row(particles) = next;
   Kokkos::deep_copy(b.row, row);
   Kokkos::deep_copy(b.entry, entry);
+  Kokkos::deep_copy(b.slot, slot);
 }
 
 }  // namespace

@@ -53,11 +53,14 @@ struct Bonds {
   Kokkos::View<double* [2], Kokkos::LayoutLeft> slip;    ///< (bond, point) slider of the crack's friction, m
   Kokkos::View<double* [2], Kokkos::LayoutLeft> stress;  ///< (bond, normal/tangential) mean of the two points, Pa
 
-  /// (bond, component) force on a, torque on a, torque on b; the force on b is the opposite.
+  /// (bond, component) force on a, torque on a, torque on b; the force on b is the opposite. One entry more than there
+  /// are bonds stays zero.
   Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
 
   IndexList row;    ///< (particle + 1) the entries of particle i are [row(i), row(i + 1))
   IndexList entry;  ///< 2 * bond + end, ascending in each row
+  /// (particle, edge) the same entries, filled up with 2 * count: the zero load.
+  Kokkos::View<int* [3], Kokkos::LayoutLeft> slot;
 };
 
 /// Bonds on every edge that two triangles share, numbered by their lower particle. Throws InputError when three

@@ -46,6 +46,8 @@ Contacts make_contacts(const Particles& particles, const Bonds& bonds) {
   c.load = fresh<decltype(c.load)>("load", size);
   c.row = fresh<IndexList>("row", n + 1);
   c.entry = fresh<IndexList>("entry", 2 * size);
+  c.push = fresh<decltype(c.push)>("push", n);
+  c.energy = fresh<ScalarField<double>>("energy", n);
   c.u_built = fresh<VectorField<double>>("u_built", n);
   c.angle_built = fresh<ScalarField<double>>("angle_built", n);
   const auto status = Kokkos::create_mirror_view(c.status);

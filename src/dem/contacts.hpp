@@ -24,6 +24,9 @@ struct Contacts {
   IndexList row;    ///< (particle + 1)
   IndexList entry;  ///< 2 * pair + (1 for the higher end), ascending in each row
 
+  Kokkos::View<double* [3], Kokkos::LayoutLeft> push;  ///< (particle, component) force and torque of all its contacts
+  ScalarField<double> energy;                          ///< (lower particle) stored in its pairs' springs, J per m
+
   VectorField<double> u_built;      ///< displacements when the list was built, m
   ScalarField<double> angle_built;  ///< rotations then
 };

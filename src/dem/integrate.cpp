@@ -8,85 +8,101 @@ namespace {
 
 /// Everything that pushes one particle.
 struct Push {
-  Vec2 force;
-  double torque = 0;
+  double x = 0, y = 0, torque = 0;
 };
 
-/// Forces of interactions and which of them act on which particle.
-struct Slots {
-  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
-  IndexList row, entry;
-};
-
-/// One particle: the sum of its bonds' slots in row order, outside forces, boundary loads and gravity; local damping
-/// F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds them in `reaction`.
-/// Reads about 40 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
+/// One particle: the sum of its bonds' slots in fixed order, its contacts, outside forces, boundary loads and gravity;
+/// local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds them in
+/// `reaction`. No branches and no calls, so that a host moves eight particles at once.
+/// Reads about 45 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
+template <class Keeper>
 struct Integrate {
   StepControl control;
-  Slots bonds, contacts;
+  Bonds bonds;
+  Contacts contacts;
   BoundaryLoads boundary;
   Particles p;
+  Keeper accounts;
 
-  /// Adds what the slots hold for particle i; the second end of a slot feels the opposite force.
-  KOKKOS_FUNCTION static void gather(const Slots& slots, int i, Push& sum) {
-    const auto& [load, row, entry] = slots;
-    for (int e = row(i); e < row(i + 1); ++e) {
-      const int k = entry(e) / 2, end = entry(e) % 2;
-      const double sign = end == 0 ? 1 : -1;
-      sum.force.x += sign * load(k, 0);
-      sum.force.y += sign * load(k, 1);
-      sum.torque += load(k, 2 + end);
-    }
+  KOKKOS_FORCEINLINE_FUNCTION Push bond(int i, int edge) const {
+    const int slot = bonds.slot(i, edge), k = slot / 2, end = slot % 2;
+    const double sign = 1 - 2 * end;
+    return {sign * bonds.load(k, 0), sign * bonds.load(k, 1), bonds.load(k, 2 + end)};
   }
 
-  KOKKOS_FUNCTION Push outside_push(int i) const {
-    const double weight = control.load_factor * p.mass(i) * mass_fraction(p.solid_fraction(i));
+  KOKKOS_FORCEINLINE_FUNCTION Push outside(int i) const {
+    const double weight = p.mass(i) * mass_fraction(p.solid_fraction(i));
     const double a = boundary.moment(i, 0), b = boundary.moment(i, 1);
     const double moment = a + p.rotation(i, 0) * a - p.rotation(i, 1) * b;
-    return {{p.force(i, 0) + control.load_factor * boundary.force(i, 0) + weight * boundary.gravity_x,
-             p.force(i, 1) + control.load_factor * boundary.force(i, 1) + weight * boundary.gravity_y},
+    return {p.force(i, 0) + control.load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x),
+            p.force(i, 1) + control.load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y),
             p.torque(i) + control.load_factor * moment};
   }
 
-  KOKKOS_FUNCTION double kicked(double v, double force, double inverse_mass) const {
-    const double sign = v > 0 ? 1 : v < 0 ? -1 : 0;
-    return v + control.dt * inverse_mass * (force - control.local_damping * Kokkos::abs(force) * sign);
+  /// New velocity of one degree of freedom under `force`.
+  KOKKOS_FORCEINLINE_FUNCTION double kicked(double v, double force, double inverse_mass) const {
+    const double against = v > 0 ? -1 : v < 0 ? 1 : 0;
+    return v + control.dt * inverse_mass * (force + control.local_damping * Kokkos::abs(force) * against);
   }
 
-  KOKKOS_FUNCTION void move(int i, int axis, double force, double inverse_mass) const {
-    const bool held = p.held(i) & 1 << axis;
-    p.v(i, axis) = held ? p.drive(i, axis) : kicked(p.v(i, axis), force, inverse_mass);
-    p.u(i, axis) += control.dt * p.v(i, axis);
-    p.reaction(i, axis) = held ? -force : 0;
+  /// What local damping takes when the velocity goes from v to w.
+  KOKKOS_FORCEINLINE_FUNCTION double damped(double v, double w, double force) const {
+    const double along = v > 0 ? 1 : v < 0 ? -1 : 0;
+    return control.dt * control.local_damping * Kokkos::abs(force) * along * 0.5 * (v + w);
   }
 
-  KOKKOS_FUNCTION void operator()(int i) const {
-    Push push = outside_push(i);
-    gather(bonds, i, push);
-    gather(contacts, i, push);
-    const double share = control.mass_scaling * mass_fraction(p.solid_fraction(i));
-    const double inverse_mass = 1 / (share * p.mass(i));
-    move(i, 0, push.force.x, inverse_mass);
-    move(i, 1, push.force.y, inverse_mass);
+  /// Moves one degree of freedom; work of `given` forces and of the platen, and damping, go to the accounts.
+  KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double force, double given, double inverse_mass) const {
+    const bool held = (p.held(i) & (axis == 0 ? 1 : 2)) != 0;
+    const double v = p.v(i, axis), kick = kicked(v, force, inverse_mass), w = held ? p.drive(i, axis) : kick;
+    p.v(i, axis) = w;
+    p.u(i, axis) += control.dt * w;
+    p.reaction(i, axis) = held ? -force : 0.0;
+    if constexpr (Keeper::kept) {
+      accounts.add_particle(i, control.dt * (held ? (given - force) * w : given * 0.5 * (v + w)),
+                            held ? 0 : damped(v, w, force));
+    }
+  }
 
-    p.spin(i) = p.held(i) & 4 ? 0 : kicked(p.spin(i), push.torque, 1 / (share * p.inertia(i)));
-    p.angle(i) += control.dt * p.spin(i);
-    const Rotation rotation = Rotation::by(p.angle(i));
+  KOKKOS_FORCEINLINE_FUNCTION void turn(int i, double torque, double given, double inverse_inertia) const {
+    const bool held = (p.held(i) & 4) != 0;
+    const double v = p.spin(i), kick = kicked(v, torque, inverse_inertia), w = held ? 0.0 : kick;
+    const double angle = p.angle(i) + control.dt * w;
+    const Rotation rotation = Rotation::by(angle);
+    p.spin(i) = w;
+    p.angle(i) = angle;
     p.rotation(i, 0) = rotation.cos_minus_1;
     p.rotation(i, 1) = rotation.sin;
+    if constexpr (Keeper::kept) {
+      accounts.add_particle(i, held ? 0 : control.dt * given * 0.5 * (v + w), held ? 0 : damped(v, w, torque));
+    }
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
+    const Push a = bond(i, 0), b = bond(i, 1), c = bond(i, 2), given = outside(i);
+    const double share = control.mass_scaling * mass_fraction(p.solid_fraction(i));
+    const double inverse_mass = 1 / (share * p.mass(i)), inverse_inertia = 1 / (share * p.inertia(i));
+    const double x = a.x + b.x + c.x + contacts.push(i, 0) + given.x;
+    const double y = a.y + b.y + c.y + contacts.push(i, 1) + given.y;
+    const double torque = a.torque + b.torque + c.torque + contacts.push(i, 2) + given.torque;
+    move(i, 0, x, given.x, inverse_mass);
+    move(i, 1, y, given.y, inverse_mass);
+    turn(i, torque, given.torque, inverse_inertia);
   }
 };
 
 }  // namespace
 
+template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
-               const BoundaryLoads& loads, const Particles& particles) {
+               const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts) {
   for_each_node(exec, "vug::dem::integrate", particles.count,
-                Integrate{control,
-                          {bonds.load, bonds.row, bonds.entry},
-                          {contacts.load, contacts.row, contacts.entry},
-                          loads,
-                          particles});
+                Integrate<Keeper>{control, bonds, contacts, loads, particles, accounts});
 }
+
+template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
+                        const Particles&, const NoAccounts&);
+template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
+                        const Particles&, const Accounts&);
 
 }  // namespace vug

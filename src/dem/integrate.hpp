@@ -1,5 +1,6 @@
 #pragma once
 // Newton's law for every particle (Eq. 10), leapfrog.
+#include "dem/accounts.hpp"
 #include "dem/contacts.hpp"
 #include "dem/loads.hpp"
 
@@ -15,7 +16,8 @@ struct StepControl {
 
 /// Gathers the forces on each particle in fixed order and moves it: v(t + dt/2) = v(t - dt/2) + dt F / m,
 /// u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
+template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
-               const BoundaryLoads& loads, const Particles& particles);
+               const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts);
 
 }  // namespace vug

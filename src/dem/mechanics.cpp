@@ -33,17 +33,29 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       bonds_(make_bonds(assembly, particles_, parameters)),
       contacts_(make_contacts(particles_, bonds_)),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
-      loads_(apply_loads(assembly, boundary_, loads, particles_)) {}
+      loads_(apply_loads(assembly, boundary_, loads, particles_)) {
+  if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_);
+}
 
 double Mechanics::critical_step() const {
   return vug::critical_step(Exec(), parameters_, particles_, bonds_);
 }
 
-void Mechanics::step(const Exec& exec, const StepControl& control) {
+template <class Keeper>
+void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts) {
   if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
-  compute_bond_forces(exec, parameters_, particles_, bonds_);
-  compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_);
-  integrate(exec, control, bonds_, contacts_, loads_, particles_);
+  compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, accounts);
+  compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts);
+  integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts);
+}
+
+void Mechanics::step(const Exec& exec, const StepControl& control) {
+  last_dt_ = control.dt;
+  if (accounts_) {
+    step(exec, control, *accounts_);
+  } else {
+    step(exec, control, NoAccounts{});
+  }
 }
 
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {
@@ -84,6 +96,7 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time) {
   Kokkos::deep_copy(exec, particles_.v, 0.0);
   Kokkos::deep_copy(exec, particles_.spin, 0.0);
   Kokkos::deep_copy(exec, particles_.u_reference, particles_.u);
+  reset_ledger(exec);
   exec.fence("vug::dem::preload");
   return report;
 }
@@ -101,7 +114,16 @@ Vec2 Mechanics::reaction(RockSide side) const {
 }
 
 Energies Mechanics::energies(const Exec& exec) const {
-  return measure_energies(exec, parameters_, particles_, bonds_);
+  Energies e = measure_energies(exec, parameters_, last_dt_, particles_, bonds_, contacts_, accounts_);
+  e.initial = initial_energy_;
+  return e;
+}
+
+void Mechanics::reset_ledger(const Exec& exec) {
+  if (!accounts_) return;
+  reset(exec, *accounts_);
+  const Energies e = energies(exec);
+  initial_energy_ = e.kinetic + e.elastic;
 }
 
 RunawayParticle Mechanics::runaway(const Exec& exec, double largest_speed) const {

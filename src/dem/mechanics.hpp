@@ -7,6 +7,7 @@
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace vug {
@@ -41,8 +42,10 @@ class Mechanics {
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
   /// Force that holds a side, N per m of thickness.
   Vec2 reaction(RockSide side) const;
-  /// Kinetic and stored energy, J per m.
+  /// The energy ledger, J per m; work and losses only with parameters().energy_ledger.
   Energies energies(const Exec& exec) const;
+  /// Starts the ledger anew from the present state.
+  void reset_ledger(const Exec& exec);
   /// The first particle that is not finite or faster than `largest_speed`.
   RunawayParticle runaway(const Exec& exec, double largest_speed) const;
   BondCounts bond_counts() const { return count_bonds(bonds_); }
@@ -58,6 +61,8 @@ class Mechanics {
 
  private:
   void step(const Exec& exec, const StepControl& control);
+  template <class Keeper>
+  void step(const Exec& exec, const StepControl& control, const Keeper& accounts);
   long ramp(const Exec& exec, double dt, double ramp_time);
   double kinetic_over_elastic(const Exec& exec) const;
 
@@ -68,6 +73,9 @@ class Mechanics {
   Contacts contacts_;
   NeighbourGrid grid_;
   BoundaryLoads loads_;
+  std::optional<Accounts> accounts_;
+  double initial_energy_ = 0;
+  double last_dt_ = 0;
   double time_ = 0;
   long steps_ = 0;
 };

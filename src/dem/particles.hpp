@@ -44,7 +44,7 @@ inline constexpr double smallest_mass_fraction = 0.05;
 
 /// Mass or inertia of a particle of which `solid_fraction` remains, relative to the intact one.
 KOKKOS_FORCEINLINE_FUNCTION double mass_fraction(double solid_fraction) {
-  return Kokkos::max(solid_fraction, smallest_mass_fraction);
+  return solid_fraction > smallest_mass_fraction ? solid_fraction : smallest_mass_fraction;
 }
 
 /// Triangle k of an assembly.

@@ -36,6 +36,14 @@ TEST(Rotation, KeepsTheDigitsOfTinyAngles) {
   EXPECT_DOUBLE_EQ(q.sin, 1e-9);
 }
 
+TEST(Rotation, AgreesWithTheLibraryAtAnyAngle) {
+  for (double angle = -20; angle < 20; angle += 0.0137) {
+    const Rotation q = Rotation::by(angle);
+    EXPECT_NEAR(q.sin, std::sin(angle), 1e-15) << angle;
+    EXPECT_NEAR(1 + q.cos_minus_1, std::cos(angle), 1e-15) << angle;
+  }
+}
+
 TEST(Bonds, KnowTheirEdgeFromBothSides) {
   const double l = 2e-3;
   const Assembly assembly = test::pair_of_triangles(l);

@@ -1,0 +1,62 @@
+// The same bits whatever the number of threads: forces are gathered in fixed order, pairs are listed by their numbers.
+#include "dem_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using namespace vug;
+using vug::test::host_copy;
+
+template <class V>
+void append(std::vector<std::uint64_t>& bits, const V& view) {
+  const auto host = host_copy(view);
+  for (std::size_t k = 0; k < host.span(); ++k) {
+    std::uint64_t word;
+    std::memcpy(&word, host.data() + k, sizeof word);
+    bits.push_back(word);
+  }
+}
+
+/// State of a crushed block after many failures and contacts, and its energies.
+std::vector<std::uint64_t> crushed(const Exec& exec) {
+  MechanicsParameters parameters;
+  parameters.bond.cohesion = 20e6;
+  parameters.energy_ledger = true;
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
+  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -20};
+  Mechanics rock(test::block(0.04, 0.04, 2e-3, 0.25), parameters, loads);
+  rock.advance(exec, 0.3 * rock.critical_step(), 1500);
+  exec.fence();
+  EXPECT_GT(rock.bond_counts().failed(), 50);
+  std::vector<std::uint64_t> bits;
+  append(bits, rock.particles().u);
+  append(bits, rock.particles().v);
+  append(bits, rock.particles().angle);
+  append(bits, rock.bonds().d_m);
+  append(bits, rock.bonds().slip);
+  const Energies e = rock.energies(exec);
+  for (const double value : {e.kinetic, e.elastic, e.work, e.fracture, e.friction, e.damping}) {
+    std::uint64_t word;
+    std::memcpy(&word, &value, sizeof word);
+    bits.push_back(word);
+  }
+  return bits;
+}
+
+TEST(MechanicsOfThreads, GivesTheSameBitsOnOneTwoAndFour) {
+  const Exec exec;
+  const std::vector<std::uint64_t> all = crushed(exec);
+  EXPECT_EQ(crushed(exec), all);  // a second run
+  if constexpr (std::is_constructible_v<Exec, int>) {  // an instance with its own number of threads
+    for (const int threads : {1, 2, 4}) EXPECT_EQ(crushed(Exec(threads)), all) << threads << " threads";
+  }
+}
+
+}  // namespace
