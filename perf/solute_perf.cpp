@@ -166,21 +166,24 @@ VUG_SWEEP(advect);
 VUG_SWEEP(advect_in_advective_form);
 VUG_SWEEP(find_defect);
 BENCHMARK_TEMPLATE(react, double, D2Q5)
-    ->ArgName("arrhenius")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgName("rate")
+    ->Arg(uniform)
+    ->Arg(by_arrhenius)
+    ->Arg(stored)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_TEMPLATE(react, float, D2Q5)
-    ->ArgName("arrhenius")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgName("rate")
+    ->Arg(uniform)
+    ->Arg(by_arrhenius)
+    ->Arg(stored)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_TEMPLATE(react, double, D2Q9)
-    ->ArgName("arrhenius")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgName("rate")
+    ->Arg(uniform)
+    ->Arg(by_arrhenius)
+    ->Arg(stored)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
