@@ -117,6 +117,7 @@ int fail(ExitCode code, const char* what) {
 int dispatch(const CommandLine& line) {
   try {
     Kokkos::InitializationSettings settings;
+    settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     if (line.threads > 0) settings.set_num_threads(line.threads);
     vug::count_allocations();
     const Kokkos::ScopeGuard kokkos(settings);

@@ -213,6 +213,7 @@ void FlowModule<T>::fields(FieldList& list) const {
 template <class T>
 void FlowModule<T>::state(StateList& list) {
   list.add("flow/f", fields_.f);
+  list.add_value("flow/turned", fields_.turned);
   list.add("flow/density", fields_.density);
   list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);

@@ -13,7 +13,8 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
   const auto add = [&](const char* name, Side side, int first, int last, const BoundarySection& conditions) {
     if (first <= last) stretches.push_back({name, side, first, last, conditions});
   };
-  const auto side = [&](const char* name, Side which, int length, const BoundarySection& conditions) {
+  const auto side = [&](Side which, int length, const BoundarySection& conditions) {
+    const char* name = name_of(which);
     if (!scene.injection || scene.injection->side != name) return add(name, which, 0, length - 1, conditions);
     const InjectionSection& injection = *scene.injection;
     const auto edge = [&](double at) { return static_cast<int>(std::lround(at / lattice.spacing)); };
@@ -23,10 +24,10 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     add("injection", which, first, last, injection.conditions);
     add(name, which, last + 1, length - 1, conditions);
   };
-  side("left", Side::left, lattice.ny, scene.left);
-  side("right", Side::right, lattice.ny, scene.right);
-  side("bottom", Side::bottom, lattice.nx, scene.bottom);
-  side("top", Side::top, lattice.nx, scene.top);
+  side(Side::left, lattice.ny, scene.left);
+  side(Side::right, lattice.ny, scene.right);
+  side(Side::bottom, lattice.nx, scene.bottom);
+  side(Side::top, lattice.nx, scene.top);
   return stretches;
 }
 

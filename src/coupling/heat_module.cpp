@@ -56,6 +56,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     stretches_.push_back(stretch);
     sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), theta));
   }
+  if (carrier_) lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
   created_ = ScalarField<double>("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   initial_energy_ = energy();
@@ -82,12 +83,13 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   conduct(exec, fields_);
-  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, fields_, created_);
+  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, lagged_, fields_, created_);
 }
 
 template <class T>
 void HeatModule<T>::births(const Exec& exec, const Births& births) {
   add_birth_energy(exec, fields_, geometry_.fluid.node, births.first, births.last, born_);
+  if (carrier_) Kokkos::resize(exec, lagged_, geometry_.fluid.capacity);
   set_heat_geometry(exec, geometry_.type, periodic_, fields_);
 }
 
@@ -146,6 +148,7 @@ template <class T>
 void HeatModule<T>::state(StateList& list) {
   list.add("heat/g", fields_.g);
   list.add("heat/theta", fields_.theta);
+  if (carrier_) list.add("heat/lagged", lagged_);
   list.add("heat/created", created_);
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)

@@ -46,6 +46,7 @@ class HeatModule final : public Module {
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::array<bool, 2> periodic_;
+  ScalarField<T> lagged_;       ///< (fluid) state of the advective correction
   ScalarField<double> created_;  ///< (block) energy that the advective form added
   ScalarField<double> born_;     ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;

@@ -3,6 +3,7 @@
 #include "dem/heterogeneity.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace vug {
@@ -28,8 +29,9 @@ struct Forest {
 
 }  // namespace
 
-std::vector<bool> choose_pathways(const std::vector<std::array<int, 2>>& edges, const std::vector<int>& nodes,
-                                  const std::vector<bool>& fixed, int vertices, int target_nodes, std::uint64_t seed) {
+std::vector<bool> choose_pathways(const std::vector<std::array<int, 2>>& edges,
+                                  const std::vector<std::vector<int>>& strips, const std::vector<bool>& fixed,
+                                  int vertices, int target_nodes, std::uint64_t seed) {
   constexpr int pathway_property = 100;  // apart from the strengths drawn from the same names
   const int count = static_cast<int>(edges.size());
   std::vector<double> draw(count);
@@ -41,27 +43,29 @@ std::vector<bool> choose_pathways(const std::vector<std::array<int, 2>>& edges, 
   std::vector<bool> chosen(count, false);
   std::vector<int> degree(vertices, 0);
   Forest forest(vertices);
-  int opened = 0;
+  std::map<int, int> covers;  // open edges over each open node
+  const auto opened = [&] { return static_cast<int>(covers.size()); };
   const auto add = [&](int e) {
     chosen[e] = true;
-    opened += nodes[e];
+    for (const int n : strips[e]) ++covers[n];
     ++degree[edges[e][0]];
     ++degree[edges[e][1]];
     forest.join(edges[e][0], edges[e][1]);
   };
   for (int e = 0; e < count; ++e)
     if (fixed[e]) add(e);
-  if (target_nodes <= opened) return chosen;
+  if (target_nodes <= opened()) return chosen;
   for (const int e : order)
     if (!chosen[e] && forest.root(edges[e][0]) != forest.root(edges[e][1])) add(e);
   // Too many: prune free leaves of the tree, last drawn first, until the target is met.
-  for (bool pruned = true; pruned && opened > target_nodes;) {
+  for (bool pruned = true; pruned && opened() > target_nodes;) {
     pruned = false;
-    for (auto e = order.rbegin(); e != order.rend() && opened > target_nodes; ++e) {
+    for (auto e = order.rbegin(); e != order.rend() && opened() > target_nodes; ++e) {
       const bool leaf = chosen[*e] && !fixed[*e] && (degree[edges[*e][0]] == 1 || degree[edges[*e][1]] == 1);
       if (!leaf) continue;
       chosen[*e] = false;
-      opened -= nodes[*e];
+      for (const int n : strips[*e])
+        if (--covers[n] == 0) covers.erase(n);
       --degree[edges[*e][0]];
       --degree[edges[*e][1]];
       pruned = true;
@@ -69,7 +73,7 @@ std::vector<bool> choose_pathways(const std::vector<std::array<int, 2>>& edges, 
   }
   // Too few: close loops, first drawn first.
   for (const int e : order) {
-    if (opened >= target_nodes) break;
+    if (opened() >= target_nodes) break;
     if (!chosen[e]) add(e);
   }
   return chosen;

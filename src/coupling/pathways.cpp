@@ -10,10 +10,16 @@ struct MarkOpening {
   Kokkos::View<const double*> d_m;
   Kokkos::View<NodeType*> type;
   Kokkos::View<std::uint8_t*> opening;
+  KOKKOS_FUNCTION bool opens(int c) const {
+    for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k) {
+      const int b = nodes.bond(k);
+      if (nodes.distance(k) <= 0.5 * pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b))) return true;
+    }
+    return false;
+  }
   KOKKOS_FUNCTION void operator()(int c, int& count) const {
-    const int n = nodes.node(c), b = nodes.bond(c);
-    if (type(n) != NodeType::solid) return;
-    if (nodes.distance(c) > 0.5 * pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b))) return;
+    const int n = nodes.node(c);
+    if (type(n) != NodeType::solid || !opens(c)) return;
     type(n) = NodeType::fluid;
     opening(n) = 1;
     ++count;

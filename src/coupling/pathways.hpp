@@ -11,16 +11,17 @@ KOKKOS_FORCEINLINE_FUNCTION double pathway_aperture(double d_m, double closed, d
   return closed + d_m * (open - closed);
 }
 
-/// The solid nodes near bonds, each with its bond and its distance from it.
+/// The solid nodes near bonds, each with the bonds whose strip it may belong to and its distance from them.
 struct PathwayNodes {
-  IndexList node;                 ///< (candidate) dense node
-  IndexList bond;                 ///< (candidate)
-  ScalarField<double> distance;   ///< (candidate) to the bond's edge, cells
-  ScalarField<double> closed;     ///< (bond) aperture w_0 at d_m = 0, cells
-  ScalarField<double> open;       ///< (bond) aperture w_1 at d_m = 1, cells
+  IndexList node;                ///< (candidate) dense node
+  IndexList offset;              ///< (candidate + 1) its entries are [offset(c), offset(c + 1))
+  IndexList bond;                ///< (entry)
+  ScalarField<double> distance;  ///< (entry) to the bond's edge, cells
+  ScalarField<double> closed;    ///< (bond) aperture w_0 at d_m = 0, cells
+  ScalarField<double> open;      ///< (bond) aperture w_1 at d_m = 1, cells
 };
 
-/// Turns fluid the nodes whose distance is within half the aperture of their bond, never back, and hands the solid
+/// Turns fluid the nodes within half the aperture of a bond, never back, and hands the solid
 /// volume of each to the other solid nodes of its particle in equal parts, so that mass is conserved (section 3.3);
 /// what a particle without solid left cannot take is added to `stranded` (particle). `volume` may be empty (a scene
 /// without dissolution). Returns how many nodes opened.

@@ -60,37 +60,56 @@ std::vector<int> bond_of_nodes(const Assembly& assembly, const RockRaster& raste
   return bond;
 }
 
-/// Aperture that `[rock]` gives each bond from the start, in cells.
-std::vector<double> initial_apertures(const Scene& scene, const Assembly& assembly, const BondEdges& bonds,
-                                      const RockRaster& raster, const std::vector<int>& bond_of_node) {
-  const RockSection& section = *scene.rock;
-  std::vector<double> aperture(bonds.vertices.size(), 0);
-  double notch_aperture = 0;
-  for (const Notch& notch : section.notches) notch_aperture = std::max(notch_aperture, notch.aperture);
-  if (notch_aperture == 0) notch_aperture = section.pathway_aperture;
+/// The rock's nodes within half of `aperture` (bond, cells) of each bond.
+std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
+                                                const BondEdges& bonds, const RockRaster& raster,
+                                                const std::vector<double>& aperture) {
+  std::vector<std::vector<StripNode>> strips(bonds.vertices.size());
+  for (std::size_t b = 0; b < strips.size(); ++b) {
+    if (aperture[b] <= 0) continue;
+    const auto [p, q] = bonds.vertices[b];
+    strips[b] = strip_nodes(assembly.vertices[p], assembly.vertices[q], aperture[b] / 2, lattice, scene.lattice.spacing);
+    std::erase_if(strips[b], [&](const StripNode& strip) { return raster.owner[strip.node] < 0; });
+  }
+  return strips;
+}
+
+/// Aperture of the notches, which are cracks from the start, in cells; 0 for all other bonds.
+std::vector<double> notch_apertures(const RockSection& section, const Assembly& assembly, const BondEdges& bonds) {
+  double aperture = 0;
+  for (const Notch& notch : section.notches) aperture = std::max(aperture, notch.aperture);
+  if (aperture == 0) aperture = section.pathway_aperture;
+  std::vector<double> apertures(bonds.vertices.size(), 0);
   for (const auto& crack : assembly.initial_cracks) {
     const auto found = bonds.number.find(ordered(crack[0], crack[1]));
-    if (found != bonds.number.end()) aperture[found->second] = notch_aperture;
+    if (found != bonds.number.end()) apertures[found->second] = aperture;
   }
-  if (section.porosity <= 0) return aperture;
+  return apertures;
+}
 
+/// Aperture that each bond has from the start, in cells: notches, and pathways until the porosity is reached.
+std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
+                                      const BondEdges& bonds, const RockRaster& raster) {
+  const RockSection& section = *scene.rock;
+  std::vector<double> aperture = notch_apertures(section, assembly, bonds);
+  if (section.porosity <= 0) return aperture;
   std::vector<bool> fixed(aperture.size());
-  for (std::size_t b = 0; b < aperture.size(); ++b) fixed[b] = aperture[b] > 0;
-  std::vector<int> opens(aperture.size(), 0);
-  int rock_nodes = 0;
-  for (std::size_t n = 0; n < bond_of_node.size(); ++n) {
-    if (raster.owner[n] < 0) continue;
-    ++rock_nodes;
-    const int b = bond_of_node[n];
-    if (b < 0) continue;
-    const double width = fixed[b] ? aperture[b] : section.pathway_aperture;
-    if (raster.edge_distance[n] <= width / 2) ++opens[b];
+  std::vector<double> wide = aperture;
+  for (std::size_t b = 0; b < aperture.size(); ++b) {
+    fixed[b] = aperture[b] > 0;
+    if (!fixed[b]) wide[b] = section.pathway_aperture;
   }
-  const int target = static_cast<int>(std::lround(section.porosity * rock_nodes));
-  const auto chosen = choose_pathways(bonds.vertices, opens, fixed, static_cast<int>(assembly.vertices.size()), target,
+  std::vector<std::vector<int>> strips;
+  for (const auto& strip : bond_strips(scene, lattice, assembly, bonds, raster, wide)) {
+    std::vector<int>& nodes = strips.emplace_back();
+    for (const StripNode& entry : strip) nodes.push_back(entry.node);
+  }
+  const auto rock_nodes = std::count_if(raster.owner.begin(), raster.owner.end(), [](int owner) { return owner >= 0; });
+  const int target = static_cast<int>(std::lround(section.porosity * static_cast<double>(rock_nodes)));
+  const auto chosen = choose_pathways(bonds.vertices, strips, fixed, static_cast<int>(assembly.vertices.size()), target,
                                       section.seed);
   for (std::size_t b = 0; b < aperture.size(); ++b)
-    if (chosen[b] && !fixed[b]) aperture[b] = section.pathway_aperture;
+    if (chosen[b]) aperture[b] = wide[b];
   return aperture;
 }
 
@@ -101,24 +120,32 @@ ViewType to_device(const char* label, const std::vector<Value>& values) {
   return view;
 }
 
-/// The nodes that the widest aperture of their bond would open and that are solid at the start.
-PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const RockRaster& raster, const BondEdges& bonds,
-                           const std::vector<int>& bond_of_node, const std::vector<double>& closed,
-                           const std::vector<bool>& solid) {
+/// The solid nodes that the widest aperture of some bond would open.
+PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Assembly& assembly, const BondEdges& bonds,
+                           const RockRaster& raster, const std::vector<double>& closed, const std::vector<bool>& solid) {
   const DamageSection& damage = *scene.damage;
   std::vector<double> open(closed.size());
   for (std::size_t b = 0; b < open.size(); ++b)
-    open[b] = std::max({damage.pathway_factor * bonds.spacing[b] / scene.lattice.spacing, damage.minimum_aperture, closed[b]});
-  std::vector<int> node, bond;
+    open[b] = std::max(
+        {damage.pathway_factor * bonds.spacing[b] / scene.lattice.spacing, damage.minimum_aperture, closed[b]});
+  const auto strips = bond_strips(scene, lattice, assembly, bonds, raster, open);
+  std::map<int, std::vector<std::pair<int, double>>> of_node;  // bond and distance, in order of bond
+  for (std::size_t b = 0; b < strips.size(); ++b)
+    for (const StripNode& entry : strips[b])
+      if (solid[entry.node]) of_node[entry.node].emplace_back(static_cast<int>(b), entry.distance);
+  std::vector<int> node, offset{0}, bond;
   std::vector<double> distance;
-  for (std::size_t n = 0; n < solid.size(); ++n) {
-    const int b = bond_of_node[n];
-    if (b < 0 || !solid[n] || raster.edge_distance[n] > open[b] / 2) continue;
-    node.push_back(lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx));
-    bond.push_back(b);
-    distance.push_back(raster.edge_distance[n]);
+  for (const auto& [n, entries] : of_node) {
+    node.push_back(lattice.node(n % lattice.nx, n / lattice.nx));
+    for (const auto& [b, d] : entries) {
+      bond.push_back(b);
+      distance.push_back(d);
+    }
+    offset.push_back(static_cast<int>(bond.size()));
   }
-  return {to_device<IndexList>("vug::pathways::node", node), to_device<IndexList>("vug::pathways::bond", bond),
+  return {to_device<IndexList>("vug::pathways::node", node),
+          to_device<IndexList>("vug::pathways::offset", offset),
+          to_device<IndexList>("vug::pathways::bond", bond),
           to_device<ScalarField<double>>("vug::pathways::distance", distance),
           to_device<ScalarField<double>>("vug::pathways::closed", closed),
           to_device<ScalarField<double>>("vug::pathways::open", open)};
@@ -135,22 +162,19 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   rock.bonds = static_cast<int>(bonds.vertices.size());
   const RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);
   const std::vector<int> bond_of_node = bond_of_nodes(rock.assembly, raster, bonds);
-  const std::vector<double> closed = initial_apertures(scene, rock.assembly, bonds, raster, bond_of_node);
+  const std::vector<double> closed = initial_apertures(scene, lattice, rock.assembly, bonds, raster);
 
   rock.solid.assign(raster.owner.size(), false);
-  int rock_nodes = 0, fluid = 0;
-  for (std::size_t n = 0; n < raster.owner.size(); ++n) {
-    if (raster.owner[n] < 0) continue;
-    const int b = bond_of_node[n];
-    rock.solid[n] = b < 0 || raster.edge_distance[n] > closed[b] / 2;
-    ++rock_nodes;
-    if (!rock.solid[n]) ++fluid;
-  }
-  rock.porosity = rock_nodes > 0 ? static_cast<double>(fluid) / rock_nodes : 0;
+  std::transform(raster.owner.begin(), raster.owner.end(), rock.solid.begin(), [](int owner) { return owner >= 0; });
+  const auto rock_nodes = std::count(rock.solid.begin(), rock.solid.end(), true);
+  for (const auto& strip : bond_strips(scene, lattice, rock.assembly, bonds, raster, closed))
+    for (const StripNode& entry : strip) rock.solid[entry.node] = false;
+  const auto fluid = rock_nodes - std::count(rock.solid.begin(), rock.solid.end(), true);
+  rock.porosity = rock_nodes > 0 ? static_cast<double>(fluid) / static_cast<double>(rock_nodes) : 0;
   rock.open_bonds = static_cast<int>(std::count_if(closed.begin(), closed.end(), [](double w) { return w > 0; }));
   rock.nodes_of_particle = group_nodes(raster.owner, static_cast<int>(rock.assembly.triangles.size()), lattice);
   rock.nodes_of_bond = group_nodes(bond_of_node, rock.bonds, lattice);
-  if (scene.damage) rock.pathways = pathway_nodes(scene, lattice, raster, bonds, bond_of_node, closed, rock.solid);
+  if (scene.damage) rock.pathways = pathway_nodes(scene, lattice, rock.assembly, bonds, raster, closed, rock.solid);
   return rock;
 }
 

@@ -24,7 +24,7 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
 
 RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double spacing) {
   const std::size_t nodes = static_cast<std::size_t>(lattice.nx) * lattice.ny;
-  RockRaster raster{std::vector<int>(nodes, -1), std::vector<int>(nodes, -1), std::vector<double>(nodes, 0)};
+  RockRaster raster{std::vector<int>(nodes, -1), std::vector<int>(nodes, -1)};
   for (std::size_t t = 0; t < assembly.triangles.size(); ++t) {
     std::array<Point, 3> v;
     for (int k = 0; k < 3; ++k) {
@@ -44,13 +44,29 @@ RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double sp
                                            cross(v[2], v[0], p) / area};
         const auto smallest = std::min_element(lambda.begin(), lambda.end());
         if (*smallest < -1e-12) continue;
-        const int edge = static_cast<int>(smallest - lambda.begin());
         raster.owner[n] = static_cast<int>(t);
-        raster.edge[n] = edge;
-        raster.edge_distance[n] = distance_to_segment(p, v[edge], v[(edge + 1) % 3]);
+        raster.edge[n] = static_cast<int>(smallest - lambda.begin());
       }
   }
   return raster;
+}
+
+std::vector<StripNode> strip_nodes(const std::array<double, 2>& a, const std::array<double, 2>& b, double half_width,
+                                   const Lattice& lattice, double spacing) {
+  const Point p{a[0] / spacing, a[1] / spacing}, q{b[0] / spacing, b[1] / spacing};
+  const auto first = [&](int axis) {
+    return std::max(0, static_cast<int>(std::floor(std::min(p[axis], q[axis]) - half_width - 0.5)));
+  };
+  const auto last = [&](int axis, int length) {
+    return std::min(length - 1, static_cast<int>(std::ceil(std::max(p[axis], q[axis]) + half_width - 0.5)));
+  };
+  std::vector<StripNode> strip;
+  for (int y = first(1); y <= last(1, lattice.ny); ++y)
+    for (int x = first(0); x <= last(0, lattice.nx); ++x) {
+      const double distance = distance_to_segment({x + 0.5, y + 0.5}, p, q);
+      if (distance <= half_width) strip.push_back({y * lattice.nx + x, distance});
+    }
+  return strip;
 }
 
 Groups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice) {

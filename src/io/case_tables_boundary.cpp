@@ -98,12 +98,10 @@ BoundarySection read_boundary(const TomlCursor& table) {
 
 InjectionSection read_injection(const TomlCursor& table) {
   InjectionSection injection;
-  enum class Side { left, right, bottom, top };
   Side side = Side::left;
   table.need_choice("side", side,
                     {{"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}});
-  constexpr const char* names[] = {"left", "right", "bottom", "top"};
-  injection.side = names[static_cast<int>(side)];
+  injection.side = std::string(name_of(side));
   table.need("centre", injection.centre, unit::metre, range::not_negative);
   table.need("width", injection.width, unit::metre, range::positive);
   read_lattice_conditions(table, injection.conditions);

@@ -109,7 +109,7 @@ ReactionSection read_reaction(const TomlCursor& table, const std::optional<Solut
   table.read("reference_temperature", reaction.reference_temperature, unit::kelvin, range::positive);
   table.read("temperature", reaction.temperature, unit::kelvin, range::positive);
   double equilibrium_constant = std::numeric_limits<double>::infinity();
-  table.read("equilibrium_constant", equilibrium_constant, {"1", 1e300}, {.low = 1e-12, .infinity_allowed = true});
+  table.read("equilibrium_constant", equilibrium_constant, {"1", 1e100}, {.low = 1e-12, .infinity_allowed = true});
   reaction.inverse_equilibrium_constant = 1 / equilibrium_constant;
   table.read("molar_volume", reaction.molar_volume, unit::cubic_metre_per_mole, range::not_negative);
   table.choose("wall", reaction.wall, {{"kinetic", ReactiveWallLaw::kinetic}, {"paper", ReactiveWallLaw::paper}});

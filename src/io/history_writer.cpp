@@ -36,7 +36,7 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
     : path_(path), columns_(columns.size()) {
   const auto header = fmt::format("{}", fmt::join(columns, ","));
   const bool resume = resume_time && std::filesystem::exists(path);
-  detail::replace_file(path, {resume ? kept_rows(path, header, *resume_time) : header + "\n"}, false);
+  detail::replace_file(path, resume ? kept_rows(path, header, *resume_time) : header + "\n", false);
   file_.reset(std::fopen(path.c_str(), "a"));
   if (!file_) detail::throw_file_error(path, "open");
 }

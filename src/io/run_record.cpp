@@ -42,7 +42,7 @@ std::int64_t peak_memory_bytes() {
 }  // namespace
 
 std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides) {
-  detail::Digest digest;
+  detail::TextDigest digest;
   digest.add(case_text);
   for (const auto& entry : overrides) digest.add("\n" + entry);
   return fmt::format("{:016x}", digest.value());
@@ -86,7 +86,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("case_hash", quoted(case_hash(r.case_text, r.overrides)));
   put("overrides", fmt::format("[{}]", fmt::join(overrides, ", ")));
   put("case_text", quoted(r.case_text));
-  detail::replace_file(directory + "/run.json", {text + "\n}\n"}, true);
+  detail::replace_file(directory + "/run.json", text + "\n}\n", true);
 }
 
 }  // namespace vug

@@ -12,6 +12,11 @@
 
 namespace vug {
 
+namespace detail {
+class LatticeSnapshots;
+class RockSnapshots;
+}  // namespace detail
+
 /// A bond as it is drawn: the two triangles it joins and the two vertices of the edge they share.
 struct BondEdge {
   std::array<int, 2> particles;
@@ -49,10 +54,8 @@ class SnapshotWriter {
   void write(double time, std::int64_t step);
 
  private:
-  class LatticeFile;
-  class RockFile;
-  std::unique_ptr<LatticeFile> lattice_;
-  std::unique_ptr<RockFile> rock_;
+  std::unique_ptr<detail::LatticeSnapshots> lattice_;
+  std::unique_ptr<detail::RockSnapshots> rock_;
 };
 
 }  // namespace vug

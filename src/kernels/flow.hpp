@@ -1,7 +1,9 @@
 #pragma once
 // The flow of a fluid through its nodes: populations, and the one sweep that streams and collides them.
 //
-// Between steps f holds the populations after collision, in slot q * capacity + i. A step is
+// Between steps f holds the populations after collision. A link that leaves the fluid has its population at home, in
+// slot q * capacity + i of the node it leaves; a population about to move to a fluid neighbour is at home too, or,
+// after an odd number of steps in place, exchanged with the one that moves the other way (`turned`). A step is
 //   dress the slots of open and moving boundaries (open_boundary.hpp) -> collide_and_stream,
 // and what reads f (momentum exchange, births, guards, mass) does so after the sweep and before the dressing.
 #include "kernels/fluid_nodes.hpp"
@@ -13,7 +15,8 @@ namespace vug {
 template <class T>
 struct FlowFields {
   ScalarField<T> f;        ///< (q * capacity + fluid) after collision
-  ScalarField<T> f_next;   ///< (q * capacity + fluid) scratch of the sweep, exchanged with f
+  ScalarField<T> f_next;   ///< (q * capacity + fluid) of the sweep with two lattices, exchanged with f; else empty
+  int turned = 0;          ///< 1 after an odd number of steps in place (see settle); belongs to f in a checkpoint
   ScalarField<T> density;  ///< (fluid) rho' = 3 p'
   VectorField<T> u;        ///< (fluid, axis) velocity, with half the body force
 };
@@ -29,9 +32,19 @@ struct FlowStep {
   ScalarField<double> limited;  ///< (block) uses of the limiter are added to it; needed with a speed limit
 };
 
+/// How a sweep gets by without overwriting what it still has to read.
+enum class Streaming {
+  in_place,     ///< steps of two kinds in turn (after Bailey et al. 2009): half the memory, a third less traffic
+  two_lattices  ///< reads f, writes f_next
+};
+
 /// Fields for `nodes` at rest at the reference pressure.
 template <class T>
-FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes);
+FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Streaming streaming = Streaming::in_place);
+
+/// Brings every population home to slot q * capacity + i of its node, links to nodes from `count` on left as they are.
+template <class T>
+void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
 
 /// Moves the first `count` nodes of the fields to the capacity of `nodes`, which has grown. Nothing when it has not.
 template <class T>
@@ -39,18 +52,18 @@ void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowF
 
 /// f = feq(density, u) on every node, from the density and velocity that the fields hold.
 template <class T>
-void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);
+void set_equilibrium(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields);
 
-/// One time step: pulls the populations, takes their moments, limits, collides and stores; exchanges f and f_next.
+/// One time step: pulls the populations, takes their moments, limits, collides and stores.
 template <class T>
 void collide_and_stream(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields, const FlowStep<T>& step);
 
 /// Populations of the new nodes [first, last): rest at the mean rho' of their fluid neighbours that were there before
 /// (index below `first`); at the reference pressure where there is none. The mass added is the sum of their density.
 template <class T>
-void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, const FlowFields<T>& fields);
+void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, FlowFields<T>& fields);
 
-/// total(block) += sum of rho' over the block's nodes, from the populations.
+/// total(block) += sum of the populations kept by the block's nodes; all blocks together are the mass of the fluid.
 template <class T>
 void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, const ScalarField<double>& total);
 

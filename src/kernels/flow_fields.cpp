@@ -5,11 +5,15 @@
 namespace vug {
 
 template <class T>
-FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes) {
+FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Streaming streaming) {
   const auto named = [&](const char* name) { return Kokkos::view_alloc(exec, std::string("vug::flow::") + name); };
   const auto populations = static_cast<std::size_t>(D2Q9::Q) * nodes.capacity;
-  return {ScalarField<T>(named("f"), populations), ScalarField<T>(named("f_next"), populations),
-          ScalarField<T>(named("density"), nodes.capacity), VectorField<T>(named("u"), nodes.capacity)};
+  FlowFields<T> fields;
+  fields.f = ScalarField<T>(named("f"), populations);
+  if (streaming == Streaming::two_lattices) fields.f_next = ScalarField<T>(named("f_next"), populations);
+  fields.density = ScalarField<T>(named("density"), nodes.capacity);
+  fields.u = VectorField<T>(named("u"), nodes.capacity);
+  return fields;
 }
 
 template <class T>
@@ -17,8 +21,7 @@ void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowF
   const int old = static_cast<int>(fields.density.extent(0));
   if (old == nodes.capacity) return;
   fields.f = restride(exec, fields.f, D2Q9::Q, count, old, nodes.capacity);
-  fields.f_next = ScalarField<T>();  // freed first, so that the peak is three copies of f, not four
-  fields.f_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::flow::f_next"), fields.f.extent(0));
+  if (fields.f_next.extent(0) > 0) Kokkos::resize(exec, fields.f_next, fields.f.extent(0));
   Kokkos::resize(exec, fields.density, nodes.capacity);
   Kokkos::resize(exec, fields.u, nodes.capacity);
 }
@@ -36,17 +39,37 @@ struct SetEquilibrium {
 };
 
 template <class T>
-void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields) {
+void set_equilibrium(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields) {
+  fields.turned = 0;
   for_each_node(exec, "vug::flow::set_equilibrium", nodes.count,
                 SetEquilibrium<T>{fields.f, fields.density, fields.u, nodes.capacity});
 }
 
-/// rho' of node i from its populations, summed in double.
+/// Exchanges the two populations of every link between fluid nodes; each pair is met once, from one end.
 template <class T>
-KOKKOS_FORCEINLINE_FUNCTION double density_of(const Kokkos::View<const T*>& f, int capacity, int i) {
-  double sum = 0;
-  for (int q = 0; q < D2Q9::Q; ++q) sum += double(f(q * capacity + i));
-  return sum;
+struct TurnBack {
+  ScalarField<T> f;
+  Kokkos::View<const int*> source;
+  int count, capacity;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      const int opposite = D2Q9::opposite(q);
+      if (opposite < q) continue;
+      const int other = source(q * capacity + i);  // of the neighbour along -q, when that is fluid
+      const int neighbour = other - q * capacity;
+      if (neighbour < 0 || neighbour >= count) continue;
+      const T mine = f(opposite * capacity + i);
+      f(opposite * capacity + i) = f(other);
+      f(other) = mine;
+    }
+  }
+};
+
+template <class T>
+void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
+  if (!fields.turned) return;
+  fields.turned = 0;
+  for_each_node(exec, "vug::flow::settle", count, TurnBack<T>{fields.f, nodes.source, count, nodes.capacity});
 }
 
 /// A new node at rest at the mean density of its old neighbours. New nodes read old ones only, and write themselves:
@@ -64,7 +87,7 @@ struct InitialiseBirths {
     for (int q = 1; q < D2Q9::Q; ++q) {
       const int upstream = source(q * capacity + i) - q * capacity;  // outside [0, first) at a wall and a new node
       if (upstream < 0 || upstream >= first) continue;
-      sum += density_of<T>(f, capacity, upstream);
+      sum += double(density(upstream));
       ++neighbours;
     }
     const T mean = neighbours > 0 ? T(sum / neighbours) : T(0);
@@ -75,29 +98,36 @@ struct InitialiseBirths {
 };
 
 template <class T>
-void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, const FlowFields<T>& fields) {
+void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, FlowFields<T>& fields) {
+  settle(exec, nodes, first, fields);  // the links to new nodes were walls until now: their populations are at home
   for_each_node(exec, "vug::flow::initialise_births", last - first,
                 InitialiseBirths<T>{fields.f, fields.density, fields.u, nodes.source, first, nodes.capacity});
 }
 
+/// Sum of the slots of node i in double: its rho', or, turned, what is about to arrive there.
 template <class T>
-struct MassOfNode {
+struct SumOfSlots {
   Kokkos::View<const T*> f;
   int capacity;
-  KOKKOS_FUNCTION double operator()(int i) const { return density_of<T>(f, capacity, i); }
+  KOKKOS_FUNCTION double operator()(int i) const {
+    double sum = 0;
+    for (int q = 0; q < D2Q9::Q; ++q) sum += double(f(q * capacity + i));
+    return sum;
+  }
 };
 
 template <class T>
 void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields,
               const ScalarField<double>& total) {
-  add_per_block(exec, "vug::flow::add_mass", nodes.count, MassOfNode<T>{fields.f, nodes.capacity}, total);
+  add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T>{fields.f, nodes.capacity}, total);
 }
 
-#define VUG_INSTANTIATE(T)                                                                         \
-  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&);                         \
-  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);              \
-  template void set_equilibrium(const Exec&, const FluidNodes&, const FlowFields<T>&);             \
-  template void initialise_births(const Exec&, const FluidNodes&, int, int, const FlowFields<T>&); \
+#define VUG_INSTANTIATE(T)                                                                   \
+  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&, Streaming);        \
+  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                 \
+  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);        \
+  template void set_equilibrium(const Exec&, const FluidNodes&, FlowFields<T>&);             \
+  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&); \
   template void add_mass(const Exec&, const FluidNodes&, const FlowFields<T>&, const ScalarField<double>&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

@@ -23,6 +23,12 @@ enum class NodeType : std::uint8_t { fluid = 0, solid = 1 };
 enum class Side : int { right = 1, top = 2, left = 3, bottom = 4 };
 inline constexpr std::array<Side, 4> all_sides{Side::left, Side::right, Side::bottom, Side::top};
 
+/// Name of a side in the case file.
+constexpr const char* name_of(Side side) {
+  constexpr const char* names[] = {"right", "top", "left", "bottom"};
+  return names[static_cast<int>(side) - 1];
+}
+
 /// The compact list of fluid nodes. Births append at the end, so an index never changes.
 struct FluidNodes {
   Lattice lattice;

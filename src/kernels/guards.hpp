@@ -5,13 +5,13 @@
 namespace vug {
 
 struct FlowExtremes {
-  double speed = 0;    ///< largest |u| (without half the body force), lattice units; NaN is passed over
+  double speed = 0;    ///< largest |u|, lattice units; NaN is passed over
   double density = 0;  ///< largest |rho'|
   int bad = -1;        ///< lowest fluid index whose state is not finite or beyond a bound; -1: none
 };
 
-/// Extremes of the state after a sweep, from the populations themselves, so that no broken one goes unseen. The same
-/// for any number of threads. Waits for the device.
+/// Extremes of the density and velocity of the last sweep; a broken population shows in the density of the node where
+/// it arrives. The same for any number of threads. Waits for the device.
 template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);

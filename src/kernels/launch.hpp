@@ -63,17 +63,16 @@ struct BlockSum {
 template <class Body>
 struct TeamSum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  using Sum = typename BlockSum<Body>::Sum;
   Body body;
   int n;
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int first = team.league_rank() * nodes_per_block;
     const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
-    Sum sum = 0;
+    double sum = 0;
     Kokkos::parallel_reduce(
-        Kokkos::TeamThreadRange(team, first, last), [&](int i, Sum& s) { s += body(i); }, sum);
-    Kokkos::single(Kokkos::PerTeam(team), [&] { total(team.league_rank()) += double(sum); });
+        Kokkos::TeamThreadRange(team, first, last), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
+    Kokkos::single(Kokkos::PerTeam(team), [&] { total(team.league_rank()) += sum; });
   }
 };
 
@@ -92,7 +91,7 @@ void for_each_node(const Exec& exec, const std::string& label, int n, const Body
 }
 
 /// total(block) += sum of body(i) over the block's nodes, for i in [0, n); `total` has at least block_count(n)
-/// entries. body(i) returns double, or int (which costs less), and may also write node i. Same bits for any number of
+/// entries. body(i) returns double or int and may also write node i. Same bits for any number of
 /// host threads.
 template <class Body>
 void add_per_block(const Exec& exec, const std::string& label, int n, const Body& body,

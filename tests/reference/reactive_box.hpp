@@ -24,7 +24,7 @@ template <class Set, class T>
 struct ReactiveBox {
   struct GivenSide {
     BoundaryLinks links;
-    ScalarField<double> C_b, gain;
+    ScalarField<double> C_b, gain, product_gain;
   };
 
   Exec exec;
@@ -37,6 +37,7 @@ struct ReactiveBox {
   SoluteParameters parameters;
   SoluteFields<T> acid, product;
   bool has_product = false, use_normals = false;
+  bool given_product = false;  ///< the product is held at 0 where the acid is given
   ReactiveWall wall;
   double k = 0;
   std::vector<GivenSide> given;
@@ -74,9 +75,10 @@ struct ReactiveBox {
   /// Concentration C(coordinate along the side) half way beyond `side`.
   void give_concentration(Side side, const std::function<double(int)>& C) {
     const bool upright = side == Side::left || side == Side::right;
-    GivenSide g{find_boundary_links(exec, nodes, side, 0, (upright ? lattice.ny : lattice.nx) - 1, Set::Q), {}, {}};
+    GivenSide g{find_boundary_links(exec, nodes, side, 0, (upright ? lattice.ny : lattice.nx) - 1, Set::Q), {}, {}, {}};
     g.C_b = ScalarField<double>("C_b", g.links.count);
     g.gain = ScalarField<double>("gain", g.links.count);
+    g.product_gain = ScalarField<double>("product_gain", g.links.count);
     const auto fluid = on_host(g.links.fluid);
     const auto node = on_host(nodes.node);
     const auto C_b = Kokkos::create_mirror_view(g.C_b);
@@ -91,6 +93,8 @@ struct ReactiveBox {
 
   void step() {
     for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, g.C_b, acid, g.gain);
+    if (given_product)
+      for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, 0.0, product, g.product_gain);
     if (k > 0)
       react_at_wall<Set>(exec, nodes, surface, wall, UniformRate{k}, normal, acid, has_product ? &product : nullptr,
                          ReactionLedger{V, dissolved, consumed, {}});

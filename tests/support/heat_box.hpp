@@ -13,6 +13,17 @@
 
 namespace vug::test {
 
+/// Temperature along a whole side: in = -A + 2 w theta_wall(item), as HeatCondition::temperature has it for one value.
+template <class T>
+struct FillProfile {
+  int first, stride, beyond, leaving, arriving;
+  ScalarField<T> profile, g;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int node = first + item * stride;
+    g(arriving + node + beyond) = profile(item) / 3 - g(leaving + node);
+  }
+};
+
 template <class T>
 class HeatBox {
  public:
@@ -46,6 +57,25 @@ class HeatBox {
     given_.push_back(stretch.side);
   }
 
+  /// Sets the temperature along the wall of a whole side, by node along it.
+  void profile(Side which, const std::function<double(int)>& theta) {
+    const bool upright = which == Side::left || which == Side::right;
+    const int q = static_cast<int>(which);
+    ScalarField<T> values("profile", upright ? lattice.ny : lattice.nx);
+    const auto host = Kokkos::create_mirror_view(values);
+    for (std::size_t i = 0; i < values.extent(0); ++i) host(i) = static_cast<T>(theta(static_cast<int>(i)));
+    Kokkos::deep_copy(values, host);
+    const int corner = lattice.node(which == Side::right ? lattice.nx - 1 : 0, which == Side::top ? lattice.ny - 1 : 0);
+    profiles_.push_back({corner,
+                         upright ? lattice.pitch : 1,
+                         lattice.offset(q),
+                         q * lattice.size(),
+                         D2Q5::opposite(q) * lattice.size(),
+                         values,
+                         {}});
+    given_.push_back(which);
+  }
+
   void flow(const std::function<std::array<double, 2>(int, int)>& velocity) {
     nodes = make_fluid_nodes(exec, lattice, type, periodic_);
     u = VectorField<T>("u", nodes.capacity);
@@ -74,6 +104,10 @@ class HeatBox {
       for (int axis = 0; axis < 2; ++axis)
         if (periodic_[axis]) join_heat_sides(exec, fields, axis);
       for (const HeatSide& s : sides) fill_heat_side(exec, fields, s);
+      for (FillProfile<T> p : profiles_) {
+        p.g = fields.g;
+        for_each_node(exec, "profile", static_cast<int>(p.profile.extent(0)), p);
+      }
       conduct(exec, fields);
       if (nodes.count == 0) continue;
       advect(exec, nodes, u, defect, lagged, fields, created);
@@ -110,6 +144,7 @@ class HeatBox {
   std::array<bool, 2> periodic_;
   bool closed_ = false;
   std::vector<Side> given_;
+  std::vector<FillProfile<T>> profiles_;
 
  public:
   Kokkos::View<NodeType*> type;

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <map>
 #include <random>
 #include <unistd.h>
@@ -66,6 +65,7 @@ TEST(BrokenCases, AHugeFileIsRefusedUnread) {
   EXPECT_THAT(refusal_of_file("/dev/zero"), HasSubstr("is larger than"));
 }
 
+// A search that is quadratic in the length of the file would run into the time limit of the test.
 TEST(BrokenCases, AwkwardTextsTakeNoTimeAndNoStack) {
   const std::string lattice = "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n[time]\nsteps = 10\n";
   const auto many = [](const std::string& text, int count) {
@@ -83,14 +83,11 @@ TEST(BrokenCases, AwkwardTextsTakeNoTimeAndNoStack) {
                                           "x = \"" + many("y", 3000000) + "\"\n",
                                           many("y", 3000000) + " = 1\n",
                                           "[case]\nname = '''" + many("...... ", 100000) + "'''\n"};
-  const auto start = std::chrono::steady_clock::now();
   for (const std::string& text : texts) {
     const std::string message = testing_cases::refusal(text, "a.toml");
     EXPECT_THAT(message, StartsWith("a.toml"));
     EXPECT_LT(message.size(), 1000u);
   }
-  // a second each would already be a quadratic search somewhere; sanitizers are slow
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
 /// One random change: of a byte, a stretch, a line, or a value.

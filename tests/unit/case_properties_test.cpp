@@ -127,7 +127,7 @@ TEST(CaseProperties, EveryNumberRefusesWhatIsNoNumberOfItsRange) {
       if (known->range != "any") wrong.emplace_back("-1");
       if (known->type.find("whole") != std::string::npos) wrong.emplace_back("1.5");
       for (const std::string& value : wrong) expect_named(text, line, with_first_number(line.value, value));
-      for (const std::string& value : {"[]", "[1, 2, 3]", "{ value = 1 }"}) {
+      for (const std::string value : {"[]", "[1, 2, 3]", "{ value = 1 }"}) {
         const bool points = known->type == "list of points";
         if (points && std::string(value) == "[]") continue;  // no points: refused as too few
         const std::string changed = text.with(line.number, fmt::format("{} = {}", line.key, value));
@@ -145,7 +145,7 @@ TEST(CaseProperties, EveryWordTextAndSwitchRefusesOtherTypes) {
       const KeyDescription* known = description(line.documented);
       ASSERT_NE(known, nullptr) << line.documented;
       if (is_numeric(*known)) continue;
-      for (const std::string& value : {"1.5", "[[]]", "1979-05-27"}) expect_named(text, line, value);
+      for (const std::string value : {"1.5", "[[]]", "1979-05-27"}) expect_named(text, line, value);
       if (known->type == "word") expect_named(text, line, "\"nosuchword\"");
       if (known->type == "true or false") expect_named(text, line, "\"true\"");
     }
@@ -178,7 +178,9 @@ TEST(CaseProperties, EveryKeyCanBeSetFromTheCommandLine) {
       EXPECT_EQ(testing_cases::refusal(text.with(0, ""), text.path, {key + "=" + line.value}), "");
       const std::string broken = testing_cases::refusal(text.with(0, ""), text.path, {key + "=nan"});
       const bool text_key = description(line.documented)->type == "text";  // nan is a fine name
-      if (!text_key) EXPECT_THAT(broken, StartsWith(fmt::format("--set {}=nan: ", key)));
+      if (!text_key) {
+        EXPECT_THAT(broken, StartsWith(fmt::format("--set {}=nan: ", key)));
+      }
     }
   }
 }

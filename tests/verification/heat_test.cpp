@@ -1,9 +1,14 @@
 // Conjugate heat against analytic solutions: order and error.
+#include "kernels/conjugate_link.hpp"
+#include "kernels/open_boundary.hpp"
+#include "support/flow_setup.hpp"
 #include "support/heat_box.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <cstdlib>
 #include <numbers>
 
 namespace vug {
@@ -106,7 +111,7 @@ TEST(TwoLayerEigenmode, DecaysWithSecondOrderAtAnyContrast) {
                            {0.01, 0.01, bulk},
                            {100, 0.1, bulk}}) {
     const double ratio = c.conductivity / c.sigma;  // of the diffusivities; the larger one is 0.14
-    const TwoLayerMode mode(0.14 / std::max(1.0, ratio), 0.14 * std::min(1.0, ratio), c.sigma);
+    const TwoLayerMode mode(0.1 / std::max(1.0, ratio), 0.1 * std::min(1.0, ratio), c.sigma);
     const ModeResult coarse = decay(mode, 8), medium = decay(mode, 16), fine = decay(mode, 32);
     SCOPED_TRACE(::testing::Message() << "sigma " << c.sigma << " conductivity " << c.conductivity << ": "
                                       << coarse.error << " " << medium.error << " " << fine.error);
@@ -117,6 +122,148 @@ TEST(TwoLayerEigenmode, DecaysWithSecondOrderAtAnyContrast) {
     EXPECT_GE(std::log2(medium.error / fine.error), 1.95);
     EXPECT_LE(fine.error, c.bound);
     EXPECT_LE(fine.drift, 1e-12);
+  }
+}
+
+/// Two half-spaces brought into contact take the temperature (e_f T_f + e_s T_s) / (e_f + e_s) at once and for ever,
+/// e = sqrt(lambda rho cp): a wrong ratio of heat capacities shows here and nowhere in a steady state.
+TEST(TwoHalfSpaces, MeetAtTheContactTemperature) {
+  struct Contrast {
+    double sigma, diffusivity;
+  };
+  for (const Contrast c : {Contrast{0.625, 2.5}, {10, 1}, {0.1, 1}, {1, 10}, {1, 0.1}, {100, 0.2}, {0.01, 5}}) {
+    const int n = 160;
+    const double d_f = 0.1 / std::max(1.0, c.diffusivity), d_s = d_f * c.diffusivity;
+    HeatBox<double> box(
+        2 * n, 1, {d_f, d_s, c.sigma}, [&](int x, int) { return x >= n; },
+        [&](int x, int) { return x >= n ? 1.0 : 0.0; }, {false, true});
+    const double e_f = std::sqrt(d_f), e_s = c.sigma * std::sqrt(d_s), exact = e_s / (e_f + e_s);
+    for (const int steps : {4000, 6000}) {  // fronts of 2 sqrt(D t) = 13 to 63 nodes: resolved, and far from the ends
+      box.run(steps);
+      const std::vector<double> theta = box.theta();
+      const double contact = interface_temperature(theta[n - 1], theta[n], d_f, c.sigma * d_s);
+      EXPECT_NEAR(contact, exact, 0.005) << "sigma " << c.sigma << " diffusivity " << c.diffusivity;
+    }
+  }
+}
+
+/// Relative Linf error of a fluid layer that flows past a solid layer of equal width, both outer walls at cos(k x).
+double convected_error(int n, double sigma, double diffusivity) {
+  using Complex = std::complex<double>;
+  const double peclet = 20, d_f = 0.056, u = peclet * d_f / (2 * n), k = std::numbers::pi / n,
+               conductivity = sigma * diffusivity;
+  // psi'' = m^2 psi in each layer, T = Re[exp(i k x) psi(y)]; contact value from equal fluxes at y = n
+  const Complex m_f = std::sqrt(Complex(k * k, k * u / d_f));
+  const double m_s = k, h = n;
+  const Complex contact = (m_f / std::sinh(m_f * h) + conductivity * m_s / std::sinh(m_s * h)) /
+                          (m_f / std::tanh(m_f * h) + conductivity * m_s / std::tanh(m_s * h));
+  const auto exact = [&](int x, int y) {
+    const double at = y + 0.5;
+    const Complex psi =
+        y < n ? (std::sinh(m_f * (h - at)) + contact * std::sinh(m_f * at)) / std::sinh(m_f * h)
+              : (contact * std::sinh(m_s * (2 * h - at)) + std::sinh(m_s * (at - h))) / std::sinh(m_s * h);
+    return (std::exp(Complex(0, k * (x + 0.5))) * psi).real();
+  };
+  HeatBox<double> box(2 * n, 2 * n, {d_f, d_f * diffusivity, sigma}, [&](int, int y) { return y >= n; }, exact,
+                      {true, false});
+  for (const Side side : {Side::bottom, Side::top}) box.profile(side, [&](int x) { return std::cos(k * (x + 0.5)); });
+  box.flow([&](int, int) { return std::array<double, 2>{u, 0}; });
+  box.run(static_cast<int>(1.2 * n * n / d_f));  // e^-3 of what the start, which is exact, got wrong
+  const std::vector<double> theta = box.theta();
+  double error = 0;
+  for (int y = 0; y < 2 * n; ++y)
+    for (int x = 0; x < 2 * n; ++x) error = std::max(error, std::abs(theta[y * 2 * n + x] - exact(x, y)));
+  return error;
+}
+
+TEST(ConvectedTwoLayers, ConvergeWithSecondOrderAtPeclet20) {
+  for (const auto& [sigma, diffusivity] : {std::pair{0.625, 2.5}, {10.0, 1.0}}) {
+    const double coarse = convected_error(16, sigma, diffusivity), fine = convected_error(32, sigma, diffusivity);
+    if (std::getenv("VUG_PRINT")) std::printf("convected %g %g: %.3e %.3e\n", sigma, diffusivity, coarse, fine);
+    // on the way to 2: half a node from its wall, the first node sees (1/8) |m_f|^2, of which 16 nodes resolve 1.5 %
+    EXPECT_GE(std::log2(coarse / fine), 1.8) << coarse << " " << fine;
+    // |m_f|^2 / 8 = 0.4 % from the wall, |m_f|^2 / 12 inside, 3 u^2 = 0.1 % of the diffusivity
+    EXPECT_LE(fine, 0.005);
+  }
+}
+
+/// A disc in a uniform gradient, steady: 2 / (1 + lambda) of the gradient inside, a dipole outside.
+TEST(StairStepDisc, HasTheTemperatureOfTheSmoothDiscUpToItsPixels) {
+  for (const double conductivity : {1.5625, 10.0, 0.1}) {
+    const int n = 32;
+    const double radius = 16.2, beta = (conductivity - 1) / (conductivity + 1);
+    const auto exact = [&](double x, double y) {
+      const double r2 = x * x + y * y;
+      return (r2 < radius * radius ? 1 - beta : 1 - beta * radius * radius / r2) * x / n;
+    };
+    const auto inside = [&](int x, int y) { return (x + 0.5) * (x + 0.5) + (y + 0.5) * (y + 0.5) < radius * radius; };
+    HeatBox<double> box(n, n, {0.5, 0.5 * conductivity, 1}, inside,
+                        [&](int x, int y) { return exact(x + 0.5, y + 0.5); });
+    box.side(Side::left, HeatCondition::temperature, 0);  // both axes are lines of symmetry; the bottom is adiabatic
+    box.profile(Side::right, [&](int y) { return exact(n, y + 0.5); });
+    box.profile(Side::top, [&](int x) { return exact(x + 0.5, n); });
+    box.run(static_cast<int>(2.0 * n * n / (0.5 * std::min(1.0, conductivity))));
+    const std::vector<double> theta = box.theta();
+    double error = 0;
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) error = std::max(error, std::abs(theta[y * n + x] - exact(x + 0.5, y + 0.5)));
+    if (std::getenv("VUG_PRINT")) std::printf("disc %g: %.3e\n", conductivity, error);
+    // pixels misplace the interface by up to half a node, across which the gradient differs by up to 2 beta / n
+    EXPECT_LE(error, 2 * std::abs(beta) / n);
+  }
+}
+
+/// Water at rest in hot rock is pushed out by cold water through a staircase of a channel: nothing may become colder
+/// than the inflow or hotter than the rock.
+TEST(ColdInflow, StaysBetweenTheTemperaturesOfWaterAndRock) {
+  const int nx = 60, ny = 40;
+  const auto solid = [](int x, int y) { return y < 8 + x / 6 || y > 20 + x / 6 || (x > 20 && x < 26 && y < 18); };
+  test::Flow<double> flow(Lattice(nx, ny), test::shape(Lattice(nx, ny), solid), {false, false}, Collision::trt, 0.764);
+  const BoundaryLinks in = flow.side(Side::left), out = flow.side(Side::right);
+  HeatBox<double> box(nx, ny, {0.056, 0.14, 0.625}, solid, [](int, int) { return 1.0; });
+  box.side(Side::left, HeatCondition::temperature, 0);
+  box.side(Side::right, HeatCondition::outflow, 0);
+  box.flow([](int, int) { return std::array<double, 2>{0, 0}; });
+  box.open(Side::left);
+  box.open(Side::right);
+  double lowest = 1, highest = 0, fastest = 0;
+  for (int step = 0; step < 6000; ++step) {
+    dress_pressure(flow.exec, flow.nodes, in, 0.02 * std::min(1.0, step / 2000.0), flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, out, 0.0, flow.fields, flow.gain);
+    flow.sweep();
+    Kokkos::deep_copy(box.u, flow.fields.u);
+    box.run(1);
+    if (step % 20 > 0) continue;
+    const HeatExtremes found = heat_extremes(box.exec, box.fields);
+    lowest = std::min(lowest, found.lowest);
+    highest = std::max(highest, found.highest);
+    for (int x = 0; x < nx; ++x) fastest = std::max(fastest, std::abs(flow.at(x, 14 + x / 6).ux));
+  }
+  if (std::getenv("VUG_PRINT"))
+    std::printf("cold inflow: lowest %.5f highest %.5f fastest %.3f\n", lowest, highest, fastest);
+  EXPECT_GT(fastest, 0.03);
+  EXPECT_LT(box.theta()[14 * nx + 5], 0.5) << "cold water has come in";
+  EXPECT_GE(lowest, -0.01);
+  EXPECT_LE(highest, 1.01);
+}
+
+/// Heat every n lattice steps, diffusivities times n: the same field up to the time error of the scheme.
+TEST(HeatInterval, KeepsTheFieldWhenStepsAreLonger) {
+  const auto run = [](int interval) {
+    HeatBox<double> box(
+        48, 24, {0.05 * interval, 0.12 * interval, 0.625}, [](int x, int y) { return x > 20 + y % 5; },
+        [](int x, int) { return x > 20 ? 1.0 : 0.0; });
+    box.run(800 / interval);
+    return box.theta();
+  };
+  const std::vector<double> reference = run(1);
+  for (const auto& [interval, bound] : {std::pair{2, 0.002}, {4, 0.01}}) {
+    const std::vector<double> longer = run(interval);
+    double error = 0;
+    for (std::size_t i = 0; i < longer.size(); ++i) error = std::max(error, std::abs(longer[i] - reference[i]));
+    if (std::getenv("VUG_PRINT")) std::printf("interval %d: %.2e\n", interval, error);
+    // 3 D^2 (k dx)^2 with k dx = 1 / sqrt(4 D t) = 0.05: far below; the start, a jump, adds a step's worth of lag
+    EXPECT_LE(error, bound);
   }
 }
 

@@ -71,6 +71,7 @@ TEST(HydrodynamicForce, BalancesTheMomentumOfTheFluidAtEveryStep) {
   Flow<double> flow(lattice, type, {true, true}, Collision::trt, 0.7);
   flow.step.body_force = {1e-4, -3e-5};
   const auto momentum = [&] {
+    settle(flow.exec, flow.nodes, flow.nodes.count, flow.fields);
     const auto f = test::on_host(flow.fields.f);
     Force sum;
     for (int q = 1; q < 9; ++q)

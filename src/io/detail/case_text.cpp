@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -16,7 +15,6 @@ namespace vug {
 namespace {
 
 constexpr std::size_t largest = 4u << 20;  // bytes; a long list of shapes fits many times
-constexpr int deepest = 100;               // levels of dotted keys; the reader knows five
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -24,40 +22,6 @@ struct CloseFile {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& problem) {
   throw InputError(one_line(fmt::format("{}: {}", path, problem)));
-}
-
-/// Whether a character can stand in a dotted key, between its dots or around them.
-bool in_key(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("_-\t \"'.", c) != nullptr;
-}
-
-/// The first line with a key dotted more than `deepest` levels deep, outside comments and strings; 0 when there is
-/// none. The TOML library would build, and destroy, one table inside the other for each level.
-int line_of_deep_key(const std::string& text) {
-  int dots = 0, line = 1;
-  char quote = 0, previous = 0;
-  bool comment = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\n') {
-      ++line;
-      comment = false;
-      quote = 0;
-    }
-    if (comment) continue;
-    if (quote != 0) {
-      if (c == '\\' && quote == '"') ++i;
-      if (c == quote) quote = 0;
-      continue;
-    }
-    if (c == '#') comment = true;
-    if (c == '"' || c == '\'') quote = c;
-    if (!in_key(c)) dots = 0;
-    if (c == '.' && previous != '.') ++dots;  // an ellipsis is prose
-    if (dots >= deepest) return line;
-    previous = c;
-  }
-  return 0;
 }
 
 }  // namespace
@@ -91,10 +55,6 @@ void check_text(const std::string& text, const std::string& path) {
   }
   if (const auto zero = text.find('\0'); zero != std::string::npos) {
     refuse(path, fmt::format("is not a text file (byte {} is zero); a case is TOML text", zero));
-  }
-  if (const int line = line_of_deep_key(text); line > 0) {
-    throw InputError(
-        fmt::format("{}:{}:1: a key is dotted more than {} levels deep; no key of a case is", path, line, deepest));
   }
 }
 

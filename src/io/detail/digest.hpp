@@ -1,21 +1,44 @@
 #pragma once
-// FNV-1a, 64 bits: small, well known, and sure to change with any single byte. Guards against accidents, not attacks.
+// Digests that notice accidents (not attacks).
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace vug::detail {
 
-class Digest {
+/// FNV-1a, 64 bits, byte by byte: the published one, for names and short texts.
+class TextDigest {
  public:
-  void add(const void* data, std::size_t bytes) {
-    const auto* byte = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < bytes; ++i) value_ = (value_ ^ byte[i]) * 0x100000001b3u;
+  void add(std::string_view text) {
+    for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   }
-  void add(std::string_view text) { add(text.data(), text.size()); }
   std::uint64_t value() const { return value_; }
 
  private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+/// A digest of large data, eight bytes at a time. Each word is mixed in by an invertible step, so a change within any
+/// one word always changes the value. Data fed in pieces must come in multiples of eight bytes, but for the last.
+class DataDigest {
+ public:
+  void add(std::string_view data) {
+    for (; data.size() >= sizeof(std::uint64_t); data.remove_prefix(sizeof(std::uint64_t))) mix(word(data));
+    if (!data.empty()) mix(word(data) ^ std::uint64_t{data.size()} << 56);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  static std::uint64_t word(std::string_view data) {
+    std::uint64_t out = 0;
+    std::memcpy(&out, data.data(), data.size() < sizeof(out) ? data.size() : sizeof(out));
+    return out;
+  }
+  void mix(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15u;
+    value_ ^= value_ >> 32;  // or the highest bits of two words could cancel
+  }
+  std::uint64_t value_ = 0x243f6a8885a308d3u;
 };
 
 }  // namespace vug::detail

@@ -8,41 +8,28 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <unistd.h>
+#include <utility>
 
 namespace vug::detail {
 
 namespace {
 
-/// A file descriptor that closes itself.
-struct Descriptor {
-  int number;
-  Descriptor(const std::string& path, int flags, const std::string& action)
-      : number(::open(path.c_str(), flags, 0644)) {
-    if (number < 0) throw_file_error(path, action);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
-
-void write_all(const Descriptor& file, std::string_view data, const std::string& path) {
-  while (!data.empty()) {
-    const auto written = ::write(file.number, data.data(), data.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw_file_error(path, "write");
-    data.remove_prefix(static_cast<std::size_t>(written));
-  }
+int open_file(const std::string& path, int flags, const std::string& action) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC, 0644);
+  if (descriptor < 0) throw_file_error(path, action);
+  return descriptor;
 }
 
-void write_new(const std::string& path, const std::vector<std::string_view>& parts, bool sync) {
-  Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, "create");
-  for (const auto part : parts) write_all(file, part, path);
-  if (sync && ::fsync(file.number) != 0) throw_file_error(path, "write");
-  const int number = file.number;
-  file.number = -1;
-  if (::close(number) != 0) throw_file_error(path, "write");  // some file systems report a full disk only here
+// The entry of a new name in its folder.
+void sync_folder(const std::string& path) {
+  const auto parent = std::filesystem::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  const int descriptor = open_file(folder, O_RDONLY | O_DIRECTORY, "open");
+  const bool failed = ::fsync(descriptor) != 0 && errno != EINVAL;  // EINVAL: a file system that has no such thing
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  if (failed) throw_file_error(folder, "write");
 }
 
 }  // namespace
@@ -52,39 +39,52 @@ void throw_file_error(const std::string& path, const std::string& action) {
   throw FileError(path + ": cannot " + action + ": " + std::strerror(reason));
 }
 
-void make_directories(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw FileError(path + ": cannot create the folder: " + error.message());
+NewFile::NewFile(const std::string& path)
+    : path_(path),
+      temporary_(path + ".tmp"),
+      descriptor_(open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC, "create")) {}
+
+NewFile::~NewFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-void replace_file(const std::string& path, const std::vector<std::string_view>& parts, bool sync) {
-  const std::string temporary = path + ".tmp";
-  try {
-    write_new(temporary, parts, sync);
-    if (std::rename(temporary.c_str(), path.c_str()) != 0) throw_file_error(path, "rename the new file");
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
+void NewFile::write(std::string_view data) {
+  while (!data.empty()) {
+    const auto written = ::write(descriptor_, data.data(), data.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw_file_error(path_, "write");
+    data.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (!sync) return;
-  const auto parent = std::filesystem::path(path).parent_path();
-  const std::string folder = parent.empty() ? "." : parent.string();
-  const Descriptor directory(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC, "open");
-  if (::fsync(directory.number) != 0 && errno != EINVAL) throw_file_error(folder, "write");
+}
+
+void NewFile::commit(bool sync) {
+  if (sync && ::fsync(descriptor_) != 0) throw_file_error(path_, "write");
+  // some file systems report a full disk only on closing
+  if (::close(std::exchange(descriptor_, -1)) != 0) throw_file_error(path_, "write");
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_file_error(path_, "rename the new file");
+  temporary_.clear();
+  if (sync) sync_folder(path_);
+}
+
+void replace_file(const std::string& path, std::string_view text, bool sync) {
+  NewFile file(path);
+  file.write(text);
+  file.commit(sync);
 }
 
 std::string read_file(const std::string& path) {
-  const Descriptor file(path, O_RDONLY | O_CLOEXEC, "open");
+  const int descriptor = open_file(path, O_RDONLY, "open");
   std::string text;
   char buffer[1 << 16];
-  while (true) {
-    const auto count = ::read(file.number, buffer, sizeof(buffer));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw_file_error(path, "read");
-    if (count == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(count));
-  }
+  ssize_t count = 0;
+  while ((count = ::read(descriptor, buffer, sizeof(buffer))) > 0 || (count < 0 && errno == EINTR))
+    if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  if (count < 0) throw_file_error(path, "read");
+  return text;
 }
 
 }  // namespace vug::detail

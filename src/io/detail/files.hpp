@@ -2,19 +2,31 @@
 // Writing files so that a reader finds the old one or the new one, never half of either.
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace vug::detail {
 
 /// Throws FileError: `path: cannot <action>: <reason of errno>`.
 [[noreturn]] void throw_file_error(const std::string& path, const std::string& action);
 
-/// Makes the folder and those above it.
-void make_directories(const std::string& path);
+/// A file that is written under a temporary name beside its own, and takes its name when it is complete. Dropped
+/// before that, it leaves nothing behind. Throws FileError.
+class NewFile {
+ public:
+  explicit NewFile(const std::string& path);
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  ~NewFile();
+  void write(std::string_view data);
+  /// Renames. With `sync` the data and the new name have reached the disk before it returns.
+  void commit(bool sync);
 
-/// Writes `parts`, one after the other, under a temporary name beside `path` and renames it. With `sync` the data
-/// and the new name have reached the disk before it returns.
-void replace_file(const std::string& path, const std::vector<std::string_view>& parts, bool sync);
+ private:
+  std::string path_, temporary_;
+  int descriptor_;
+};
+
+/// A whole new file in one call.
+void replace_file(const std::string& path, std::string_view text, bool sync);
 
 /// The whole file.
 std::string read_file(const std::string& path);

@@ -52,7 +52,7 @@ void SnapshotSeries::append(double time, std::int64_t step, const std::function<
 }
 
 void SnapshotSeries::write_xdmf() const {
-  replace_file(xdmf_path_, {xdmf_document(grids_)}, false);
+  replace_file(xdmf_path_, xdmf_document(grids_), false);
 }
 
 }  // namespace vug::detail

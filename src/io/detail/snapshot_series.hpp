@@ -11,7 +11,7 @@ namespace vug::detail {
 class SnapshotSeries {
  public:
   /// Turns a published snapshot into a <Grid> of the XDMF file.
-  using Grid = std::function<std::string(Hdf5File&, const std::string& group, double time)>;
+  using Grid = std::function<std::string(const Hdf5File&, const std::string& group, double time)>;
 
   SnapshotSeries(const std::string& directory, const std::string& stem, Grid grid);
   /// Begins anew.

@@ -1,5 +1,6 @@
 #include "io/detail/toml_document.hpp"
 
+#include "io/detail/toml_hazards.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -69,6 +70,7 @@ std::string shown(const toml::node& node) {
 
 TomlDocument::TomlDocument(const std::string& text, std::string path, const std::vector<std::string>& overrides)
     : path_(std::move(path)) {
+  refuse_toml_hazards(text, path_);
   try {
     root_ = toml::parse(text, path_);
   } catch (const toml::parse_error& error) {

@@ -1,5 +1,6 @@
 // `--set table.key=value`: a value on the command line in place of the one in the file.
 #include "io/detail/toml_document.hpp"
+#include "io/detail/toml_hazards.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +13,13 @@ namespace {
 
 constexpr std::size_t deepest = 16;  // no key of a case lies deeper
 
+/// An override as it may appear in a message.
+std::string shortened(const std::string& text) {
+  return one_line(text.size() > 120 ? text.substr(0, 116) + " ..." : text);
+}
+
 [[noreturn]] void refuse(const std::string& text, const std::string& problem) {
-  throw InputError(one_line(fmt::format("--set {}: {}", text, problem)));
+  throw InputError(one_line(fmt::format("--set {}: {}", shortened(text), problem)));
 }
 
 std::string trimmed(const std::string& text) {
@@ -31,6 +37,7 @@ bool is_index(const std::string& segment) {
 /// The value as a one-entry table { value = ... }: TOML where it parses, otherwise the text itself.
 toml::table parsed_value(const std::string& text, const std::string& value) {
   if (value.find_first_of("\r\n") != std::string::npos) refuse(text, "the value must stand on one line");
+  refuse_toml_hazards("value = " + value, "--set " + shortened(text));
   try {
     toml::table table = toml::parse("value = " + value);
     if (table.size() == 1 && table.contains("value")) return table;
@@ -105,7 +112,7 @@ Override apply_override(toml::table& root, const std::string& text) {
   } else {
     refuse(text, fmt::format("\"{}\" is looked for inside a plain value", segments.back()));
   }
-  return {key, one_line(text)};
+  return {key, shortened(text)};
 }
 
 }  // namespace vug

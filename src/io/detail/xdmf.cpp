@@ -9,10 +9,11 @@ std::string xdmf_item(const XdmfArray& array) {
                      fmt::join(array.shape, " "), array.integer ? "Int" : "Float", array.bytes, array.location);
 }
 
-std::string xdmf_attribute(const std::string& name, const XdmfArray& array) {
+std::string xdmf_attribute(const std::string& name, XdmfArray array, XdmfCentre centre) {
   const bool vector = array.shape.size() > 1 && array.shape.back() == 3;
-  return fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Cell\">\n{}</Attribute>\n", name,
-                     vector ? "Vector" : "Scalar", xdmf_item(array));
+  if (centre == XdmfCentre::node) array.shape.insert(array.shape.begin(), 1);
+  return fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">\n{}</Attribute>\n", name,
+                     vector ? "Vector" : "Scalar", centre == XdmfCentre::node ? "Node" : "Cell", xdmf_item(array));
 }
 
 std::string xdmf_document(const std::vector<std::string>& grids) {

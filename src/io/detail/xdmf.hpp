@@ -13,9 +13,12 @@ struct XdmfArray {
   int bytes = 4;  ///< per value
 };
 
+/// Where values are: at the cells of a grid, or at the nodes of a flat three-dimensional one, (1, rows, columns).
+enum class XdmfCentre { cell, node };
+
 std::string xdmf_item(const XdmfArray& array);
-/// Values at cells; vectors have three components.
-std::string xdmf_attribute(const std::string& name, const XdmfArray& array);
+/// Vectors have three components.
+std::string xdmf_attribute(const std::string& name, XdmfArray array, XdmfCentre centre);
 /// A whole document: one collection over time of `grids`.
 std::string xdmf_document(const std::vector<std::string>& grids);
 

@@ -1,0 +1,33 @@
+#pragma once
+// How a field of a FieldList becomes a data set.
+#include "io/detail/hdf5_file.hpp"
+#include "io/detail/xdmf.hpp"
+#include "io/field_list.hpp"
+
+#include <string>
+#include <vector>
+
+namespace vug::detail {
+
+/// The values of all items.
+std::vector<double> values_of(const Field& field, std::size_t items);
+
+/// Shape of the items and how numbers are stored. Vectors of the plane get a third component, zero, which viewers need.
+struct FieldLayout {
+  std::vector<std::size_t> items;
+  StoredAs type = StoredAs::float32;
+  bool compress = true;
+
+  void write(Hdf5File::Group& group, const std::string& name, const Field& field,
+             std::vector<Attribute> attributes) const;
+  int bytes() const { return type == StoredAs::float64 ? 8 : 4; }
+};
+
+/// Those of `fields` that `names` has; all when it is empty.
+std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<std::string>& names);
+
+/// XDMF attributes for all fields of a group that a file holds.
+std::string xdmf_attributes(const Hdf5File& file, const std::string& h5_name, const std::string& group,
+                            XdmfCentre centre, int bytes);
+
+}  // namespace vug::detail

@@ -1,0 +1,32 @@
+#pragma once
+// The words of a Gmsh file, each with its line.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace vug::detail {
+
+class MeshText {
+ public:
+  MeshText(std::string_view text, std::string path) : rest_(text), path_(std::move(path)) {}
+
+  bool at_end();
+  std::string_view word();  ///< the next word; an error at the end of the file
+  std::int64_t integer();   ///< the next word as a whole number
+  double number();          ///< the next word as a finite number
+  std::string quoted();     ///< the next "text in quotation marks"
+  std::int64_t count();     ///< a number of things, each of which takes at least two bytes of the rest
+  void skip(std::int64_t words);
+  void expect(std::string_view wanted);
+  void skip_past(std::string_view end);  ///< everything up to the word `end`
+  /// Throws InputError: `path:line: message`.
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  void skip_blanks();
+  std::string_view rest_;
+  std::string path_;
+  int line_ = 1;
+};
+
+}  // namespace vug::detail

@@ -1,0 +1,132 @@
+#include "io/detail/rock_snapshots.hpp"
+
+#include "io/detail/xdmf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::detail {
+
+RockSnapshots::RockSnapshots(const std::string& directory, const FieldList& fields,
+                             const std::vector<std::string>& names, FieldLayout layout, RockShape shape)
+    : shape_(std::move(shape)),
+      triangle_fields_(selected(fields.particles, names)),
+      bond_fields_(selected(fields.bonds, names)),
+      layout_(std::move(layout)),
+      series_(directory, "particles",
+              [this](const Hdf5File& file, const std::string& group, double time) { return grid(file, group, time); }) {
+  for (const auto& field : fields.particles) {
+    if (field.name == "displacement" && field.components == 2) displacement_ = field;
+    if (field.name == "rotation" && field.components == 1) rotation_ = field;
+  }
+}
+
+void RockSnapshots::create() {
+  series_.create();
+  auto file = series_.open();
+  Hdf5File::Group group(file, "rock", {});
+  const auto put = [&](const std::string& name, std::size_t rows, std::size_t columns, auto value) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t k = 0; k < columns; ++k) values.push_back(value(i, k));
+    group.write(name, {rows, columns}, values, StoredAs::int32, layout_.compress, {});
+  };
+  const auto& triangles = shape_.assembly.triangles;
+  const auto& bonds = shape_.bonds;
+  put("triangles", triangles.size(), 3, [](std::size_t i, std::size_t k) { return 3 * i + k; });
+  put("bonds", bonds.size(), 2, [](std::size_t i, std::size_t k) { return 2 * i + k; });
+  put("triangle_vertex_numbers", triangles.size(), 3, [&](std::size_t i, std::size_t k) { return triangles[i][k]; });
+  put("bond_vertex_numbers", bonds.size(), 2, [&](std::size_t i, std::size_t k) { return bonds[i].vertices[k]; });
+  put("bond_triangles", bonds.size(), 2, [&](std::size_t i, std::size_t k) { return bonds[i].particles[k]; });
+  group.publish();
+  file.close();
+}
+
+void RockSnapshots::write(double time, std::int64_t step) {
+  const std::vector<Attribute> common{{"time", time}, {"step", step}};
+  series_.append(time, step, [&](Hdf5File::Group& group) {
+    const auto triangles = moved_vertices();
+    const auto bonds = bond_ends(triangles);
+    write_vertices(group, "triangles/vertices", triangles, common);
+    write_vertices(group, "bonds/vertices", bonds, common);
+    auto layout = layout_;
+    layout.items = {shape_.assembly.triangles.size()};
+    for (const auto& field : triangle_fields_) layout.write(group, "triangles/" + field.name, field, common);
+    layout.items = {shape_.bonds.size()};
+    for (const auto& field : bond_fields_) layout.write(group, "bonds/" + field.name, field, common);
+  });
+}
+
+// x_k = X_c + u + Q (X_k - X_c) for the three vertices of every triangle.
+RockSnapshots::Points RockSnapshots::moved_vertices() const {
+  const auto& assembly = shape_.assembly;
+  const auto count = assembly.triangles.size();
+  const auto u = displacement_ ? values_of(*displacement_, count) : std::vector<double>(2 * count, 0.0);
+  const auto angle = rotation_ ? values_of(*rotation_, count) : std::vector<double>(count, 0.0);
+  Points out;
+  out.reserve(3 * count);
+  for (std::size_t t = 0; t < count; ++t) {
+    std::array<double, 2> centre{0, 0};
+    for (const int v : assembly.triangles[t])
+      for (int axis = 0; axis < 2; ++axis) centre[axis] += assembly.vertices[v][axis] / 3;
+    const double c = std::cos(angle[t]), s = std::sin(angle[t]);
+    for (const int v : assembly.triangles[t]) {
+      const double x = assembly.vertices[v][0] - centre[0], y = assembly.vertices[v][1] - centre[1];
+      out.push_back({centre[0] + u[2 * t] + c * x - s * y, centre[1] + u[2 * t + 1] + s * x + c * y});
+    }
+  }
+  return out;
+}
+
+// A bond is drawn midway between the two places where its triangles have carried each end.
+RockSnapshots::Points RockSnapshots::bond_ends(const Points& moved) const {
+  Points out;
+  out.reserve(2 * shape_.bonds.size());
+  for (const auto& bond : shape_.bonds) {
+    for (const int vertex : bond.vertices) {
+      std::array<double, 2> middle{0, 0};
+      for (const int particle : bond.particles) {
+        const auto& corners = shape_.assembly.triangles[particle];
+        const auto k = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
+        for (int axis = 0; axis < 2; ++axis) middle[axis] += moved[3 * particle + k][axis] / 2;
+      }
+      out.push_back(middle);
+    }
+  }
+  return out;
+}
+
+void RockSnapshots::write_vertices(Hdf5File::Group& group, const std::string& name, const Points& points,
+                                   std::vector<Attribute> attributes) const {
+  std::vector<double> values;
+  values.reserve(3 * points.size());
+  for (const auto& p : points) values.insert(values.end(), {p[0], p[1], 0.0});
+  attributes.push_back({"units", std::string("m")});
+  group.write(name, {points.size(), 3}, values, layout_.type, layout_.compress, attributes);
+}
+
+std::string RockSnapshots::part(const Hdf5File& file, const std::string& group, const std::string& items,
+                                const std::string& topology, std::size_t count, std::size_t corners) const {
+  const auto& h5 = series_.h5_name();
+  const int bytes = layout_.bytes();
+  const XdmfArray connectivity{h5 + ":/rock/" + items, {count, corners}, true, 4};
+  const XdmfArray vertices{fmt::format("{}:/{}/{}/vertices", h5, group, items), {corners * count, 3}, false, bytes};
+  return fmt::format(
+      "<Grid Name=\"{}\" GridType=\"Uniform\">\n<Topology {} NumberOfElements=\"{}\">\n{}</Topology>\n"
+      "<Geometry GeometryType=\"XYZ\">\n{}</Geometry>\n{}</Grid>\n",
+      items, topology, count, xdmf_item(connectivity), xdmf_item(vertices),
+      xdmf_attributes(file, h5, group + "/" + items, XdmfCentre::cell, bytes));
+}
+
+std::string RockSnapshots::grid(const Hdf5File& file, const std::string& group, double time) const {
+  auto parts = part(file, group, "triangles", "TopologyType=\"Triangle\"", shape_.assembly.triangles.size(), 3);
+  if (!shape_.bonds.empty())
+    parts += part(file, group, "bonds", "TopologyType=\"Polyline\" NodesPerElement=\"2\"", shape_.bonds.size(), 2);
+  return fmt::format(
+      "<Grid Name=\"rock\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"{}\"/>\n{}</Grid>\n",
+      time, parts);
+}
+
+}  // namespace vug::detail

@@ -1,0 +1,226 @@
+#include "io/mesh_reader.hpp"
+
+#include "io/assembly_quality.hpp"
+#include "io/detail/files.hpp"
+#include "io/detail/mesh_text.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+namespace vug {
+
+namespace {
+
+using detail::MeshText;
+
+constexpr int line_element = 1, triangle_element = 2, point_element = 15;
+
+/// What the sections of the file say, before it is made an assembly.
+struct RawMesh {
+  std::unordered_map<std::int64_t, int> number;  // node tag -> position in `nodes`
+  std::vector<std::array<double, 3>> nodes;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<int, 2>> cracks;
+  std::set<std::int64_t> crack_groups;          // physical tags of lines
+  std::map<std::int64_t, bool> curve_is_crack;  // format 4: geometric tags of lines
+};
+
+void read_physical_names(MeshText& text, RawMesh& mesh) {
+  const auto count = text.count();
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto dimension = text.integer();
+    const auto tag = text.integer();
+    const auto name = text.quoted();
+    if (dimension == 1 && (name == "crack" || name == "notch")) mesh.crack_groups.insert(tag);
+  }
+}
+
+void add_node(MeshText& text, RawMesh& mesh, std::int64_t tag, const std::array<double, 3>& position) {
+  if (!mesh.number.emplace(tag, static_cast<int>(mesh.nodes.size())).second)
+    text.fail(fmt::format("node {} is defined twice", tag));
+  mesh.nodes.push_back(position);
+}
+
+std::array<double, 3> read_position(MeshText& text) {
+  const double x = text.number(), y = text.number();
+  return {x, y, text.number()};
+}
+
+int read_node_number(MeshText& text, const RawMesh& mesh) {
+  const auto tag = text.integer();
+  const auto found = mesh.number.find(tag);
+  if (found == mesh.number.end()) text.fail(fmt::format("node {} is not defined", tag));
+  return found->second;
+}
+
+// The nodes of one element whose type and tags have been read.
+void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, bool crack) {
+  if (type == point_element) {
+    text.skip(1);
+  } else if (type == line_element) {
+    const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
+    if (crack) mesh.cracks.push_back({a, b});
+  } else if (type == triangle_element) {
+    const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
+    mesh.triangles.push_back({a, b, read_node_number(text, mesh)});
+  } else {
+    text.fail(fmt::format("element type {} is not supported; mesh with triangles of first order", type));
+  }
+}
+
+void read_nodes_2(MeshText& text, RawMesh& mesh) {
+  const auto count = text.count();
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto tag = text.integer();
+    add_node(text, mesh, tag, read_position(text));
+  }
+}
+
+void read_elements_2(MeshText& text, RawMesh& mesh) {
+  const auto count = text.count();
+  for (std::int64_t i = 0; i < count; ++i) {
+    text.skip(1);
+    const auto type = text.integer();
+    const auto tags = text.count();
+    const auto physical = tags > 0 ? text.integer() : 0;
+    text.skip(tags - 1);
+    read_element(text, mesh, type, mesh.crack_groups.contains(physical));
+  }
+}
+
+void read_entities_4(MeshText& text, RawMesh& mesh) {
+  const std::array<std::int64_t, 4> counts{text.count(), text.count(), text.count(), text.count()};
+  for (int dimension = 0; dimension < 4; ++dimension) {
+    for (std::int64_t i = 0; i < counts[dimension]; ++i) {
+      const auto tag = text.integer();
+      text.skip(dimension == 0 ? 3 : 6);  // a point or a bounding box
+      const auto groups = text.count();
+      for (std::int64_t k = 0; k < groups; ++k)
+        if (mesh.crack_groups.contains(text.integer()) && dimension == 1) mesh.curve_is_crack[tag] = true;
+      if (dimension > 0) text.skip(text.count());  // what bounds it
+    }
+  }
+}
+
+void read_nodes_4(MeshText& text, RawMesh& mesh) {
+  const auto blocks = text.count();
+  text.skip(3);
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    text.skip(2);
+    if (text.integer() != 0) text.fail("parametric nodes are not supported; mesh without Mesh.SaveParametric");
+    std::vector<std::int64_t> tags(static_cast<std::size_t>(text.count()));
+    for (auto& tag : tags) tag = text.integer();
+    for (const auto tag : tags) add_node(text, mesh, tag, read_position(text));
+  }
+}
+
+void read_elements_4(MeshText& text, RawMesh& mesh) {
+  const auto blocks = text.count();
+  text.skip(3);
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    const auto dimension = text.integer();
+    const auto entity = text.integer();
+    const auto type = text.integer();
+    const auto count = text.count();
+    const bool crack = dimension == 1 && mesh.curve_is_crack.contains(entity);
+    for (std::int64_t i = 0; i < count; ++i) {
+      text.skip(1);
+      read_element(text, mesh, type, crack);
+    }
+  }
+}
+
+void read_format(MeshText& text, int& format) {
+  text.expect("$MeshFormat");
+  const auto version = std::string(text.word());
+  if (version != "2.2" && version != "4.1")
+    text.fail(fmt::format("mesh format {} is not supported; save as version 2.2 or 4.1 (gmsh -format msh41)", version));
+  format = version == "2.2" ? 2 : 4;
+  if (text.integer() != 0) text.fail("a binary mesh is not supported; save as ASCII (gmsh without -bin)");
+  text.skip(1);
+  text.expect("$EndMeshFormat");
+}
+
+RawMesh read_sections(MeshText& text) {
+  int format = 0;
+  RawMesh mesh;
+  read_format(text, format);
+  while (!text.at_end()) {
+    const std::string section(text.word());
+    if (section.size() < 2 || section[0] != '$')
+      text.fail(fmt::format("found '{}', expected a section ($Nodes, ...)", section));
+    const std::string end = "$End" + section.substr(1);
+    if (section == "$PhysicalNames")
+      read_physical_names(text, mesh);
+    else if (section == "$Entities" && format == 4)
+      read_entities_4(text, mesh);
+    else if (section == "$Nodes")
+      format == 2 ? read_nodes_2(text, mesh) : read_nodes_4(text, mesh);
+    else if (section == "$Elements")
+      format == 2 ? read_elements_2(text, mesh) : read_elements_4(text, mesh);
+    else {
+      text.skip_past(end);
+      continue;
+    }
+    text.expect(end);
+  }
+  return mesh;
+}
+
+// Triangles counter-clockwise, with the nodes they use, in the order of the file.
+Assembly assemble(const RawMesh& mesh, const std::string& path) {
+  std::vector<int> number(mesh.nodes.size(), -1);
+  for (const auto& t : mesh.triangles)
+    for (const int node : t) number[node] = 0;
+  Assembly assembly;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] < 0) continue;
+    number[i] = static_cast<int>(assembly.vertices.size());
+    assembly.vertices.push_back({mesh.nodes[i][0], mesh.nodes[i][1]});
+    if (mesh.nodes[i][2] != mesh.nodes[mesh.triangles[0][0]][2])
+      throw InputError(path + ": the mesh does not lie in a plane of constant z");
+  }
+  for (const auto& t : mesh.triangles) {
+    std::array<int, 3> corner{number[t[0]], number[t[1]], number[t[2]]};
+    const auto &a = assembly.vertices[corner[0]], &b = assembly.vertices[corner[1]], &c = assembly.vertices[corner[2]];
+    if ((b[0] - a[0]) * (c[1] - a[1]) < (b[1] - a[1]) * (c[0] - a[0])) std::swap(corner[1], corner[2]);
+    assembly.triangles.push_back(corner);
+  }
+  std::map<std::array<int, 2>, int> uses;
+  for (const auto& t : assembly.triangles)
+    for (int k = 0; k < 3; ++k) ++uses[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
+  for (const auto& crack : mesh.cracks) {
+    const std::array<int, 2> edge{std::min(number[crack[0]], number[crack[1]]),
+                                  std::max(number[crack[0]], number[crack[1]])};
+    const auto found = uses.find(edge);
+    if (found == uses.end() || found->second != 2)
+      throw InputError(path +
+                       ": a line of group \"crack\" or \"notch\" is not an edge between two triangles; embed it in "
+                       "the surface (Line{...} In Surface{...})");
+    assembly.initial_cracks.push_back(edge);
+  }
+  return assembly;
+}
+
+}  // namespace
+
+Assembly parse_mesh(const std::string& content, const std::string& path) {
+  MeshText text(content, path);
+  const auto mesh = read_sections(text);
+  if (mesh.triangles.empty()) throw InputError(path + ": the mesh has no triangles");
+  auto assembly = assemble(mesh, path);
+  require_usable(assembly, {10, 1e-3, 1}, path);
+  return assembly;
+}
+
+Assembly read_mesh(const std::string& path) {
+  return parse_mesh(detail::read_file(path), path);
+}
+
+}  // namespace vug

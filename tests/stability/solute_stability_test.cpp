@@ -1,0 +1,164 @@
+// Where the solute scheme and the reactive wall hold, and where they break as docs/stability.md says.
+#include "../reference/reactive_box.hpp"
+#include "kernels/advective_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <random>
+
+namespace vug {
+namespace {
+
+using reference::ReactiveBox;
+
+template <class Set, class T>
+void set_random(ReactiveBox<Set, T>& box) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < box.nodes.count; ++i) {
+    const double C = uniform(random);
+    for (int q = 0; q < Set::Q; ++q) box.acid.h(q * box.nodes.capacity + i) = static_cast<T>(Set::w(q) * C);
+  }
+}
+
+/// Noise between 0 and 1 carried over joined sides at `speed` along 0, 22.5 and 45 degrees for `steps` steps.
+template <class Set>
+bool stays_bounded(SoluteParameters p, double speed, int steps) {
+  for (const double degrees : {0.0, 22.5, 45.0}) {
+    ReactiveBox<Set, double> box(24, 24, [](int, int) { return false; }, p, 0, {true, true});
+    set_random(box);
+    VectorField<double> u("u", box.nodes.capacity);
+    Kokkos::deep_copy(Kokkos::subview(u, Kokkos::ALL, 0), speed * std::cos(degrees * std::numbers::pi / 180));
+    Kokkos::deep_copy(Kokkos::subview(u, Kokkos::ALL, 1), speed * std::sin(degrees * std::numbers::pi / 180));
+    for (int n = 0; n < steps; ++n) advance_solute<Set>(box.exec, box.nodes, p, u, box.acid);
+    const FieldRange range = field_range(box.exec, box.acid.C, box.nodes.count);
+    if (range.first_not_finite >= 0 || range.max > 5 || range.min < -5) return false;
+  }
+  return true;
+}
+
+TEST(SoluteStability, TheDefaultHoldsAtEveryDiffusivityAndSpeed) {
+  for (const double D : {1.5, 0.3, 0.03, 1e-3, 1e-5, 1.0 / 30000})  // tau_1 from 0.50003 to 5
+    for (const double speed : {0.05, 0.4})
+      EXPECT_TRUE(stays_bounded<D2Q5>(solute_parameters(D), speed, 1500)) << D << ' ' << speed;
+}
+
+TEST(SoluteStability, ThePapersSchemeHoldsWithItsOwnParametersAndBreaksAsDocumented) {
+  EXPECT_TRUE(stays_bounded<D2Q9>(solute_parameters(0.02, 0.7), 0.3, 1500));    // Table 2
+  EXPECT_TRUE(stays_bounded<D2Q9>(solute_parameters(0.03, 0.6), 0.3, 1500));    // its validation
+  EXPECT_FALSE(stays_bounded<D2Q9>(solute_parameters(0.001, 0.7), 0.3, 4000));  // small D at the same tau_h
+  EXPECT_TRUE(stays_bounded<D2Q9>(solute_parameters(0.03, 0.51), 0.0, 4000));   // tau_B < 0 is no harm in itself,
+  EXPECT_FALSE(stays_bounded<D2Q9>(SoluteParameters{0.59, 0.49}, 0.0, 4000));   // tau_h below 1/2 is
+}
+
+/// Pores between random pixels, all of which react, open to C = 1 on the left.
+template <class Set, class T>
+FieldRange reacted_pores(SoluteParameters p, double k, double q, bool normals, ReactiveWallLaw law, int steps) {
+  std::mt19937 random(3);
+  std::vector<char> rock(40 * 30);
+  for (char& r : rock) r = random() % 3 == 0;
+  ReactiveBox<Set, T> box(
+      40, 30, [&](int x, int y) { return rock[y * 40 + x]; }, p, 0);
+  if (q > 0) box.add_product(0);
+  box.wall.inverse_equilibrium = q;
+  box.wall.law = law;
+  box.wall.D_reactant = box.wall.D_product = p.diffusivity();
+  box.use_normals = normals;
+  box.renew_normals();
+  box.k = k;
+  set_random(box);
+  box.give_concentration(Side::left, [](int) { return 1.0; });
+  for (int n = 0; n < steps; ++n) box.step();
+  return field_range(box.exec, box.acid.C, box.nodes.count);
+}
+
+TEST(ReactiveWallStability, HoldsForEveryRateConstantAndEquilibrium) {
+  for (const double D : {1e-5, 0.02, 1.5})
+    for (const double node_Da : {1e-12, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e12})
+      for (const double q : {0.0, 1.0, 1e3}) {
+        const FieldRange range =
+            reacted_pores<D2Q5, float>(solute_parameters(D), node_Da * D, q, true, ReactiveWallLaw::kinetic, 400);
+        EXPECT_EQ(range.first_not_finite, -1) << D << ' ' << node_Da << ' ' << q;
+        // noise from node to node overshoots once; nothing grows
+        EXPECT_LT(range.max, 1.6) << D << ' ' << node_Da << ' ' << q;
+        EXPECT_GT(range.min, -0.6) << D << ' ' << node_Da << ' ' << q;
+      }
+}
+
+TEST(ReactiveWallStability, ThePapersWallHoldsAtItsOwnDiffusivityAndNotFarBelow) {
+  for (const double node_Da : {1e-6, 1e-3, 1.0, 1e6}) {
+    const FieldRange range = reacted_pores<D2Q9, double>(solute_parameters(0.02, 0.7), node_Da * 0.02, 0, false,
+                                                         ReactiveWallLaw::paper, 3000);
+    EXPECT_EQ(range.first_not_finite, -1);
+    EXPECT_LT(range.max, 1.6);
+    EXPECT_GT(range.min, -0.6);
+  }
+  // a slow reaction at a seventh of the diffusivity: Eq. 23 with C_w = C_f feeds the noise at rough walls
+  EXPECT_GT(
+      reacted_pores<D2Q9, double>(solute_parameters(0.003, 0.649), 3e-9, 0, false, ReactiveWallLaw::paper, 3000).max,
+      1e3);
+  EXPECT_LT(
+      reacted_pores<D2Q9, double>(solute_parameters(0.003, 0.649), 3e-9, 0, false, ReactiveWallLaw::kinetic, 3000).max,
+      1.1);
+}
+
+/// A channel of n nodes between reactive walls with a parabolic flow of mean speed u.
+FieldRange channel(int n, double u_mean, double D, double k) {
+  ReactiveBox<D2Q5, double> box(
+      120, n + 2, [=](int, int y) { return y == 0 || y == n + 1; }, solute_parameters(D), 0);
+  box.k = k;
+  box.give_concentration(Side::left, [](int) { return 1.0; });
+  const BoundaryLinks out = find_boundary_links(box.exec, box.nodes, Side::right, 0, n + 1, 5);
+  mark_open(box.exec, box.nodes, out);
+  mark_open(box.exec, box.nodes, box.given[0].links);
+  const ScalarField<double> gain("gain", out.count);
+  VectorField<double> u("u", box.nodes.capacity);
+  for (int i = 0; i < box.nodes.count; ++i) {
+    const double s = (box.lattice.y(box.nodes.node(i)) - 0.5) / n;
+    u(i, 0) = 6 * u_mean * s * (1 - s);
+  }
+  ScalarField<double> e("e", box.nodes.capacity), ledger("ledger", block_count(box.nodes.count));
+  advective_defect<D2Q5>(box.exec, box.nodes, u, e);
+  for (int step = 0; step < 6000; ++step) {
+    dress_outflow<D2Q5>(box.exec, box.nodes, out, box.acid, gain);
+    dress_concentration<D2Q5>(box.exec, box.nodes, box.given[0].links, 1.0, box.acid, box.given[0].gain);
+    react_at_wall<D2Q5>(box.exec, box.nodes, box.surface, box.wall, UniformRate{k}, box.normal, box.acid,
+                        static_cast<const SoluteFields<double>*>(nullptr),
+                        ReactionLedger{box.V, box.dissolved, box.consumed, {}});
+    advance_solute<D2Q5>(box.exec, box.nodes, box.parameters, u, e, box.acid, ledger);
+  }
+  return field_range(box.exec, box.acid.C, box.nodes.count);
+}
+
+TEST(SoluteStability, ChannelsOfOneToSeventeenNodesAtAGridPecletNumberOfAThousand) {
+  for (const int n : {1, 3, 5, 17})
+    for (const double k : {1e-6, 1e6}) {
+      const FieldRange range = channel(n, 0.05, 5e-5, k);  // u dx/D = 1000
+      std::printf("    %2d nodes, k %g: C from %.3f to %.3f\n", n, k, range.min, range.max);
+      EXPECT_EQ(range.first_not_finite, -1);
+      EXPECT_LT(range.max, 2);
+      EXPECT_GT(range.min, -1);
+    }
+}
+
+TEST(CreepingReaction, FloatDissolvesTheSameAsDouble) {
+  // what one step takes off a pixel is far below the last digit of a float of 1, and of the populations
+  const auto dissolved = [](auto zero, double k) {
+    using T = decltype(zero);
+    ReactiveBox<D2Q5, T> box(8, 1, [](int x, int) { return x >= 6; }, solute_parameters(0.02), 1.0, {false, true});
+    box.k = k;
+    box.wall.molar_volume = 0.1209;
+    for (int n = 0; n < 1000; ++n) box.step();
+    return sum_in_order(box.dissolved);
+  };
+  for (const double k : {1e-15, 1e-12, 1e-9}) {
+    EXPECT_NEAR(dissolved(0.0f, k) / (0.1209 * k * 1000), 1, 1e-5) << k;
+    EXPECT_NEAR(dissolved(0.0, k) / (0.1209 * k * 1000), 1, 1e-5) << k;
+  }
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,221 @@
+// A checkpoint gives back the same bytes or is refused; nothing in between.
+#include "io/checkpoint.hpp"
+
+#include "kernels/require.hpp"
+#include "temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <limits>
+#include <random>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vug {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// A state with every kind of block: a view, an odd number of bytes, nothing at all, a number that is not one.
+struct State {
+  Kokkos::View<double* [2], Kokkos::LayoutLeft> view { "vug::test::view", 37 };
+  Kokkos::View<std::uint8_t*> bytes{"vug::test::bytes", 13};
+  Kokkos::View<float*> empty{"vug::test::empty", 0};
+  double value = 0;
+
+  void fill(int seed) {
+    const auto view_host = Kokkos::create_mirror_view(view);
+    const auto bytes_host = Kokkos::create_mirror_view(bytes);
+    for (int i = 0; i < 37; ++i)
+      for (int k = 0; k < 2; ++k) view_host(i, k) = std::sin(seed + 2 * i + k);
+    for (int i = 0; i < 13; ++i) bytes_host(i) = static_cast<std::uint8_t>(seed * i);
+    Kokkos::deep_copy(view, view_host);
+    Kokkos::deep_copy(bytes, bytes_host);
+    value = seed == 0 ? 0 : std::numeric_limits<double>::quiet_NaN();
+  }
+  StateList list() {
+    StateList state;
+    state.add("test/view", view);
+    state.add("test/bytes", bytes);
+    state.add("test/empty", empty);
+    state.add_value("test/value", value);
+    return state;
+  }
+  std::vector<std::byte> all_bytes() {
+    std::vector<std::byte> all;
+    for (const auto& block : list().blocks) {
+      const auto part = block.save();
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+};
+
+std::string only_file(const std::string& folder) {
+  return fs::directory_iterator(folder)->path().string();
+}
+
+TEST(Checkpoint, GivesBackTheSameBytes) {
+  const test::TemporaryFolder folder;
+  State written, read;
+  written.fill(3);
+  write_checkpoint(folder / "checkpoint", written.list(), 120, 0.1 + 0.2, "abc");
+  const auto checkpoint = Checkpoint::latest(folder / "checkpoint", "abc");
+  checkpoint.load(read.list());
+  EXPECT_EQ(checkpoint.step(), 120);
+  EXPECT_EQ(checkpoint.time(), 0.1 + 0.2);
+  EXPECT_TRUE(checkpoint.refused().empty());
+  EXPECT_EQ(read.all_bytes(), written.all_bytes());
+}
+
+TEST(Checkpoint, KeepsTheNewestTwo) {
+  const test::TemporaryFolder folder;
+  State state;
+  for (const int step : {5, 10, 1000, 20}) write_checkpoint(folder.path(), state.list(), step, 0, "abc");
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.path())) names.push_back(entry.path().filename());
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("step_000000001000.checkpoint", "step_000000000020.checkpoint"));
+}
+
+TEST(Checkpoint, PassesOverADamagedOneToTheOneBefore) {
+  const test::TemporaryFolder folder;
+  State first, second, read;
+  first.fill(1);
+  second.fill(2);
+  write_checkpoint(folder.path(), first.list(), 10, 1, "abc");
+  write_checkpoint(folder.path(), second.list(), 20, 2, "abc");
+  fs::resize_file(folder / "step_000000000020.checkpoint", 100);
+  const auto checkpoint = Checkpoint::latest(folder.path(), "abc");
+  checkpoint.load(read.list());
+  EXPECT_EQ(checkpoint.step(), 10);
+  EXPECT_EQ(read.all_bytes(), first.all_bytes());
+  ASSERT_EQ(checkpoint.refused().size(), 1u);
+  EXPECT_THAT(checkpoint.refused()[0], HasSubstr("step_000000000020.checkpoint"));
+}
+
+TEST(Checkpoint, RefusesATruncatedFileOfAnyLength) {
+  const test::TemporaryFolder folder;
+  State state;
+  state.fill(1);
+  write_checkpoint(folder.path(), state.list(), 10, 1, "abc");
+  const auto path = only_file(folder.path());
+  const auto whole = test::contents(path);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    test::write_text(path, whole.substr(0, length));
+    EXPECT_THROW(Checkpoint::open(path, "abc"), FileError) << length;
+    EXPECT_THROW(Checkpoint::latest(folder.path(), "abc"), FileError) << length;
+  }
+  test::write_text(path, whole + std::string(8, '\0'));
+  EXPECT_THROW(Checkpoint::open(path, "abc"), FileError) << "longer";
+}
+
+TEST(Checkpoint, RefusesAFileWithAnyBitFlipped) {
+  const test::TemporaryFolder folder;
+  State state;
+  state.fill(1);
+  write_checkpoint(folder.path(), state.list(), 10, 1, "abc");
+  const auto path = only_file(folder.path());
+  const auto whole = test::contents(path);
+  for (std::size_t bit = 0; bit < 8 * whole.size(); bit += 7) {
+    auto flipped = whole;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    test::write_text(path, flipped);
+    EXPECT_THROW(Checkpoint::open(path, "abc"), FileError) << bit;
+  }
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {  // and several bits at once
+    auto flipped = whole;
+    for (int k = 0; k < 2 + i % 9; ++k) flipped[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
+    if (flipped == whole) continue;
+    test::write_text(path, flipped);
+    EXPECT_THROW(Checkpoint::open(path, "abc"), FileError);
+  }
+}
+
+TEST(Checkpoint, RefusesWhatIsForeign) {
+  const test::TemporaryFolder folder;
+  State state;
+  write_checkpoint(folder.path(), state.list(), 10, 1, "abc");
+  try {
+    Checkpoint::latest(folder.path(), "abd");
+    FAIL() << "accepted";
+  } catch (const FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("another case"));
+  }
+  const auto path = only_file(folder.path());
+  test::write_text(path, std::string(4096, 'x'));
+  try {
+    Checkpoint::latest(folder.path(), "abc");
+    FAIL() << "accepted";
+  } catch (const FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("no checkpoint"));
+  }
+  EXPECT_THROW(Checkpoint::latest(folder / "missing", "abc"), FileError);
+}
+
+TEST(Checkpoint, RefusesBlocksThatDoNotFit) {
+  const test::TemporaryFolder folder;
+  State state;
+  write_checkpoint(folder.path(), state.list(), 10, 1, "abc");
+  const auto checkpoint = Checkpoint::latest(folder.path(), "abc");
+  Kokkos::View<double*> longer("vug::test::longer", 75);
+  StateList wrong_size, missing;
+  wrong_size.add("test/view", longer);
+  missing.add("test/other", longer);
+  EXPECT_THROW(checkpoint.load(wrong_size), FileError);
+  EXPECT_THROW(checkpoint.load(missing), FileError);
+}
+
+TEST(Checkpoint, NamesPathAndReasonWhenItCannotWrite) {
+  State state;
+  try {
+    write_checkpoint("/proc/no/checkpoint", state.list(), 10, 1, "abc");
+    FAIL() << "accepted";
+  } catch (const FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("/proc/no/checkpoint"));
+    EXPECT_THAT(e.what(), HasSubstr("No such file or directory"));
+  }
+}
+
+// A child writes checkpoint after checkpoint until it is killed, at a moment of chance. Whatever it was doing, the
+// newest file is sound: its contents are those of its step.
+TEST(Checkpoint, SurvivesKillsAtAnyMoment) {
+  const test::TemporaryFolder folder;
+  const auto block_of = [](std::int64_t step) { return std::vector<std::byte>(300000, static_cast<std::byte>(step)); };
+  std::mt19937 random(1);
+  std::int64_t newest = 0;
+  for (int kill = 0; kill < 30; ++kill) {
+    const pid_t child = fork();
+    if (child == 0) {
+      for (std::int64_t step = newest + 1;; ++step) {
+        StateList state;
+        state.add({"block", [&] { return block_of(step); }, {}});
+        write_checkpoint(folder.path(), state, step, 0, "abc");
+      }
+    }
+    usleep(3000 + random() % 9000);
+    ::kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    if (fs::is_empty(folder.path())) continue;
+    bool same = false;
+    const auto checkpoint = Checkpoint::latest(folder.path(), "abc");
+    StateList state;
+    state.add({"block", {}, [&](std::span<const std::byte> in) {
+                 const auto expected = block_of(checkpoint.step());
+                 same = std::equal(in.begin(), in.end(), expected.begin(), expected.end());
+               }});
+    checkpoint.load(state);
+    EXPECT_TRUE(same);
+    EXPECT_TRUE(checkpoint.refused().empty());
+    EXPECT_GE(checkpoint.step(), newest);
+    newest = checkpoint.step();
+  }
+  EXPECT_GT(newest, 0);
+}
+
+}  // namespace
+}  // namespace vug

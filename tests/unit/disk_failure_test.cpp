@@ -1,0 +1,193 @@
+// What the disk can do to a run: be full, be forbidden, or lose its writer at any moment.
+#include "io/checkpoint.hpp"
+#include "io/detail/hdf5_file.hpp"
+#include "io/history_writer.hpp"
+#include "io/run_record.hpp"
+#include "io/snapshot_writer.hpp"
+#include "kernels/require.hpp"
+#include "temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vug {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// While it lives, no file can grow beyond `bytes`: write() fails as it does on a full disk, with another reason.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit small{bytes, old_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*old_handler_)(int);
+};
+
+constexpr int side = 100;
+
+// Numbers that do not compress: a snapshot takes 40 kB and more.
+FieldList noise() {
+  FieldList list;
+  list.lattice.push_back({"noise", "1", 1, [](std::span<double> out) {
+                            std::mt19937 random(1);
+                            for (double& value : out) value = static_cast<double>(random()) / 7;
+                          }});
+  return list;
+}
+
+SnapshotWriter noise_writer(const std::string& folder, std::optional<std::int64_t> resume = std::nullopt) {
+  SnapshotOptions options;
+  options.resume_step = resume;
+  return {folder, Lattice(side, side), 1e-3, noise(), options};
+}
+
+void expect_file_error(const std::function<void()>& action, const std::string& path, const std::string& reason) {
+  try {
+    action();
+    ADD_FAILURE() << path << ": no error";
+  } catch (const FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr(path));
+    EXPECT_THAT(e.what(), HasSubstr(reason));
+  }
+}
+
+int read_all(const std::string& path) {
+  const std::string script =
+      "import h5py,sys; f=h5py.File(sys.argv[1],'r'); [g[k][...] for g in f.values() for k in g]; assert len(f)>0";
+  return std::system((std::string(VUG_PYTHON) + " -c \"" + script + "\" " + path).c_str());
+}
+
+TEST(FullDisk, StopsSnapshotsWithTheReasonAndKeepsTheOnesBefore) {
+  const test::TemporaryFolder folder;
+  auto writer = noise_writer(folder.path());
+  writer.write(0, 0);
+  writer.write(1, 1);
+  {
+    const SmallDisk disk(100 * 1024);
+    expect_file_error([&] { writer.write(2, 2); }, folder / "fields.h5", "File too large");
+  }
+  EXPECT_EQ(detail::Hdf5File::open(folder / "fields.h5").groups().size(), 2u);
+  EXPECT_EQ(read_all(folder / "fields.h5"), 0);
+  auto resumed = noise_writer(folder.path(), 1);  // space has been made: the run goes on
+  resumed.write(2, 2);
+  EXPECT_EQ(detail::Hdf5File::open(folder / "fields.h5").groups().size(), 3u);
+  EXPECT_EQ(read_all(folder / "fields.h5"), 0);
+}
+
+TEST(FullDisk, StopsCheckpointsWithTheReasonAndKeepsTheOneBefore) {
+  const test::TemporaryFolder folder;
+  StateList state;
+  state.add({"block", [] { return std::vector<std::byte>(200000); }, [](std::span<const std::byte>) {}});
+  write_checkpoint(folder.path(), state, 1, 0, "abc");
+  {
+    const SmallDisk disk(100 * 1024);
+    expect_file_error([&] { write_checkpoint(folder.path(), state, 2, 0, "abc"); }, "step_000000000002.checkpoint",
+                      "File too large");
+  }
+  EXPECT_EQ(Checkpoint::latest(folder.path(), "abc").step(), 1);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing half-written is left";
+}
+
+TEST(FullDisk, StopsTheHistoryAndTheRecordWithTheReason) {
+  const test::TemporaryFolder folder;
+  HistoryWriter history(folder / "history.csv", {"time_s", "x"});
+  RunRecord record;
+  record.case_text = std::string(5000, 'x');
+  write_run_record(folder.path(), record);
+  const auto before = test::contents(folder / "run.json");
+  const SmallDisk disk(1000);
+  expect_file_error(
+      [&] {
+        for (int i = 0; i < 1000; ++i) history.write(std::vector<double>{1.0 / 3, 1.0 / 3});
+      },
+      folder / "history.csv", "File too large");
+  record.status = "done";
+  expect_file_error([&] { write_run_record(folder.path(), record); }, folder / "run.json", "File too large");
+  EXPECT_EQ(test::contents(folder / "run.json"), before);
+}
+
+// Runs `action` in a child that is not root; its exit code tells whether it threw a FileError with `reason`.
+bool refused_without_rights(const std::function<void()>& action, const std::string& reason) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) _exit(2);
+    try {
+      action();
+    } catch (const FileError& e) {
+      _exit(std::string(e.what()).find(reason) != std::string::npos ? 0 : 3);
+    }
+    _exit(1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST(ForbiddenFolder, IsRefusedWithTheReason) {
+  const test::TemporaryFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec |
+                                                  std::filesystem::perms::others_exec);
+  const std::string reason = "Permission denied";
+  StateList state;
+  EXPECT_TRUE(refused_without_rights([&] { noise_writer(folder.path()); }, reason));
+  EXPECT_TRUE(refused_without_rights([&] { write_checkpoint(folder / "checkpoint", state, 1, 0, ""); }, reason));
+  EXPECT_TRUE(refused_without_rights([&] { HistoryWriter(folder / "history.csv", {"time_s"}); }, reason));
+  EXPECT_TRUE(refused_without_rights([&] { write_run_record(folder.path(), {}); }, reason));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+}
+
+// A run that is killed while it writes snapshots, again and again, and resumed each time: every group that the XDMF
+// names is whole.
+TEST(KilledRun, LeavesReadableSnapshots) {
+  const test::TemporaryFolder folder;
+  noise_writer(folder.path()).write(0, 0);
+  std::mt19937 random(1);
+  std::int64_t last = 0;
+  for (int kill = 0; kill < 40; ++kill) {
+    const pid_t child = fork();
+    if (child == 0) {
+      auto writer = noise_writer(folder.path(), last);
+      for (std::int64_t step = last + 1;; ++step) writer.write(static_cast<double>(step), step);
+    }
+    usleep(5000 + random() % 20000);
+    ::kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const auto xdmf = test::contents(folder / "fields.xdmf");
+    const auto file = detail::Hdf5File::open(folder / "fields.h5");
+    const auto groups = file.groups();
+    ASSERT_FALSE(groups.empty());
+    std::size_t named = 0;
+    for (const auto& group : groups) {
+      ASSERT_EQ(file.datasets(group).size(), 1u) << group;
+      named += xdmf.find("fields.h5:/" + group + "/noise") != std::string::npos;
+    }
+    EXPECT_EQ(named, static_cast<std::size_t>(std::count(xdmf.begin(), xdmf.end(), '\n') - 6) / 15);
+    EXPECT_GE(named + 1, groups.size()) << "at most the last one is not named yet";
+    last = std::stoll(groups.back().substr(5));
+  }
+  EXPECT_GT(last, 40);
+  EXPECT_EQ(read_all(folder / "fields.h5"), 0);
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,229 @@
+// Births of fluid nodes on lattices small enough to follow by hand.
+#include "kernels/dissolution.hpp"
+
+#include "../reference/reactive_box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug {
+namespace {
+
+using reference::on_host;
+using reference::ReactiveBox;
+using Box = ReactiveBox<D2Q5, double>;
+
+/// Rows of '.', fluid, and '#', solid; the first row is the top.
+Box box_of(const std::vector<std::string>& rows, double C0 = 0) {
+  const int ny = static_cast<int>(rows.size()), nx = static_cast<int>(rows[0].size());
+  Box box(
+      nx, ny, [&](int x, int y) { return rows[ny - 1 - y][x] == '#'; }, solute_parameters(0.1), C0);
+  box.wall.molar_volume = 1;
+  return box;
+}
+
+double& V(Box& box, int x, int y) {
+  return box.V(box.lattice.node(x, y));
+}
+
+void set_concentration(Box& box, int x, int y, double C) {
+  const int i = box.nodes.index(box.lattice.node(x, y));
+  for (int q = 0; q < 5; ++q) box.acid.h(q * box.nodes.capacity + i) = D2Q5::w(q) * C;
+}
+
+double concentration(const Box& box, int x, int y) {
+  const int i = box.nodes.index(box.lattice.node(x, y));
+  double C = 0;
+  for (int q = 0; q < 5; ++q) C += box.acid.h(q * box.nodes.capacity + i);
+  return C;
+}
+
+TEST(MarkDissolved, TakesTheOverdraftFromTheLowestSolidNeighbour) {
+  Box box = box_of({"####", "####", "..##"});
+  V(box, 2, 0) = -0.25;
+  EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 1);
+  EXPECT_EQ(box.type(box.lattice.node(2, 0)), NodeType::fluid);
+  EXPECT_EQ(V(box, 2, 0), 0);
+  EXPECT_EQ(V(box, 3, 0), 0.75);
+  EXPECT_EQ(box.solid_total(), 8.75);
+  EXPECT_EQ(sum_in_order(box.lost), 0);
+}
+
+TEST(MarkDissolved, SeveralPixelsMayShareAnHeir) {
+  Box box = box_of({"....", "####", "...."});
+  for (const int x : {0, 2}) V(box, x, 1) = -0.125;
+  V(box, 3, 1) = 0;
+  EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 3);
+  EXPECT_EQ(V(box, 1, 1), 0.75);
+  EXPECT_EQ(box.solid_total(), 0.75);
+}
+
+TEST(MarkDissolved, WritesDownWhatNoSolidIsLeftToPay) {
+  Box box = box_of({"...", ".#.", "..."});
+  V(box, 1, 1) = -0.25;
+  EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 1);
+  EXPECT_EQ(box.solid_total(), 0);
+  EXPECT_EQ(sum_in_order(box.lost), -0.25);
+}
+
+TEST(MarkDissolved, LeavesThePixelsThatStillHoldSolid) {
+  Box box = box_of({"###", "#.#", "###"});
+  V(box, 0, 1) = 1e-300;
+  EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 0);
+  EXPECT_EQ(V(box, 0, 1), 1e-300);
+}
+
+TEST(Births, MeanIsThatOfTheOldNeighboursAndIsWrittenDown) {
+  Box box = box_of({"###", ".#.", "#.#"});
+  set_concentration(box, 0, 1, 0.1);
+  set_concentration(box, 2, 1, 0.4);
+  set_concentration(box, 1, 0, 0.7);
+  V(box, 1, 1) = 0;
+  EXPECT_EQ(box.births(BirthFill::mean), 1);
+  EXPECT_NEAR(concentration(box, 1, 1), 0.4, 1e-15);
+  EXPECT_NEAR(sum_in_order(box.created), 0.4, 1e-15);
+}
+
+TEST(Births, SplitSharesWhatTheOldNeighboursHave) {
+  Box box = box_of({"###", ".#.", "#.#"});
+  set_concentration(box, 0, 1, 0.1);
+  set_concentration(box, 2, 1, 0.4);
+  set_concentration(box, 1, 0, 0.7);
+  V(box, 1, 1) = 0;
+  EXPECT_EQ(box.births(BirthFill::split), 1);
+  EXPECT_NEAR(concentration(box, 1, 1), 0.3, 1e-15);
+  EXPECT_NEAR(concentration(box, 1, 0), 0.525, 1e-15);
+  EXPECT_NEAR(box.acid_total(), 1.2, 1e-15);
+  EXPECT_EQ(sum_in_order(box.created), 0);
+}
+
+TEST(Births, ManyAroundOneNodeLeaveItsShareAndNothingNegative) {
+  Box box = box_of({"###", "#.#", "###"});
+  set_concentration(box, 1, 1, 1);
+  for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {2, 1}, {1, 2}}) V(box, x, y) = 0;
+  EXPECT_EQ(box.births(BirthFill::split), 4);
+  EXPECT_NEAR(concentration(box, 1, 1), 0.2, 1e-15);
+  EXPECT_NEAR(concentration(box, 2, 1), 0.2, 1e-15);
+  EXPECT_NEAR(box.acid_total(), 1, 1e-15);
+}
+
+TEST(Births, NewbornsDoNotSeeEachOther) {
+  // the right one touches only the left newborn and begins empty
+  for (const BirthFill fill : {BirthFill::mean, BirthFill::split}) {
+    Box box = box_of({"####", ".###", "####"}, 0.6);
+    V(box, 1, 1) = 0;
+    box.type(box.lattice.node(2, 1)) = NodeType::fluid;  // opened by a fracture at the same moment
+    V(box, 2, 1) = 0;
+    EXPECT_EQ(box.births(fill), 2);
+    EXPECT_EQ(concentration(box, 2, 1), 0);
+    EXPECT_NEAR(concentration(box, 1, 1), fill == BirthFill::mean ? 0.6 : 0.3, 1e-15);
+  }
+}
+
+TEST(Births, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
+  Box box = box_of({"##", ".#"}, 0.6);
+  box.type(box.lattice.node(1, 1)) = NodeType::fluid;
+  V(box, 1, 1) = 0;
+  V(box, 1, 0) = 0.5;
+  const int first = box.nodes.count;
+  ASSERT_EQ(append_births(box.exec, box.type, box.nodes), 1);
+  box.grow(box.acid, first, 16);
+  initialise_births<D2Q5>(box.exec, box.nodes, first, box.nodes.count, BirthFill::mean, box.acid, box.created);
+  EXPECT_EQ(concentration(box, 1, 1), 0);
+  EXPECT_EQ(sum_in_order(box.created), 0);
+}
+
+TEST(Births, ASolidThatVanishesAltogetherLeavesOnlyFluid) {
+  Box box = box_of({"....", ".##.", "...."}, 1);
+  box.k = 0.5;
+  const double start = box.acid_total() - box.solid_total();
+  for (int n = 0; n < 200; ++n) {
+    box.step();
+    box.births(BirthFill::split);
+  }
+  EXPECT_EQ(box.surface.count, 0);
+  EXPECT_EQ(box.nodes.count, 12);
+  EXPECT_EQ(box.solid_total(), 0);
+  EXPECT_NEAR(box.acid_total(), start + sum_in_order(box.lost), 1e-13);
+  EXPECT_LT(sum_in_order(box.lost), 0);
+}
+
+TEST(SurfaceNormal, PointsFromTheSolidIntoTheFluid) {
+  Box box = box_of({".....", ".....", "#####", "#####", "#####"});
+  VectorField<double> normal;
+  find_normals(box.exec, box.nodes, box.surface, box.V, normal);
+  for (int s = 0; s < box.surface.count; ++s) {
+    EXPECT_NEAR(normal(s, 0), 0, 1e-15);
+    EXPECT_NEAR(normal(s, 1), 1, 1e-15);
+  }
+  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 5, 1e-14);
+}
+
+TEST(SurfaceNormal, IsUndefinedForALonePixelWhichCountsAsADisc) {
+  Box box = box_of({".....", ".....", "..#..", ".....", "....."});
+  VectorField<double> normal;
+  find_normals(box.exec, box.nodes, box.surface, box.V, normal);
+  EXPECT_EQ(normal(0, 0), 0);
+  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 3.14159265358979, 1e-14);
+}
+
+TEST(SoluteBoundary, GivenConcentrationIsHeldHalfWay) {
+  // one fluid node between C = 1 on the left and C = 0 on the right: 1/2 in the middle at rest
+  Box box(
+      1, 1, [](int, int) { return false; }, solute_parameters(0.2), 0.9);
+  box.give_concentration(Side::left, [](int) { return 1.0; });
+  box.give_concentration(Side::right, [](int) { return 0.0; });
+  const double before = box.acid_total();
+  for (int n = 0; n < 200; ++n) box.step();
+  EXPECT_NEAR(concentration(box, 0, 0), 0.5, 1e-14);
+  EXPECT_NEAR(box.acid_total(), before + box.gained(), 1e-14);
+}
+
+TEST(SoluteBoundary, OutflowReturnsThePopulationThatGoesTheOtherWay) {
+  Box box(
+      2, 1, [](int, int) { return false; }, solute_parameters(0.2), 0);
+  for (int slot = 0; slot < 5 * box.nodes.capacity; ++slot) box.acid.h(slot) = slot;
+  const BoundaryLinks links = find_boundary_links(box.exec, box.nodes, Side::right, 0, 0, 5);
+  const ScalarField<double> gain("gain", links.count);
+  dress_outflow<D2Q5>(box.exec, box.nodes, links, box.acid, gain);
+  EXPECT_EQ(box.acid.h(1 * box.nodes.capacity + 1), 3 * box.nodes.capacity + 1);
+  EXPECT_EQ(gain(0), 2 * box.nodes.capacity);
+}
+
+TEST(ReactiveWall, ProductAppearsAsAcidDisappears) {
+  Box box = box_of({"...", ".#.", "..."}, 0.8);
+  box.add_product(0.1);
+  box.wall.inverse_equilibrium = 0.5;
+  box.wall.molar_volume = 0;
+  box.k = 0.3;
+  const double sum = box.acid_total() + box.product_total(), acid = box.acid_total();
+  for (int n = 0; n < 3000; ++n) box.step();
+  EXPECT_NEAR(box.acid_total() + box.product_total(), sum, 1e-13);
+  EXPECT_NEAR(acid - box.acid_total(), sum_in_order(box.consumed), 1e-13);
+  // equilibrium: C1 = C2/K_eq everywhere
+  EXPECT_NEAR(concentration(box, 0, 0), 0.3, 1e-12);
+  EXPECT_EQ(box.solid_total(), 1);  // reacts without dissolving
+}
+
+TEST(FieldRange, FindsExtremesAndTheFirstEntryThatIsNotFinite) {
+  ScalarField<float> field("field", 2000);
+  Kokkos::deep_copy(field, 0.5f);
+  field(700) = -3;
+  field(1500) = 7;
+  FieldRange range = field_range(Exec{}, field, 2000);
+  EXPECT_EQ(range.min, -3);
+  EXPECT_EQ(range.max, 7);
+  EXPECT_EQ(range.first_not_finite, -1);
+  field(900) = std::numeric_limits<float>::quiet_NaN();
+  field(800) = std::numeric_limits<float>::infinity();
+  range = field_range(Exec{}, field, 2000);
+  EXPECT_EQ(range.first_not_finite, 800);
+  EXPECT_EQ(range.max, 7);
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,76 @@
+// Rate laws against the numbers and equations of the paper.
+#include "kernels/reaction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug {
+namespace {
+
+TEST(Arrhenius, MatchesTheTableOfRateRatios) {
+  // k/k0 for Ea = 62.8 kJ/mol, evaluated independently to four digits
+  constexpr double Ea_over_R = 7553.1;
+  EXPECT_NEAR(arrhenius(1.0, Ea_over_R, 288.15, 273.15) / 4.218, 1, 2e-4);
+  EXPECT_NEAR(arrhenius(1.0, Ea_over_R, 363.15, 273.15) / 946.7, 1, 2e-4);
+  EXPECT_NEAR(arrhenius(1.0, Ea_over_R, 488.15, 273.15) / 1.946e5, 1, 5e-4);
+  EXPECT_NEAR(arrhenius(1.0, Ea_over_R, 288.15, 237.15) / 280.6, 1, 3e-4);
+  EXPECT_NEAR(arrhenius(1.0, Ea_over_R, 488.15, 237.15) / 1.295e7, 1, 5e-4);
+  EXPECT_EQ(arrhenius(2.5, Ea_over_R, 300.0, 300.0), 2.5);
+}
+
+TEST(Arrhenius, TakesTheNearestEndOfItsRange) {
+  EXPECT_EQ(arrhenius(1.0, 7553.1, 100.0, 273.15), arrhenius(1.0, 7553.1, 250.0, 273.15));
+  EXPECT_EQ(arrhenius(1.0f, 7553.1f, 5000.0f, 273.15f), arrhenius(1.0f, 7553.1f, 600.0f, 273.15f));
+  EXPECT_TRUE(std::isfinite(arrhenius(1.0f, 7553.1f, 600.0f, 237.15f)));
+}
+
+TEST(KineticFlux, KeepsItsDigitsInFloatForEveryRateConstant) {
+  for (double k = 1e-30; k < 1e31; k *= 10)
+    for (const double q : {0.0, 1e-7, 1.0, 100.0}) {
+      const double A1 = 0.15, A2 = 0.0004;
+      const double exact = 6.0 * (A1 - q * A2) / (1 / k + 3 * (1 + q));
+      EXPECT_NEAR(kinetic_flux<float>(float(k), float(q), float(A1), float(A2)) / exact, 1, 2e-6) << k << ' ' << q;
+      EXPECT_NEAR(kinetic_flux(k, q, A1, A2) / exact, 1, 1e-14) << k << ' ' << q;
+    }
+  EXPECT_EQ(kinetic_flux(0.0, 0.5, 0.15, 0.1), 0);
+}
+
+TEST(KineticFlux, IsTheRateAtTheWallThatItImplies) {
+  // J = 6 w k (C_1w - q C_2w) with C_w from the returning populations: the even part of outgoing and returning is w C_w
+  constexpr double w = 1.0 / 9, k = 0.3, q = 0.4, A1 = 0.1, A2 = 0.02;
+  const double J = kinetic_flux(k, q, A1, A2);
+  const double C1 = (A1 + (A1 - J)) / (2 * w), C2 = (A2 + (A2 + J)) / (2 * w);
+  EXPECT_NEAR(J, 6 * w * k * (C1 - q * C2), 1e-16);
+}
+
+TEST(KineticFlux, TurnsAVeryFastReactionIntoEquilibriumAtTheWall) {
+  constexpr double q = 0.25, A1 = 0.1, A2 = 0.02;
+  const double J = kinetic_flux(1e20, q, A1, A2);
+  EXPECT_NEAR((2 * A1 - J) - q * (2 * A2 + J), 0, 1e-16);
+}
+
+TEST(PaperWall, SolvesEq22AsPrinted) {
+  constexpr double k = 0.018, D1 = 0.03, D2 = 0.02, C1 = 0.7, C2 = 0.2;
+  for (const double K : {0.5, 1.0, 10.0, 1e7}) {
+    const PaperWall<double> wall = paper_wall(k, 1 / K, D1, D2, C1, C2);
+    const double below = 2 * D1 * D2 * K + D1 * k + D2 * K * k;
+    const double exact1 = (2 * C1 * D1 * D2 * K + (C1 * D1 + C2 * D2) * k) / below;
+    const double exact2 = K * (2 * C2 * D1 * D2 + (C1 * D1 + C2 * D2) * k) / below;
+    EXPECT_NEAR(wall.C1 / exact1, 1, 1e-14) << K;
+    EXPECT_NEAR(wall.C2 / exact2, 1, 1e-14) << K;
+    EXPECT_NEAR(wall.rate, k * (wall.C1 - wall.C2 / K), 1e-16) << K;
+    EXPECT_NEAR(wall.rate, D1 * (C1 - wall.C1) / 0.5, 1e-16) << K;
+  }
+}
+
+TEST(LinkArea, AddsUpToTheTrueLengthOfAStraightWallOfAnyOrientation) {
+  // a wall along a lattice direction (a, b) has |a| + |b| faces per period, each seen by one straight link
+  for (const auto& [a, b] : {std::pair{1, 0}, {1, 1}, {2, 1}, {5, 3}}) {
+    const double length = std::hypot(a, b), nx = -b / length, ny = a / length;
+    EXPECT_NEAR(b * link_area_share(nx, ny, 1, 0) + a * link_area_share(nx, ny, 0, 1), length, 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace vug
