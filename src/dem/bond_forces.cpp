@@ -179,8 +179,10 @@ struct BondFailure {
     const ContactReaction reaction =
         contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, model.bonds.slip(k, s));
     if constexpr (Keeper::kept) {
+      const double slide = reaction.slip - model.bonds.slip(k, s);
+      const double stretch = slide - model.dt * o.rate_t;  // before this step; an opening crack lets it go
       const double slid =
-          o.delta_n < 0 ? Kokkos::abs(reaction.tangential * (reaction.slip - model.bonds.slip(k, s))) : 0;
+          o.delta_n < 0 ? Kokkos::abs(reaction.tangential * slide) : 0.5 * point.k_t * stretch * stretch;
       const double damped = -model.dt * (reaction.normal - at_least(0, -point.k_n * o.delta_n)) * o.rate_n;
       accounts.add_bond(k, 0, width * slid, width * damped);
     }
