@@ -5,55 +5,21 @@
 #include "kernels/reactive_wall_kernel.hpp"
 #include "kernels/solute.hpp"
 #include "kernels/surface_normal.hpp"
+#include "rock_geometry.hpp"
 
 #include <benchmark/benchmark.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
 
 namespace {
 
 using namespace vug;
 
-/// Strips three nodes wide along a share of the edges of a jittered triangulation of pitch 40.
-std::vector<char> rock(int nx, int ny, double share_of_edges) {
-  constexpr int pitch = 40;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> jitter(-0.3, 0.3), chance(0, 1);
-  const int mx = nx / pitch + 2, my = ny / pitch + 2;
-  std::vector<std::array<double, 2>> point(mx * my);
-  for (int j = 0; j < my; ++j)
-    for (int i = 0; i < mx; ++i)
-      point[j * mx + i] = {(i - 0.5 + jitter(random) + (j % 2) * 0.5) * pitch, (j - 0.5 + jitter(random)) * pitch};
-  std::vector<char> solid(static_cast<std::size_t>(nx) * ny, 1);
-  const auto open_edge = [&](int a, int b) {
-    if (chance(random) > share_of_edges) return;
-    const auto [ax, ay] = point[a];
-    const double dx = point[b][0] - ax, dy = point[b][1] - ay, length2 = dx * dx + dy * dy;
-    for (int y = std::max(0, int(std::min(ay, ay + dy)) - 3); y < std::min(ny, int(std::max(ay, ay + dy)) + 4); ++y)
-      for (int x = std::max(0, int(std::min(ax, ax + dx)) - 3); x < std::min(nx, int(std::max(ax, ax + dx)) + 4); ++x) {
-        const double s = std::clamp(((x - ax) * dx + (y - ay) * dy) / length2, 0.0, 1.0);
-        if (std::hypot(x - ax - s * dx, y - ay - s * dy) <= 1.5) solid[static_cast<std::size_t>(y) * nx + x] = 0;
-      }
-  };
-  for (int j = 0; j + 1 < my; ++j)
-    for (int i = 0; i + 1 < mx; ++i) {
-      open_edge(j * mx + i, j * mx + i + 1);
-      open_edge(j * mx + i, (j + 1) * mx + i);
-      open_edge(j * mx + i + 1, (j + 1) * mx + i);
-    }
-  return solid;
-}
-
-enum Geometry : int { open_box = 0, paper_rock = 1 };
+enum Where : int { open_box = 0, paper_rock = 1 };
 
 template <class T, class Set>
 struct Case {
   Exec exec;
   Lattice lattice{2000, 1400};
-  Kokkos::View<NodeType*> type{"type", static_cast<std::size_t>(lattice.size())};
+  Kokkos::View<NodeType*> type;
   ScalarField<double> V{"V", static_cast<std::size_t>(lattice.size())};
   FluidNodes nodes;
   SoluteFields<T> acid, product;
@@ -62,17 +28,11 @@ struct Case {
   SoluteParameters parameters = solute_parameters(0.02);
 
   explicit Case(int geometry) {
-    const std::vector<char> solid = geometry == paper_rock ? rock(lattice.nx, lattice.ny, 0.58)
-                                                           : std::vector<char>(lattice.nx * std::size_t(lattice.ny), 0);
-    const auto type_host = Kokkos::create_mirror_view(type);
+    type =
+        geometry == paper_rock ? perf::node_types(perf::geometries[0], lattice) : perf::node_types({"box", 0}, lattice);
+    const auto type_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, type);
     const auto V_host = Kokkos::create_mirror_view(V);
-    for (int y = 0; y < lattice.ny; ++y)
-      for (int x = 0; x < lattice.nx; ++x) {
-        const bool is_solid = solid[static_cast<std::size_t>(y) * lattice.nx + x];
-        type_host(lattice.node(x, y)) = is_solid ? NodeType::solid : NodeType::fluid;
-        V_host(lattice.node(x, y)) = is_solid;
-      }
-    Kokkos::deep_copy(type, type_host);
+    for (int n = 0; n < lattice.size(); ++n) V_host(n) = type_host(n) == NodeType::solid;
     Kokkos::deep_copy(V, V_host);
     nodes = make_fluid_nodes(exec, lattice, type);
     acid = make_solute_fields<T, Set>(exec, nodes, 0.5);
@@ -134,6 +94,8 @@ void find_defect(benchmark::State& state) {
   report(state, c.nodes.count, 3.0 * sizeof(T) + 4.0 * (Set::Q - 1) + 6);
 }
 
+enum RateLaw : int { uniform = 0, by_arrhenius = 1, stored = 2 };
+
 struct UniformTemperature {
   ScalarField<double> T;
   KOKKOS_FUNCTION double operator()(int solid, int fluid) const { return 0.5 * (T(solid) + T(fluid)); }
@@ -143,7 +105,7 @@ struct UniformTemperature {
 template <class T, class Set>
 void react(benchmark::State& state) {
   Case<T, Set> c(paper_rock);
-  const bool arrhenius_law = state.range(0) == 1;
+  const auto rate_law = static_cast<RateLaw>(state.range(0));
   Surface surface;
   find_surface(c.exec, c.nodes, c.type, surface);
   VectorField<double> normal;
@@ -158,8 +120,12 @@ void react(benchmark::State& state) {
   ScalarField<double> temperature("T", c.lattice.size());
   Kokkos::deep_copy(temperature, 350.0);
   const ArrheniusRate<UniformTemperature> hot{1e-9, 7553, 273.15, {temperature}};
+  const ScalarField<double> k("k", c.lattice.size());
+  store_rates(c.exec, c.nodes, surface, hot, k);
   for (auto _ : state) {
-    if (arrhenius_law)
+    if (rate_law == stored)
+      react_at_wall<Set>(c.exec, c.nodes, surface, wall, StoredRate{k}, normal, c.acid, &c.product, ledger);
+    else if (rate_law == by_arrhenius)
       react_at_wall<Set>(c.exec, c.nodes, surface, wall, hot, normal, c.acid, &c.product, ledger);
     else
       react_at_wall<Set>(c.exec, c.nodes, surface, wall, UniformRate{1e-9}, normal, c.acid, &c.product, ledger);
@@ -200,21 +166,24 @@ VUG_SWEEP(advect);
 VUG_SWEEP(advect_in_advective_form);
 VUG_SWEEP(find_defect);
 BENCHMARK_TEMPLATE(react, double, D2Q5)
-    ->ArgName("arrhenius")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgName("rate")
+    ->Arg(uniform)
+    ->Arg(by_arrhenius)
+    ->Arg(stored)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_TEMPLATE(react, float, D2Q5)
-    ->ArgName("arrhenius")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgName("rate")
+    ->Arg(uniform)
+    ->Arg(by_arrhenius)
+    ->Arg(stored)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_TEMPLATE(react, double, D2Q9)
-    ->ArgName("arrhenius")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgName("rate")
+    ->Arg(uniform)
+    ->Arg(by_arrhenius)
+    ->Arg(stored)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -16,9 +16,8 @@
 #include <new>
 #include <optional>
 #include <string>
-#include <vector>
-
 #include <unistd.h>
+#include <vector>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -69,10 +68,10 @@ void describe(CLI::App& app, CommandLine& line) {
 /// Subnormal numbers cost a hundred times a normal one and carry nothing here: flushed to zero on every thread.
 void flush_subnormals() {
 #if defined(__SSE2__)
-  Kokkos::parallel_for("vug::main::flush_subnormals",
-                       Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(
-                           0, Kokkos::DefaultHostExecutionSpace().concurrency()),
-                       [](int) { _mm_setcsr(_mm_getcsr() | 0x8040); });
+  Kokkos::parallel_for(
+      "vug::main::flush_subnormals",
+      Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, Kokkos::DefaultHostExecutionSpace().concurrency()),
+      [](int) { _mm_setcsr(_mm_getcsr() | 0x8040); });
   _mm_setcsr(_mm_getcsr() | 0x8040);
 #endif
 }
@@ -80,9 +79,10 @@ void flush_subnormals() {
 int info(const CommandLine& line) {
   const vug::BuildInfo build = vug::build_info();
   if (line.json)
-    fmt::print("{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
-               "\"device\": \"{}\", \"threads\": {}, \"precisions\": [\"single\", \"double\"]}}\n",
-               build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
+    fmt::print(
+        "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
+        "\"device\": \"{}\", \"threads\": {}, \"precisions\": [\"single\", \"double\"]}}\n",
+        build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
   else
     fmt::print("vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nprecisions single, double\n",
                build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
@@ -117,6 +117,7 @@ int fail(ExitCode code, const char* what) {
 int dispatch(const CommandLine& line) {
   try {
     Kokkos::InitializationSettings settings;
+    settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     if (line.threads > 0) settings.set_num_threads(line.threads);
     vug::count_allocations();
     const Kokkos::ScopeGuard kokkos(settings);

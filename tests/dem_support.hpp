@@ -13,14 +13,6 @@ auto host_copy(const V& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// A copy that later steps do not change (host_copy may be the View itself).
-template <class V>
-auto host_snapshot(const V& view) {
-  const auto copy = Kokkos::create_mirror(Kokkos::HostSpace{}, view);
-  Kokkos::deep_copy(copy, view);
-  return copy;
-}
-
 /// Two equilateral triangles of edge l that share the edge from (0, 0) to (0, l); a on the left, n = +x.
 inline Assembly pair_of_triangles(double l) {
   const double height = l * std::sqrt(3.0) / 2;

@@ -66,8 +66,8 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
   std::unique_ptr<PathwayOpener> opener;
   ScalarField<double> d_m;
   if (scene.mechanics) {
-    const auto* mechanics = add(
-        std::make_unique<MechanicsModule<T>>(exec, scene, parts.units, geometry, *parts.rock, flow, heat));
+    const auto* mechanics =
+        add(std::make_unique<MechanicsModule<T>>(exec, scene, parts.units, geometry, *parts.rock, flow, heat));
     parts.mechanics = &mechanics->mechanics();
     d_m = mechanics->mechanics().bonds().d_m;
     if (scene.damage && geometry.fluid.count > 0)
@@ -76,10 +76,7 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
   const bool dissolves = reaction && scene.reaction->molar_volume > 0;
   if (!dissolves && !opener) return;
   parts.growth = std::make_unique<PoreGrowth>(geometry, std::move(opener), d_m,
-                                              dissolves ? reaction->lost() : ScalarField<double>(),
-                                              [reaction](const Exec& e) {
-                                                if (reaction) reaction->renew_normals(e);
-                                              });
+                                              dissolves ? reaction->lost() : ScalarField<double>());
 }
 
 }  // namespace

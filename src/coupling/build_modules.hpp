@@ -19,8 +19,8 @@ struct Parts {
   std::optional<Rock> rock;
   /// In the order of a step: a module sees what those above did in this step and those below in the last.
   std::vector<std::unique_ptr<Module>> modules;
-  std::unique_ptr<PoreGrowth> growth;   ///< null where no node can turn fluid
-  const Mechanics* mechanics = nullptr; ///< null without [mechanics]
+  std::unique_ptr<PoreGrowth> growth;    ///< null where no node can turn fluid
+  const Mechanics* mechanics = nullptr;  ///< null without [mechanics]
 
   Parts() = default;
   Parts(const Parts&) = delete;

@@ -28,7 +28,9 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600);
 }
 
-std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
+std::string json_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null";
+}
 
 std::string json_string(const std::string& text) {
   std::string out = "\"";
@@ -102,8 +104,8 @@ std::string to_json(const CheckReport& report) {
                  "{{\n  \"nx\": {}, \"ny\": {}, \"fluid_nodes\": {}, \"particles\": {}, \"bonds\": {},\n"
                  "  \"precision\": {}, \"preset\": {},\n  \"bytes\": {}, \"steps\": {}, \"seconds_per_step\": {}, "
                  "\"seconds\": {},\n  \"limits\": [",
-                 report.nx, report.ny, report.fluid_nodes, report.particles, report.bonds, json_string(report.precision),
-                 json_string(report.preset), json_number(report.bytes), report.steps,
+                 report.nx, report.ny, report.fluid_nodes, report.particles, report.bonds,
+                 json_string(report.precision), json_string(report.preset), json_number(report.bytes), report.steps,
                  json_number(report.seconds_per_step), json_number(report.seconds));
   for (std::size_t i = 0; i < report.limits.size(); ++i) {
     const Limit& limit = report.limits[i];

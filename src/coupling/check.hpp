@@ -14,8 +14,8 @@ struct CheckReport {
   LimitTable limits;
   std::vector<std::string> warnings;
   int nx = 0, ny = 0, fluid_nodes = 0, particles = 0, bonds = 0;
-  double porosity = 0;          ///< fluid share of the lattice at the start
-  double bytes = 0;             ///< held in Views
+  double porosity = 0;  ///< fluid share of the lattice at the start
+  double bytes = 0;     ///< held in Views
   std::int64_t steps = 0;
   double seconds_per_step = 0;  ///< measured on this machine with a few steps of a copy of the case
   double seconds = 0;

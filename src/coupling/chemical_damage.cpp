@@ -41,7 +41,8 @@ struct Complement {
 };
 
 void remaining_share(const Exec& exec, const ScalarField<double>& share, const ScalarField<double>& remaining) {
-  for_each_node(exec, "vug::chemical_damage::remaining", static_cast<int>(share.extent(0)), Complement{share, remaining});
+  for_each_node(exec, "vug::chemical_damage::remaining", static_cast<int>(share.extent(0)),
+                Complement{share, remaining});
 }
 
 }  // namespace vug

@@ -12,7 +12,8 @@ struct FaceTemperature {
   double solid_share = 0.5;      ///< lambda_s/(lambda_f + lambda_s)
   double reference = 0;          ///< K
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
-    return reference + solid_share * static_cast<double>(theta(solid)) + (1 - solid_share) * static_cast<double>(theta(fluid));
+    return reference + solid_share * static_cast<double>(theta(solid)) +
+           (1 - solid_share) * static_cast<double>(theta(fluid));
   }
 };
 

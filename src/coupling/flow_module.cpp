@@ -152,10 +152,11 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
   if (extremes.bad < 0) return;
   int node = 0;
   Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, extremes.bad));
-  throw StabilityError(fmt::format(
-      "flow diverged at step {}: node ({}, {}) is not finite or beyond |u| = {}, |rho'| = {} (lattice units); lower the "
-      "pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)",
-      clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), speed_bound, density_bound));
+  throw StabilityError(
+      fmt::format("flow diverged at step {}: node ({}, {}) is not finite or beyond |u| = {}, |rho'| = {} (lattice "
+                  "units); lower the "
+                  "pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)",
+                  clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), speed_bound, density_bound));
 }
 
 template <class T>
@@ -218,7 +219,8 @@ void FlowModule<T>::state(StateList& list) {
   list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);
   for (const Carrier<T>& carrier : carriers_) {
-    const std::string key = "flow/carrier" + std::to_string(carrier.interval) + "_" + std::to_string(carrier.directions);
+    const std::string key =
+        "flow/carrier" + std::to_string(carrier.interval) + "_" + std::to_string(carrier.directions);
     if (carrier.interval > 1) list.add(key + "/u", carrier.u);
     list.add(key + "/e", carrier.e);
   }

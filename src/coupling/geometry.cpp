@@ -49,7 +49,9 @@ bool holds(const Rectangle& r, const Point& p) {
          p[1] >= std::min(r.from[1], r.to[1]) && p[1] <= std::max(r.from[1], r.to[1]);
 }
 
-bool holds(const Disc& d, const Point& p) { return std::hypot(p[0] - d.centre[0], p[1] - d.centre[1]) <= d.radius; }
+bool holds(const Disc& d, const Point& p) {
+  return std::hypot(p[0] - d.centre[0], p[1] - d.centre[1]) <= d.radius;
+}
 
 /// Even-odd rule.
 bool holds(const Polygon& polygon, const Point& p) {
@@ -68,7 +70,8 @@ std::vector<bool> solid_mask(const Scene& scene) {
   const int nx = scene.lattice.nx, ny = scene.lattice.ny;
   const GeometrySection& geometry = scene.geometry;
   if (geometry.kind == GeometryKind::image) return read_solid_image(geometry, nx, ny);
-  std::vector<bool> solid(static_cast<std::size_t>(nx) * ny, geometry.kind == GeometryKind::shapes && geometry.background == "solid");
+  std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,
+                          geometry.kind == GeometryKind::shapes && geometry.background == "solid");
   if (geometry.kind != GeometryKind::shapes) return solid;
   for (const Shape& shape : geometry.shapes)
     for (int y = 0; y < ny; ++y)

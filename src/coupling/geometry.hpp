@@ -10,7 +10,7 @@ namespace vug {
 /// The pixels: node types, the list of fluid nodes with its link tables, the wet surface of the rock.
 struct Geometry {
   Lattice lattice;
-  double spacing = 1;  ///< m
+  double spacing = 1;            ///< m
   Kokkos::View<NodeType*> type;  ///< (dense node)
   FluidNodes fluid;              ///< empty where the scene has neither flow nor solute
   Surface surface;
@@ -22,7 +22,7 @@ struct Geometry {
 struct Stretch {
   std::string name;  ///< key in the case file: "left", "injection", ...
   Side side;
-  int first, last;   ///< node coordinates along the side, inclusive
+  int first, last;  ///< node coordinates along the side, inclusive
   BoundarySection conditions;
 };
 

@@ -40,7 +40,8 @@ struct GroupSumByTeam {
 
 /// store(g, sum of value(item, g) over the items of group g) for every group.
 template <class Sum, class Value, class Store>
-void sum_groups(const Exec& exec, const std::string& label, const Groups& groups, const Value& value, const Store& store) {
+void sum_groups(const Exec& exec, const std::string& label, const Groups& groups, const Value& value,
+                const Store& store) {
   if (groups.count() <= 0) return;
   if constexpr (runs_on_host) {
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, groups.count()),

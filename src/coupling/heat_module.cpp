@@ -18,9 +18,12 @@ constexpr double runaway_margin = 1000;  // K
 
 HeatCondition condition_of(HeatBoundaryKind kind) {
   switch (kind) {
-    case HeatBoundaryKind::temperature: return HeatCondition::temperature;
-    case HeatBoundaryKind::outflow: return HeatCondition::outflow;
-    default: return HeatCondition::adiabatic;
+    case HeatBoundaryKind::temperature:
+      return HeatCondition::temperature;
+    case HeatBoundaryKind::outflow:
+      return HeatCondition::outflow;
+    default:
+      return HeatCondition::adiabatic;
   }
 }
 
@@ -37,10 +40,11 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       periodic_(periodic_sides(scene)),
       initial_theta_(units.lattice_temperature(section_.initial_temperature)),
       coldest_(section_.initial_temperature),
-      hottest_(section_.initial_temperature) {
+      hottest_(section_.initial_temperature),
+      fastest_(scene.flow ? scene.flow->speed_limit : 0) {
   const double scale = interval_ / units.diffusivity();
-  const double sigma = section_.solid_density * section_.solid_heat_capacity /
-                       (section_.fluid_density * section_.fluid_heat_capacity);
+  const double sigma =
+      section_.solid_density * section_.solid_heat_capacity / (section_.fluid_density * section_.fluid_heat_capacity);
   fields_ = make_heat_fields<T>(exec, geometry.lattice,
                                 {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma},
                                 geometry.type, periodic_, initial_theta_);
@@ -99,10 +103,11 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const double lowest = extremes.lowest + units_.reference_temperature;
   const double highest = extremes.highest + units_.reference_temperature;
   if (extremes.not_finite == 0 && lowest > coldest_ - runaway_margin && highest < hottest_ + runaway_margin) return;
-  throw StabilityError(fmt::format(
-      "heat diverged at step {}: temperatures from {:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise "
-      "the diffusivities",
-      clock.step, lowest, highest, extremes.not_finite));
+  throw StabilityError(
+      fmt::format("heat diverged at step {}: temperatures from {:.4g} to {:.4g} K, {} nodes not finite; lower the "
+                  "velocity or raise "
+                  "the diffusivities",
+                  clock.step, lowest, highest, extremes.not_finite));
 }
 
 template <class T>
@@ -110,6 +115,10 @@ void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
   table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
+  if (carrier_ && fastest_ > 0)
+    table.push_back({"heat", "grid Peclet number at the speed limit",
+                     fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
+                     "lower flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
   table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
 }
@@ -133,7 +142,8 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
 template <class T>
 void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
   const HeatExtremes extremes = heat_extremes(Exec{}, fields_);
-  const double change = std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
+  const double change =
+      std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
   row.push_back({"largest_temperature_change_K", change});
 }
 

@@ -46,11 +46,12 @@ class HeatModule final : public Module {
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::array<bool, 2> periodic_;
-  ScalarField<T> lagged_;       ///< (fluid) state of the advective correction
+  ScalarField<T> lagged_;        ///< (fluid) state of the advective correction
   ScalarField<double> created_;  ///< (block) energy that the advective form added
   ScalarField<double> born_;     ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
-  double initial_energy_ = 0;    ///< in fluid heat capacities
+  double fastest_ = 0;         ///< speed limit of the flow, lattice units; 0: none
+  double initial_energy_ = 0;  ///< in fluid heat capacities
 };
 
 }  // namespace vug

@@ -9,12 +9,12 @@ namespace vug {
 /// One derived number.
 struct Limit {
   std::string module;
-  std::string name;     ///< for instance "relaxation time tau"
+  std::string name;  ///< for instance "relaxation time tau"
   double value = 0;
   std::string unit;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  std::string advice;   ///< what to change when it is outside
+  std::string advice;  ///< what to change when it is outside
 
   bool inside() const { return value >= low && value <= high; }
 };

@@ -175,22 +175,8 @@ void MechanicsModule<T>::fields(FieldList& list) const {
 
 template <class T>
 void MechanicsModule<T>::state(StateList& list) {
-  const Particles& p = mechanics_.particles();
-  list.add("mechanics/u", p.u);
-  list.add("mechanics/u_reference", p.u_reference);
-  list.add("mechanics/v", p.v);
-  list.add("mechanics/angle", p.angle);
-  list.add("mechanics/spin", p.spin);
-  list.add("mechanics/rotation", p.rotation);
-  list.add("mechanics/solid_fraction", p.solid_fraction);
-  list.add("mechanics/temperature_change", p.temperature_change);
-  const Bonds& b = mechanics_.bonds();
-  list.add("mechanics/point_damage", b.point_damage);
-  list.add("mechanics/d_m", b.d_m);
-  list.add("mechanics/d_c", b.d_c);
-  list.add("mechanics/state", b.state);
-  list.add("mechanics/slip", b.slip);
-  list.add("mechanics/stress", b.stress);
+  mechanics_.visit_state([&](const char* name, const auto& view) { list.add(std::string("mechanics/") + name, view); },
+                         [&](const char* name, auto& value) { list.add_value(std::string("mechanics/") + name, value); });
   list.add_value("mechanics/substeps", substeps_);
 }
 

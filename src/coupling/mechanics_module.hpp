@@ -1,7 +1,7 @@
 #pragma once
 // The rock's mechanics, moved by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
-#include "coupling/heat_module.hpp"
 #include "coupling/flow_module.hpp"
+#include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/particle_load.hpp"
 #include "coupling/rock.hpp"

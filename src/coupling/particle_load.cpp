@@ -102,7 +102,8 @@ void load_particles(const Exec& exec, const Lattice& lattice, double spacing, do
                     const WetSurface& wet, const VectorField<double>& node_force, const VectorField<double>& centroid,
                     const VectorField<double>& force, const ScalarField<double>& torque) {
   sum_groups<Wrench>(exec, "vug::particle_load::gather", wet.of_particle(),
-                     NodeWrench{lattice, spacing, scale, surface.node, node_force, centroid}, StoreWrench{force, torque});
+                     NodeWrench{lattice, spacing, scale, surface.node, node_force, centroid},
+                     StoreWrench{force, torque});
 }
 
 }  // namespace vug

@@ -17,7 +17,9 @@ namespace {
 
 using VertexPair = std::array<int, 2>;
 
-VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+VertexPair ordered(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
+}
 
 /// The shared edges with what a pathway along them needs.
 struct BondEdges {
@@ -68,7 +70,8 @@ std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattic
   for (std::size_t b = 0; b < strips.size(); ++b) {
     if (aperture[b] <= 0) continue;
     const auto [p, q] = bonds.vertices[b];
-    strips[b] = strip_nodes(assembly.vertices[p], assembly.vertices[q], aperture[b] / 2, lattice, scene.lattice.spacing);
+    strips[b] =
+        strip_nodes(assembly.vertices[p], assembly.vertices[q], aperture[b] / 2, lattice, scene.lattice.spacing);
     std::erase_if(strips[b], [&](const StripNode& strip) { return raster.owner[strip.node] < 0; });
   }
   return strips;
@@ -106,8 +109,8 @@ std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice
   }
   const auto rock_nodes = std::count_if(raster.owner.begin(), raster.owner.end(), [](int owner) { return owner >= 0; });
   const int target = static_cast<int>(std::lround(section.porosity * static_cast<double>(rock_nodes)));
-  const auto chosen = choose_pathways(bonds.vertices, strips, fixed, static_cast<int>(assembly.vertices.size()), target,
-                                      section.seed);
+  const auto chosen =
+      choose_pathways(bonds.vertices, strips, fixed, static_cast<int>(assembly.vertices.size()), target, section.seed);
   for (std::size_t b = 0; b < aperture.size(); ++b)
     if (chosen[b]) aperture[b] = wide[b];
   return aperture;
@@ -116,13 +119,15 @@ std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice
 template <class ViewType, class Value>
 ViewType to_device(const char* label, const std::vector<Value>& values) {
   ViewType view(label, values.size());
-  Kokkos::deep_copy(view, Kokkos::View<const Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
+  Kokkos::deep_copy(
+      view, Kokkos::View<const Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
   return view;
 }
 
 /// The solid nodes that the widest aperture of some bond would open.
 PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Assembly& assembly, const BondEdges& bonds,
-                           const RockRaster& raster, const std::vector<double>& closed, const std::vector<bool>& solid) {
+                           const RockRaster& raster, const std::vector<double>& closed,
+                           const std::vector<bool>& solid) {
   const DamageSection& damage = *scene.damage;
   std::vector<double> open(closed.size());
   for (std::size_t b = 0; b < open.size(); ++b)
@@ -156,8 +161,8 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
 Rock build_rock(const Scene& scene, const Lattice& lattice) {
   const RockSection& section = *scene.rock;
   Rock rock;
-  rock.assembly = section.mesh ? read_mesh(*section.mesh)
-                               : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
+  rock.assembly =
+      section.mesh ? read_mesh(*section.mesh) : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
   const BondEdges bonds = bond_edges(rock.assembly);
   rock.bonds = static_cast<int>(bonds.vertices.size());
   const RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);

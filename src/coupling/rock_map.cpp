@@ -34,8 +34,10 @@ RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double sp
     const auto [x_low, x_high] = std::minmax({v[0][0], v[1][0], v[2][0]});
     const auto [y_low, y_high] = std::minmax({v[0][1], v[1][1], v[2][1]});
     const double area = cross(v[0], v[1], v[2]);
-    for (int y = std::max(0, static_cast<int>(y_low - 0.5)); y <= std::min<int>(lattice.ny - 1, static_cast<int>(y_high)); ++y)
-      for (int x = std::max(0, static_cast<int>(x_low - 0.5)); x <= std::min<int>(lattice.nx - 1, static_cast<int>(x_high)); ++x) {
+    for (int y = std::max(0, static_cast<int>(y_low - 0.5));
+         y <= std::min<int>(lattice.ny - 1, static_cast<int>(y_high)); ++y)
+      for (int x = std::max(0, static_cast<int>(x_low - 0.5));
+           x <= std::min<int>(lattice.nx - 1, static_cast<int>(x_high)); ++x) {
         const std::size_t n = static_cast<std::size_t>(y) * lattice.nx + x;
         if (raster.owner[n] >= 0) continue;
         const Point p{x + 0.5, y + 0.5};
@@ -80,7 +82,8 @@ Groups group_nodes(const std::vector<int>& key, int groups, const Lattice& latti
       item[next[key[n]]++] = lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx);
   Groups result{IndexList("vug::rock_map::offset", offset.size()), IndexList("vug::rock_map::item", item.size())};
   const auto to_device = [](const IndexList& target, const std::vector<int>& values) {
-    Kokkos::deep_copy(target, Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
+    Kokkos::deep_copy(
+        target, Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
   };
   to_device(result.offset, offset);
   to_device(result.item, item);

@@ -1,6 +1,7 @@
 #include "coupling/run.hpp"
 
 #include "coupling/simulation.hpp"
+#include "io/checkpoint.hpp"
 #include "io/history_writer.hpp"
 #include "io/progress.hpp"
 #include "io/run_record.hpp"
@@ -38,12 +39,23 @@ BuildInfo build_info() {
 
 namespace {
 
+std::int64_t steps_in(double seconds, const Scene& scene) {
+  return std::max<std::int64_t>(1, std::llround(seconds / scene.lattice.time_step));
+}
+
 /// Lattice steps between two outputs.
-std::int64_t output_interval(const Scene& scene, std::int64_t last) {
+std::int64_t output_interval(const Scene& scene) {
   if (scene.output.interval_steps) return *scene.output.interval_steps;
-  if (scene.output.interval)
-    return std::max<std::int64_t>(1, std::llround(*scene.output.interval / scene.lattice.time_step));
-  return std::max<std::int64_t>(1, last);
+  if (scene.output.interval) return steps_in(*scene.output.interval, scene);
+  return std::max<std::int64_t>(1, last_step(scene));
+}
+
+/// Lattice steps between two checkpoints: a multiple of the update interval, at which a checkpoint may be taken.
+std::int64_t checkpoint_interval(const Scene& scene) {
+  const std::int64_t wanted =
+      scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
+  const std::int64_t unit = scene.accuracy.update_interval;
+  return (wanted + unit - 1) / unit * unit;
 }
 
 std::optional<RockShape> rock_shape(const Parts& parts) {
@@ -52,8 +64,7 @@ std::optional<RockShape> rock_shape(const Parts& parts) {
   const Bonds& bonds = parts.mechanics->bonds();
   const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.vertex);
-  for (int b = 0; b < bonds.count; ++b)
-    shape.bonds.push_back({{pair(b, 0), pair(b, 1)}, {vertex(b, 0), vertex(b, 1)}});
+  for (int b = 0; b < bonds.count; ++b) shape.bonds.push_back({{pair(b, 0), pair(b, 1)}, {vertex(b, 0), vertex(b, 1)}});
   return shape;
 }
 
@@ -87,13 +98,16 @@ class Probes {
 /// The open files of a run.
 class RunFiles {
  public:
-  RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory)
+  /// With `resume_step` the files of the run are continued from there.
+  RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
+           std::optional<std::int64_t> resume_step)
       : simulation_(simulation),
         fields_(simulation.fields()),
         probes_(scene, fields_),
         snapshots_(directory, simulation.parts().geometry.lattice, scene.lattice.spacing, fields_,
-                   {scene.output.fields, scene.output.compress, false, std::nullopt}, rock_shape(simulation.parts())),
-        history_(directory + "/history.csv", names(row())) {}
+                   {scene.output.fields, scene.output.compress, false, resume_step}, rock_shape(simulation.parts())),
+        history_(directory + "/history.csv", names(row()),
+                 resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
 
   void write() {
     snapshots_.write(simulation_.clock().time(), simulation_.clock().step);
@@ -144,68 +158,127 @@ void make_directory(const std::string& directory) {
   if (error) throw FileError(fmt::format("{}: cannot make the run directory: {}", directory, error.message()));
 }
 
+std::string directory_of(const Scene& scene, const RunOptions& options) {
+  return options.directory.empty() ? "runs/" + std::filesystem::path(scene.path).stem().string() : options.directory;
+}
+
+/// One run from its first step to its last.
+class Run {
+ public:
+  Run(const Scene& scene, const RunOptions& options)
+      : scene_(scene),
+        options_(options),
+        directory_(directory_of(scene, options)),
+        hash_(case_hash(scene.source_text, scene.overrides)),
+        last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
+        simulation_(scene),
+        record_(first_record(scene)) {}
+
+  RunEnd operator()() {
+    make_directory(directory_);
+    resume();
+    write_run_record(directory_, record_);
+    std::ostream silent(nullptr);
+    Progress progress(options_.progress ? *options_.progress : silent, options_.terminal && options_.progress,
+                      {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step()});
+    warn(progress);
+    try {
+      const bool stopped = advance(progress);
+      progress.finish(stopped ? "interrupted" : "done");
+      if (stopped)
+        finish(progress, "interrupted", "interrupted by a signal", 130);
+      else
+        finish(progress, "done", "reached the last step", 0);
+      return stopped ? RunEnd::interrupted : RunEnd::done;
+    } catch (const StabilityError& error) {
+      const std::string reason = fmt::format("{}; {}", error.what(), last_good());
+      finish(progress, "diverged", reason, 3);
+      throw StabilityError(reason);
+    } catch (const FileError& error) {
+      try {
+        finish(progress, "failed", error.what(), 4);
+      } catch (const FileError&) {
+        // the disk that refused the results refuses the record as well; the first error is the one to report
+      }
+      throw;
+    }
+  }
+
+ private:
+  void resume() {
+    if (!options_.resume) return;
+    const Checkpoint checkpoint = Checkpoint::latest(checkpoints(), hash_);
+    simulation_.restore([&](StateList& state) { checkpoint.load(state); });
+    resumed_at_ = checkpoint.step();
+    record_.first_step = checkpoint.step();
+  }
+
+  void warn(Progress& progress) const {
+    for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
+    for (const Limit& limit : simulation_.limits())
+      if (!limit.inside())
+        progress.note(fmt::format("warning: {}: {} = {:.5g} is outside its safe range; {}", limit.module, limit.name,
+                                  limit.value, limit.advice));
+  }
+
+  /// Steps until the end or a signal; true when stopped by one.
+  bool advance(Progress& progress) {
+    RunFiles files(scene_, simulation_, directory_, resumed_at_);
+    if (!resumed_at_) {
+      simulation_.begin();
+      files.write();
+    }
+    const std::int64_t output = output_interval(scene_), checkpoint = checkpoint_interval(scene_);
+    while (simulation_.clock().step < last_) {
+      simulation_.step();
+      const std::int64_t step = simulation_.clock().step;
+      const bool write_now = step % output == 0 || step == last_;
+      const bool stop = options_.interrupted && *options_.interrupted && simulation_.may_checkpoint();
+      const bool save = simulation_.may_checkpoint() && (stop || step % checkpoint == 0 || step == last_);
+      if (write_now || save || step % scene_.accuracy.guard_interval == 0) simulation_.guard();
+      if (write_now) files.write();
+      if (save) {
+        write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), hash_);
+        last_checkpoint_ = step;
+      }
+      progress.update(step, simulation_.updates_per_step());
+      if (stop) return true;
+    }
+    return false;
+  }
+
+  std::string checkpoints() const { return directory_ + "/checkpoint"; }
+
+  std::string last_good() const {
+    if (!last_checkpoint_) return "no checkpoint was written before";
+    return fmt::format("the last good state is the checkpoint of step {} in {}", *last_checkpoint_, checkpoints());
+  }
+
+  void finish(const Progress& progress, const std::string& status, const std::string& reason, int code) {
+    record_.status = status;
+    record_.exit_reason = reason;
+    record_.exit_code = code;
+    record_.ended = utc_now();
+    record_.steps = simulation_.clock().step;
+    record_.simulated_time = simulation_.clock().time();
+    record_.wall_time = progress.wall_time();
+    record_.mlups = progress.mlups();
+    write_run_record(directory_, record_);
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  std::string directory_, hash_;
+  std::int64_t last_;
+  Simulation simulation_;
+  RunRecord record_;
+  std::optional<std::int64_t> resumed_at_, last_checkpoint_;
+};
+
 }  // namespace
 
 RunEnd run_case(const Scene& scene, const RunOptions& options) {
-  const std::string directory = options.directory.empty()
-                                    ? "runs/" + std::filesystem::path(scene.path).stem().string()
-                                    : options.directory;
-  const std::int64_t last = std::min(options.steps.value_or(last_step(scene)), last_step(scene));
-  const std::int64_t every = output_interval(scene, last);
-  Simulation simulation(scene);
-  make_directory(directory);
-  RunRecord record = first_record(scene);
-  write_run_record(directory, record);
-
-  std::ostream silent(nullptr);
-  Progress progress(options.progress ? *options.progress : silent, options.terminal && options.progress != nullptr,
-                    {0, last, scene.lattice.time_step, simulation.updates_per_step()});
-  for (const std::string& warning : scene.warnings) progress.note("warning: " + warning);
-  for (const Limit& limit : simulation.limits())
-    if (!limit.inside())
-      progress.note(fmt::format("warning: {}: {} = {:.5g} is outside its safe range; {}", limit.module, limit.name,
-                                limit.value, limit.advice));
-
-  const auto finish = [&](const std::string& status, const std::string& reason, int code) {
-    record.status = status;
-    record.exit_reason = reason;
-    record.exit_code = code;
-    record.ended = utc_now();
-    record.steps = simulation.clock().step;
-    record.simulated_time = simulation.clock().time();
-    record.wall_time = progress.wall_time();
-    record.mlups = progress.mlups();
-    write_run_record(directory, record);
-  };
-
-  try {
-    RunFiles files(scene, simulation, directory);
-    simulation.begin();
-    files.write();
-    bool stopped = false;
-    while (simulation.clock().step < last && !stopped) {
-      simulation.step();
-      const std::int64_t step = simulation.clock().step;
-      const bool output = step % every == 0 || step == last;
-      stopped = options.interrupted && *options.interrupted;
-      if (output || step % scene.accuracy.guard_interval == 0) simulation.guard();
-      if (output || stopped) files.write();
-      progress.update(step, simulation.updates_per_step());
-    }
-    progress.finish(stopped ? "interrupted" : "done");
-    finish(stopped ? "interrupted" : "done", stopped ? "interrupted by a signal" : "reached the last step", stopped ? 130 : 0);
-    return stopped ? RunEnd::interrupted : RunEnd::done;
-  } catch (const StabilityError& error) {
-    finish("diverged", error.what(), 3);
-    throw;
-  } catch (const FileError& error) {
-    try {
-      finish("failed", error.what(), 4);
-    } catch (const FileError&) {
-      // the disk that refused the results refuses the record as well; the first error is the one to report
-    }
-    throw;
-  }
+  return Run(scene, options)();
 }
 
 }  // namespace vug

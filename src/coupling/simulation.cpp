@@ -31,7 +31,8 @@ double Simulation::updates_per_step() const {
   if (scene_.heat)
     updates += static_cast<double>(geometry.lattice.nx) * geometry.lattice.ny / scene_.accuracy.heat_interval;
   if (scene_.solute)
-    updates += static_cast<double>(scene_.solute->species.size()) * geometry.fluid.count / scene_.accuracy.solute_interval;
+    updates +=
+        static_cast<double>(scene_.solute->species.size()) * geometry.fluid.count / scene_.accuracy.solute_interval;
   return updates;
 }
 
@@ -82,13 +83,15 @@ FieldList Simulation::fields() const {
   list.lattice.push_back({"solid_fraction", "1", 1, [&geometry](std::span<double> out) {
                             const bool dissolves = geometry.volume.extent(0) > 0;
                             const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
-                            const auto volume = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.volume);
+                            const auto volume =
+                                Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.volume);
                             const Lattice& lattice = geometry.lattice;
                             for (int y = 0; y < lattice.ny; ++y)
                               for (int x = 0; x < lattice.nx; ++x) {
                                 const int n = lattice.node(x, y);
-                                out[static_cast<std::size_t>(y) * lattice.nx + x] =
-                                    dissolves ? volume(n) : type(n) == NodeType::solid ? 1.0 : 0.0;
+                                out[static_cast<std::size_t>(y) * lattice.nx + x] = dissolves ? volume(n)
+                                                                                    : type(n) == NodeType::solid ? 1.0
+                                                                                                                 : 0.0;
                               }
                           }});
   return list;
@@ -131,7 +134,6 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
   }
   StateList everything = state();
   load(everything);
-  if (parts_->growth) parts_->growth->refresh(exec_);
 }
 
 }  // namespace vug

@@ -33,7 +33,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     SpeciesState<T> state;
     state.section = section;
     const double D = interval_ * section.diffusivity / units.diffusivity();
-    state.parameters = section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
+    state.parameters =
+        section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
     state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
     for (const Stretch& stretch : boundary_stretches(scene)) {
       const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
@@ -52,8 +53,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
 
 template <class T, class Set>
 SpeciesState<T>& SoluteModule<T, Set>::species(const std::string& name) {
-  const auto found = std::find_if(species_.begin(), species_.end(),
-                                  [&](const SpeciesState<T>& s) { return s.section.name == name; });
+  const auto found =
+      std::find_if(species_.begin(), species_.end(), [&](const SpeciesState<T>& s) { return s.section.name == name; });
   KOKKOS_ASSERT(found != species_.end());
   return *found;
 }
@@ -127,8 +128,8 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
 template <class T, class Set>
 void SoluteModule<T, Set>::limits(LimitTable& table) const {
   for (const SpeciesState<T>& s : species_) {
-    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-4, 1,
-                     "change lattice.time_step"});
+    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-3, 1,
+                     "change lattice.time_step (docs/stability.md)"});
     table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
                      "change lattice.time_step"});
     table.push_back({"solute", s.section.name + " relaxation time tau_h", s.parameters.tau_h, "1", 0.5,

@@ -28,6 +28,7 @@ void warm_particles(const Exec& exec, const Groups& nodes_of_particle, const Sca
 }
 
 template void warm_particles(const Exec&, const Groups&, const ScalarField<float>&, double, const ScalarField<double>&);
-template void warm_particles(const Exec&, const Groups&, const ScalarField<double>&, double, const ScalarField<double>&);
+template void warm_particles(const Exec&, const Groups&, const ScalarField<double>&, double,
+                             const ScalarField<double>&);
 
 }  // namespace vug

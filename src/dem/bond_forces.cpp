@@ -148,6 +148,7 @@ struct BondFailure {
     accounts.add_bond(k, 0.5 * model.bonds.length(k) * released, 0, 0);
     model.bonds.d_m(k) = 1;
     Kokkos::atomic_store(&model.bonds.events(bond_has_failed), 1);
+    Kokkos::atomic_store(&model.bonds.events(cracks_have_changed), 1);
   }
 
   KOKKOS_FUNCTION BondState settled(int k, BondState state, const BondMotion& motion) const {
@@ -167,7 +168,7 @@ struct BondFailure {
                                            Kokkos::abs(opening[0].delta_t + opening[1].delta_t));
     if (apart < 0.5 * bonds.length(k)) return true;
     bonds.joint(k) = 0;
-    Kokkos::atomic_store(&bonds.events(crack_has_parted), 1);
+    Kokkos::atomic_store(&bonds.events(cracks_have_changed), 1);
     return false;
   }
 
@@ -178,8 +179,10 @@ struct BondFailure {
     const ContactReaction reaction =
         contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, model.bonds.slip(k, s));
     if constexpr (Keeper::kept) {
+      const double slide = reaction.slip - model.bonds.slip(k, s);
+      const double stretch = slide - model.dt * o.rate_t;  // before this step; an opening crack lets it go
       const double slid =
-          o.delta_n < 0 ? Kokkos::abs(reaction.tangential * (reaction.slip - model.bonds.slip(k, s))) : 0;
+          o.delta_n < 0 ? Kokkos::abs(reaction.tangential * slide) : 0.5 * point.k_t * stretch * stretch;
       const double damped = -model.dt * (reaction.normal - at_least(0, -point.k_n * o.delta_n)) * o.rate_n;
       accounts.add_bond(k, 0, width * slid, width * damped);
     }

@@ -21,7 +21,7 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr bool has_failed(BondState state) {
   return state >= BondState::failed_in_tension;
 }
 
-inline constexpr int bond_has_failed = 0, crack_has_parted = 1;
+inline constexpr int bond_has_failed = 0, cracks_have_changed = 1;
 
 /// Half the distance of the two Gauss points of an edge over half its length; each stands for half of the edge.
 inline constexpr double gauss_point = 0.57735026918962576;
@@ -49,7 +49,7 @@ struct Bonds {
   ScalarField<double> d_c;                                     ///< chemical damage
   Kokkos::View<BondState*> state;
   Kokkos::View<std::uint8_t*> joint;  ///< 0 once the faces of the crack have parted by half an edge: ordinary contact
-  IndexList events;                   ///< [bond_has_failed], [crack_has_parted]: raised by the bonds' kernel
+  IndexList events;                   ///< [bond_has_failed] for good, [cracks_have_changed] until contacts have noticed
   Kokkos::View<double* [2], Kokkos::LayoutLeft> slip;    ///< (bond, point) slider of the crack's friction, m
   Kokkos::View<double* [2], Kokkos::LayoutLeft> stress;  ///< (bond, normal/tangential) mean of the two points, Pa
 

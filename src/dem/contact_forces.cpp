@@ -87,6 +87,7 @@ struct ContactForces {
       if (counts && of_a[c].distance < 2 * particles.radius) {
         add_corner(a, b, c, of_a[c], stretch, on_a, torque_a, torque_b, energy);
       } else {
+        energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
         stretch = 0;
       }
     }
@@ -95,6 +96,7 @@ struct ContactForces {
       if (of_b[c].corner < 0 && of_b[c].distance < 2 * particles.radius) {
         add_corner(b, a, c, of_b[c], stretch, on_b, torque_b, torque_a, energy);
       } else {
+        energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
         stretch = 0;
       }
     }

@@ -59,7 +59,8 @@ struct Integrate {
     p.u(i, axis) += control.dt * w;
     p.reaction(i, axis) = held ? -force : 0.0;
     if constexpr (Keeper::kept) {
-      accounts.add_particle(i, control.dt * (held ? (given - force) * w : given * 0.5 * (v + w)),
+      const double jerk = 0.5 * (w * w - v * v) / inverse_mass;  // of a platen that changes its speed
+      accounts.add_particle(i, held ? control.dt * (given - force) * w + jerk : control.dt * given * 0.5 * (v + w),
                             held ? 0 : damped(v, w, force));
     }
   }

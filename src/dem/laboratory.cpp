@@ -1,8 +1,11 @@
 #include "dem/laboratory.hpp"
 
+#include "kernels/require.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace vug {
 
@@ -146,6 +149,22 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& block, const
   result.modulus = chord(axial_strain, result.stress, result.stress, result.strength);
   result.poisson = chord(axial_strain, lateral_strain, result.stress, result.strength);
   return result;
+}
+
+double fit_cohesion(const Exec& exec, const Assembly& block, MechanicsParameters parameters, const PlatenTest& test,
+                    double strength, int seeds, double tolerance) {
+  const std::uint64_t first = parameters.bond.seed;
+  for (int round = 0; round < 10; ++round) {
+    double mean = 0;
+    for (int s = 0; s < seeds; ++s) {
+      parameters.bond.seed = first + static_cast<std::uint64_t>(s);
+      mean += load_between_platens(exec, block, parameters, test).strength / seeds;
+    }
+    if (std::abs(mean / strength - 1) <= tolerance) return parameters.bond.cohesion;
+    parameters.bond.cohesion *= strength / mean;
+  }
+  throw InputError("laboratory: no cohesion found that gives a strength of " + std::to_string(strength) +
+                   " Pa; is the tensile strength or the friction too large for it?");
 }
 
 }  // namespace vug

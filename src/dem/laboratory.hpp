@@ -34,4 +34,10 @@ struct PlatenResult {
 PlatenResult load_between_platens(const Exec& exec, const Assembly& block, const MechanicsParameters& parameters,
                                   const PlatenTest& test);
 
+/// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`. Strength is nearly
+/// proportional to cohesion, so c <- c strength / mean converges in a few rounds; ends when the mean is within
+/// `tolerance` (relative). Throws InputError when ten rounds are not enough.
+double fit_cohesion(const Exec& exec, const Assembly& block, MechanicsParameters parameters, const PlatenTest& test,
+                    double strength, int seeds, double tolerance);
+
 }  // namespace vug

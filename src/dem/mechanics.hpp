@@ -56,8 +56,10 @@ class Mechanics {
   const MechanicsParameters& parameters() const { return parameters_; }
   const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
   double time() const { return time_; }
-  /// For a run that is resumed.
-  void set_time(double time) { time_ = time; }
+
+  /// Calls view(name, View) and value(name, number &) for all that a restart needs beyond construction.
+  template <class OnView, class OnValue>
+  void visit_state(const OnView& view, const OnValue& value);
 
  private:
   void step(const Exec& exec, const StepControl& control);
@@ -79,5 +81,39 @@ class Mechanics {
   double time_ = 0;
   long steps_ = 0;
 };
+
+template <class OnView, class OnValue>
+void Mechanics::visit_state(const OnView& view, const OnValue& value) {
+  const Particles& p = particles_;
+  view("u", p.u);
+  view("u_reference", p.u_reference);
+  view("v", p.v);
+  view("angle", p.angle);
+  view("spin", p.spin);
+  view("rotation", p.rotation);
+  view("solid_fraction", p.solid_fraction);
+  view("temperature_change", p.temperature_change);
+  const Bonds& b = bonds_;
+  view("point_damage", b.point_damage);
+  view("d_m", b.d_m);
+  view("d_c", b.d_c);
+  view("state", b.state);
+  view("joint", b.joint);
+  view("events", b.events);
+  view("slip", b.slip);
+  view("stress", b.stress);
+  const Contacts& c = contacts_;
+  view("contact_status", c.status);
+  view("contact_first", c.first);
+  view("contact_other", c.other);
+  view("contact_stretch", c.stretch);
+  view("contact_row", c.row);
+  view("contact_entry", c.entry);
+  view("contact_u_built", c.u_built);
+  view("contact_angle_built", c.angle_built);
+  value("last_dt", last_dt_);
+  value("time", time_);
+  value("steps", steps_);
+}
 
 }  // namespace vug

@@ -38,8 +38,8 @@ struct WatchMotion {
   Contacts contacts;
   KOKKOS_FUNCTION void operator()(int i) const {
     if (bonds.events(bond_has_failed) == 0) return;
-    if (i == 0 && bonds.events(crack_has_parted) != 0) {
-      bonds.events(crack_has_parted) = 0;
+    if (i == 0 && bonds.events(cracks_have_changed) != 0) {
+      bonds.events(cracks_have_changed) = 0;
       Kokkos::atomic_store(&contacts.status(contacts_stale), 1);
     }
     const double moved = norm({p.u(i, 0) - contacts.u_built(i, 0), p.u(i, 1) - contacts.u_built(i, 1)}) +
@@ -79,10 +79,30 @@ struct RebuildPairs {
     return false;
   }
 
+  KOKKOS_FUNCTION bool beside_a_crack(int i) const {
+    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e)
+      if (has_failed(bonds.state(bonds.entry(e) / 2))) return true;
+    return false;
+  }
+
+  KOKKOS_FUNCTION bool share_a_vertex(int i, int j) const {
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d)
+        if (p.vertex(i, c) == p.vertex(j, d)) return true;
+    return false;
+  }
+
+  /// Neighbours round a vertex are kept apart by the bonds between them until one of these has failed: without this,
+  /// corners that touch from the start would stiffen intact rock, and most pairs would be of this idle kind.
+  KOKKOS_FUNCTION bool held_apart(int i, int j) const {
+    return share_a_vertex(i, j) && !beside_a_crack(i) && !beside_a_crack(j);
+  }
+
   KOKKOS_FUNCTION bool candidate(int i, int j) const {
     const Vec2 gap = centre(j) - centre(i);
     const double near = 2 * p.radius + contacts.skin;
-    if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near) || joined(i, j)) return false;
+    if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;
+    if (joined(i, j) || held_apart(i, j)) return false;
     const Triangle a = outline(i), b = outline(j);
     for (int c = 0; c < 3; ++c) {
       if (closest_on_triangle(a, b.corner[c]).distance < near || closest_on_triangle(b, a.corner[c]).distance < near) {

@@ -26,6 +26,8 @@ void count_allocations() {
   Kokkos::Tools::Experimental::set_deallocate_data_callback(freed);
 }
 
-double allocated_bytes() { return static_cast<double>(bytes.load()); }
+double allocated_bytes() {
+  return static_cast<double>(bytes.load());
+}
 
 }  // namespace vug

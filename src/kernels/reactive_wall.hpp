@@ -40,6 +40,20 @@ struct ArrheniusRate {
   }
 };
 
+/// Rate constants stored per solid node by store_rates: the temperature changes slowly, and its exponential is the
+/// dearest part of a wall's step.
+struct StoredRate {
+  ScalarField<double> k;  ///< (dense node) lattice units; valid on surface nodes
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int) const { return k(solid); }
+};
+
+/// Evaluates `rate` for StoredRate: the mean over the straight links of every surface node to fluid (all its links
+/// where it has no straight one). To be called again every few steps and whenever the surface changed.
+/// For rates other than UniformRate include reactive_wall_kernel.hpp.
+template <class Rate>
+void store_rates(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const Rate& rate,
+                 const ScalarField<double>& k);
+
 /// What the reaction takes from the solid and from the fluid.
 struct ReactionLedger {
   ScalarField<double> V;          ///< (dense node) solid volume, 1 -> 0 pixels; loses M J
@@ -52,7 +66,7 @@ struct ReactionLedger {
 
 /// One step of reaction at all links of `surface`. `normal` from find_normals corrects the area of the stair-step; with
 /// extent 0 it is left as it is. `product` may be null (L2 is not modelled; 1/K_eq must then be 0).
-/// Instantiated for UniformRate; for other rates include reactive_wall_kernel.hpp.
+/// Instantiated for UniformRate and StoredRate; for other rates include reactive_wall_kernel.hpp.
 template <class Set, class T, class Rate>
 void react_at_wall(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
                    const Rate& rate, const VectorField<double>& normal, const SoluteFields<T>& reactant,

@@ -132,4 +132,33 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const Surface& sur
     throw InputError("reaction: a finite equilibrium constant needs a product species");
 }
 
+/// Mean of the rate over the links of one surface node.
+template <class Rate>
+struct StoreRate {
+  DenseNeighbour lattice;
+  IndexList node, index, fluid_node;
+  Rate rate;
+  ScalarField<double> k;
+  KOKKOS_FUNCTION void operator()(int s) const {
+    const int solid = node(s);
+    double sum = 0;
+    int links = 0;
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      if (q == D2Q5::Q && links > 0) break;
+      const int fluid = lattice.fluid_along(index, solid, q);
+      if (fluid < 0) continue;
+      sum += rate(solid, fluid_node(fluid));
+      ++links;
+    }
+    if (links > 0) k(solid) = sum / links;
+  }
+};
+
+template <class Rate>
+void store_rates(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const Rate& rate,
+                 const ScalarField<double>& k) {
+  for_each_node(exec, "vug::reactive_wall::store_rates", surface.count,
+                StoreRate<Rate>{DenseNeighbour(nodes), surface.node, nodes.index, nodes.node, rate, k});
+}
+
 }  // namespace vug

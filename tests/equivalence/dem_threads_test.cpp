@@ -53,7 +53,7 @@ std::vector<std::uint64_t> crushed(const Exec& exec) {
 TEST(MechanicsOfThreads, GivesTheSameBitsOnOneTwoAndFour) {
   const Exec exec;
   const std::vector<std::uint64_t> all = crushed(exec);
-  EXPECT_EQ(crushed(exec), all);  // a second run
+  EXPECT_EQ(crushed(exec), all);                       // a second run
   if constexpr (std::is_constructible_v<Exec, int>) {  // an instance with its own number of threads
     for (const int threads : {1, 2, 4}) EXPECT_EQ(crushed(Exec(threads)), all) << threads << " threads";
   }

@@ -67,22 +67,23 @@ TEST(BrokenCases, AHugeFileIsRefusedUnread) {
 
 // A search that is quadratic in the length of the file would run into the time limit of the test.
 TEST(BrokenCases, AwkwardTextsTakeNoTimeAndNoStack) {
-  const std::string lattice = "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n[time]\nsteps = 10\n";
-  const auto many = [](const std::string& text, int count) {
-    std::string result;
-    for (int i = 0; i < count; ++i) result += text;
-    return result;
+  const auto repeated = [](std::string before, const std::string& text, int count, const std::string& after) {
+    for (int i = 0; i < count; ++i) before.append(text);
+    return before.append(after);
   };
-  const std::vector<std::string> texts = {many("[", 1000000),
-                                          many("a.", 1000000) + "b = 1",
-                                          "[" + many("\"a\".", 100000) + "b]",
-                                          "a = " + many("{a=", 100000),
-                                          "a = " + many("[", 100000),
-                                          many("[[solute.species]]\nname = \"A\"\n", 50000),
-                                          lattice + "[output]\nfields = [" + many("\"x\", ", 500000) + "]\n",
-                                          "x = \"" + many("y", 3000000) + "\"\n",
-                                          many("y", 3000000) + " = 1\n",
-                                          "[case]\nname = '''" + many("...... ", 100000) + "'''\n"};
+  const std::vector<std::string> texts = {
+      repeated("", "[", 1000000, ""),
+      repeated("", "a.", 1000000, "b = 1"),
+      repeated("[", "\"a\".", 100000, "b]"),
+      repeated("a = ", "{a=", 100000, ""),
+      repeated("a = ", "[", 100000, ""),
+      repeated("", "[[solute.species]]\nname = \"A\"\n", 50000, ""),
+      repeated(
+          "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n[time]\nsteps = 10\n[output]\nfields = [",
+          "\"x\", ", 500000, "]\n"),
+      repeated("x = \"", "y", 3000000, "\"\n"),
+      repeated("", "y", 3000000, " = 1\n"),
+      repeated("[case]\nname = '''", "...... ", 100000, "'''\n")};
   for (const std::string& text : texts) {
     const std::string message = testing_cases::refusal(text, "a.toml");
     EXPECT_THAT(message, StartsWith("a.toml"));

@@ -2,6 +2,7 @@
 #include "kernels/dissolution.hpp"
 
 #include "../reference/reactive_box.hpp"
+#include "kernels/reactive_wall_kernel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -207,6 +208,28 @@ TEST(ReactiveWall, ProductAppearsAsAcidDisappears) {
   // equilibrium: C1 = C2/K_eq everywhere
   EXPECT_NEAR(concentration(box, 0, 0), 0.3, 1e-12);
   EXPECT_EQ(box.solid_total(), 1);  // reacts without dissolving
+}
+
+struct WarmToTheRight {
+  Lattice lattice;
+  KOKKOS_FUNCTION double operator()(int solid, int fluid) const {
+    return 300 + 5.0 * (lattice.x(solid) + lattice.x(fluid));
+  }
+};
+
+TEST(StoredRate, IsTheMeanOverTheFacesOfAPixel) {
+  Box box = box_of({"....", ".##.", "...."}, 0.8);
+  const ArrheniusRate<WarmToTheRight> rate{1e-3, 7553.1, 300, {box.lattice}};
+  const ScalarField<double> k("k", box.lattice.size());
+  store_rates(box.exec, box.nodes, box.surface, rate, k);
+  const auto at = [](double T) { return arrhenius(1e-3, 7553.1, T, 300.0); };
+  EXPECT_NEAR(k(box.lattice.node(1, 1)), (2 * at(310) + at(305)) / 3, 1e-15);
+  EXPECT_NEAR(k(box.lattice.node(2, 1)), (2 * at(320) + at(325)) / 3, 1e-15);
+  react_at_wall<D2Q5>(box.exec, box.nodes, box.surface, box.wall, StoredRate{k}, box.normal, box.acid,
+                      static_cast<const SoluteFields<double>*>(nullptr),
+                      ReactionLedger{box.V, box.dissolved, box.consumed, {}});
+  const double exact = 3 * kinetic_flux(k(box.lattice.node(1, 1)), 0.0, 0.8 / 6, 0.0);
+  EXPECT_NEAR(box.dissolved(box.lattice.node(1, 1)), exact, 1e-16);
 }
 
 TEST(FieldRange, FindsExtremesAndTheFirstEntryThatIsNotFinite) {

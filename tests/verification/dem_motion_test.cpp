@@ -7,7 +7,6 @@ namespace {
 
 using namespace vug;
 using vug::test::host_copy;
-using vug::test::host_snapshot;
 
 MechanicsParameters elastic() {
   MechanicsParameters p;
@@ -49,23 +48,12 @@ TEST(TwoBondedTriangles, KeepTheirEnergyForAHundredThousandSteps) {
   v(0, 0) = 0.1, v(0, 1) = -0.05, spin(1) = 50;
   Kokkos::deep_copy(p.v, v);
   Kokkos::deep_copy(p.spin, spin);
-  const double dt = 0.3 * rock.critical_step();
-  // The leapfrog keeps sum m v(t - dt/2) . v(t + dt/2) / 2 + elastic(t) of linear springs exactly; turning frames and
-  // round-off are what is left to drift.
-  const auto mass = host_copy(p.mass), inertia = host_copy(p.inertia);
+  const double dt = 0.01 * rock.critical_step();
+  // The leapfrog's energy oscillates by (omega dt)^2 / 8, here 5e-5; it must not drift.
   const auto energy = [&] {
-    const auto v_before = host_snapshot(p.v);
-    const auto spin_before = host_snapshot(p.spin);
-    const double stored = rock.energies(Exec()).elastic;
     rock.advance(Exec(), dt, 1);
-    const auto v_after = host_copy(p.v);
-    const auto spin_after = host_copy(p.spin);
-    double kinetic = 0;
-    for (int i = 0; i < 2; ++i) {
-      kinetic += 0.5 * mass(i) * (v_before(i, 0) * v_after(i, 0) + v_before(i, 1) * v_after(i, 1)) +
-                 0.5 * inertia(i) * spin_before(i) * spin_after(i);
-    }
-    return kinetic + stored;
+    const Energies e = rock.energies(Exec());
+    return e.kinetic + e.elastic;
   };
   const double start = energy();
   double worst = 0;
@@ -234,9 +222,9 @@ TEST(EnergyLedger, ClosesThroughBreakingAndItsErrorFallsWithTheStep) {
     EXPECT_GT(e.damping, 0);
     return std::abs(e.imbalance()) / e.work;
   };
-  const double coarse = imbalance(0.3), fine = imbalance(0.05);
+  const double coarse = imbalance(0.3), fine = imbalance(0.1);
   RecordProperty("imbalance_at_0.3", std::to_string(coarse));
-  RecordProperty("imbalance_at_0.05", std::to_string(fine));
+  RecordProperty("imbalance_at_0.1", std::to_string(fine));
   EXPECT_LT(coarse, 1e-2);
   EXPECT_LT(fine, 0.5 * coarse);
 }

@@ -1,0 +1,127 @@
+// A module is there only when the case has its table, and a step stays on the device: counted by Kokkos itself.
+#include "coupling/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace vug {
+namespace {
+
+/// Labels of everything that Kokkos launched, allocated or copied while one exists.
+class Watch {
+ public:
+  Watch() {
+    watching_ = this;
+    using namespace Kokkos::Tools::Experimental;
+    set_begin_parallel_for_callback(launched);
+    set_begin_parallel_reduce_callback(launched);
+    set_begin_parallel_scan_callback(launched);
+    set_allocate_data_callback([](Kokkos::Profiling::SpaceHandle, const char* label, const void*, std::uint64_t size) {
+      if (size > 0) watching_->allocations.insert(label);
+    });
+    set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle, const char* to, const void*,
+                                    Kokkos::Profiling::SpaceHandle, const char* from, const void*,
+                                    std::uint64_t) { watching_->copies.insert(std::string(from) + " -> " + to); });
+  }
+  ~Watch() {
+    using namespace Kokkos::Tools::Experimental;
+    set_begin_parallel_for_callback(nullptr);
+    set_begin_parallel_reduce_callback(nullptr);
+    set_begin_parallel_scan_callback(nullptr);
+    set_allocate_data_callback(nullptr);
+    set_begin_deep_copy_callback(nullptr);
+  }
+
+  /// Whether any kernel or allocation carries this part in its label.
+  bool saw(const std::string& part) const {
+    for (const auto* labels : {&kernels, &allocations})
+      for (const std::string& label : *labels)
+        if (label.find(part) != std::string::npos) return true;
+    return false;
+  }
+
+  std::multiset<std::string> kernels, allocations, copies;
+
+ private:
+  static void launched(const char* label, std::uint32_t, std::uint64_t*) { watching_->kernels.insert(label); }
+  inline static Watch* watching_ = nullptr;
+};
+
+std::string small_rock_text() {
+  std::ostringstream text;
+  text << std::ifstream(VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml").rdbuf();
+  return text.str();
+}
+
+/// The small rock without some of its tables.
+Scene scene_without(const std::set<std::string>& tables) {
+  Scene scene = parse_scene(small_rock_text(), "small_rock.toml");
+  if (tables.count("flow")) scene.flow.reset();
+  if (tables.count("heat")) scene.heat.reset();
+  if (tables.count("solute")) scene.solute.reset();
+  if (tables.count("reaction")) scene.reaction.reset();
+  if (tables.count("mechanics")) scene.mechanics.reset();
+  if (tables.count("damage")) scene.damage.reset();
+  return scene;
+}
+
+/// Builds and steps a scene under watch.
+void live(const Scene& scene) {
+  Simulation simulation(scene);
+  simulation.begin();
+  for (int step = 0; step < 20; ++step) simulation.step();
+}
+
+struct Absence {
+  std::set<std::string> tables;
+  std::vector<std::string> labels;  ///< parts of labels that must not appear
+};
+
+class AbsentModule : public testing::TestWithParam<Absence> {};
+
+TEST_P(AbsentModule, AllocatesNothingAndLaunchesNothing) {
+  const Watch watch;
+  live(scene_without(GetParam().tables));
+  for (const std::string& label : GetParam().labels) EXPECT_FALSE(watch.saw(label)) << label;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, AbsentModule,
+    testing::Values(
+        Absence{{"heat"}, {"vug::heat", "vug::thermal_exchange"}},
+        Absence{{"mechanics", "damage"},
+                {"vug::dem", "vug::mechanics", "vug::momentum_exchange", "vug::particle_load", "vug::pathways"}},
+        Absence{{"solute", "reaction"},
+                {"vug::solute", "vug::reaction", "vug::reactive_wall", "vug::dissolution", "vug::chemical_damage",
+                 "vug::surface_normal"}},
+        Absence{{"reaction"}, {"vug::reaction", "vug::reactive_wall", "vug::dissolution", "vug::chemical_damage"}},
+        Absence{
+            {"flow", "damage"},
+            {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::particle_load", "vug::advective_form"}},
+        Absence{{"damage"}, {"vug::pathways"}}));
+
+TEST(PresentModules, AreSeenByTheSameWatch) {
+  const Watch watch;
+  live(scene_without({}));
+  for (const char* label : {"vug::heat", "vug::dem", "vug::solute", "vug::reactive_wall", "vug::flow", "vug::pathways",
+                            "vug::momentum_exchange", "vug::chemical_damage", "vug::advective_form"})
+    EXPECT_TRUE(watch.saw(label)) << label;
+}
+
+TEST(LatticeStep, LaunchesOnlyNamedKernelsAndCopiesAndAllocatesNothing) {
+  Simulation simulation(scene_without({}));
+  simulation.begin();
+  for (int step = 0; step < 10; ++step) simulation.step();
+  const Watch watch;
+  for (int step = 0; step < 9; ++step) simulation.step();  // up to the next update of the pores
+  EXPECT_GT(watch.kernels.size(), 50u);
+  for (const std::string& label : watch.kernels) EXPECT_EQ(label.rfind("vug::", 0), 0u) << label;
+  EXPECT_TRUE(watch.allocations.empty()) << *watch.allocations.begin();
+  EXPECT_TRUE(watch.copies.empty()) << *watch.copies.begin();
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,107 @@
+// What a user sees when something is wrong: one line, the right exit code, and nothing written.
+#include "support/run_vug.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <filesystem>
+#include <thread>
+#include <unistd.h>
+
+namespace vug {
+namespace {
+
+using test::Outcome;
+using test::run_command;
+using test::run_vug;
+using test::small_rock;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+int lines_in(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(ExitCodes, EveryBrokenCaseGivesTwoOneLineAndNoFiles) {
+  const TemporaryFolder folder;
+  int broken = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(VUG_SOURCE_DIR "/tests/cases/broken")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = run_vug("run " + entry.path().string() + " -o " + (folder / "out"));
+    EXPECT_EQ(outcome.exit_code, 2) << entry.path() << outcome.output;
+    EXPECT_EQ(lines_in(outcome.output), 1) << entry.path() << outcome.output;
+    ++broken;
+  }
+  EXPECT_GE(broken, 20);
+  EXPECT_EQ(run_vug("run " + (folder / "nonexistent.toml") + " -o " + (folder / "out")).exit_code, 2);
+  EXPECT_EQ(run_vug("run " + folder.path() + " -o " + (folder / "out")).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(ExitCodes, WrongArgumentsGiveTwo) {
+  for (const char* arguments :
+       {"", "walk", "run", "run --steps -1 x.toml", "run --threads zero x.toml", "check", "info --fast"}) {
+    const Outcome outcome = run_vug(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.output;
+    EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
+  }
+  EXPECT_EQ(run_vug("--help").exit_code, 0);
+}
+
+TEST(ExitCodes, UnwritableFolderAndFullDiskGiveFour) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "file", "not a folder");
+  const Outcome unwritable = run_vug("run " + small_rock + " --quiet -o " + (folder / "file") + "/out");
+  EXPECT_EQ(unwritable.exit_code, 4) << unwritable.output;
+  EXPECT_EQ(lines_in(unwritable.output), 1) << unwritable.output;
+  // a limit on the size of files is what a full disk looks like to a program
+  const Outcome full = run_command("ulimit -f 8; trap '' XFSZ; OMP_PROC_BIND=false " VUG_EXECUTABLE " run " +
+                                   small_rock + " --quiet -o " + (folder / "full"));
+  EXPECT_EQ(full.exit_code, 4) << full.output;
+  EXPECT_EQ(lines_in(full.output), 1) << full.output;
+}
+
+TEST(ExitCodes, DivergingRunGivesThreeAndNamesTheLastGoodState) {
+  const TemporaryFolder folder;
+  // a viscosity far below what the pressure allows, and no limiter to save it
+  const Outcome outcome = run_vug("run " + small_rock + " --quiet -o " + (folder / "out") +
+                                  " --set flow.viscosity=2e-6 --set flow.speed_limit=0 --set flow.pressure_scale=1"
+                                  " --set output.checkpoint_interval=2.5e-5 --set accuracy.guard_interval=10");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("diverged at step"));
+  EXPECT_THAT(outcome.output, HasSubstr("the last good state is the checkpoint of step"));
+  EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("diverged"));
+}
+
+TEST(ExitCodes, ResumingWithoutACheckpointGivesFour) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_vug("run " + small_rock + " --quiet --resume -o " + (folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.output;
+}
+
+TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
+  const TemporaryFolder folder;
+  const std::string more = " --quiet --threads 1 --set time.steps=4000 -o " + (folder / "out");
+  const Outcome interrupted = run_command("OMP_PROC_BIND=false timeout -s TERM 1.5 " VUG_EXECUTABLE " run " +
+                                          small_rock + more + "; echo code $?");
+  EXPECT_THAT(interrupted.output, testing::AnyOf(HasSubstr("code 130"), HasSubstr("code 124"))) << interrupted.output;
+  EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("interrupted"));
+  EXPECT_EQ(run_vug("run " + small_rock + more + " --resume").exit_code, 0);
+}
+
+TEST(Check, ReportsWithoutWriting) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_command("cd " + folder.path() + " && OMP_PROC_BIND=false " VUG_EXECUTABLE " check " + small_rock);
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* expected : {"relaxation time tau_f", "sub-steps per lattice step", "bytes per node", "fluid nodes"})
+    EXPECT_THAT(outcome.output, HasSubstr(expected));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  const Outcome json =
+      run_command("OMP_PROC_BIND=false " VUG_EXECUTABLE " check --json " + small_rock +
+                  " | " VUG_PYTHON " -c \"import json, sys; r = json.load(sys.stdin); print(r['nx'], r['ny'])\"");
+  EXPECT_EQ(json.output, "80 56\n");
+}
+
+}  // namespace
+}  // namespace vug
