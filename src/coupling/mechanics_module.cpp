@@ -125,6 +125,13 @@ void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
     throw StabilityError(fmt::format(
         "mechanics diverged at step {}: particle {} moves at {:.3g} m/s; take more sub-steps (mechanics.substeps)",
         clock.step, runaway.particle, runaway.speed));
+  int lost = 0;
+  Kokkos::deep_copy(lost, Kokkos::subview(mechanics_.contacts().status, contacts_lost));
+  if (lost > 0)
+    throw StabilityError(fmt::format(
+        "mechanics at step {}: the rock has gone to pieces, {} pairs of touching triangles are more than the contact list "
+        "holds",
+        clock.step, lost));
   if (!section_.substeps) choose_substeps();  // dissolving particles grow lighter
 }
 
