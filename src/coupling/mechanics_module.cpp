@@ -52,10 +52,13 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       update_interval_(scene.accuracy.update_interval),
       nodes_of_particle_(rock.nodes_of_particle),
       nodes_of_bond_(rock.nodes_of_bond),
-      mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
-      wet_(geometry.lattice, rock.nodes_of_particle) {
+      mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)) {
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
-  if (flow_) wet_.rebuild(exec, geometry.surface);
+  if (flow_) {
+    wet_.emplace(geometry.lattice, rock.nodes_of_particle);
+    wet_->rebuild(exec, geometry.surface);
+    Kokkos::resize(exec, node_force_, geometry.surface.node.extent(0));
+  }
   if (geometry.volume.extent(0) > 0) {
     particle_volume_ = ScalarField<double>("vug::mechanics::particle_volume", nodes_of_particle_.count());
     bond_volume_ = ScalarField<double>("vug::mechanics::bond_volume", nodes_of_bond_.count());
@@ -63,7 +66,6 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
     sum_over_nodes(exec, nodes_of_particle_, geometry.volume, particle_volume_);
     sum_over_nodes(exec, nodes_of_bond_, geometry.volume, bond_volume_);
   }
-  Kokkos::resize(exec, node_force_, geometry.surface.node.extent(0));
   choose_substeps();
 }
 
@@ -99,7 +101,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
   if (flow_) {
     exchange_momentum(exec, geometry_.fluid, geometry_.surface, flow_->flow(), node_force_);
-    load_particles(exec, geometry_.lattice, geometry_.spacing, units_.force(), geometry_.surface, wet_, node_force_,
+    load_particles(exec, geometry_.lattice, geometry_.spacing, units_.force(), geometry_.surface, *wet_, node_force_,
                    particles.x0, particles.force, particles.torque);
   }
   if (clock.step % update_interval_ == 0) {
@@ -113,9 +115,10 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
 
 template <class T>
 void MechanicsModule<T>::births(const Exec& exec, const Births&) {
+  if (!flow_) return;
   if (node_force_.extent(0) < geometry_.surface.node.extent(0))
     node_force_ = VectorField<double>("vug::mechanics::node_force", geometry_.surface.node.extent(0));
-  if (flow_) wet_.rebuild(exec, geometry_.surface);
+  wet_->rebuild(exec, geometry_.surface);
 }
 
 template <class T>

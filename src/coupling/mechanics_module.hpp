@@ -7,6 +7,8 @@
 #include "coupling/rock.hpp"
 #include "dem/mechanics.hpp"
 
+#include <optional>
+
 namespace vug {
 
 /// Outer stress and supports of the four sides.
@@ -44,7 +46,7 @@ class MechanicsModule final : public Module {
   int update_interval_;
   Groups nodes_of_particle_, nodes_of_bond_;
   Mechanics mechanics_;
-  WetSurface wet_;
+  std::optional<WetSurface> wet_;           ///< with flow only
   VectorField<double> node_force_;          ///< (surface, axis) lattice units
   ScalarField<double> particle_volume_;     ///< (particle) initial solid volume, pixels
   ScalarField<double> bond_volume_;         ///< (bond) likewise of its region

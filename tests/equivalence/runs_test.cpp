@@ -31,12 +31,12 @@ TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
 TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
   const TemporaryFolder folder;
   const std::string precision = std::string(" --set accuracy.precision=") + GetParam();
-  const std::string checkpoints = " --set output.checkpoint_interval=5e-5";
+  // snapshots and checkpoints every 20 steps, so that a part ends where the whole run has a snapshot too
+  const std::string checkpoints = " --set output.checkpoint_interval=5e-5 --set output.interval=5e-5";
   run(folder / "whole", "--threads 1" + checkpoints + precision);
   for (const int steps : {60, 200, 340}) {
     const std::string parts = folder / ("parts" + std::to_string(steps));
     run(parts, "--threads 1 --steps " + std::to_string(steps) + checkpoints + precision);
-    // the first part ends with a snapshot that the whole run does not have: resuming drops what lies after its end
     run(parts, "--threads 2 --resume" + checkpoints + precision);
     EXPECT_EQ(difference(folder / "whole", parts), "") << "restarted at step " << steps;
   }

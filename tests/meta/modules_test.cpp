@@ -80,6 +80,11 @@ struct Absence {
   std::vector<std::string> labels;  ///< parts of labels that must not appear
 };
 
+void PrintTo(const Absence& absence, std::ostream* out) {
+  *out << "without";
+  for (const std::string& table : absence.tables) *out << ' ' << table;
+}
+
 class AbsentModule : public testing::TestWithParam<Absence> {};
 
 TEST_P(AbsentModule, AllocatesNothingAndLaunchesNothing) {

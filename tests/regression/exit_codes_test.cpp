@@ -81,7 +81,9 @@ TEST(ExitCodes, ResumingWithoutACheckpointGivesFour) {
 
 TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
   const TemporaryFolder folder;
-  const std::string more = " --quiet --threads 1 --set time.steps=4000 -o " + (folder / "out");
+  // strong rock under a low pressure, so that the run would go on for long
+  const std::string more = " --quiet --threads 1 --set time.steps=4000 --set mechanics.bond.normal_strength=15e6"
+                           " --set mechanics.bond.cohesion=95e6 --set boundary.injection.flow.pressure=1e6 -o " + (folder / "out");
   const Outcome interrupted = run_command("OMP_PROC_BIND=false timeout -s TERM 1.5 " VUG_EXECUTABLE " run " +
                                           small_rock + more + "; echo code $?");
   EXPECT_THAT(interrupted.output, testing::AnyOf(HasSubstr("code 130"), HasSubstr("code 124"))) << interrupted.output;

@@ -42,14 +42,14 @@ TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   EXPECT_DOUBLE_EQ(*scene.time.end, 0.16);
   EXPECT_EQ(scene.geometry.kind, GeometryKind::rock);
   EXPECT_DOUBLE_EQ(scene.rock->porosity, 0.15);
-  EXPECT_DOUBLE_EQ(scene.rock->hole->to[1], 0.0375);
+  EXPECT_DOUBLE_EQ(scene.rock->hole->to[1], 0.037);
   ASSERT_EQ(scene.rock->notches.size(), 1u);
   EXPECT_DOUBLE_EQ(scene.flow->viscosity, 2.2e-3);
   EXPECT_DOUBLE_EQ(scene.flow->pressure_scale, 25);
   EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injection->conditions.heat.temperature, 200);
   ASSERT_EQ(scene.solute->species.size(), 2u);
   EXPECT_DOUBLE_EQ(scene.injection->conditions.solute.concentration.at("L1"), 3000);
-  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 20e6);
+  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 15e6);
   EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
   EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 60e6);

@@ -39,8 +39,8 @@ TEST(RockRaster, EveryNodeHasOneOwnerAndTheRegionsTileTheTriangles) {
 
 TEST(StripNodes, MeetWhereTheirLinesMeet) {
   const Lattice lattice(20, 20);
-  const auto first = strip_nodes({2, 2}, {10, 10}, 1.5, lattice, 1.0);
-  const auto second = strip_nodes({10, 10}, {18, 10}, 1.5, lattice, 1.0);
+  const auto first = strip_nodes({2.5, 2.5}, {10.5, 10.5}, 1.5, lattice, 1.0);
+  const auto second = strip_nodes({10.5, 10.5}, {18.5, 10.5}, 1.5, lattice, 1.0);
   std::vector<int> shared;
   for (const StripNode& a : first)
     for (const StripNode& b : second)
