@@ -75,11 +75,8 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
   }
   const bool dissolves = reaction && scene.reaction->molar_volume > 0;
   if (!dissolves && !opener) return;
-  parts.growth =
-      std::make_unique<PoreGrowth>(geometry, std::move(opener), d_m,
-                                   dissolves ? reaction->lost() : ScalarField<double>(), [reaction](const Exec& e) {
-                                     if (reaction) reaction->renew_normals(e);
-                                   });
+  parts.growth = std::make_unique<PoreGrowth>(geometry, std::move(opener), d_m,
+                                              dissolves ? reaction->lost() : ScalarField<double>());
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       periodic_(periodic_sides(scene)),
       initial_theta_(units.lattice_temperature(section_.initial_temperature)),
       coldest_(section_.initial_temperature),
-      hottest_(section_.initial_temperature) {
+      hottest_(section_.initial_temperature),
+      fastest_(scene.flow ? scene.flow->speed_limit : 0) {
   const double scale = interval_ / units.diffusivity();
   const double sigma =
       section_.solid_density * section_.solid_heat_capacity / (section_.fluid_density * section_.fluid_heat_capacity);
@@ -114,6 +115,10 @@ void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
   table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
+  if (carrier_ && fastest_ > 0)
+    table.push_back({"heat", "grid Peclet number at the speed limit",
+                     fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
+                     "lower flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
   table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
 }

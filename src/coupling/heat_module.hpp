@@ -50,6 +50,7 @@ class HeatModule final : public Module {
   ScalarField<double> created_;  ///< (block) energy that the advective form added
   ScalarField<double> born_;     ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
+  double fastest_ = 0;         ///< speed limit of the flow, lattice units; 0: none
   double initial_energy_ = 0;  ///< in fluid heat capacities
 };
 

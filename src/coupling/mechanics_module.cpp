@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstring>
+#include <span>
+#include <utility>
 
 namespace vug {
 
@@ -122,6 +125,13 @@ void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
     throw StabilityError(fmt::format(
         "mechanics diverged at step {}: particle {} moves at {:.3g} m/s; take more sub-steps (mechanics.substeps)",
         clock.step, runaway.particle, runaway.speed));
+  int lost = 0;
+  Kokkos::deep_copy(lost, Kokkos::subview(mechanics_.contacts().status, contacts_lost));
+  if (lost > 0)
+    throw StabilityError(fmt::format(
+        "mechanics at step {}: the rock has gone to pieces, {} pairs of touching triangles are more than the contact list "
+        "holds",
+        clock.step, lost));
   if (!section_.substeps) choose_substeps();  // dissolving particles grow lighter
 }
 
@@ -175,8 +185,22 @@ void MechanicsModule<T>::fields(FieldList& list) const {
 
 template <class T>
 void MechanicsModule<T>::state(StateList& list) {
-  mechanics_.visit_state([&](const char* name, const auto& view) { list.add(std::string("mechanics/") + name, view); },
-                         [&](const char* name, auto& value) { list.add_value(std::string("mechanics/") + name, value); });
+  mechanics_.visit_state([&](const char* name, const auto& view) { list.add(std::string("mechanics/") + name, view); });
+  using Progress = std::pair<double, long>;
+  list.add(StateBlock{"mechanics/progress",
+                      [this] {
+                        const Progress progress{mechanics_.time(), mechanics_.steps()};
+                        std::vector<std::byte> bytes(sizeof progress);
+                        std::memcpy(bytes.data(), &progress, sizeof progress);
+                        return bytes;
+                      },
+                      [this](std::span<const std::byte> bytes) {
+                        Progress progress;
+                        if (bytes.size() != sizeof progress) throw FileError("mechanics/progress does not fit");
+                        std::memcpy(static_cast<void*>(&progress), bytes.data(), sizeof progress);
+                        mechanics_.set_time(progress.first);
+                        mechanics_.set_steps(progress.second);
+                      }});
   list.add_value("mechanics/substeps", substeps_);
 }
 

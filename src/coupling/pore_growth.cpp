@@ -6,12 +6,11 @@
 namespace vug {
 
 PoreGrowth::PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m,
-                       ScalarField<double> lost, std::function<void(const Exec&)> after)
+                       ScalarField<double> lost)
     : geometry_(geometry),
       opener_(std::move(opener)),
       d_m_(std::move(d_m)),
-      lost_(std::move(lost)),
-      after_(std::move(after)) {}
+      lost_(std::move(lost)) {}
 
 int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules) {
   FluidNodes& fluid = geometry_.fluid;
@@ -28,7 +27,6 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
     dissolved_nodes_ += dissolved;
     opened_nodes_ += opened;
   }
-  refresh(exec);
   return dissolved + opened;
 }
 

@@ -35,7 +35,8 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       solutes_(solutes),
       reactant_(solutes.species(section_.reactant)),
       product_(section_.product ? &solutes.species(*section_.product) : nullptr),
-      heat_(heat) {
+      heat_(heat),
+      update_interval_(scene.accuracy.update_interval) {
   wall_.law = section_.wall;
   wall_.molar_volume = section_.molar_volume * units.concentration;
   wall_.inverse_equilibrium = section_.inverse_equilibrium_constant;
@@ -55,35 +56,36 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
     sums_.released = ScalarField<double>("vug::reaction::released", lattice.size());
   lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
   initial_volume_ = sum_in_order(geometry.volume);
-  renew_normals(exec);
+  rate_ = ScalarField<double>("vug::reaction::rate", lattice.size());
+  refresh(exec);
 }
 
 template <class T, class Set>
-void ReactionModule<T, Set>::renew_normals(const Exec& exec) {
+void ReactionModule<T, Set>::refresh(const Exec& exec) {
   if (section_.surface_normal) find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, normal_);
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
-  if (!solutes_.due(clock)) return;
   const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
   const double activation = section_.activation_energy / gas_constant;
-  const SoluteFields<T>* product = product_ ? &product_->fields : nullptr;
   if (heat_) {
     const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
                                                  heat_->face_temperature()};
-    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product,
-                       sums_);
+    store_rates(exec, geometry_.fluid, geometry_.surface, rate, rate_);
   } else {
     const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};
-    react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, reactant_.fields, product,
-                       sums_);
+    store_rates(exec, geometry_.fluid, geometry_.surface, rate, rate_);
   }
 }
 
 template <class T, class Set>
+void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (clock.step % update_interval_ == 0) refresh(exec);
+  if (!solutes_.due(clock)) return;
+  react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, StoredRate{rate_}, normal_, reactant_.fields,
+                     product_ ? &product_->fields : nullptr, sums_);
+}
+
+template <class T, class Set>
 void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
-  renew_normals(exec);
+  refresh(exec);
 }
 
 template <class T, class Set>
@@ -102,6 +104,9 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   } else {
     row("at the case's temperature", section_.temperature);
   }
+  if (wall_.law == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
+    table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9", D, "lattice", 0.05, 1,
+                     "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});
 }
 
 template <class T, class Set>
@@ -145,7 +150,6 @@ void ReactionModule<T, Set>::state(StateList& list) {
   list.add("reaction/dissolved", geometry_.dissolved);
   list.add("reaction/consumed", sums_.consumed);
   if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
-  if (normal_.extent(0) > 0) list.add("reaction/normal", normal_);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
 }

@@ -25,12 +25,14 @@ class ReactionModule final : public Module {
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
-  /// Renews the surface normals; called when nodes were born and at every update interval, since V shrinks.
-  void renew_normals(const Exec& exec);
   /// (block) volume that dissolving pixels were overdrawn by and that found no neighbour, pixels.
   const ScalarField<double>& lost() const { return lost_; }
 
  private:
+  /// Surface normals and rate constants: the solid shrinks and the temperature changes slowly, so both are renewed at
+  /// every update interval and when nodes were born, not in every step.
+  void refresh(const Exec& exec);
+
   ReactionSection section_;
   LatticeUnits units_;
   Geometry& geometry_;
@@ -41,7 +43,9 @@ class ReactionModule final : public Module {
   ReactiveWall wall_;
   ReactionLedger sums_;
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
+  ScalarField<double> rate_;    ///< (dense node) rate constant on surface nodes, lattice units
   ScalarField<double> lost_;
+  int update_interval_;
   double initial_volume_ = 0;  ///< pixels
 };
 

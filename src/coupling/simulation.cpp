@@ -134,7 +134,6 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
   }
   StateList everything = state();
   load(everything);
-  if (parts_->growth) parts_->growth->refresh(exec_);
 }
 
 }  // namespace vug

@@ -128,8 +128,8 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
 template <class T, class Set>
 void SoluteModule<T, Set>::limits(LimitTable& table) const {
   for (const SpeciesState<T>& s : species_) {
-    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-4, 1,
-                     "change lattice.time_step"});
+    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-3, 1,
+                     "change lattice.time_step (docs/stability.md)"});
     table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
                      "change lattice.time_step"});
     table.push_back({"solute", s.section.name + " relaxation time tau_h", s.parameters.tau_h, "1", 0.5,

@@ -30,8 +30,8 @@ class Mechanics {
   /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
   double critical_step() const;
 
-  /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each and two more every 50
-  /// steps; no fence, no allocation, no host copy.
+  /// Takes `substeps` steps of dt with outside forces and temperatures held. Four to five kernels each and two more
+  /// every 50 steps; no fence, no allocation, no host copy.
   void advance(const Exec& exec, double dt, int substeps);
 
   /// Puts boundary loads and gravity on the rock in a ramp, with local damping 0.7, and waits until it is at rest.
@@ -55,11 +55,16 @@ class Mechanics {
   const Contacts& contacts() const { return contacts_; }
   const MechanicsParameters& parameters() const { return parameters_; }
   const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
-  double time() const { return time_; }
+  /// Calls visit(name, View) for everything that a resumed run must find again, to the bit; with time() and steps().
+  template <class Visit>
+  void visit_state(const Visit& visit) const;
 
-  /// Calls view(name, View) and value(name, number &) for all that a restart needs beyond construction.
-  template <class OnView, class OnValue>
-  void visit_state(const OnView& view, const OnValue& value);
+  double time() const { return time_; }
+  /// For a run that is resumed.
+  void set_time(double time) { time_ = time; }
+  /// Steps taken, preload included: contacts are looked for at every fiftieth, so a resumed run must go on counting.
+  long steps() const { return steps_; }
+  void set_steps(long steps) { steps_ = steps; }
 
  private:
   void step(const Exec& exec, const StepControl& control);
@@ -82,38 +87,31 @@ class Mechanics {
   long steps_ = 0;
 };
 
-template <class OnView, class OnValue>
-void Mechanics::visit_state(const OnView& view, const OnValue& value) {
-  const Particles& p = particles_;
-  view("u", p.u);
-  view("u_reference", p.u_reference);
-  view("v", p.v);
-  view("angle", p.angle);
-  view("spin", p.spin);
-  view("rotation", p.rotation);
-  view("solid_fraction", p.solid_fraction);
-  view("temperature_change", p.temperature_change);
-  const Bonds& b = bonds_;
-  view("point_damage", b.point_damage);
-  view("d_m", b.d_m);
-  view("d_c", b.d_c);
-  view("state", b.state);
-  view("joint", b.joint);
-  view("events", b.events);
-  view("slip", b.slip);
-  view("stress", b.stress);
-  const Contacts& c = contacts_;
-  view("contact_status", c.status);
-  view("contact_first", c.first);
-  view("contact_other", c.other);
-  view("contact_stretch", c.stretch);
-  view("contact_row", c.row);
-  view("contact_entry", c.entry);
-  view("contact_u_built", c.u_built);
-  view("contact_angle_built", c.angle_built);
-  value("last_dt", last_dt_);
-  value("time", time_);
-  value("steps", steps_);
+template <class Visit>
+void Mechanics::visit_state(const Visit& visit) const {
+  visit("u", particles_.u);
+  visit("u_reference", particles_.u_reference);
+  visit("v", particles_.v);
+  visit("angle", particles_.angle);
+  visit("spin", particles_.spin);
+  visit("rotation", particles_.rotation);
+  visit("solid_fraction", particles_.solid_fraction);
+  visit("temperature_change", particles_.temperature_change);
+  visit("point_damage", bonds_.point_damage);
+  visit("d_m", bonds_.d_m);
+  visit("d_c", bonds_.d_c);
+  visit("state", bonds_.state);
+  visit("slip", bonds_.slip);
+  visit("joint", bonds_.joint);
+  visit("events", bonds_.events);
+  visit("contact_status", contacts_.status);
+  visit("contact_first", contacts_.first);
+  visit("contact_other", contacts_.other);
+  visit("contact_stretch", contacts_.stretch);
+  visit("contact_row", contacts_.row);
+  visit("contact_entry", contacts_.entry);
+  visit("contact_u_built", contacts_.u_built);
+  visit("contact_angle_built", contacts_.angle_built);
 }
 
 }  // namespace vug

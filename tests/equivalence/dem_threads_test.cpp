@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -56,6 +58,45 @@ TEST(MechanicsOfThreads, GivesTheSameBitsOnOneTwoAndFour) {
   EXPECT_EQ(crushed(exec), all);                       // a second run
   if constexpr (std::is_constructible_v<Exec, int>) {  // an instance with its own number of threads
     for (const int threads : {1, 2, 4}) EXPECT_EQ(crushed(Exec(threads)), all) << threads << " threads";
+  }
+}
+
+TEST(MechanicsResumed, GoesOnWithTheSameBits) {
+  MechanicsParameters parameters;
+  parameters.bond.cohesion = 20e6;
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
+  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -20};
+  const Assembly assembly = test::block(0.02, 0.02, 2e-3, 0.25);
+  const Exec exec;
+  Mechanics whole(assembly, parameters, loads), resumed(assembly, parameters, loads);
+  const double dt = 0.3 * whole.critical_step();
+  whole.advance(exec, dt, 1030);
+  std::vector<std::vector<std::byte>> saved;
+  whole.visit_state([&](const char*, const auto& view) {
+    const auto host = host_copy(view);
+    const auto* first = reinterpret_cast<const std::byte*>(host.data());
+    saved.emplace_back(first, first + host.span() * sizeof(*host.data()));
+  });
+  std::size_t next = 0;
+  resumed.visit_state([&](const char*, const auto& view) {
+    const auto host = Kokkos::create_mirror_view(view);
+    std::memcpy(host.data(), saved[next].data(), saved[next].size());
+    Kokkos::deep_copy(view, host);
+    ++next;
+  });
+  resumed.set_steps(whole.steps());
+  resumed.set_time(whole.time());
+  whole.advance(exec, dt, 500);
+  resumed.advance(exec, dt, 500);
+  EXPECT_GT(whole.bond_counts().failed(), 20);
+  for (const auto& [a, b] :
+       {std::pair{whole.particles().u, resumed.particles().u}, std::pair{whole.particles().v, resumed.particles().v}}) {
+    std::vector<std::uint64_t> bits_a, bits_b;
+    append(bits_a, a);
+    append(bits_b, b);
+    EXPECT_EQ(bits_a, bits_b);
   }
 }
 

@@ -49,9 +49,9 @@ void print_percolation(int ramp, double limit) {
         if (!run.survives)
           std::printf(" lost |");
         else if (run.limited > 0)
-          std::printf(" %.3f* |", run.largest_speed);
+          std::printf(" %.2f* |", run.largest_speed);
         else
-          std::printf(" %.3f |", run.largest_speed);
+          std::printf(" %.2f |", run.largest_speed);
       }
       std::printf("\n");
     }

@@ -52,7 +52,7 @@ TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 20e6);
   EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
   EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
-  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 57e6);
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 60e6);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.normal_modulus, 24.03e9);
   EXPECT_EQ(scene.left.traction.support, Support::roller);
   EXPECT_DOUBLE_EQ(scene.right.traction.normal_stress, 5e6);
