@@ -188,7 +188,14 @@ TEST(Checkpoint, SurvivesKillsAtAnyMoment) {
   const auto block_of = [](std::int64_t step) { return std::vector<std::byte>(300000, static_cast<std::byte>(step)); };
   std::mt19937 random(1);
   std::int64_t newest = 0;
+  const auto newest_name = [&folder] {
+    std::string name;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      if (entry.path().extension() == ".checkpoint") name = std::max(name, entry.path().filename().string());
+    return name;
+  };
   for (int kill = 0; kill < 30; ++kill) {
+    const auto before = newest_name();
     const pid_t child = fork();
     if (child == 0) {
       for (std::int64_t step = newest + 1;; ++step) {
@@ -197,10 +204,11 @@ TEST(Checkpoint, SurvivesKillsAtAnyMoment) {
         write_checkpoint(folder.path(), state, step, 0, "abc");
       }
     }
-    usleep(3000 + random() % 9000);
+    // the newest name changes when the child is under way, however busy the machine; then a moment of chance
+    for (int wait = 0; wait < 20000 && newest_name() == before; ++wait) usleep(1000);
+    usleep(random() % 9000);
     ::kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
-    if (fs::is_empty(folder.path())) continue;
     bool same = false;
     const auto checkpoint = Checkpoint::latest(folder.path(), "abc");
     StateList state;

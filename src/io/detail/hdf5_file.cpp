@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 namespace vug::detail {
 
@@ -119,6 +121,23 @@ void for_each_link(hid_t group, const std::string& path, Visit visit) {
 
 }  // namespace
 
+Hdf5Rollback::Hdf5Rollback(const std::string& path) : path_(path), superblock_(96, '\0') {
+  std::error_code error;
+  size_ = std::filesystem::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file.read(superblock_.data(), static_cast<std::streamsize>(superblock_.size())))
+    throw FileError(path + ": cannot read the beginning of the file");
+}
+
+void Hdf5Rollback::restore() const noexcept {
+  {
+    std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
+    file.write(superblock_.data(), static_cast<std::streamsize>(superblock_.size()));
+  }
+  std::error_code ignored;  // a failure is being reported already
+  std::filesystem::resize_file(path_, size_, ignored);
+}
+
 Hdf5File Hdf5File::create(const std::string& path) {
   const Handle access(access_properties(path), H5Pclose, path, "open");
   return {path, check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id), path, "create")};
@@ -134,8 +153,14 @@ Hdf5File::~Hdf5File() {
 }
 
 void Hdf5File::close() {
+  make_room();
   check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_, "write");
+  hsize_t size = 0;
+  check(H5Fget_filesize(file_, &size), path_, "write");
   check(H5Fclose(std::exchange(file_, -1)), path_, "write");
+  std::error_code error;  // what make_room added and the library did not cut off
+  if (std::filesystem::file_size(path_, error) > size) std::filesystem::resize_file(path_, size, error);
+  if (error) throw FileError(path_ + ": cannot write: " + error.message());
 }
 
 Hdf5File::Group::Group(Hdf5File& file, std::string name, const std::vector<Attribute>& attributes)
@@ -171,11 +196,26 @@ void Hdf5File::Group::write(const std::string& name, const std::vector<std::size
   for (const auto& attribute : attributes) write_attribute(data.id, attribute, path);
 }
 
-void Hdf5File::Group::publish() {
-  check(H5Fflush(file_.file_, H5F_SCOPE_LOCAL), file_.path_, "write");  // all of the group, at the end of the file
-  check(H5Olink(group_, file_.file_, name_.c_str(), H5P_DEFAULT, H5P_DEFAULT), file_.path_, "write");
+void Hdf5File::Group::flush() {
+  file_.make_room();
   check(H5Fflush(file_.file_, H5F_SCOPE_LOCAL), file_.path_, "write");
+}
+
+void Hdf5File::Group::publish() {
+  flush();
+  check(H5Olink(group_, file_.file_, name_.c_str(), H5P_DEFAULT, H5P_DEFAULT), file_.path_, "write");
+  flush();
   check(H5Gclose(std::exchange(group_, -1)), file_.path_, "write");
+}
+
+// The library writes the new end into the superblock before the file is that long; a kill in between would make it
+// unreadable. So the file is made longer first (a hole, which takes no space); close() cuts it to length again.
+void Hdf5File::make_room() const {
+  constexpr hsize_t room = 1 << 20;
+  hsize_t size = 0;
+  check(H5Fget_filesize(file_, &size), path_, "write");
+  std::error_code ignored;  // a limit on the size of files: then without
+  std::filesystem::resize_file(path_, size + room, ignored);
 }
 
 std::vector<std::string> Hdf5File::groups() const {

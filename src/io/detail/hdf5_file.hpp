@@ -19,6 +19,20 @@ struct Attribute {
 
 enum class StoredAs { float32, float64, int32 };
 
+/// The end and the superblock (the first bytes, which say where the end is) of a file as they are now. After a failure
+/// between opening the file and publishing a group, `restore` makes the file what it was: until then nothing else of it
+/// has been overwritten. A full disk would otherwise leave an end that lies beyond the file, and nothing could be read.
+class Hdf5Rollback {
+ public:
+  explicit Hdf5Rollback(const std::string& path);
+  void restore() const noexcept;
+
+ private:
+  std::string path_;
+  std::string superblock_;
+  std::uint64_t size_ = 0;
+};
+
 /// An open file that grows by groups. A group is filled without a name and *published* when it is complete, by one
 /// small write: whoever reads the file, also after a kill, finds whole groups only.
 class Hdf5File {
@@ -41,6 +55,8 @@ class Hdf5File {
     ~Group();
     void write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const double> values,
                StoredAs type, bool compress, const std::vector<Attribute>& attributes);
+    /// Brings everything written so far to the file, where nothing refers to it yet.
+    void flush();
     void publish();
 
    private:
@@ -57,6 +73,7 @@ class Hdf5File {
   void remove(const std::string& group);
 
  private:
+  void make_room() const;
   Hdf5File(std::string path, Hdf5Id file) : path_(std::move(path)), file_(file) {}
   std::string path_;
   Hdf5Id file_;

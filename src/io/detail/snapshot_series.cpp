@@ -39,6 +39,22 @@ void SnapshotSeries::resume(std::int64_t step) {
 }
 
 void SnapshotSeries::append(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill) {
+  const Hdf5Rollback rollback(directory_ + "/" + h5_name_);
+  bool all_written = false;
+  try {
+    add_group(time, step, [&](Hdf5File::Group& group) {
+      fill(group);
+      group.flush();
+      all_written = true;
+    });
+  } catch (...) {
+    if (!all_written) rollback.restore();
+    throw;
+  }
+  write_xdmf();
+}
+
+void SnapshotSeries::add_group(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill) {
   const auto name = group_name(step);
   auto file = open();
   {
@@ -48,7 +64,6 @@ void SnapshotSeries::append(double time, std::int64_t step, const std::function<
   }
   grids_.push_back(grid_(file, name, time));
   file.close();
-  write_xdmf();
 }
 
 void SnapshotSeries::write_xdmf() const {

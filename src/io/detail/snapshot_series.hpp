@@ -24,6 +24,7 @@ class SnapshotSeries {
   const std::string& h5_name() const { return h5_name_; }
 
  private:
+  void add_group(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill);
   void write_xdmf() const;
 
   std::string directory_, h5_name_, xdmf_path_;
