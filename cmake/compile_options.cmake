@@ -25,7 +25,7 @@ if(VUG_BACKEND STREQUAL "CUDA")
   # nvcc's own front end repeats host warnings for code that Kokkos generates
   target_compile_options(vug_options INTERFACE -Wno-shadow -Wno-unused-parameter -Wno-unknown-pragmas)
   # nor can it evaluate fmt's format strings while compiling: they are checked when they are used
-  target_compile_definitions(vug_options INTERFACE FMT_CONSTEVAL=)
+  target_compile_definitions(vug_options INTERFACE FMT_CONSTEVAL= FMT_USE_CONSTEXPR=1)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   # without them a square root or a choice between two values keeps a loop from vectorising; results and NaN stay
