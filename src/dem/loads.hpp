@@ -1,6 +1,7 @@
 #pragma once
 // What acts on the outside of the rock: stress and supports on its four sides, and gravity.
 #include "dem/particles.hpp"
+#include "dem/support.hpp"
 
 #include <array>
 #include <vector>
@@ -10,13 +11,6 @@ namespace vug {
 /// The four sides of the rock, numbered like the outward axes +x, +y, -x, -y.
 enum class RockSide : int { right = 0, top = 1, left = 2, bottom = 3 };
 inline constexpr int rock_side_count = 4;
-
-/// How a side is held. Held particles are those with an edge on the side.
-enum class Support {
-  free,    ///< not at all
-  roller,  ///< a frictionless rigid platen: normal motion and rotation are held
-  fixed,   ///< a glued rigid platen: all motion is held
-};
 
 /// Loads of the four sides in the order of RockSide.
 struct Loads {

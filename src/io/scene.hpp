@@ -1,11 +1,9 @@
 #pragma once
 // The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
 // modelled. Units and ranges of every key are in docs/case-file.md.
-#include "dem/loads.hpp"
 #include "dem/parameters.hpp"
-#include "kernels/dissolution.hpp"
-#include "kernels/mrt.hpp"
-#include "kernels/reactive_wall.hpp"
+#include "dem/support.hpp"
+#include "kernels/choices.hpp"
 
 #include <array>
 #include <cstdint>

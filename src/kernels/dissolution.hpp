@@ -15,12 +15,6 @@ namespace vug {
 int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
                    const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost);
 
-/// How a newborn fluid node gets its solute.
-enum class BirthFill {
-  mean,  ///< mean concentration of the old fluid neighbours (paper); creates solute, which the ledger says
-  split  ///< an equal share of the content of every old fluid neighbour; conserves
-};
-
 /// Fills the newborn fluid nodes [first, last) of one species, at rest, from their old fluid neighbours of the velocity
 /// set; a newborn without any gets none. Several newborns side by side do not see each other: the result does not
 /// depend on their order. created(block) += solute that came from nowhere (mean); block_count(last) entries at least.

@@ -2,17 +2,10 @@
 // Collisions of the flow populations (paper Sec. 3.1: multiple relaxation times), each a small pure function object:
 //   f* = f - M^-1 S (M f - meq) + M^-1 (1 - S/2) F,
 // with M the moment basis of Lallemand and Luo. All conserve rho' = sum f and add exactly the body force to sum c f.
+#include "kernels/choices.hpp"
 #include "kernels/equilibrium.hpp"
 
 namespace vug {
-
-/// Which rates, or which form, relaxes the moments that viscosity does not fix.
-enum class Collision {
-  trt,            ///< two rates with Lambda = 3/16: walls sit exactly half way at any viscosity (default)
-  lallemand_luo,  ///< rates of Lallemand and Luo, more stable at low viscosity
-  bgk,            ///< one rate
-  regularised     ///< non-equilibrium projected on its second moment, the rest forgotten
-};
 
 /// Rates of shear stress, energy, energy squared and energy flux; s_nu = 1/tau, nu = (tau - 1/2)/3.
 struct RelaxationRates {

@@ -1,17 +1,12 @@
 #pragma once
 // The reaction L1 + S1 -> L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
 // 21-24). It dresses the outgoing populations of acid and product before the sweep.
+#include "kernels/choices.hpp"
 #include "kernels/link_area.hpp"
 #include "kernels/reaction.hpp"
 #include "kernels/solute.hpp"
 
 namespace vug {
-
-/// How a wall link reacts.
-enum class ReactiveWallLaw {
-  kinetic,  ///< flux from the outgoing populations, closed form: acid, product and solid balance to the last digit
-  paper     ///< wall concentrations by finite differences (Eqs. 21-24): links carry acid, faces dissolve
-};
 
 /// Constants of a reactive wall, in lattice units.
 struct ReactiveWall {

@@ -1,0 +1,26 @@
+#pragma once
+// The forms of the lattice physics that a case chooses between. Free of Kokkos: what only reads a case needs no more.
+
+namespace vug {
+
+/// Which rates, or which form, relaxes the moments that viscosity does not fix.
+enum class Collision {
+  trt,            ///< two rates with Lambda = 3/16: walls sit exactly half way at any viscosity (default)
+  lallemand_luo,  ///< rates of Lallemand and Luo, more stable at low viscosity
+  bgk,            ///< one rate
+  regularised     ///< non-equilibrium projected on its second moment, the rest forgotten
+};
+
+/// How a wall link reacts.
+enum class ReactiveWallLaw {
+  kinetic,  ///< flux from the outgoing populations, closed form: acid, product and solid balance to the last digit
+  paper     ///< wall concentrations by finite differences (Eqs. 21-24): links carry acid, faces dissolve
+};
+
+/// How a newborn fluid node gets its solute.
+enum class BirthFill {
+  mean,  ///< mean concentration of the old fluid neighbours (paper); creates solute, which the ledger says
+  split  ///< an equal share of the content of every old fluid neighbour; conserves
+};
+
+}  // namespace vug
