@@ -3,6 +3,7 @@
 // interval, between two lattice steps, as
 //   mark_dissolved -> append_births -> (restride if the capacity grew) -> initialise_births per species ->
 //   find_surface.
+#include "kernels/choices.hpp"
 #include "kernels/solute.hpp"
 
 namespace vug {
