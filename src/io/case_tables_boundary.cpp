@@ -1,5 +1,6 @@
 // [boundary.left|right|bottom|top] and [boundary.injection]: what holds on the sides of the lattice.
 #include "io/detail/case_tables.hpp"
+#include "kernels/side.hpp"
 
 namespace vug {
 namespace {

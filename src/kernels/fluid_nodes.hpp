@@ -10,6 +10,7 @@
 // reactive wall overwrites slot (opposite(q), i), which nobody else reads, and the plain bounce-back brings it back.
 #include "kernels/base.hpp"
 #include "kernels/lattice.hpp"
+#include "kernels/side.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,16 +19,6 @@ namespace vug {
 
 /// Kind of a node of the dense lattice.
 enum class NodeType : std::uint8_t { fluid = 0, solid = 1 };
-
-/// Sides of the lattice; the value is the outward velocity of the set.
-enum class Side : int { right = 1, top = 2, left = 3, bottom = 4 };
-inline constexpr std::array<Side, 4> all_sides{Side::left, Side::right, Side::bottom, Side::top};
-
-/// Name of a side in the case file.
-constexpr const char* name_of(Side side) {
-  constexpr const char* names[] = {"right", "top", "left", "bottom"};
-  return names[static_cast<int>(side) - 1];
-}
 
 /// The compact list of fluid nodes. Births append at the end, so an index never changes.
 struct FluidNodes {

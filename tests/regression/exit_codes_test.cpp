@@ -94,7 +94,8 @@ TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
 TEST(Check, ReportsWithoutWriting) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run_command("cd " + folder.path() + " && OMP_PROC_BIND=false " VUG_EXECUTABLE " check " + small_rock);
+      run_command("root=$PWD; cd " + folder.path() + " && OMP_PROC_BIND=false $root/" VUG_EXECUTABLE
+                  " check $root/" + small_rock);
   EXPECT_EQ(outcome.exit_code, 0);
   for (const char* expected : {"relaxation time tau_f", "sub-steps per lattice step", "bytes per node", "fluid nodes"})
     EXPECT_THAT(outcome.output, HasSubstr(expected));

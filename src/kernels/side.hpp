@@ -1,0 +1,17 @@
+#pragma once
+// The four sides of the lattice. Free of Kokkos: what only reads a case needs no more.
+#include <array>
+
+namespace vug {
+
+/// Sides of the lattice; the value is the outward velocity of the set.
+enum class Side : int { right = 1, top = 2, left = 3, bottom = 4 };
+inline constexpr std::array<Side, 4> all_sides{Side::left, Side::right, Side::bottom, Side::top};
+
+/// Name of a side in the case file.
+constexpr const char* name_of(Side side) {
+  constexpr const char* names[] = {"right", "top", "left", "bottom"};
+  return names[static_cast<int>(side) - 1];
+}
+
+}  // namespace vug
