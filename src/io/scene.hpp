@@ -130,6 +130,22 @@ struct DamageSection {
   double minimum_aperture = 3;    ///< cells
 };
 
+enum class LaboratoryTest { compression, tension, brazilian, heating, quench };
+/// A loading test of bonded rock alone, without a lattice.
+struct LaboratorySection {
+  LaboratoryTest test = LaboratoryTest::compression;
+  std::array<double, 2> size{0, 0};    ///< of the block, m
+  double diameter = 0;                 ///< of the disc, m
+  double flat_width = 0.174;           ///< of the disc's flats under the platens, over the diameter (20 degrees of arc)
+  std::optional<double> platen_speed;  ///< m/s; absent: 0.5 in compression, 0.1 in tension and splitting
+  double confinement = 0;              ///< Pa
+  double chemical_damage = 0;          ///< d_c of all bonds
+  double temperature_change = 0;       ///< K: rise at the end of heating, or fall of the quenched face
+  double duration = 1e-3;              ///< s in which it is heated or the cold has come down by the diffusion length
+  double diffusion_length = 0.01;      ///< 2 sqrt(kappa t) at the end of a quench, m
+  double largest_strain = 0.02;        ///< where a loading test ends at the latest
+};
+
 enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
 struct FlowBoundary {
   FlowBoundaryKind kind = FlowBoundaryKind::wall;
@@ -205,6 +221,7 @@ struct Scene {
   std::optional<ReactionSection> reaction;
   std::optional<MechanicsSection> mechanics;
   std::optional<DamageSection> damage;
+  std::optional<LaboratorySection> laboratory;  ///< then lattice, time and all other physics are absent
   BoundarySection left, right, bottom, top;
   std::optional<InjectionSection> injection;
   AccuracySection accuracy;
