@@ -3,6 +3,7 @@
 #include "dem/soundness.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vug {
@@ -14,24 +15,23 @@ auto host_copy(const V& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-Loads rollers_but_on_top() {
+Loads roller_at_the_mid_plane() {
   Loads loads;
-  for (const RockSide side : {RockSide::left, RockSide::right, RockSide::bottom})
-    loads.support[static_cast<std::size_t>(side)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
   return loads;
 }
 
 /// Mean over the corners and the centroid, weights 1/12 and 3/4: exact for a quadratic field.
-void cool(const Assembly& slab, double top, double drop, double length, const Particles& p) {
+void cool(const Assembly& slab, double top, double height, double drop, double length, const Particles& p) {
   const auto change = Kokkos::create_mirror_view(p.temperature_change);
   for (int i = 0; i < p.count; ++i) {
     double centroid = 0, sum = 0;
     for (const int v : slab.triangles[static_cast<std::size_t>(i)]) {
       const double depth = top - slab.vertices[static_cast<std::size_t>(v)][1];
       centroid += depth / 3;
-      sum += quenched_temperature(drop, depth, length) / 12;
+      sum += quenched_temperature(drop, depth, height, length) / 12;
     }
-    change(i) = sum + 0.75 * quenched_temperature(drop, centroid, length);
+    change(i) = sum + 0.75 * quenched_temperature(drop, centroid, height, length);
   }
   Kokkos::deep_copy(p.temperature_change, change);
 }
@@ -69,18 +69,25 @@ int cracks_at(double level, double apart, const std::vector<std::array<std::arra
 
 }  // namespace
 
-double quenched_temperature(double drop, double depth, double length) {
-  return -drop * std::erfc(depth / length);
+double quenched_temperature(double drop, double depth, double height, double length) {
+  double sum = 0, sign = 1;
+  for (double image = 0; image < 6 * length; image += 2 * height, sign = -sign)  // erfc(6) = 2e-17
+    sum += sign * (std::erfc((image + depth) / length) + std::erfc((image + 2 * height - depth) / length));
+  return -drop * sum;
 }
 
-double quenched_stress(double modulus, double expansion, double drop, double depth, double length) {
-  return -modulus * expansion * quenched_temperature(drop, depth, length);
+double quenched_stress(double modulus, double expansion, double drop, double depth, double height, double length) {
+  constexpr int samples = 2000;
+  double mean = 0;
+  for (int k = 0; k < samples; ++k)
+    mean += quenched_temperature(drop, height * (k + 0.5) / samples, height, length) / samples;
+  return -modulus * expansion * (quenched_temperature(drop, depth, height, length) - mean);
 }
 
 QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters parameters, const QuenchTest& test,
                     const QuenchWatch& watch) {
   parameters.local_damping = test.local_damping;
-  Mechanics rock(slab, parameters, rollers_but_on_top());
+  Mechanics rock(slab, parameters, roller_at_the_mid_plane());
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
   double left = slab.vertices[0][0], right = left, bottom = slab.vertices[0][1], top = bottom;
   for (const auto& [x, y] : slab.vertices) {
@@ -92,7 +99,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
   const int stride = std::max(1, static_cast<int>(test.duration / (result.time_step * test.samples)));
   for (int sample = 1; sample <= test.samples; ++sample) {
     const double length = test.final_length * std::sqrt((sample - 0.5) / test.samples);
-    cool(slab, top, test.drop, length, rock.particles());
+    cool(slab, top, top - bottom, test.drop, length, rock.particles());
     rock.advance(exec, result.time_step, stride);
     require_sound(exec, rock);
     result.steps += stride;

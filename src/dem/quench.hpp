@@ -6,12 +6,12 @@
 
 namespace vug {
 
-/// A slab with rollers on its flanks and bottom; the temperature of its upper face falls by `drop` at time zero. Heat
-/// diffuses over seconds, stress equilibrates in microseconds: the cracks depend on the diffusion length alone, so that
+/// The upper half of a slab: its bottom is the mid-plane (a roller, no heat flux), its flanks are free, the temperature
+/// of its upper face falls by `drop` at time zero. Heat diffuses over seconds, stress equilibrates in microseconds: the cracks depend on the diffusion length alone, so that
 /// time runs faster here, and local damping takes out what still oscillates.
 struct QuenchTest {
   double drop = 100;             ///< K
-  double final_length = 10e-3;   ///< diffusion length 2 sqrt(kappa t) at the end, m
+  double final_length = 10e-3;   ///< diffusion length 2 sqrt(kappa t) at the end, m; the slab is cold at thrice its height
   double duration = 1e-3;        ///< mechanical time in which it is reached, s; long against height / sound speed
   double step_fraction = 0.3;    ///< time step over the critical one
   double local_damping = 0.3;    ///< Cundall's
@@ -31,12 +31,13 @@ struct QuenchResult {
   long steps = 0;
 };
 
-/// Change of temperature below a face that falls by `drop`: -drop erfc(depth / length), length = 2 sqrt(kappa t).
-double quenched_temperature(double drop, double depth, double length);
+/// Change of temperature at depth z below the cold face of a slab of half thickness H, length = 2 sqrt(kappa t):
+/// -drop sum over n of (-1)^n [erfc((2 n H + z) / length) + erfc((2 (n + 1) H - z) / length)] (Carslaw and Jaeger 1959, 3.3).
+double quenched_temperature(double drop, double depth, double height, double length);
 
-/// Lateral stress at depth before it cracks, tension positive, of a slab that may shorten in the direction of heat flow
-/// only: E alpha drop erfc(depth / length) (plane stress).
-double quenched_stress(double modulus, double expansion, double drop, double depth, double length);
+/// Lateral stress there before it cracks, far from the flanks, tension positive: -E alpha (dT - mean of dT over the
+/// height), plane stress, no bending.
+double quenched_stress(double modulus, double expansion, double drop, double depth, double height, double length);
 
 /// Called after every new temperature with the rock, the diffusion length and whether it is the last time.
 using QuenchWatch = std::function<void(const Mechanics&, double length, bool last)>;

@@ -58,10 +58,10 @@ TEST(Extremes, WithoutAnyDampingEnergyIsKept) {
   const double dt = 0.3 * rock.critical_step();
   rock.advance(Exec(), dt, 20000);
   const Energies e = rock.energies(Exec());
-  EXPECT_EQ(e.damping, 0);
   EXPECT_EQ(e.fracture, 0);
-  // what the leapfrog keeps for springs is kept by rotating frames but for the square of the strain, here 2 per cent
-  EXPECT_LT(std::abs(e.imbalance()), 1e-3 * e.work);
+  // the leapfrog's own energy is kept but for the turning of frames within a step, 1e-9 of the work at this step
+  EXPECT_LT(std::abs(e.damping), 1e-12 * e.work);
+  EXPECT_LT(std::abs(e.imbalance()), 1e-7 * e.work);
 }
 
 TEST(Extremes, FullUnloadingLeavesElasticRockAtRest) {
@@ -101,7 +101,7 @@ TEST(Extremes, BondsWithoutStrengthBreakAtTheFirstTension) {
   Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), parameters, pressed(-1));
   rock.advance(Exec(), 0.3 * rock.critical_step(), 5000);
   EXPECT_EQ(what_is_unsound(Exec(), rock), "");
-  EXPECT_GT(rock.bond_counts().failed(), rock.bonds().count / 10);
+  EXPECT_GT(rock.bond_counts().failed(), 5);  // across the block's five elements: then it is in two pieces
 }
 
 TEST(Extremes, TenThousandBondsThatFailAtOnceReleaseWhatTheyHeld) {

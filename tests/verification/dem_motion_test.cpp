@@ -209,10 +209,11 @@ TEST(ElasticBar, CarriesAPulseAtTheSpeedOfItsModulus) {
 }
 
 TEST(EnergyLedger, ClosesThroughBreakingAndItsErrorFallsWithTheStep) {
-  const auto imbalance = [](double fraction) {
+  const auto imbalance = [](double fraction, double dashpot) {
     MechanicsParameters parameters;
     parameters.energy_ledger = true;
     parameters.bond.cohesion = 30e6;
+    parameters.contact.normal_damping = dashpot;
     Loads loads;
     loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
     loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
@@ -227,11 +228,15 @@ TEST(EnergyLedger, ClosesThroughBreakingAndItsErrorFallsWithTheStep) {
     EXPECT_GT(e.damping, 0);
     return std::abs(e.imbalance()) / e.work;
   };
+  EXPECT_LT(imbalance(0.3, 1.17e3), 1e-4);
+  // the dashpots of rubble are taken at the older velocity, first order and 4e-6 of the work here; all else is second
   double before = 0;
   for (const double fraction : {0.3, 0.15, 0.075}) {
-    const double error = imbalance(fraction);
-    test::record("energy_ledger", {{"fraction", fraction}, {"imbalance", error}, {"breaking", 1}});
-    if (before > 0) EXPECT_LT(error, 0.5 * before);  // a quarter, but for which cracks open and close
+    const double error = imbalance(fraction, 0);
+    test::record("energy_ledger", {{"fraction", fraction}, {"imbalance", error}});
+    if (before > 0) {
+      EXPECT_LT(error, before / 3);  // a quarter
+    }
     before = error;
   }
 }
@@ -252,8 +257,9 @@ TEST(EnergyLedger, ClosesToSecondOrderWhileTheRockIsElastic) {
     return std::abs(e.imbalance()) / e.work;
   };
   const double coarse = imbalance(0.3), fine = imbalance(0.1);
-  EXPECT_LT(coarse, 1e-3);
-  EXPECT_LT(fine, coarse / 4);  // second order would be a ninth; viscosity is treated with the older velocity
+  test::record("energy_elastic", {{"coarse", coarse}, {"fine", fine}});
+  EXPECT_LT(coarse, 1e-7);
+  EXPECT_LT(fine, coarse / 5);  // second order would be a ninth, and round-off of 1e-12
 }
 
 TEST(Preload, LeavesTheTectonicStressInTheRockAndNothingBroken) {

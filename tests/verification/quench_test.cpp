@@ -24,7 +24,7 @@ Assembly slab(double width, double height, double element) {
 }
 
 TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
-  const double height = 0.03, drop = 100, length = 0.01, modulus = 27.8e9;
+  const double height = 0.015, drop = 100, length = 0.006, modulus = 27.8e9;
   MechanicsParameters parameters;
   parameters.bond.normal_strength = parameters.bond.cohesion = 1e15;
   QuenchTest test;
@@ -32,16 +32,16 @@ TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
   test.final_length = length;
   test.samples = 50;
   test.duration = 3e-4;
-  quench(Exec(), slab(0.04, height, 1.5e-3), parameters, test, [&](const Mechanics& rock, double now, bool last) {
+  quench(Exec(), slab(0.08, height, 1.5e-3), parameters, test, [&](const Mechanics& rock, double now, bool last) {
     if (!last) return;
     const auto x0 = host_copy(rock.particles().x0);
-    for (double depth = 3e-3; depth < 0.02; depth += 2e-3) {
+    for (double depth = 3e-3; depth < 0.012; depth += 2e-3) {
       std::vector<int> layer;
       double mean_exact = 0;
       for (int i = 0; i < rock.particles().count; ++i) {
-        if (std::abs(height - x0(i, 1) - depth) > 1e-3 || std::abs(x0(i, 0) - 0.02) > 0.015) continue;
+        if (std::abs(height - x0(i, 1) - depth) > 1e-3 || std::abs(x0(i, 0) - 0.04) > 0.015) continue;
         layer.push_back(i);
-        mean_exact += quenched_stress(modulus, parameters.thermal_expansion, drop, height - x0(i, 1), now);
+        mean_exact += quenched_stress(modulus, parameters.thermal_expansion, drop, height - x0(i, 1), height, now);
       }
       mean_exact /= static_cast<double>(layer.size());
       const double stress = mean_stress(rock.particles(), rock.bonds(), layer).xx;
@@ -53,13 +53,14 @@ TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
 }
 
 TEST(QuenchLong, MoreCracksAndShorterOnesTheHarderTheShock) {
-  const double width = 0.06, height = 0.03, element = 1e-3;
+  const double width = 0.06, height = 0.015, element = 1e-3;
   const Assembly block = slab(width, height, element);
   std::vector<QuenchResult> results;
   const std::vector<double> drops = {100, 150, 200, 300, 400};
   for (const double drop : drops) {
     QuenchTest test;
     test.drop = drop;
+    test.final_length = 2 * height;
     results.push_back(quench(Exec(), block, {}, test, [&](const Mechanics& rock, double, bool last) {
       if (!last) return;
       const auto state = host_copy(rock.bonds().state);
