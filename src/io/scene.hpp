@@ -117,7 +117,7 @@ struct ReactionSection {
 };
 
 struct MechanicsSection {
-  std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength
+  std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength; or "weibull-scale"
   MechanicsParameters parameters;
   std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take

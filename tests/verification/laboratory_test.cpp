@@ -201,17 +201,19 @@ Sample sample_of(const std::vector<double>& values) {
   return s;
 }
 
-/// Five specimens of other elements and other bonds.
-void compress_five(const char* profile, double cohesion, double size, Sample& modulus, Sample& strength) {
+/// Five specimens of other elements and other bonds; `number` orders the profiles in the records.
+void compress_five(int number, const char* profile, MechanicsParameters parameters, double size, Sample& modulus,
+                   Sample& strength) {
   std::vector<double> moduli, strengths;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Assembly block = specimen(size, seed);
     const bool shown = seed == 1 && size == 2e-3;
+    parameters.bond.seed = seed;
     const PlatenResult r = load_between_platens(
-        Exec(), block, rock_of(cohesion, seed), {}, [&](const Mechanics& rock, const PlatenResult&, bool last) {
+        Exec(), block, parameters, {}, [&](const Mechanics& rock, const PlatenResult&, bool last) {
           if (last && shown) record_cracks((std::string("compression_cracks_") + profile).c_str(), block, rock.bonds());
         });
-    if (shown) record_curve("compression_profiles", cohesion, r);
+    if (shown) record_curve("compression_profiles", number, r);
     moduli.push_back(r.modulus), strengths.push_back(r.strength);
     record("compression_specimens", {{"profile", std::string(profile)},
                                      {"element", size},
@@ -229,7 +231,7 @@ void compress_five(const char* profile, double cohesion, double size, Sample& mo
 TEST(PaperCompressionLong, TableOneGivesThePrintedModulusAndAboveThePrintedStrength) {
   for (const double size : {2e-3, 3e-3}) {
     Sample modulus, strength;
-    compress_five("paper-literal", 95e6, size, modulus, strength);
+    compress_five(0, "paper-literal", {}, size, modulus, strength);
     EXPECT_NEAR(modulus.mean, printed_modulus, 0.03 * printed_modulus);
     // what Table 1 gives, measured on two other kinds of mesh: 123 to 146 MPa; the printed 91.1 MPa it does not give
     EXPECT_GT(strength.mean, 120e6);
@@ -240,10 +242,20 @@ TEST(PaperCompressionLong, TableOneGivesThePrintedModulusAndAboveThePrintedStren
 TEST(PaperCompressionLong, CalibratedCohesionGivesThePrintedModulusAndStrength) {
   for (const double size : {2e-3, 3e-3}) {
     Sample modulus, strength;
-    compress_five("calibrated", calibrated_cohesion, size, modulus, strength);
+    compress_five(1, "calibrated", rock_of(calibrated_cohesion), size, modulus, strength);
     EXPECT_NEAR(modulus.mean, printed_modulus, 0.03 * printed_modulus);
     // fitted with elements of 2 mm; larger ones scatter more and lie higher
     EXPECT_NEAR(strength.mean, printed_strength, (size == 2e-3 ? 0.03 : 0.10) * printed_strength);
+  }
+}
+
+TEST(PaperCompressionLong, TableOneAsWeibullScalesWithoutFrictionGivesThePrintedStrengthUnfitted) {
+  for (const double size : {2e-3, 3e-3}) {
+    Sample modulus, strength;
+    compress_five(2, "weibull-scale", weibull_scale_reading({}), size, modulus, strength);
+    EXPECT_NEAR(modulus.mean, printed_modulus, 0.03 * printed_modulus);
+    // the mean of five specimens that scatter by 5 MPa is known to 2.2 MPa
+    EXPECT_NEAR(strength.mean, printed_strength, 0.06 * printed_strength);
   }
 }
 
@@ -261,7 +273,7 @@ TEST(PaperCompressionLong, SoakingLowersTheModulusByTheDissolvedShare) {
   }
 }
 
-TEST(PaperCompressionLong, StrengthDoesNotDependOnThePlatensSpeed) {
+TEST(PaperCompressionLong, StrengthHardlyDependsOnThePlatensSpeed) {
   const Assembly block = specimen(3e-3);
   std::vector<double> strength;
   for (const double speed : {0.125, 0.25, 0.5, 1.0}) {
@@ -271,9 +283,9 @@ TEST(PaperCompressionLong, StrengthDoesNotDependOnThePlatensSpeed) {
     strength.push_back(r.strength);
     record("platen_speed", {{"speed", speed}, {"modulus", r.modulus}, {"strength", r.strength}});
   }
-  // quasi-static below 0.5 m/s: within half the scatter of a specimen (5 %)
-  EXPECT_NEAR(strength[2], strength[0], 0.03 * strength[0]);
-  EXPECT_NEAR(strength[1], strength[0], 0.03 * strength[0]);
+  // inertia of the breaking bonds: at 0.5 m/s less than the scatter of a specimen (5.5 %), and falling with the speed
+  EXPECT_NEAR(strength[2], strength[0], 0.05 * strength[0]);
+  EXPECT_NEAR(strength[1], strength[0], 0.025 * strength[0]);
 }
 
 TEST(PaperCompressionLong, TensileStrengthsStandBesideTheCompressiveOne) {
