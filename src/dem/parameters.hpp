@@ -1,6 +1,5 @@
 #pragma once
 // Everything the mechanics is told, SI, with the paper's Table 1 as defaults ("paper-literal" profile).
-#include <cmath>
 #include <cstdint>
 
 namespace vug {
@@ -47,18 +46,5 @@ struct MechanicsParameters {
   ContactParameters contact;
   ChemicalDamageLaw chemical;
 };
-
-/// Table 1 in the reading that gives the paper's measured strength without a fit: the printed strengths and energies are
-/// scale parameters of their Weibull distributions (mean = scale Gamma(1 + 1/m), 6.5 % less for m = 7), f1 and f2 act as
-/// printed (0.98 and 1.01 in fresh rock), and the internal friction is no part of a bond's strength.
-inline MechanicsParameters weibull_scale_reading(MechanicsParameters p) {
-  const double mean_over_scale = std::tgamma(1 + 1 / p.bond.weibull_shape);
-  for (double* printed :
-       {&p.bond.normal_strength, &p.bond.cohesion, &p.bond.fracture_energy_I, &p.bond.fracture_energy_II})
-    *printed *= mean_over_scale;
-  p.bond.internal_friction = 0;
-  p.chemical.normalised = false;
-  return p;
-}
 
 }  // namespace vug

@@ -1,4 +1,5 @@
 // [rock], [mechanics], [damage]: the assembly of triangles, how it moves and how it breaks.
+#include "dem/paper_reading.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // Laboratory tests on generated specimens against closed forms and the paper's section 3.5.2.
 #include "dem/laboratory.hpp"
 #include "dem/mean_stress.hpp"
+#include "dem/paper_reading.hpp"
 #include "dem_support.hpp"
 #include "io/rock_generator.hpp"
 #include "support/record.hpp"
