@@ -84,16 +84,16 @@ template <class Body>
 void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
-    // Short lists (the bonds of a small rock, the links of an opening) in shorter blocks, so that every thread has its
-    // share; the shortest without waking other threads, which takes longer than the work.
-    constexpr int shortest = 32, shares = 16;
-    const int share = (n / shares + shortest - 1) / shortest * shortest;
-    const int size = share < shortest ? shortest : share > nodes_per_block ? nodes_per_block : share;
-    const detail::BlockOfNodes<Body> blocks{body, n, size};
+    // Short lists (the bonds of a small rock, the links of an opening) in shorter blocks, two for each thread; the
+    // shortest without waking other threads, which takes longer than the work.
+    constexpr int shortest = 32;
+    const int shares = 2 * exec.concurrency();
+    const int share = (n / shares + shortest) / shortest * shortest;
+    const detail::BlockOfNodes<Body> blocks{body, n, share < nodes_per_block ? share : nodes_per_block};
     if (n <= shortest)
       blocks(0);
     else
-      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
+      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + blocks.size - 1) / blocks.size), blocks);
   } else {
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
   }
