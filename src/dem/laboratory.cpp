@@ -148,7 +148,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   while (true) {
     if (test.heating_rate != 0)
       Kokkos::deep_copy(exec, rock.particles().temperature_change,
-                        test.heating_rate * (rock.time() + 0.5 * stride * result.time_step));
+                        test.heating_rate * (rock.time() + stride * result.time_step));
     rock.advance(exec, result.time_step, stride);
     require_sound(exec, rock);
     result.steps += stride;

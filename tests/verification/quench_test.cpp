@@ -52,7 +52,7 @@ TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
   });
 }
 
-TEST(QuenchLong, MoreCracksAndShorterOnesTheHarderTheShock) {
+TEST(QuenchLong, CracksStandCloserTheHarderTheShockAndEndInTheCompressedCore) {
   const double width = 0.06, height = 0.015, element = 1e-3;
   const Assembly block = slab(width, height, element);
   std::vector<QuenchResult> results;
@@ -75,8 +75,11 @@ TEST(QuenchLong, MoreCracksAndShorterOnesTheHarderTheShock) {
     record("quench", {{"drop", drop}, {"spacing", r.spacing}, {"mean_depth", r.mean_depth}, {"deepest", r.deepest},
                       {"failed", r.bonds_at_end.failed()}});
   }
-  EXPECT_GT(results.front().spacing, 1.5 * results.back().spacing);
-  EXPECT_GT(results.front().mean_depth, results.back().mean_depth);
+  for (std::size_t i = 1; i < results.size(); ++i) EXPECT_LT(results[i].spacing, results[i - 1].spacing) << drops[i];
+  // weakest bonds of 15 MPa hold E alpha dT of 50 to 70 K: at 100 K a single crack or two, at 400 K many
+  EXPECT_GT(results.front().spacing, 4 * results.back().spacing);
+  // where the closed form has its core under pressure at the height of the shock, cracks end or turn
+  for (const QuenchResult& r : results) EXPECT_LT(r.mean_depth, 0.6 * height);
 }
 
 }  // namespace
