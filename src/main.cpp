@@ -70,7 +70,8 @@ void describe(CLI::App& app, CommandLine& line) {
   line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
   line.lab->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the case file>)");
   line.lab->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
-  line.lab->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
+  line.lab
+      ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
       ->check(CLI::Range(1, 1000));
   line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
       ->check(CLI::PositiveNumber);

@@ -66,11 +66,16 @@ double share_along_load(const Bonds& bonds) {
 
 const char* name_of(LaboratoryTest test) {
   switch (test) {
-    case LaboratoryTest::compression: return "compression";
-    case LaboratoryTest::tension: return "direct tension";
-    case LaboratoryTest::brazilian: return "Brazilian disc";
-    case LaboratoryTest::heating: return "heating between fixed platens";
-    default: return "quench of the upper face";
+    case LaboratoryTest::compression:
+      return "compression";
+    case LaboratoryTest::tension:
+      return "direct tension";
+    case LaboratoryTest::brazilian:
+      return "Brazilian disc";
+    case LaboratoryTest::heating:
+      return "heating between fixed platens";
+    default:
+      return "quench of the upper face";
   }
 }
 
@@ -143,13 +148,14 @@ std::string load_all(const Scene& scene, const LaboratoryOptions& options, const
     results.insert(results.end(), {{"modulus_Pa", modulus.mean}, {"poisson_1", poisson.mean}});
   }
   text += line("strength", strength, 1e6, "MPa", 2) + line("strain at the peak", strain, 0.01, "%", 3);
-  results.insert(results.end(), {{"strength_Pa", strength.mean},
-                                 {"strength_deviation_Pa", strength.deviation},
-                                 {"peak_strain_1", strain.mean}});
+  results.insert(
+      results.end(),
+      {{"strength_Pa", strength.mean}, {"strength_deviation_Pa", strength.deviation}, {"peak_strain_1", strain.mean}});
   const LoadedSpecimen& first = specimens.front();
   const BondCounts &peak = first.result.bonds_at_peak, &end = first.result.bonds_at_end;
   text += fmt::format(
-      "bonds failed          {} in tension, {} in shear at the peak; {} and {} at the end; {:.0f} % of them along the load\n"
+      "bonds failed          {} in tension, {} in shear at the peak; {} and {} at the end; {:.0f} % of them along the "
+      "load\n"
       "time step             {:.3g} s, {} steps\n",
       peak.failed_in_tension, peak.failed_in_shear, end.failed_in_tension, end.failed_in_shear, 100 * first.along_load,
       first.result.time_step, first.result.steps);
@@ -167,20 +173,21 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
   SpecimenPictures pictures(scene, specimen, directory);
   int looks = 0;
   const QuenchTest test = quench_test(scene);
-  const QuenchResult r = quench(Exec(), specimen, scene.mechanics->parameters, test,
-                                [&](const Mechanics& rock, double length, bool last) {
-                                  pictures.look(rock, last);
-                                  if (options.progress && ++looks % (test.samples / 10) == 0)
-                                    *options.progress << fmt::format("cold to {:.3g} mm, {} bonds failed\n",
-                                                                     1e3 * length, rock.bond_counts().failed());
-                                });
+  const QuenchResult r =
+      quench(Exec(), specimen, scene.mechanics->parameters, test, [&](const Mechanics& rock, double length, bool last) {
+        pictures.look(rock, last);
+        if (options.progress && ++looks % (test.samples / 10) == 0)
+          *options.progress << fmt::format("cold to {:.3g} mm, {} bonds failed\n", 1e3 * length,
+                                           rock.bond_counts().failed());
+      });
   HistoryWriter table(directory + "/cracks.csv", {"depth_m", "cracks_1"});
   for (std::size_t i = 0; i < r.depth.size(); ++i) table.write(std::vector<double>{r.depth[i], r.cracks[i]});
   results = {{"spacing_m", r.spacing}, {"mean_depth_m", r.mean_depth}, {"deepest_m", r.deepest}};
   if (r.spacing == 0) return "no crack is deeper than two elements\n";
-  return fmt::format("crack spacing         {:.3g} mm at two elements' depth\nmean depth            {:.3g} mm\n"
-                     "deepest crack         {:.3g} mm\n",
-                     1e3 * r.spacing, 1e3 * r.mean_depth, 1e3 * r.deepest);
+  return fmt::format(
+      "crack spacing         {:.3g} mm at two elements' depth\nmean depth            {:.3g} mm\n"
+      "deepest crack         {:.3g} mm\n",
+      1e3 * r.spacing, 1e3 * r.mean_depth, 1e3 * r.deepest);
 }
 
 std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, Results& results) {

@@ -93,8 +93,7 @@ struct CohesiveForces {
                                                 const PointOpening (&opening)[2],
                                                 const PointStress (&stress)[2]) const {
     if (has_failed(model.bonds.state(k))) return;
-    const BondMotion before =
-        motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
     double fracture = 0, viscous = 0;
     for (int s = 0; s < 2; ++s) {
       const PointOpening &o = opening[s], &b = before.opening[s];
@@ -102,7 +101,8 @@ struct CohesiveForces {
                   undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
       const double drag_n = stress[s].normal - normal_integrity(damage[s], o.delta_n) * material.k_n * o.delta_n;
       const double drag_t = stress[s].tangential - (1 - damage[s]) * material.k_t * o.delta_t;
-      viscous += (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
+      viscous +=
+          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
       accounts.keep_drag(k, s, drag_n, drag_t);
     }
     const double width = 0.5 * model.bonds.length(k);
@@ -156,13 +156,12 @@ struct BondFailure {
   /// Releases what a dissolved bond still holds, and takes back the viscosity of this step: a crack has none.
   KOKKOS_FUNCTION void close_account(int k, const BondMotion& motion) const {
     const BondPoint material = model.material(k, model.chemical_damage(k));
-    const BondMotion before =
-        motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
     double released = 0, viscous = 0;
     for (int s = 0; s < 2; ++s) {
       const PointOpening &o = motion.opening[s], &b = before.opening[s];
-      released += (1 - model.bonds.point_damage(k, s)) *
-                  undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
+      released +=
+          (1 - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
       viscous += accounts.drag_before(k, s, 0) * o.rate_n + accounts.drag_before(k, s, 1) * o.rate_t;
       accounts.keep_drag(k, s, 0, 0);
     }
@@ -204,8 +203,7 @@ struct BondFailure {
   /// loses when it opens counts as friction.
   KOKKOS_FUNCTION void keep_account(int k, const BondPoint& point, const BondMotion& motion,
                                     const PointStress (&stress)[2], bool fresh) const {
-    const BondMotion before =
-        motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
     double friction = 0, damped = 0;
     for (int s = 0; s < 2; ++s) {
       const PointOpening &o = motion.opening[s], &b = before.opening[s];
@@ -214,7 +212,8 @@ struct BondFailure {
       friction += 0.5 * point.k_t * (stretch_before * (o.delta_t - slip_before) + stretch * (slip - b.delta_t));
       const double drag_n = stress[s].normal - point.k_n * at_most(0, o.delta_n);
       const double drag_t = stress[s].tangential - point.k_t * stretch;
-      damped += (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
+      damped +=
+          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
       accounts.keep_drag(k, s, drag_n, drag_t);
     }
     const double width = 0.5 * model.bonds.length(k);

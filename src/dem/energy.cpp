@@ -62,8 +62,8 @@ struct PendingDrag {
     const BondMotion now = motion_of_bond(particles, bonds, expansion, k);
     double power = 0;
     for (int s = 0; s < 2; ++s)
-      power += accounts.drag_before(k, s, 0) * now.opening[s].rate_n +
-               accounts.drag_before(k, s, 1) * now.opening[s].rate_t;
+      power +=
+          accounts.drag_before(k, s, 0) * now.opening[s].rate_n + accounts.drag_before(k, s, 1) * now.opening[s].rate_t;
     return 0.25 * dt * bonds.length(k) * power;
   }
 };
@@ -91,11 +91,15 @@ Accounts make_accounts(const Particles& particles, const Bonds& bonds) {
   const auto fresh = [](const char* label, int n) {
     return ScalarField<double>(std::string("vug::dem::account_") + label, static_cast<std::size_t>(n));
   };
-  return {Kokkos::View<double* [4], Kokkos::LayoutLeft>("vug::dem::account_drag", static_cast<std::size_t>(bonds.count)),
-          fresh("fracture", bonds.count),         fresh("friction", bonds.count),
-          fresh("damping", bonds.count),          fresh("pair_friction", particles.count),
-          fresh("pair_damping", particles.count), fresh("work", particles.count),
-          fresh("local_damping", particles.count)};
+  return {
+      Kokkos::View<double* [4], Kokkos::LayoutLeft>("vug::dem::account_drag", static_cast<std::size_t>(bonds.count)),
+      fresh("fracture", bonds.count),
+      fresh("friction", bonds.count),
+      fresh("damping", bonds.count),
+      fresh("pair_friction", particles.count),
+      fresh("pair_damping", particles.count),
+      fresh("work", particles.count),
+      fresh("local_damping", particles.count)};
 }
 
 void reset(const Exec& exec, const Accounts& a) {
@@ -113,8 +117,8 @@ Energies measure_energies(const Exec& exec, const MechanicsParameters& parameter
   e.kinetic =
       total(exec, "vug::dem::kinetic_energy", particles.count, KineticEnergy{parameters.mass_scaling, particles});
   e.elastic = total(exec, "vug::dem::elastic_energy", bonds.count,
-                    ElasticEnergy{parameters.bond, parameters.chemical.failure_at, parameters.thermal_expansion,
-                                  dt, particles, bonds}) +
+                    ElasticEnergy{parameters.bond, parameters.chemical.failure_at, parameters.thermal_expansion, dt,
+                                  particles, bonds}) +
               total(exec, contacts.energy);
   if (accounts) {
     e.work = total(exec, accounts->particle_work);

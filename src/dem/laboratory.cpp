@@ -132,8 +132,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   if (test.confinement != 0) rock.preload(exec, test.confining_time);
   const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);
   const double sign = test.speed < 0 ? -1 : 1;
-  const double rate =
-      std::abs(test.speed) / (high - low) + std::abs(parameters.thermal_expansion * test.heating_rate);
+  const double rate = std::abs(test.speed) / (high - low) + std::abs(parameters.thermal_expansion * test.heating_rate);
   rock.set_platen_velocity(RockSide::top, {0, -test.speed});
   start_uniform_straining(rock.particles(), low, high, test.speed);
   rock.reset_ledger(exec);

@@ -13,8 +13,8 @@ enum class Specimen {
   disc,   ///< with flats where the platens stand: stress = 2 F / (pi D), the splitting stress of the Brazilian test
 };
 
-/// A test between two rigid frictionless platens along y. The specimen is strained by the platens (compression, tension,
-/// Brazilian disc) or by its own heat between platens that stand still.
+/// A test between two rigid frictionless platens along y. The specimen is strained by the platens (compression,
+/// tension, Brazilian disc) or by its own heat between platens that stand still.
 struct PlatenTest {
   Specimen specimen = Specimen::block;
   double speed = 0.5;       ///< of the upper platen, m/s; positive compresses, negative pulls

@@ -6,9 +6,9 @@
 
 namespace vug {
 
-/// Table 1 in the reading that gives the paper's measured strength without a fit: the printed strengths and energies are
-/// scale parameters of their Weibull distributions (mean = scale Gamma(1 + 1/m), 6.5 % less for m = 7), f1 and f2 act as
-/// printed (0.98 and 1.01 in fresh rock), and the internal friction is no part of a bond's strength.
+/// Table 1 in the reading that gives the paper's measured strength without a fit: the printed strengths and energies
+/// are scale parameters of their Weibull distributions (mean = scale Gamma(1 + 1/m), 6.5 % less for m = 7), f1 and f2
+/// act as printed (0.98 and 1.01 in fresh rock), and the internal friction is no part of a bond's strength.
 inline MechanicsParameters weibull_scale_reading(MechanicsParameters p) {
   const double mean_over_scale = std::tgamma(1 + 1 / p.bond.weibull_shape);
   p.bond.normal_strength *= mean_over_scale;

@@ -11,7 +11,8 @@ std::string what_is_unsound(const Exec& exec, const Mechanics& rock) {
   if (runaway.particle >= 0) {
     char speed[32];
     std::snprintf(speed, sizeof speed, "%.3g", runaway.speed);
-    return "particle " + std::to_string(runaway.particle) + " moves at " + speed + " m/s; take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction";
+    return "particle " + std::to_string(runaway.particle) + " moves at " + speed +
+           " m/s; take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction";
   }
   int lost = 0;
   Kokkos::deep_copy(lost, Kokkos::subview(rock.contacts().status, contacts_lost));

@@ -56,8 +56,8 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
   read_if(pressed, table, "confinement", "is only for test = \"compression\"", laboratory.confinement, unit::pascal,
           range::not_negative);
   table.read("chemical_damage", laboratory.chemical_damage, unit::none, {.low = 0, .high = 1, .high_open = true});
-  need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change,
-          unit::kelvin, range::positive);
+  need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change, unit::kelvin,
+          range::positive);
   read_if(thermal, table, "duration", "is of heating and quench", laboratory.duration, unit::second, range::positive);
   read_if(quenched, table, "diffusion_length", "is only for test = \"quench\"", laboratory.diffusion_length,
           unit::metre, range::positive);
@@ -67,8 +67,8 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
 }
 
 void check_laboratory(const TomlDocument& document, const Scene& scene) {
-  for (const char* table : {"lattice", "time", "geometry", "flow", "heat", "solute", "reaction", "damage", "boundary",
-                            "accuracy"})
+  for (const char* table :
+       {"lattice", "time", "geometry", "flow", "heat", "solute", "reaction", "damage", "boundary", "accuracy"})
     if (document.find(table) != nullptr)
       document.fail_at(table, fmt::format("[{}] has no place beside [laboratory], a test of rock alone", table));
   if (!scene.rock) document.fail_at("laboratory", "[laboratory] needs the table [rock]");

@@ -176,8 +176,8 @@ Assembly generate_rock(double length_x, double length_y, const RockSection& rock
 
 Assembly generate_disc(double diameter, double flat_width, const RockSection& rock) {
   if (!(rock.element_size > 0) || !(rock.element_size <= diameter / 5))
-    throw InputError(fmt::format("rock.element_size = {:g} m must be positive and at most a fifth of the disc's diameter",
-                                 rock.element_size));
+    throw InputError(fmt::format(
+        "rock.element_size = {:g} m must be positive and at most a fifth of the disc's diameter", rock.element_size));
   return triangulate(Mesher(detail::disc_outline(diameter, flat_width, rock.element_size), rock), rock);
 }
 

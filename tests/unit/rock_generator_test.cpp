@@ -214,8 +214,7 @@ TEST(DiscGenerator, FillsTheFlattenedCircleWithUsableTriangles) {
     EXPECT_NEAR(quality.mean_edge, 0.002, 0.05 * 0.002);
     EXPECT_GE(quality.min_angle, 20);
     EXPECT_EQ(quality.islands, 1);
-    for (const auto& [x, y] : disc.vertices)
-      EXPECT_LE(std::hypot(x - r, y - r * std::cos(half)), r * (1 + 1e-12));
+    for (const auto& [x, y] : disc.vertices) EXPECT_LE(std::hypot(x - r, y - r * std::cos(half)), r * (1 + 1e-12));
     double flats[2] = {0, 0};  // length of the boundary at the two platens
     for (const auto& [edge, uses] : edge_uses(disc)) {
       const auto &a = disc.vertices[edge[0]], &b = disc.vertices[edge[1]];

@@ -50,7 +50,8 @@ TEST_F(OneBond, ModeOneReleasesExactlyItsFractureEnergyAndPeaksAtItsStrength) {
     work += 0.5 * (before + stress) * 1.01 * delta_f / steps;
     peak = std::max(peak, stress);
     before = stress;
-    if (k % 200 == 0) test::record("bond_curve", {{"angle", 0.0}, {"opening", opening}, {"normal", stress}, {"tangential", 0.0}});
+    if (k % 200 == 0)
+      test::record("bond_curve", {{"angle", 0.0}, {"opening", opening}, {"normal", stress}, {"tangential", 0.0}});
   }
   test::record("bond_energy", {{"angle", 0.0}, {"energy", work / 20}, {"ellipse", std::pow(peak / 15e6, 2)}});
   // trapezoids of a piecewise linear curve: only the kink's cell errs, by (1/steps)^2
@@ -83,7 +84,8 @@ TEST_P(MixedModeBond, EnergiesAddUpToOneAndThePeakLiesOnTheEllipse) {
     peak = std::max(peak, now);
     before = stress;
     if (k % 200 == 0)
-      test::record("bond_curve", {{"angle", GetParam()}, {"opening", opening}, {"normal", stress[0]}, {"tangential", stress[1]}});
+      test::record("bond_curve",
+                   {{"angle", GetParam()}, {"opening", opening}, {"normal", stress[0]}, {"tangential", stress[1]}});
   }
   test::record("bond_energy", {{"angle", GetParam()}, {"energy", work_n / 20 + work_t / 64}, {"ellipse", peak}});
   test::record("bond_ellipse", {{"angle", GetParam()}, {"normal", peak_n}, {"tangential", peak_t}});

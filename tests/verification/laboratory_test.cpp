@@ -1,5 +1,6 @@
 // Laboratory tests on generated specimens against closed forms and the paper's section 3.5.2.
 #include "dem/laboratory.hpp"
+
 #include "dem/mean_stress.hpp"
 #include "dem/paper_reading.hpp"
 #include "dem_support.hpp"
@@ -58,7 +59,10 @@ void record_cracks(const char* name, const Assembly& assembly, const Bonds& bond
   for (int k = 0; k < bonds.count; ++k) {
     if (!has_failed(state(k))) continue;
     const auto &p = assembly.vertices[vertex(k, 0)], &q = assembly.vertices[vertex(k, 1)];
-    record(name, {{"x0", p[0]}, {"y0", p[1]}, {"x1", q[0]}, {"y1", q[1]},
+    record(name, {{"x0", p[0]},
+                  {"y0", p[1]},
+                  {"x1", q[0]},
+                  {"y1", q[1]},
                   {"shear", static_cast<int>(state(k) == BondState::failed_in_shear)}});
   }
 }
@@ -210,8 +214,8 @@ void compress_five(int number, const char* profile, MechanicsParameters paramete
     const Assembly block = specimen(size, seed);
     const bool shown = seed == 1 && size == 2e-3;
     parameters.bond.seed = seed;
-    const PlatenResult r = load_between_platens(
-        Exec(), block, parameters, {}, [&](const Mechanics& rock, const PlatenResult&, bool last) {
+    const PlatenResult r =
+        load_between_platens(Exec(), block, parameters, {}, [&](const Mechanics& rock, const PlatenResult&, bool last) {
           if (last && shown) record_cracks((std::string("compression_cracks_") + profile).c_str(), block, rock.bonds());
         });
     if (shown) record_curve("compression_profiles", number, r);
@@ -321,8 +325,11 @@ TEST(PaperCompressionLong, ConfinementStrengthensTheRock) {
     PlatenTest test;
     test.confinement = confinement;
     const PlatenResult r = load_between_platens(Exec(), block, rock_of(calibrated_cohesion), test);
-    record("triaxial", {{"confinement", confinement}, {"strength", r.strength}, {"modulus", r.modulus},
-                        {"tension", r.bonds_at_end.failed_in_tension}, {"shear", r.bonds_at_end.failed_in_shear}});
+    record("triaxial", {{"confinement", confinement},
+                        {"strength", r.strength},
+                        {"modulus", r.modulus},
+                        {"tension", r.bonds_at_end.failed_in_tension},
+                        {"shear", r.bonds_at_end.failed_in_shear}});
     record_curve("triaxial_curves", confinement, r);
     EXPECT_GT(r.strength, last + (confinement > 0 ? 5e6 : 0));  // more than the confinement itself
     last = r.strength;

@@ -72,7 +72,10 @@ TEST(QuenchLong, CracksStandCloserTheHarderTheShockAndEndInTheCompressedCore) {
       }
     }));
     const QuenchResult& r = results.back();
-    record("quench", {{"drop", drop}, {"spacing", r.spacing}, {"mean_depth", r.mean_depth}, {"deepest", r.deepest},
+    record("quench", {{"drop", drop},
+                      {"spacing", r.spacing},
+                      {"mean_depth", r.mean_depth},
+                      {"deepest", r.deepest},
                       {"failed", r.bonds_at_end.failed()}});
   }
   for (std::size_t i = 1; i < results.size(); ++i) EXPECT_LT(results[i].spacing, results[i - 1].spacing) << drops[i];

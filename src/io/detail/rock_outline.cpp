@@ -210,8 +210,8 @@ DiscOutline disc_outline(double diameter, double flat_width, double edge) {
   Outline& outline = disc.outline;
   outline.round = true;
   outline.points = {{0, 0}, {diameter, 0}, disc.length, {0, 2 * half_height}};
-  // Points of the circle by its rational parametrisation p = tan(angle / 2), spaced by a fraction for the tangent that is
-  // good to 1e-3: no sines, the same bits everywhere.
+  // Points of the circle by its rational parametrisation p = tan(angle / 2), spaced by a fraction for the tangent that
+  // is good to 1e-3: no sines, the same bits everywhere.
   const auto tangent = [](double x) { return x * (15 - x * x) / (15 - 6 * x * x); };
   const double last = half_height / (radius + half_flat);
   double low = 0, high = 1;
@@ -232,14 +232,14 @@ DiscOutline disc_outline(double diameter, double flat_width, double edge) {
   for (long i = 0; i < arc; ++i) ring.push_back(quarter[static_cast<std::size_t>(i)]);
   for (long i = 0; i < flat; ++i)
     ring.push_back({half_flat * (1 - 2 * static_cast<double>(i) / static_cast<double>(flat)), half_height});
-  for (long i = arc; i > 0; --i) ring.push_back({-quarter[static_cast<std::size_t>(i)][0], quarter[static_cast<std::size_t>(i)][1]});
+  for (long i = arc; i > 0; --i)
+    ring.push_back({-quarter[static_cast<std::size_t>(i)][0], quarter[static_cast<std::size_t>(i)][1]});
   const auto half = ring.size();
   for (std::size_t i = 0; i < half; ++i) ring.push_back({-ring[i][0], -ring[i][1]});
   const int first = static_cast<int>(outline.points.size());
   for (std::size_t i = 0; i < ring.size(); ++i) {
     outline.points.push_back({centre[0] + ring[i][0], centre[1] + ring[i][1]});
-    outline.edges.push_back(
-        {first + static_cast<int>(i), first + static_cast<int>((i + 1) % ring.size()), false});
+    outline.edges.push_back({first + static_cast<int>(i), first + static_cast<int>((i + 1) % ring.size()), false});
   }
   return disc;
 }
