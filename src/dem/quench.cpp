@@ -117,7 +117,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
   }
   const double first = result.cracks.front();
   double area = 0;
-  for (const double n : result.cracks) area += std::min(n, first) * 0.25 * element;
+  for (std::size_t i = 1; i < result.cracks.size(); ++i) area += std::min(result.cracks[i], first) * 0.25 * element;
   result.spacing = first > 0 ? (right - left) / first : 0;
   result.mean_depth = first > 0 ? surface + area / first : 0;
   result.bonds_at_end = rock.bond_counts();
