@@ -150,6 +150,7 @@ struct SoluteBoundary {
 struct TractionBoundary {
   Support support = Support::free;
   double normal_stress = 0;  ///< Pa, compression positive
+  double stiffness = 0;      ///< Pa/m, of the rock beyond: stress added per outward displacement
 };
 struct BoundarySection {
   FlowBoundary flow;

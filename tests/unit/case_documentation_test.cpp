@@ -61,6 +61,7 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
                                    unit::second,
                                    unit::kelvin,
                                    unit::pascal,
+                                   unit::pascal_per_metre,
                                    unit::metre_per_second,
                                    unit::metre_per_square_second,
                                    unit::square_metre_per_second,

@@ -19,6 +19,7 @@ constexpr Unit metre{"m", 1e5};
 constexpr Unit second{"s", 1e9};
 constexpr Unit kelvin{"K", 1e4};
 constexpr Unit pascal{"Pa", 1e13};
+constexpr Unit pascal_per_metre{"Pa/m", 1e18};
 constexpr Unit metre_per_second{"m/s", 1e6};
 constexpr Unit metre_per_square_second{"m/s2", 1e12};
 constexpr Unit square_metre_per_second{"m2/s", 1e4};
