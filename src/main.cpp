@@ -1,6 +1,8 @@
-// vug run | check | info: parse the command line, call, turn exceptions into exit codes.
+// vug run | check | lab | info: parse the command line, call, turn exceptions into exit codes.
 #include "coupling/check.hpp"
+#include "coupling/laboratory_run.hpp"
 #include "coupling/run.hpp"
+#include "coupling/run_directory.hpp"
 #include "io/run_record.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/require.hpp"
@@ -39,9 +41,12 @@ struct CommandLine {
   std::vector<std::string> overrides;
   std::optional<std::int64_t> steps;
   int threads = 0;
+  int seeds = 0;
+  std::optional<double> fit_cohesion;
   bool resume = false, quiet = false, json = false;
   CLI::App* run = nullptr;
   CLI::App* check = nullptr;
+  CLI::App* lab = nullptr;
   CLI::App* info = nullptr;
 };
 
@@ -61,6 +66,17 @@ void describe(CLI::App& app, CommandLine& line) {
   line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
   line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
   line.check->add_flag("--json", line.json, "Machine-readable");
+  line.lab = app.add_subcommand("lab", "Run the laboratory test of a case: compression, tension, splitting, heat");
+  line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
+  line.lab->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the case file>)");
+  line.lab->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.lab
+      ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
+      ->check(CLI::Range(1, 1000));
+  line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
+      ->check(CLI::PositiveNumber);
+  line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+  line.lab->add_flag("--quiet", line.quiet, "No progress");
   line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
   line.info->add_flag("--json", line.json, "Machine-readable");
 }
@@ -89,14 +105,35 @@ int info(const CommandLine& line) {
   return done;
 }
 
+/// The scene of the case, which has a [laboratory] or has none.
+vug::Scene scene_of(const CommandLine& line, bool laboratory) {
+  vug::Scene scene = vug::read_scene(line.case_file, line.overrides);
+  if (laboratory && !scene.laboratory)
+    throw vug::InputError(line.case_file + ": has no table [laboratory]; `vug run` runs it");
+  if (!laboratory && scene.laboratory)
+    throw vug::InputError(line.case_file + ": describes a laboratory test; `vug lab` runs it");
+  return scene;
+}
+
+int lab(const CommandLine& line) {
+  const vug::Scene scene = scene_of(line, true);
+  vug::LaboratoryOptions options;
+  options.directory = line.directory;
+  options.seeds = line.seeds > 0 ? line.seeds : line.fit_cohesion ? 5 : 1;
+  if (line.fit_cohesion) options.fit_strength = 1e6 * *line.fit_cohesion;
+  options.progress = line.quiet ? nullptr : &std::cerr;
+  fmt::print("{}", vug::run_laboratory(scene, options));
+  return done;
+}
+
 int check(const CommandLine& line) {
-  const vug::CheckReport report = vug::check_case(vug::read_scene(line.case_file, line.overrides));
+  const vug::CheckReport report = vug::check_case(scene_of(line, false));
   fmt::print("{}", line.json ? vug::to_json(report) : vug::to_text(report));
   return done;
 }
 
 int run(const CommandLine& line) {
-  const vug::Scene scene = vug::read_scene(line.case_file, line.overrides);
+  const vug::Scene scene = scene_of(line, false);
   vug::RunOptions options;
   options.directory = line.directory;
   options.steps = line.steps;
@@ -124,6 +161,7 @@ int dispatch(const CommandLine& line) {
     flush_subnormals();
     if (*line.info) return info(line);
     if (*line.check) return check(line);
+    if (*line.lab) return lab(line);
     return run(line);
   } catch (const vug::InputError& error) {
     return fail(invalid_input, error.what());

@@ -1,7 +1,9 @@
 #include "coupling/mechanics_module.hpp"
 
 #include "coupling/chemical_damage.hpp"
+#include "coupling/rock_fields.hpp"
 #include "coupling/thermal_exchange.hpp"
+#include "dem/soundness.hpp"
 #include "kernels/momentum_exchange.hpp"
 #include "kernels/require.hpp"
 
@@ -13,18 +15,6 @@
 #include <utility>
 
 namespace vug {
-
-namespace {
-
-// Nothing in rock outruns its own sound.
-constexpr double runaway_speed = 3000;  // m/s
-
-template <class ViewType>
-auto host_copy(const ViewType& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
-}  // namespace
 
 Loads boundary_loads(const Scene& scene) {
   Loads loads;
@@ -124,18 +114,8 @@ void MechanicsModule<T>::births(const Exec& exec, const Births&) {
 
 template <class T>
 void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
-  const RunawayParticle runaway = mechanics_.runaway(exec, runaway_speed);
-  if (runaway.particle >= 0)
-    throw StabilityError(fmt::format(
-        "mechanics diverged at step {}: particle {} moves at {:.3g} m/s; take more sub-steps (mechanics.substeps)",
-        clock.step, runaway.particle, runaway.speed));
-  int lost = 0;
-  Kokkos::deep_copy(lost, Kokkos::subview(mechanics_.contacts().status, contacts_lost));
-  if (lost > 0)
-    throw StabilityError(fmt::format(
-        "mechanics at step {}: the rock has gone to pieces, {} pairs of touching triangles are more than the contact list "
-        "holds",
-        clock.step, lost));
+  if (const std::string wrong = what_is_unsound(exec, mechanics_); !wrong.empty())
+    throw StabilityError(fmt::format("mechanics diverged at step {}: {}", clock.step, wrong));
   if (!section_.substeps) choose_substeps();  // dissolving particles grow lighter
 }
 
@@ -162,29 +142,7 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
 
 template <class T>
 void MechanicsModule<T>::fields(FieldList& list) const {
-  const Particles& particles = mechanics_.particles();
-  const Bonds& bonds = mechanics_.bonds();
-  const auto scalar = [](std::vector<Field>& group, std::string name, std::string unit, auto view) {
-    group.push_back({std::move(name), std::move(unit), 1, [view](std::span<double> out) {
-                       const auto host = host_copy(view);
-                       for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<double>(host(i));
-                     }});
-  };
-  const auto vector = [](std::vector<Field>& group, std::string name, std::string unit, auto view) {
-    group.push_back({std::move(name), std::move(unit), 2, [view](std::span<double> out) {
-                       const auto host = host_copy(view);
-                       for (std::size_t i = 0; i < out.size(); ++i) out[i] = host(i / 2, i % 2);
-                     }});
-  };
-  vector(list.particles, "displacement", "m", particles.u);
-  scalar(list.particles, "rotation", "rad", particles.angle);
-  scalar(list.particles, "temperature_change", "K", particles.temperature_change);
-  scalar(list.particles, "solid_fraction", "1", particles.solid_fraction);
-  vector(list.particles, "force", "N/m", particles.force);
-  scalar(list.bonds, "d_m", "1", bonds.d_m);
-  scalar(list.bonds, "d_c", "1", bonds.d_c);
-  scalar(list.bonds, "state", "1", bonds.state);
-  vector(list.bonds, "stress", "Pa", bonds.stress);
+  add_rock_fields(mechanics_, list);
 }
 
 template <class T>

@@ -1,5 +1,7 @@
 #include "coupling/run.hpp"
 
+#include "coupling/rock_fields.hpp"
+#include "coupling/run_directory.hpp"
 #include "coupling/simulation.hpp"
 #include "io/checkpoint.hpp"
 #include "io/history_writer.hpp"
@@ -15,26 +17,11 @@
 #include <filesystem>
 #include <memory>
 
-#ifndef VUG_COMMIT
-#define VUG_COMMIT "unknown"
-#endif
-
 namespace vug {
 
 std::int64_t last_step(const Scene& scene) {
   if (scene.time.steps) return *scene.time.steps;
   return static_cast<std::int64_t>(std::ceil(*scene.time.end / scene.lattice.time_step - 1e-6));
-}
-
-BuildInfo build_info() {
-  BuildInfo info;
-  info.version = VUG_VERSION;
-  info.commit = VUG_COMMIT;
-  info.compiler = VUG_COMPILER;
-  info.backend = Exec::name();
-  info.threads = Exec().concurrency();
-  info.device = runs_on_host ? fmt::format("host, {} threads", info.threads) : std::string(Exec::name()) + " device";
-  return info;
 }
 
 namespace {
@@ -60,12 +47,7 @@ std::int64_t checkpoint_interval(const Scene& scene) {
 
 std::optional<RockShape> rock_shape(const Parts& parts) {
   if (!parts.mechanics) return std::nullopt;
-  RockShape shape{parts.rock->assembly, {}};
-  const Bonds& bonds = parts.mechanics->bonds();
-  const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.vertex);
-  for (int b = 0; b < bonds.count; ++b) shape.bonds.push_back({{pair(b, 0), pair(b, 1)}, {vertex(b, 0), vertex(b, 1)}});
-  return shape;
+  return shape_of_rock(parts.rock->assembly, parts.mechanics->bonds());
 }
 
 /// Node values at the probes of the case, named for history.csv.
@@ -135,40 +117,13 @@ class RunFiles {
   HistoryWriter history_;
 };
 
-RunRecord first_record(const Scene& scene) {
-  const BuildInfo build = build_info();
-  RunRecord record;
-  record.case_path = scene.path;
-  record.case_text = scene.source_text;
-  record.overrides = scene.overrides;
-  record.version = build.version;
-  record.commit = build.commit;
-  record.compiler = build.compiler;
-  record.backend = build.backend;
-  record.device = build.device;
-  record.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
-  record.threads = build.threads;
-  record.started = utc_now();
-  return record;
-}
-
-void make_directory(const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw FileError(fmt::format("{}: cannot make the run directory: {}", directory, error.message()));
-}
-
-std::string directory_of(const Scene& scene, const RunOptions& options) {
-  return options.directory.empty() ? "runs/" + std::filesystem::path(scene.path).stem().string() : options.directory;
-}
-
 /// One run from its first step to its last.
 class Run {
  public:
   Run(const Scene& scene, const RunOptions& options)
       : scene_(scene),
         options_(options),
-        directory_(directory_of(scene, options)),
+        directory_(run_directory(scene, options.directory)),
         hash_(case_hash(scene.source_text, scene.overrides)),
         last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
         simulation_(scene),

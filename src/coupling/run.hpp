@@ -21,13 +21,6 @@ struct RunOptions {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
-/// What a program says of itself; written to run.json and printed by `vug info`.
-struct BuildInfo {
-  std::string version, commit, compiler, backend, device;
-  int threads = 1;
-};
-BuildInfo build_info();
-
 /// How a run ended.
 enum class RunEnd { done, interrupted };
 

@@ -13,6 +13,7 @@ namespace {
 struct PointStress {
   double normal = 0;
   double tangential = 0;
+  double slip = 0;  ///< of a crack: where its slider stands afterwards, m
 };
 
 /// What both kernels of a bond need, and the way in which they leave forces.
@@ -84,23 +85,28 @@ struct CohesiveForces {
     const BondParameters& law = model.law;
     const double viscous = law.damping * (1 - d_c);
     return {normal_integrity(d_m, o.delta_n) * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
-            (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t)};
+            (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t), 0};
   }
 
   /// Stored energy that new damage releases, and what viscosity takes; nothing for a bond that failed before.
-  KOKKOS_FORCEINLINE_FUNCTION void keep_account(int k, const BondPoint& material, double d_c, const double (&damage)[2],
-                                                const PointOpening (&opening)[2]) const {
-    const BondParameters& law = model.law;
-    const double holds = model.bonds.point_damage(k, 0) + model.bonds.point_damage(k, 1) < 2 ? 1 : 0;
+  KOKKOS_FORCEINLINE_FUNCTION void keep_account(int k, const BondPoint& material, const double (&damage)[2],
+                                                const PointOpening (&opening)[2],
+                                                const PointStress (&stress)[2]) const {
+    if (has_failed(model.bonds.state(k))) return;
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
     double fracture = 0, viscous = 0;
     for (int s = 0; s < 2; ++s) {
-      const PointOpening& o = opening[s];
-      fracture += (damage[s] - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, o.delta_t);
-      viscous += normal_integrity(damage[s], o.delta_n) * law.normal_modulus * o.rate_n * o.rate_n +
-                 (1 - damage[s]) * law.tangential_modulus * o.rate_t * o.rate_t;
+      const PointOpening &o = opening[s], &b = before.opening[s];
+      fracture += (damage[s] - model.bonds.point_damage(k, s)) *
+                  undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
+      const double drag_n = stress[s].normal - normal_integrity(damage[s], o.delta_n) * material.k_n * o.delta_n;
+      const double drag_t = stress[s].tangential - (1 - damage[s]) * material.k_t * o.delta_t;
+      viscous +=
+          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
+      accounts.keep_drag(k, s, drag_n, drag_t);
     }
     const double width = 0.5 * model.bonds.length(k);
-    accounts.add_bond(k, width * fracture, 0, holds * model.dt * width * law.damping * (1 - d_c) * viscous);
+    accounts.add_bond(k, width * fracture, 0, 0.5 * model.dt * width * viscous);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
@@ -112,7 +118,7 @@ struct CohesiveForces {
                               damage_of(k, 1, material, motion.opening[1])};
     const PointStress stress[2] = {stress_of(material, damage[0], d_c, motion.opening[0]),
                                    stress_of(material, damage[1], d_c, motion.opening[1])};
-    if constexpr (Keeper::kept) keep_account(k, material, d_c, damage, motion.opening);
+    if constexpr (Keeper::kept) keep_account(k, material, damage, motion.opening, stress);
     bonds.point_damage(k, 0) = damage[0];
     bonds.point_damage(k, 1) = damage[1];
     bonds.d_m(k) = 0.5 * (damage[0] + damage[1]);
@@ -137,18 +143,30 @@ struct BondFailure {
 
   /// The sliders of the new crack stand where its faces are.
   KOKKOS_FUNCTION void fail(int k, const BondMotion& motion) const {
-    const BondPoint material = model.material(k, model.chemical_damage(k));
-    double released = 0;
+    if constexpr (Keeper::kept) close_account(k, motion);
     for (int s = 0; s < 2; ++s) {
-      const PointOpening& o = motion.opening[s];
-      released += (1 - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, o.delta_t);
       model.bonds.point_damage(k, s) = 1;
       model.bonds.slip(k, s) = motion.opening[s].delta_t;
     }
-    accounts.add_bond(k, 0.5 * model.bonds.length(k) * released, 0, 0);
     model.bonds.d_m(k) = 1;
     Kokkos::atomic_store(&model.bonds.events(bond_has_failed), 1);
     Kokkos::atomic_store(&model.bonds.events(cracks_have_changed), 1);
+  }
+
+  /// Releases what a dissolved bond still holds, and takes back the viscosity of this step: a crack has none.
+  KOKKOS_FUNCTION void close_account(int k, const BondMotion& motion) const {
+    const BondPoint material = model.material(k, model.chemical_damage(k));
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
+    double released = 0, viscous = 0;
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening &o = motion.opening[s], &b = before.opening[s];
+      released +=
+          (1 - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
+      viscous += accounts.drag_before(k, s, 0) * o.rate_n + accounts.drag_before(k, s, 1) * o.rate_t;
+      accounts.keep_drag(k, s, 0, 0);
+    }
+    const double width = 0.5 * model.bonds.length(k);
+    accounts.add_bond(k, width * released, 0, -0.5 * model.dt * width * viscous);
   }
 
   KOKKOS_FUNCTION BondState settled(int k, BondState state, const BondMotion& motion) const {
@@ -178,16 +196,28 @@ struct BondFailure {
     const ContactPoint joint{point.k_n, point.k_t, c.normal_damping / width, c.tangential_damping / width, c.friction};
     const ContactReaction reaction =
         contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, model.bonds.slip(k, s));
-    if constexpr (Keeper::kept) {
-      const double slide = reaction.slip - model.bonds.slip(k, s);
-      const double stretch = slide - model.dt * o.rate_t;  // before this step; an opening crack lets it go
-      const double slid =
-          o.delta_n < 0 ? Kokkos::abs(reaction.tangential * slide) : 0.5 * point.k_t * stretch * stretch;
-      const double damped = -model.dt * (reaction.normal - at_least(0, -point.k_n * o.delta_n)) * o.rate_n;
-      accounts.add_bond(k, 0, width * slid, width * damped);
+    return {-reaction.normal, -reaction.tangential, reaction.slip};
+  }
+
+  /// What slider and dashpots of a crack take; `fresh` when it was a bond before this step. The stretch that a crack
+  /// loses when it opens counts as friction.
+  KOKKOS_FUNCTION void keep_account(int k, const BondPoint& point, const BondMotion& motion,
+                                    const PointStress (&stress)[2], bool fresh) const {
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
+    double friction = 0, damped = 0;
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening &o = motion.opening[s], &b = before.opening[s];
+      const double slip = stress[s].slip, slip_before = model.bonds.slip(k, s);
+      const double stretch = o.delta_t - slip, stretch_before = fresh ? 0 : b.delta_t - slip_before;
+      friction += 0.5 * point.k_t * (stretch_before * (o.delta_t - slip_before) + stretch * (slip - b.delta_t));
+      const double drag_n = stress[s].normal - point.k_n * at_most(0, o.delta_n);
+      const double drag_t = stress[s].tangential - point.k_t * stretch;
+      damped +=
+          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
+      accounts.keep_drag(k, s, drag_n, drag_t);
     }
-    model.bonds.slip(k, s) = reaction.slip;
-    return {-reaction.normal, -reaction.tangential};
+    const double width = 0.5 * model.bonds.length(k);
+    accounts.add_bond(k, 0, width * friction, 0.5 * model.dt * width * damped);
   }
 
   KOKKOS_FUNCTION void operator()(int k) const {
@@ -195,7 +225,8 @@ struct BondFailure {
     const bool quiet = model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
     if (!has_failed(state) && quiet) return;
     const BondMotion motion = motion_of_bond(model.particles, model.bonds, model.expansion, k);
-    if (!has_failed(state)) {
+    const bool fresh = !has_failed(state);
+    if (fresh) {
       state = settled(k, state, motion);
       model.bonds.state(k) = state;
     }
@@ -204,6 +235,8 @@ struct BondFailure {
     if (faces_meet(k, motion.opening)) {
       const BondPoint point = model.material(k, model.chemical_damage(k));
       for (int s = 0; s < 2; ++s) stress[s] = crack_stress(k, s, point, motion.opening[s]);
+      if constexpr (Keeper::kept) keep_account(k, point, motion, stress, fresh);
+      for (int s = 0; s < 2; ++s) model.bonds.slip(k, s) = stress[s].slip;
     }
     model.store(k, motion, stress);
   }

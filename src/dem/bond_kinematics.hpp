@@ -27,6 +27,14 @@ KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_of(const Particles& p, double expan
           thermal_scale(expansion, p.temperature_change(i))};
 }
 
+/// The same one step of dt earlier: where it was when its velocity began to be that of now.
+KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_before(const Particles& p, double expansion, double dt, int i) {
+  EndMotion m = motion_of(p, expansion, i);
+  m.u = m.u - dt * m.v;
+  m.rotation = Rotation::by(p.angle(i) - dt * m.spin);
+  return m;
+}
+
 /// Normal and tangent of a bond now: the mean of the edge's directions as its two ends have turned it.
 struct BondFrame {
   double n_x, n_y;
@@ -81,6 +89,14 @@ KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const Particles& particles
                                                       int k) {
   const EndMotion a = motion_of(particles, expansion, bonds.pair(k, 0));
   const EndMotion b = motion_of(particles, expansion, bonds.pair(k, 1));
+  return motion_of_bond(a, b, bonds, k);
+}
+
+/// One step of dt earlier.
+KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond_before(const Particles& particles, const Bonds& bonds,
+                                                             double expansion, double dt, int k) {
+  const EndMotion a = motion_before(particles, expansion, dt, bonds.pair(k, 0));
+  const EndMotion b = motion_before(particles, expansion, dt, bonds.pair(k, 1));
   return motion_of_bond(a, b, bonds, k);
 }
 

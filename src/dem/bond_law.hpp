@@ -80,10 +80,11 @@ KOKKOS_FORCEINLINE_FUNCTION bool onset_in_tension(const BondPoint& p, double del
          p.k_t * Kokkos::abs(delta_t) * at_least(smallest, p.sigma_n);
 }
 
-/// Energy per area that damage can release at this opening, J/m2; closing is not degraded and releases nothing.
-KOKKOS_FORCEINLINE_FUNCTION constexpr double undamaged_energy(const BondPoint& p, double delta_n, double delta_t) {
-  const double opening = at_least(0, delta_n);
-  return 0.5 * (p.k_n * opening * opening + p.k_t * delta_t * delta_t);
+/// Energy per area that damage can release between the openings of two moments, J/m2: k delta delta' / 2, the form that
+/// the leapfrog keeps (accounts.hpp); closing is not degraded and releases nothing.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double undamaged_energy(const BondPoint& p, double delta_n, double delta_n_before,
+                                                              double delta_t, double delta_t_before) {
+  return 0.5 * (p.k_n * at_least(0, delta_n) * at_least(0, delta_n_before) + p.k_t * delta_t * delta_t_before);
 }
 
 /// Share of the stiffness that damage leaves: all of it in compression, 1 - d_m in tension (Eq. 12).

@@ -57,13 +57,14 @@ struct ContactForces {
     const Vec2 rate = a.v + spin_times(a.spin, at - a.centre) - b.v - spin_times(b.spin, at - b.centre);
     const ContactPoint point{law.normal_stiffness, law.tangential_stiffness, law.normal_damping, law.tangential_damping,
                              law.friction};
-    const double offset = stretch + dt * dot(rate, t);
-    const ContactReaction reaction =
-        contact_reaction(point, 2 * particles.radius - where.distance, -dot(rate, n), offset, dot(rate, t), 0);
-    stretch = offset - reaction.slip;
+    const double rate_t = dot(rate, t), before = stretch, offset = before + dt * rate_t;
     const double overlap = 2 * particles.radius - where.distance;
-    energy.stored += 0.5 * (law.normal_stiffness * overlap * overlap + law.tangential_stiffness * stretch * stretch);
-    energy.friction += Kokkos::abs(reaction.tangential * reaction.slip);
+    const ContactReaction reaction = contact_reaction(point, overlap, -dot(rate, n), offset, rate_t, 0);
+    stretch = offset - reaction.slip;
+    // in the leapfrog's form (accounts.hpp), the next overlap and stretch by the present rates
+    energy.stored += 0.5 * (law.normal_stiffness * overlap * (overlap - dt * dot(rate, n)) +
+                            law.tangential_stiffness * stretch * (stretch + dt * rate_t));
+    energy.friction += 0.5 * law.tangential_stiffness * (before + stretch) * reaction.slip;
     energy.damping -= dt * (reaction.normal - law.normal_stiffness * overlap) * dot(rate, n);
     const Vec2 f = reaction.normal * n + reaction.tangential * t;
     force_on_a = force_on_a + f;

@@ -21,39 +21,50 @@ struct KineticEnergy {
   }
 };
 
-/// (1 - d) (k_n delta_n^2 + k_t delta_t^2) / 2 over the edge of one bond; for a crack its compression and the stretch
-/// of its friction spring.
+/// (1 - d) (k_n delta_n delta_n' + k_t delta_t delta_t') / 2 over the edge of one bond, delta at the time of the last
+/// forces, delta' one step later; for a crack its compression and the stretch of its friction spring.
 struct ElasticEnergy {
   BondParameters law;
   double failure_at;
   double expansion;
-  double half_step;
+  double dt;
   Particles particles;
   Bonds bonds;
 
-  /// Where particle i was when its velocity was that of now.
-  KOKKOS_FUNCTION EndMotion earlier(int i) const {
-    EndMotion m = motion_of(particles, expansion, i);
-    m.u = m.u - half_step * m.v;
-    m.rotation = Rotation::by(particles.angle(i) - half_step * m.spin);
-    return m;
-  }
-
   KOKKOS_FUNCTION double operator()(int k) const {
-    const EndMotion a = earlier(bonds.pair(k, 0)), b = earlier(bonds.pair(k, 1));
-    const auto [frame, opening] = motion_of_bond(a, b, bonds, k);
+    if (bonds.joint(k) == 0) return 0;
+    const BondMotion now = motion_of_bond(particles, bonds, expansion, k);
+    const BondMotion before = motion_of_bond_before(particles, bonds, expansion, dt, k);
     const double d_c = Kokkos::min(bonds.d_c(k), failure_at);
     const double length = law.length_factor * bonds.spacing(k);
     const bool failed = has_failed(bonds.state(k));
-    if (bonds.joint(k) == 0) return 0;
     double sum = 0;
     for (int s = 0; s < 2; ++s) {
-      const double d_m = bonds.point_damage(k, s), n = opening[s].delta_n;
-      const double stretch = failed ? (n < 0 ? opening[s].delta_t - bonds.slip(k, s) : 0) : opening[s].delta_t;
-      sum += normal_integrity(d_m, n) * law.normal_modulus * n * n +
-             (failed ? 1 : 1 - d_m) * law.tangential_modulus * stretch * stretch;
+      const PointOpening &o = now.opening[s], &b = before.opening[s];
+      const double d_m = bonds.point_damage(k, s);
+      const double slip = failed ? bonds.slip(k, s) : 0;
+      const double held = !failed ? 1 - d_m : b.delta_n < 0 ? 1 : 0;
+      sum += normal_integrity(d_m, b.delta_n) * law.normal_modulus * b.delta_n * o.delta_n +
+             held * law.tangential_modulus * (b.delta_t - slip) * (o.delta_t - slip);
     }
     return 0.25 * bonds.length(k) * (1 - d_c) / length * sum;
+  }
+};
+
+/// The half step of dashpot work that the sums do not hold yet.
+struct PendingDrag {
+  double expansion;
+  double dt;
+  Particles particles;
+  Bonds bonds;
+  Accounts accounts;
+  KOKKOS_FUNCTION double operator()(int k) const {
+    const BondMotion now = motion_of_bond(particles, bonds, expansion, k);
+    double power = 0;
+    for (int s = 0; s < 2; ++s)
+      power +=
+          accounts.drag_before(k, s, 0) * now.opening[s].rate_n + accounts.drag_before(k, s, 1) * now.opening[s].rate_t;
+    return 0.25 * dt * bonds.length(k) * power;
   }
 };
 
@@ -80,10 +91,15 @@ Accounts make_accounts(const Particles& particles, const Bonds& bonds) {
   const auto fresh = [](const char* label, int n) {
     return ScalarField<double>(std::string("vug::dem::account_") + label, static_cast<std::size_t>(n));
   };
-  return {fresh("fracture", bonds.count),         fresh("friction", bonds.count),
-          fresh("damping", bonds.count),          fresh("pair_friction", particles.count),
-          fresh("pair_damping", particles.count), fresh("work", particles.count),
-          fresh("local_damping", particles.count)};
+  return {
+      Kokkos::View<double* [4], Kokkos::LayoutLeft>("vug::dem::account_drag", static_cast<std::size_t>(bonds.count)),
+      fresh("fracture", bonds.count),
+      fresh("friction", bonds.count),
+      fresh("damping", bonds.count),
+      fresh("pair_friction", particles.count),
+      fresh("pair_damping", particles.count),
+      fresh("work", particles.count),
+      fresh("local_damping", particles.count)};
 }
 
 void reset(const Exec& exec, const Accounts& a) {
@@ -91,6 +107,7 @@ void reset(const Exec& exec, const Accounts& a) {
                               a.particle_work, a.particle_damping}) {
     Kokkos::deep_copy(exec, account, 0.0);
   }
+  Kokkos::deep_copy(exec, a.bond_drag, 0.0);
 }
 
 Energies measure_energies(const Exec& exec, const MechanicsParameters& parameters, double dt,
@@ -100,15 +117,17 @@ Energies measure_energies(const Exec& exec, const MechanicsParameters& parameter
   e.kinetic =
       total(exec, "vug::dem::kinetic_energy", particles.count, KineticEnergy{parameters.mass_scaling, particles});
   e.elastic = total(exec, "vug::dem::elastic_energy", bonds.count,
-                    ElasticEnergy{parameters.bond, parameters.chemical.failure_at, parameters.thermal_expansion,
-                                  0.5 * dt, particles, bonds}) +
+                    ElasticEnergy{parameters.bond, parameters.chemical.failure_at, parameters.thermal_expansion, dt,
+                                  particles, bonds}) +
               total(exec, contacts.energy);
   if (accounts) {
     e.work = total(exec, accounts->particle_work);
     e.fracture = total(exec, accounts->bond_fracture);
     e.friction = total(exec, accounts->bond_friction) + total(exec, accounts->pair_friction);
     e.damping = total(exec, accounts->bond_damping) + total(exec, accounts->pair_damping) +
-                total(exec, accounts->particle_damping);
+                total(exec, accounts->particle_damping) +
+                total(exec, "vug::dem::pending_drag", bonds.count,
+                      PendingDrag{parameters.thermal_expansion, dt, particles, bonds, *accounts});
   }
   return e;
 }

@@ -19,7 +19,8 @@ struct Energies {
   double friction = 0;
   double damping = 0;  ///< viscosity of bonds, dashpots of contacts, local damping
 
-  /// What is missing; second order in the time step. Heating and dissolution at constant opening count here as well.
+  /// What is missing: nothing while cracks neither open nor close (accounts.hpp), else second order in the time step.
+  /// Heating and dissolution at constant opening count here as well.
   double imbalance() const { return initial + work - kinetic - elastic - fracture - friction - damping; }
 };
 
@@ -27,7 +28,8 @@ struct Energies {
 Accounts make_accounts(const Particles& particles, const Bonds& bonds);
 void reset(const Exec& exec, const Accounts& accounts);
 
-/// Adds everything up half a step before the displacements, where the velocities are: not for use inside a step.
+/// Adds everything up half a step before the displacements, where the velocities are, dt being the last step: not for
+/// use inside a step.
 Energies measure_energies(const Exec& exec, const MechanicsParameters& parameters, double dt,
                           const Particles& particles, const Bonds& bonds, const Contacts& contacts,
                           const std::optional<Accounts>& accounts);

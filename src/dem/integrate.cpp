@@ -65,8 +65,9 @@ struct Integrate {
     p.reaction(i, axis) = held ? -force : 0.0;
     if constexpr (Keeper::kept) {
       const double jerk = 0.5 * (w * w - v * v) / inverse_mass;  // of a platen that changes its speed
-      accounts.add_particle(i, held ? control.dt * (given - force) * w + jerk : control.dt * given * 0.5 * (v + w),
-                            held ? 0 : damped(v, w, force));
+      accounts.add_particle(
+          i, held ? control.dt * (given - force) * 0.5 * (v + w) + jerk : control.dt * given * 0.5 * (v + w),
+          held ? 0 : damped(v, w, force));
     }
   }
 

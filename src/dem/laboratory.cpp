@@ -1,5 +1,6 @@
 #include "dem/laboratory.hpp"
 
+#include "dem/soundness.hpp"
 #include "kernels/require.hpp"
 
 #include <algorithm>
@@ -84,11 +85,12 @@ double held_height(const Mechanics& rock, RockSide side) {
   return sum / n;
 }
 
-Loads platens(double speed) {
+Loads press(const PlatenTest& test) {
   Loads loads;
   loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
   loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -speed};
+  loads.traction[static_cast<std::size_t>(RockSide::right)] = {-test.confinement, 0};
+  loads.traction[static_cast<std::size_t>(RockSide::left)] = {test.confinement, 0};
   return loads;
 }
 
@@ -98,6 +100,13 @@ void start_uniform_straining(const Particles& p, double low, double high, double
   const auto v = Kokkos::create_mirror_view(p.v);
   for (int i = 0; i < p.count; ++i) v(i, 1) = -speed * (x0(i, 1) - low) / (high - low);
   Kokkos::deep_copy(p.v, v);
+}
+
+void require_consistent(const PlatenTest& test) {
+  if ((test.speed == 0) == (test.heating_rate == 0))
+    throw InputError("laboratory: a specimen is strained either by the platens' speed or by its heating rate");
+  if (test.specimen == Specimen::disc && (test.confinement != 0 || test.heating_rate != 0 || test.speed < 0))
+    throw InputError("laboratory: a disc is compressed, without confinement or heating");
 }
 
 /// Slope of y over x by least squares on samples whose stress lies between 20 and 50 % of the peak before it.
@@ -114,53 +123,77 @@ double chord(const std::vector<double>& x, const std::vector<double>& y, const s
 
 }  // namespace
 
-PlatenResult load_between_platens(const Exec& exec, const Assembly& block, const MechanicsParameters& parameters,
-                                  const PlatenTest& test) {
-  const Extent extent = extent_of(block);
-  Mechanics rock(block, parameters, platens(test.speed));
+PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, const MechanicsParameters& parameters,
+                                  const PlatenTest& test, const LaboratoryWatch& watch) {
+  require_consistent(test);
+  const Extent extent = extent_of(specimen);
+  Mechanics rock(specimen, parameters, press(test));
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
+  if (test.confinement != 0) rock.preload(exec, test.confining_time);
   const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);
-  const double sign = test.speed > 0 ? 1 : -1, rate = std::abs(test.speed) / (high - low);
+  const double sign = test.speed < 0 ? -1 : 1;
+  const double rate = std::abs(test.speed) / (high - low) + std::abs(parameters.thermal_expansion * test.heating_rate);
+  rock.set_platen_velocity(RockSide::top, {0, -test.speed});
   start_uniform_straining(rock.particles(), low, high, test.speed);
+  rock.reset_ledger(exec);
+  const bool block = test.specimen == Specimen::block;
+  const double area = block ? extent.width() : 0.5 * Kokkos::numbers::pi * extent.width();
   const Gauge axial = axial_gauge(rock.particles(), extent), lateral = lateral_gauge(rock.particles(), extent);
+  const double axial_start = axial.strain(rock.particles()), lateral_start = lateral.strain(rock.particles());
   PlatenResult result;
   result.time_step = test.step_fraction * rock.critical_step();
   const int stride = std::max(1, static_cast<int>(test.sample_strain / (rate * result.time_step)));
   std::vector<double> axial_strain, lateral_strain;
   while (true) {
+    if (test.heating_rate != 0)
+      Kokkos::deep_copy(exec, rock.particles().temperature_change,
+                        test.heating_rate * (rock.time() + stride * result.time_step));
     rock.advance(exec, result.time_step, stride);
-    exec.fence("vug::dem::laboratory");
+    require_sound(exec, rock);
     result.steps += stride;
     const double force = 0.5 * (rock.reaction(RockSide::bottom).y - rock.reaction(RockSide::top).y);
     result.strain.push_back(rate * rock.time());
-    result.stress.push_back(sign * force / extent.width());
-    axial_strain.push_back(-sign * axial.strain(rock.particles()));
-    lateral_strain.push_back(sign * lateral.strain(rock.particles()));
+    result.stress.push_back(sign * force / area);
+    axial_strain.push_back(-sign * (axial.strain(rock.particles()) - axial_start));
+    lateral_strain.push_back(sign * (lateral.strain(rock.particles()) - lateral_start));
+    const BondCounts bonds = rock.bond_counts();
     if (result.stress.back() > result.strength) {
       result.strength = result.stress.back();
       result.peak_strain = result.strain.back();
-      result.bonds_at_peak = rock.bond_counts();
+      result.bonds_at_peak = bonds;
     }
-    const bool broken = result.bonds_at_peak.failed() + rock.bond_counts().failed() > 0 &&
-                        result.stress.back() < test.stop_below * result.strength;
-    if (broken || result.strain.back() > test.largest_strain) break;
+    const bool broken = bonds.failed() > 0 && result.stress.back() < test.stop_below * result.strength;
+    const bool last = broken || result.strain.back() >= test.largest_strain;
+    if (watch) watch(rock, result, last);
+    if (last) break;
   }
   result.bonds_at_end = rock.bond_counts();
-  result.modulus = chord(axial_strain, result.stress, result.stress, result.strength);
-  result.poisson = chord(axial_strain, lateral_strain, result.stress, result.strength);
+  result.energies = rock.energies(exec);
+  if (block && test.heating_rate == 0) {
+    result.modulus = chord(axial_strain, result.stress, result.stress, result.strength);
+    result.poisson = chord(axial_strain, lateral_strain, result.stress, result.strength);
+  }
   return result;
 }
 
-double fit_cohesion(const Exec& exec, const Assembly& block, MechanicsParameters parameters, const PlatenTest& test,
-                    double strength, int seeds, double tolerance) {
+CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
+                         const PlatenTest& test, double strength, int seeds, double tolerance) {
+  constexpr int most_rounds = 10;
   const std::uint64_t first = parameters.bond.seed;
-  for (int round = 0; round < 10; ++round) {
-    double mean = 0;
+  CohesionFit fit;
+  while (fit.rounds < most_rounds) {
+    ++fit.rounds;
+    double sum = 0, squares = 0;
     for (int s = 0; s < seeds; ++s) {
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
-      mean += load_between_platens(exec, block, parameters, test).strength / seeds;
+      const double one = load_between_platens(exec, specimen, parameters, test).strength;
+      sum += one;
+      squares += one * one;
     }
-    if (std::abs(mean / strength - 1) <= tolerance) return parameters.bond.cohesion;
+    const double mean = sum / seeds;
+    fit.strength = {mean, seeds > 1 ? std::sqrt(std::max(0.0, squares - seeds * mean * mean) / (seeds - 1)) : 0};
+    fit.cohesion = parameters.bond.cohesion;
+    if (std::abs(mean / strength - 1) <= tolerance) return fit;
     parameters.bond.cohesion *= strength / mean;
   }
   throw InputError("laboratory: no cohesion found that gives a strength of " + std::to_string(strength) +

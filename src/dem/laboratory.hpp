@@ -1,43 +1,77 @@
 #pragma once
-// The virtual laboratory: loading tests on a block or a disc of bonded triangles, as in paper section 3.5.2.
+// The virtual laboratory: a block or a disc of bonded triangles between two platens, as in paper section 3.5.2.
 #include "dem/mechanics.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace vug {
 
-/// A test between two rigid frictionless platens along y.
-struct PlatenTest {
-  double speed = 0.5;            ///< of the upper platen, m/s; positive compresses, negative pulls
-  double largest_strain = 0.02;  ///< where the test ends at the latest
-  double stop_below = 0.6;       ///< ends when the stress has fallen to this share of its peak
-  double step_fraction = 0.3;    ///< time step over the critical one
-  double sample_strain = 1e-5;   ///< between two points of the curve
-  double chemical_damage = 0;    ///< d_c of all bonds, as after soaking in acid
+/// What stands between the platens.
+enum class Specimen {
+  block,  ///< stress = force over width
+  disc,   ///< with flats where the platens stand: stress = 2 F / (pi D), the splitting stress of the Brazilian test
 };
 
-/// What the press records; compression positive in a compression test, tension positive in a tension test.
+/// A test between two rigid frictionless platens along y. The specimen is strained by the platens (compression,
+/// tension, Brazilian disc) or by its own heat between platens that stand still.
+struct PlatenTest {
+  Specimen specimen = Specimen::block;
+  double speed = 0.5;       ///< of the upper platen, m/s; positive compresses, negative pulls
+  double heating_rate = 0;  ///< of the whole specimen, K/s; needs speed = 0
+  /// Pressure on the flanks of a block, Pa: the dead load of a membrane, put on before the test with the platens
+  /// standing still, and then constant to the bit.
+  double confinement = 0;
+  double confining_time = 150e-6;  ///< s over which it is raised
+  double largest_strain = 0.02;    ///< where the test ends at the latest
+  double stop_below = 0.6;         ///< ends when the stress has fallen to this share of its peak
+  double step_fraction = 0.3;      ///< time step over the critical one
+  double sample_strain = 1e-5;     ///< between two points of the curve
+  double chemical_damage = 0;      ///< d_c of all bonds, as after soaking in acid
+};
+
+/// What the press records. Stress and strain count positive in the sense in which the platens load: compression in a
+/// compression test, a Brazilian test and when heated, tension in a tension test.
 struct PlatenResult {
-  std::vector<double> strain;  ///< of the platens over the distance of the held centroids
-  std::vector<double> stress;  ///< mean force of the two platens over the width, Pa
-  double modulus = 0;          ///< chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa
+  std::vector<double> strain;  ///< of the platens over the distance of the held centroids, or alpha dT
+  std::vector<double> stress;  ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
+  double modulus = 0;          ///< of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa
   double poisson = 0;          ///< from gauges at the flanks, the same chord
   double strength = 0;         ///< largest stress, Pa
   double peak_strain = 0;      ///< strain there
   BondCounts bonds_at_peak;
   BondCounts bonds_at_end;
+  Energies energies;     ///< at the end; with parameters.energy_ledger
   double time_step = 0;  ///< s
   long steps = 0;
 };
 
-/// Strains a block of width × height whose lower left corner is the origin until it breaks.
-PlatenResult load_between_platens(const Exec& exec, const Assembly& block, const MechanicsParameters& parameters,
-                                  const PlatenTest& test);
+/// Called after every point of the curve with the rock and the result so far (moduli come at the end), and whether it
+/// is the last one; may write pictures, may change nothing.
+using LaboratoryWatch = std::function<void(const Mechanics&, const PlatenResult&, bool last)>;
 
-/// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`. Strength is nearly
-/// proportional to cohesion, so c <- c strength / mean converges in a few rounds; ends when the mean is within
-/// `tolerance` (relative). Throws InputError when ten rounds are not enough.
-double fit_cohesion(const Exec& exec, const Assembly& block, MechanicsParameters parameters, const PlatenTest& test,
-                    double strength, int seeds, double tolerance);
+/// Strains a specimen until it breaks. Throws StabilityError when the motion is no longer finite, InputError for a
+/// test that contradicts itself.
+PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, const MechanicsParameters& parameters,
+                                  const PlatenTest& test, const LaboratoryWatch& watch = {});
+
+/// Strengths over several seeds of the bonds' scatter.
+struct StrengthSample {
+  double mean = 0;       ///< Pa
+  double deviation = 0;  ///< of a single specimen (n - 1), Pa
+};
+
+/// What a search for the cohesion has found.
+struct CohesionFit {
+  double cohesion = 0;  ///< Pa
+  StrengthSample strength;
+  int rounds = 0;
+};
+
+/// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`, to `tolerance` (relative).
+/// Strength is nearly proportional to cohesion, so c <- c strength / mean converges in a few rounds. Throws InputError
+/// when ten are not enough.
+CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
+                         const PlatenTest& test, double strength, int seeds, double tolerance);
 
 }  // namespace vug

@@ -9,8 +9,11 @@ namespace vug {
 
 void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("case"); table.given()) read_case(table, scene);
-  scene.lattice = read_lattice(root.table("lattice"));
-  scene.time = read_time(root.table("time"));
+  const auto laboratory = root.table("laboratory");
+  if (!laboratory.given() || root.describing()) {  // a test of rock alone has neither
+    scene.lattice = read_lattice(root.table("lattice"));
+    scene.time = read_time(root.table("time"));
+  }
   if (const auto table = root.table("geometry"); table.given()) scene.geometry = read_geometry(table);
   if (const auto table = root.table("rock"); table.given()) scene.rock = read_rock(table);
   if (const auto table = root.table("flow"); table.given()) scene.flow = read_flow(table);
@@ -22,6 +25,7 @@ void read_tables(const TomlCursor& root, Scene& scene) {
     ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
     scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
   }
+  if (laboratory.given()) scene.laboratory = read_laboratory(laboratory, scene.rock && scene.rock->mesh);
   const auto boundary = root.table("boundary");
   scene.left = read_boundary(boundary.table("left", "<side>"));
   if (!root.describing()) {
@@ -53,6 +57,12 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
   scene.source_text = text;
   scene.overrides = overrides;
   read_tables(TomlCursor(document), scene);
+  if (scene.laboratory) {
+    if (!scene.mechanics) scene.mechanics.emplace();
+    check_laboratory(document, scene);
+    check_files(document, scene);
+    return scene;
+  }
   check_modules(document, scene);
   check_species(document, scene);
   check_places(document, scene);

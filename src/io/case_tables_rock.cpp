@@ -1,4 +1,5 @@
 // [rock], [mechanics], [damage]: the assembly of triangles, how it moves and how it breaks.
+#include "dem/paper_reading.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 namespace vug {
 namespace {
 
-/// Internal cohesion that gives the measured uniaxial strength of 91.1 MPa; Table 1 as printed gives about 146 MPa.
+/// Internal cohesion that gives the measured uniaxial strength of 91.1 MPa; Table 1 as printed gives about 137 MPa.
 constexpr double calibrated_cohesion = 60e6;
 
 Notch read_notch(const TomlCursor& table) {
@@ -80,11 +81,19 @@ RockSection read_rock(const TomlCursor& table) {
 MechanicsSection read_mechanics(const TomlCursor& table) {
   MechanicsSection mechanics;
   MechanicsParameters& parameters = mechanics.parameters;
-  bool calibrated = false;
-  table.choose("profile", calibrated, {{"paper-literal", false}, {"calibrated", true}});
-  if (calibrated) {
+  enum class Profile { paper_literal, calibrated, weibull_scale };
+  Profile profile = Profile::paper_literal;
+  table.choose("profile", profile,
+               {{"paper-literal", Profile::paper_literal},
+                {"calibrated", Profile::calibrated},
+                {"weibull-scale", Profile::weibull_scale}});
+  if (profile == Profile::calibrated) {
     mechanics.profile = "calibrated";
     parameters.bond.cohesion = calibrated_cohesion;
+  }
+  if (profile == Profile::weibull_scale) {
+    mechanics.profile = "weibull-scale";
+    parameters = weibull_scale_reading(parameters);
   }
   table.read("density", parameters.density, unit::kilogram_per_cubic_metre, range::positive);
   table.read("thermal_expansion", parameters.thermal_expansion, unit::per_kelvin, range::between(0, 1e-2));

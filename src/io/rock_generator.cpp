@@ -12,6 +12,7 @@
 #include <cmath>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace vug {
 
@@ -34,11 +35,20 @@ struct Mesher {
 
   Mesher(Point length_, const RockSection& rock)
       : length(length_), grid(length_), size(length_, rock), outline(detail::rock_outline(length_, rock, size)) {}
+  Mesher(detail::DiscOutline disc, const RockSection& rock)
+      : length(disc.length), grid(length), size(length, rock), outline(std::move(disc.outline)) {}
 
   bool in_hole(Point p) const { return outline.hole && outline.hole->contains(p, 0); }
+  bool in_disc(Point p) const {
+    return std::all_of(outline.edges.begin(), outline.edges.end(), [&](const Outline::Edge& edge) {
+      const Point &a = outline.points[edge.a], &b = outline.points[edge.b];
+      return (b[0] - a[0]) * (p[1] - a[1]) > (b[1] - a[1]) * (p[0] - a[0]);
+    });
+  }
+  bool is_corner(int point) const { return outline.round && point < 4; }
   bool in_rock(Point p) const {
     return p[0] > 0 && p[1] > 0 && p[0] < length[0] && p[1] < length[1] &&
-           !(outline.hole && outline.hole->contains(p, 1e-9 * length[0]));
+           !(outline.hole && outline.hole->contains(p, 1e-9 * length[0])) && (!outline.round || in_disc(p));
   }
   // The discs over the edges of the outline stay empty, which makes those edges Delaunay.
   detail::KeepOut edge_discs(double factor) const;
@@ -95,7 +105,7 @@ Assembly Mesher::assemble(const std::vector<Point>& points, const Triangles& tri
   for (const auto& t : triangles) {
     const Point centre{(points[t[0]][0] + points[t[1]][0] + points[t[2]][0]) / 3,
                        (points[t[0]][1] + points[t[1]][1] + points[t[2]][1]) / 3};
-    if (in_hole(centre)) continue;
+    if (in_hole(centre) || std::any_of(t.begin(), t.end(), [this](int p) { return is_corner(p); })) continue;
     kept.push_back(t);
     used.insert(t.begin(), t.end());
   }
@@ -132,15 +142,7 @@ bool contains_outline(const Outline& outline, const Triangles& triangles) {
   });
 }
 
-}  // namespace
-
-Assembly generate_rock(double length_x, double length_y, const RockSection& rock) {
-  if (!(rock.element_size > 0) || !(rock.grading >= 1))
-    throw InputError("rock: element_size must be positive and grading at least 1");
-  if (!(rock.element_size < 0.5 * std::min(length_x, length_y)))
-    throw InputError(
-        fmt::format("rock.element_size = {:g} m is more than half the rock's shorter side", rock.element_size));
-  const Mesher mesher({length_x, length_y}, rock);
+Assembly triangulate(const Mesher& mesher, const RockSection& rock) {
   const AssemblyLimits limits{20, 0.2 / (rock.grading * rock.grading), 1};
   std::string why;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -159,6 +161,24 @@ Assembly generate_rock(double length_x, double length_y, const RockSection& rock
   }
   throw InputError("rock: no usable mesh after " + std::to_string(attempts) + " attempts, " + why +
                    "; are notches, hole and sides closer than rock.element_size to each other?");
+}
+
+}  // namespace
+
+Assembly generate_rock(double length_x, double length_y, const RockSection& rock) {
+  if (!(rock.element_size > 0) || !(rock.grading >= 1))
+    throw InputError("rock: element_size must be positive and grading at least 1");
+  if (!(rock.element_size < 0.5 * std::min(length_x, length_y)))
+    throw InputError(
+        fmt::format("rock.element_size = {:g} m is more than half the rock's shorter side", rock.element_size));
+  return triangulate(Mesher(Point{length_x, length_y}, rock), rock);
+}
+
+Assembly generate_disc(double diameter, double flat_width, const RockSection& rock) {
+  if (!(rock.element_size > 0) || !(rock.element_size <= diameter / 5))
+    throw InputError(fmt::format(
+        "rock.element_size = {:g} m must be positive and at most a fifth of the disc's diameter", rock.element_size));
+  return triangulate(Mesher(detail::disc_outline(diameter, flat_width, rock.element_size), rock), rock);
 }
 
 }  // namespace vug

@@ -13,4 +13,8 @@ namespace vug {
 /// of the mean (0.2 / grading² when graded); throws InputError where the geometry does not allow that.
 Assembly generate_rock(double length_x, double length_y, const RockSection& rock);
 
+/// Likewise a disc for the Brazilian test, between flats of `flat_width` (over the diameter) on which platens stand;
+/// its rectangle is [0, diameter] × [0, diameter sqrt(1 - flat_width²)]. Uses element size and seed of `rock` alone.
+Assembly generate_disc(double diameter, double flat_width, const RockSection& rock);
+
 }  // namespace vug

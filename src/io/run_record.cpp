@@ -74,6 +74,11 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("steps", fmt::format("{}", r.steps));
   put("simulated_time_s", number(r.simulated_time));
   put("mlups", number(r.mlups));
+  if (!r.results.empty()) {
+    std::vector<std::string> results;
+    for (const auto& [name, value] : r.results) results.push_back(quoted(name) + ": " + number(value));
+    put("results", fmt::format("{{{}}}", fmt::join(results, ", ")));
+  }
   put("peak_memory_bytes", fmt::format("{}", peak_memory_bytes()));
   put("version", quoted(r.version));
   put("commit", quoted(r.commit));

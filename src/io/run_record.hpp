@@ -2,6 +2,7 @@
 // run.json: where the results of a run come from.
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vug {
@@ -21,6 +22,8 @@ struct RunRecord {
   double simulated_time = 0;    ///< s reached
   double wall_time = 0;         ///< s
   double mlups = 0;             ///< million lattice-node updates per second of wall time
+  /// What a laboratory test found, names with their units; absent from the file when empty.
+  std::vector<std::pair<std::string, double>> results;
 };
 
 /// Writes `directory`/run.json: the record, the hash of the case and the peak memory of the process so far. The file is

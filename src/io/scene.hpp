@@ -117,7 +117,7 @@ struct ReactionSection {
 };
 
 struct MechanicsSection {
-  std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength
+  std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength; or "weibull-scale"
   MechanicsParameters parameters;
   std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
@@ -128,6 +128,22 @@ struct MechanicsSection {
 struct DamageSection {
   double pathway_factor = 0.2;    ///< c_d: aperture of a broken bond over the distance of its centroids
   double minimum_aperture = 3;    ///< cells
+};
+
+enum class LaboratoryTest { compression, tension, brazilian, heating, quench };
+/// A loading test of bonded rock alone, without a lattice.
+struct LaboratorySection {
+  LaboratoryTest test = LaboratoryTest::compression;
+  std::array<double, 2> size{0, 0};    ///< of the block, m
+  double diameter = 0;                 ///< of the disc, m
+  double flat_width = 0.174;           ///< of the disc's flats under the platens, over the diameter (20 degrees of arc)
+  std::optional<double> platen_speed;  ///< m/s; absent: 0.5 in compression, 0.1 in tension and splitting
+  double confinement = 0;              ///< Pa
+  double chemical_damage = 0;          ///< d_c of all bonds
+  double temperature_change = 0;       ///< K: rise at the end of heating, or fall of the quenched face
+  double duration = 1e-3;              ///< s in which it is heated or the cold has come down by the diffusion length
+  double diffusion_length = 0.01;      ///< 2 sqrt(kappa t) at the end of a quench, m
+  double largest_strain = 0.02;        ///< where a loading test ends at the latest
 };
 
 enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
@@ -206,6 +222,7 @@ struct Scene {
   std::optional<ReactionSection> reaction;
   std::optional<MechanicsSection> mechanics;
   std::optional<DamageSection> damage;
+  std::optional<LaboratorySection> laboratory;  ///< then lattice, time and all other physics are absent
   BoundarySection left, right, bottom, top;
   std::optional<InjectionSection> injection;
   AccuracySection accuracy;

@@ -42,12 +42,21 @@ SnapshotWriter::SnapshotWriter(const std::string& directory, const Lattice& latt
   }
 }
 
+SnapshotWriter::SnapshotWriter(const std::string& directory, FieldList fields, const SnapshotOptions& options,
+                               RockShape rock) {
+  require_known(fields, options.fields);
+  const auto type = options.double_precision ? detail::StoredAs::float64 : detail::StoredAs::float32;
+  const detail::FieldLayout layout{{}, type, options.compress};
+  rock_ = std::make_unique<detail::RockSnapshots>(directory, fields, options.fields, layout, std::move(rock));
+  rock_->create();
+}
+
 SnapshotWriter::~SnapshotWriter() = default;
 SnapshotWriter::SnapshotWriter(SnapshotWriter&&) noexcept = default;
 SnapshotWriter& SnapshotWriter::operator=(SnapshotWriter&&) noexcept = default;
 
 void SnapshotWriter::write(double time, std::int64_t step) {
-  lattice_->write(time, step);
+  if (lattice_) lattice_->write(time, step);
   if (rock_) rock_->write(time, step);
 }
 

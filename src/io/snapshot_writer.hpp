@@ -47,6 +47,8 @@ class SnapshotWriter {
   /// `rock` is absent in a scene without particles. Throws InputError for a name in `options.fields` that no list has.
   SnapshotWriter(const std::string& directory, const Lattice& lattice, double spacing, FieldList fields,
                  const SnapshotOptions& options, std::optional<RockShape> rock = std::nullopt);
+  /// Rock alone: particles.h5 and its XDMF file.
+  SnapshotWriter(const std::string& directory, FieldList fields, const SnapshotOptions& options, RockShape rock);
   ~SnapshotWriter();
   SnapshotWriter(SnapshotWriter&&) noexcept;
   SnapshotWriter& operator=(SnapshotWriter&&) noexcept;

@@ -96,8 +96,10 @@ TEST(ExitCodes, ResumingWithoutACheckpointGivesFour) {
 TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
   const TemporaryFolder folder;
   // strong rock under a low pressure, so that the run would go on for long
-  const std::string more = " --quiet --threads 1 --set time.steps=4000 --set mechanics.bond.normal_strength=15e6"
-                           " --set mechanics.bond.cohesion=95e6 --set boundary.injection.flow.pressure=1e6 -o " + (folder / "out");
+  const std::string more =
+      " --quiet --threads 1 --set time.steps=4000 --set mechanics.bond.normal_strength=15e6"
+      " --set mechanics.bond.cohesion=95e6 --set boundary.injection.flow.pressure=1e6 -o " +
+      (folder / "out");
   const Outcome interrupted = run_command("OMP_PROC_BIND=false timeout -s TERM 1.5 " VUG_EXECUTABLE " run " +
                                           small_rock + more + "; echo code $?");
   EXPECT_THAT(interrupted.output, testing::AnyOf(HasSubstr("code 130"), HasSubstr("code 124"))) << interrupted.output;
@@ -107,9 +109,8 @@ TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
 
 TEST(Check, ReportsWithoutWriting) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run_command("root=$PWD; cd " + folder.path() + " && OMP_PROC_BIND=false $root/" VUG_EXECUTABLE
-                  " check $root/" + small_rock);
+  const Outcome outcome = run_command("root=$PWD; cd " + folder.path() +
+                                      " && OMP_PROC_BIND=false $root/" VUG_EXECUTABLE " check $root/" + small_rock);
   EXPECT_EQ(outcome.exit_code, 0);
   for (const char* expected : {"relaxation time tau_f", "sub-steps per lattice step", "bytes per node", "fluid nodes"})
     EXPECT_THAT(outcome.output, HasSubstr(expected));
@@ -118,6 +119,54 @@ TEST(Check, ReportsWithoutWriting) {
       run_command("OMP_PROC_BIND=false " VUG_EXECUTABLE " check --json " + small_rock +
                   " | " VUG_PYTHON " -c \"import json, sys; r = json.load(sys.stdin); print(r['nx'], r['ny'])\"");
   EXPECT_EQ(json.output, "80 56\n");
+}
+
+TEST(Laboratory, WritesCurvePicturesAndRecordAndPrintsWhatItFound) {
+  const TemporaryFolder folder;
+  const std::string lab = "lab " VUG_SOURCE_DIR
+                          "/cases/laboratory/compression.toml --quiet"
+                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2 -o " +
+                          (folder / "out");
+  const Outcome outcome = run_vug(lab + " --seeds 2");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  for (const char* expected : {"Young's modulus", "strength", "bonds failed", "GPa"})
+    EXPECT_THAT(outcome.output, HasSubstr(expected));
+  EXPECT_THAT(test::contents((folder / "out") + "/stress_strain.csv"),
+              testing::StartsWith("strain_1,stress_Pa,seed_1"));
+  EXPECT_TRUE(std::filesystem::exists((folder / "out") + "/particles.xdmf"));
+  const Outcome record = run_command(VUG_PYTHON " -c \"import json; r = json.load(open('" + (folder / "out") +
+                                     "/run.json')); print(20e9 < r['results']['modulus_Pa'] < 35e9, r['status'])\"");
+  EXPECT_EQ(record.output, "True done\n");
+}
+
+TEST(Laboratory, FindsTheCohesionOfAStrength) {
+  const TemporaryFolder folder;
+  const std::string lab = "lab " VUG_SOURCE_DIR
+                          "/cases/laboratory/compression.toml --quiet --set rock.element_size=3e-3"
+                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2 -o " +
+                          (folder / "out");
+  const Outcome outcome = run_vug(lab + " --fit-cohesion 70 --seeds 2");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("mechanics.bond.cohesion = "));
+  // the cohesion found gives the strength asked for, to the one per cent of the search
+  const Outcome check = run_command(
+      VUG_PYTHON " -c \"import json; r = json.load(open('" + (folder / "out") +
+      "/run.json'))['results']; print(abs(r['strength_Pa'] / 70e6 - 1) < 0.01, 30e6 < r['cohesion_Pa'] < 70e6)\"");
+  EXPECT_EQ(check.output, "True True\n");
+}
+
+TEST(Laboratory, IsToldFromARunAndDivergesWithThree) {
+  const TemporaryFolder folder;
+  const std::string compression = VUG_SOURCE_DIR "/cases/laboratory/compression.toml";
+  EXPECT_EQ(run_vug("run " + compression + " -o " + (folder / "out")).exit_code, 2);
+  EXPECT_EQ(run_vug("check " + compression).exit_code, 2);
+  EXPECT_EQ(run_vug("lab " + small_rock + " -o " + (folder / "out")).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  const Outcome diverged =
+      run_vug("lab " + compression + " --quiet --set laboratory.platen_speed=1e5 -o " + (folder / "out"));
+  EXPECT_EQ(diverged.exit_code, 3) << diverged.output;
+  EXPECT_EQ(lines_in(diverged.output), 1) << diverged.output;
+  EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("diverged"));
 }
 
 }  // namespace

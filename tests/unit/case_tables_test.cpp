@@ -71,6 +71,19 @@ TEST(CaseTables, EveryShippedCaseIsValid) {
   EXPECT_EQ(cavity.reaction->inverse_equilibrium_constant, 0);
 }
 
+TEST(CaseTables, LaboratoryCasesHoldRockAloneAndTheirProfiles) {
+  for (const char* name : {"compression", "tension", "brazilian", "quench"}) {
+    const Scene scene = shipped(std::string("laboratory/") + name + ".toml");
+    EXPECT_TRUE(scene.laboratory && scene.rock && scene.mechanics && !scene.flow) << name;
+  }
+  const Scene scale = shipped("laboratory/compression.toml", {"mechanics.profile=weibull-scale"});
+  const MechanicsParameters& rock = scale.mechanics->parameters;
+  EXPECT_NEAR(rock.bond.cohesion, 95e6 * 0.935437, 100);  // Gamma(8/7)
+  EXPECT_NEAR(rock.bond.normal_strength, 15e6 * 0.935437, 20);
+  EXPECT_EQ(rock.bond.internal_friction, 0);
+  EXPECT_FALSE(rock.chemical.normalised);
+}
+
 TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
   const Scene scene = parsed("");
   EXPECT_TRUE(scene.flow.has_value());

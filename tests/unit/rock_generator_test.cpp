@@ -202,5 +202,31 @@ TEST(AssemblyQuality, FindsEveryKindOfUnusableRock) {
   }
 }
 
+TEST(DiscGenerator, FillsTheFlattenedCircleWithUsableTriangles) {
+  constexpr double diameter = 0.05, flat = 0.174, pi = 3.14159265358979;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Assembly disc = generate_disc(diameter, flat, uniform_rock(seed));
+    const auto quality = assembly_quality(disc);
+    const double half = std::asin(flat), r = diameter / 2;
+    // the circle less two segments; chords of 2 mm leave out (2 / 25)^2 / 6 = 1e-3 of a sector
+    const double area = pi * r * r - r * r * (2 * half - std::sin(2 * half));
+    EXPECT_NEAR(quality.area / area, 1, 2e-3);
+    EXPECT_NEAR(quality.mean_edge, 0.002, 0.05 * 0.002);
+    EXPECT_GE(quality.min_angle, 20);
+    EXPECT_EQ(quality.islands, 1);
+    for (const auto& [x, y] : disc.vertices) EXPECT_LE(std::hypot(x - r, y - r * std::cos(half)), r * (1 + 1e-12));
+    double flats[2] = {0, 0};  // length of the boundary at the two platens
+    for (const auto& [edge, uses] : edge_uses(disc)) {
+      const auto &a = disc.vertices[edge[0]], &b = disc.vertices[edge[1]];
+      if (uses == 1 && a[1] == b[1] && a[1] < 1e-9) flats[0] += std::abs(a[0] - b[0]);
+      if (uses == 1 && a[1] == b[1] && a[1] > 0.049) flats[1] += std::abs(a[0] - b[0]);
+    }
+    EXPECT_NEAR(flats[0], flat * diameter, 1e-12);
+    EXPECT_NEAR(flats[1], flat * diameter, 1e-12);
+  }
+  EXPECT_EQ(bits(generate_disc(diameter, flat, uniform_rock(3))), bits(generate_disc(diameter, flat, uniform_rock(3))));
+  EXPECT_THROW(generate_disc(0.005, flat, uniform_rock(1)), InputError);
+}
+
 }  // namespace
 }  // namespace vug

@@ -2,6 +2,7 @@
 #include "dem/bond_forces.hpp"
 #include "dem/bond_law.hpp"
 #include "dem_support.hpp"
+#include "support/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,11 +40,6 @@ class OneBond : public ::testing::Test {
   Bonds bonds;
 };
 
-/// Work per area along a straight opening path, split by modes, and the largest equivalent stress on it.
-struct PathWork {
-  double normal = 0, tangential = 0, peak_ellipse = 0;
-};
-
 TEST_F(OneBond, ModeOneReleasesExactlyItsFractureEnergyAndPeaksAtItsStrength) {
   const double delta_f = 2 * 20 / 15e6;
   constexpr int steps = 20000;
@@ -54,7 +50,10 @@ TEST_F(OneBond, ModeOneReleasesExactlyItsFractureEnergyAndPeaksAtItsStrength) {
     work += 0.5 * (before + stress) * 1.01 * delta_f / steps;
     peak = std::max(peak, stress);
     before = stress;
+    if (k % 200 == 0)
+      test::record("bond_curve", {{"angle", 0.0}, {"opening", opening}, {"normal", stress}, {"tangential", 0.0}});
   }
+  test::record("bond_energy", {{"angle", 0.0}, {"energy", work / 20}, {"ellipse", std::pow(peak / 15e6, 2)}});
   // trapezoids of a piecewise linear curve: only the kink's cell errs, by (1/steps)^2
   EXPECT_NEAR(work, 20, 20 * 1e-6);
   EXPECT_NEAR(peak, 15e6, 15e6 * 1e-3);  // the sample next to the peak is at most one step (1e-3 of delta_0) away
@@ -73,16 +72,23 @@ TEST_P(MixedModeBond, EnergiesAddUpToOneAndThePeakLiesOnTheEllipse) {
   const double onset = 1 / std::hypot(k_n * std::cos(angle) / 15e6, k_t * std::sin(angle) / 95e6);
   const double end =
       std::min(last, 2 / (onset * (k_n * std::pow(std::cos(angle), 2) / 20 + k_t * std::pow(std::sin(angle), 2) / 64)));
-  double work_n = 0, work_t = 0, peak = 0;
+  double work_n = 0, work_t = 0, peak = 0, peak_n = 0, peak_t = 0;
   std::array<double, 2> before{};
   for (int k = 1; k <= steps; ++k) {
     const double opening = 1.001 * end * k / steps, step = 1.001 * end / steps;
     const auto stress = stress_at(opening * std::cos(angle), opening * std::sin(angle));
     work_n += 0.5 * (before[0] + stress[0]) * step * std::cos(angle);
     work_t += 0.5 * (before[1] + stress[1]) * step * std::sin(angle);
-    peak = std::max(peak, std::pow(stress[0] / 15e6, 2) + std::pow(stress[1] / 95e6, 2));
+    const double now = std::pow(stress[0] / 15e6, 2) + std::pow(stress[1] / 95e6, 2);
+    if (now > peak) peak_n = stress[0], peak_t = stress[1];
+    peak = std::max(peak, now);
     before = stress;
+    if (k % 200 == 0)
+      test::record("bond_curve",
+                   {{"angle", GetParam()}, {"opening", opening}, {"normal", stress[0]}, {"tangential", stress[1]}});
   }
+  test::record("bond_energy", {{"angle", GetParam()}, {"energy", work_n / 20 + work_t / 64}, {"ellipse", peak}});
+  test::record("bond_ellipse", {{"angle", GetParam()}, {"normal", peak_n}, {"tangential", peak_t}});
   EXPECT_NEAR(work_n / 20 + work_t / 64, 1, 1e-6);
   EXPECT_NEAR(peak, 1, 2e-3);  // sampled next to the peak
   EXPECT_TRUE(has_failed(state()));

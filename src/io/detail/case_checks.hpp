@@ -13,6 +13,7 @@ void check_places(const TomlDocument& document, const Scene& scene);   ///< ever
 void check_times(const TomlDocument& document, const Scene& scene);    ///< end, intervals, ramps
 void check_species(const TomlDocument& document, const Scene& scene);  ///< names of species
 void check_boundaries(const TomlDocument& document, Scene& scene);     ///< conditions against modules and each other
+void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [laboratory] against all others
 void check_files(const TomlDocument& document, Scene& scene);          ///< meshes and images exist; resolves paths
 
 /// Remarks on what is allowed but probably not meant.

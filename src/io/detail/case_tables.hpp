@@ -19,6 +19,8 @@ ReactionSection read_reaction(const TomlCursor& table, const std::optional<Solut
 MechanicsSection read_mechanics(const TomlCursor& table);
 /// Also fills the chemical law of the mechanics.
 DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
+/// `meshed`: the rock's mesh says how large the specimen is.
+LaboratorySection read_laboratory(const TomlCursor& table, bool meshed);
 BoundarySection read_boundary(const TomlCursor& table);
 InjectionSection read_injection(const TomlCursor& table);
 AccuracySection read_accuracy(const TomlCursor& table);

@@ -40,10 +40,20 @@ struct Outline {
     bool notch;
   };
   std::optional<Box> hole;  ///< cut to the rock
+  /// Convex outline inside its rectangle, whose corners, the first four points, are no part of the rock.
+  bool round = false;
   std::vector<Point> points;
   std::vector<Edge> edges;
 };
 
 Outline rock_outline(Point length, const RockSection& rock, const ElementSize& size);
+
+/// A disc between flats of `flat_width` (over the diameter) at the top and the bottom of its rectangle, with edges of
+/// about `edge`.
+struct DiscOutline {
+  Point length;  ///< of the rectangle around it
+  Outline outline;
+};
+DiscOutline disc_outline(double diameter, double flat_width, double edge);
 
 }  // namespace vug::detail

@@ -1,0 +1,276 @@
+#include "coupling/laboratory_run.hpp"
+
+#include "coupling/rock_fields.hpp"
+#include "coupling/run_directory.hpp"
+#include "io/history_writer.hpp"
+#include "io/mesh_reader.hpp"
+#include "io/rock_generator.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+namespace {
+
+constexpr double fit_tolerance = 0.01;  // of the mean strength: below the scatter of the mean over five seeds
+
+using Results = std::vector<std::pair<std::string, double>>;
+
+/// particles.h5 of the first specimen: every interval, and the end.
+class SpecimenPictures {
+ public:
+  SpecimenPictures(const Scene& scene, const Assembly& specimen, std::string directory)
+      : scene_(scene), specimen_(specimen), directory_(std::move(directory)) {}
+
+  void look(const Mechanics& rock, bool last) {
+    const bool due = scene_.output.interval && rock.time() >= next_;
+    if (!due && !last) return;
+    if (due) next_ += *scene_.output.interval;
+    if (!writer_) {
+      FieldList fields;
+      add_rock_fields(rock, fields);
+      writer_.emplace(directory_, fields, SnapshotOptions{scene_.output.fields, scene_.output.compress, false, {}},
+                      shape_of_rock(specimen_, rock.bonds()));
+    }
+    writer_->write(rock.time(), rock.steps());
+  }
+
+ private:
+  const Scene& scene_;
+  const Assembly& specimen_;
+  std::string directory_;
+  std::optional<SnapshotWriter> writer_;
+  double next_ = 0;
+};
+
+/// Share of the failed bonds whose edges lie within 30 degrees of the load: a third where directions are random, more
+/// where the rock splits.
+double share_along_load(const Bonds& bonds) {
+  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.state);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.normal);
+  double failed = 0, along = 0;
+  for (int k = 0; k < bonds.count; ++k) {
+    if (!has_failed(state(k))) continue;
+    failed += 1;
+    along += std::abs(normal(k, 0)) > std::sqrt(0.75);
+  }
+  return failed > 0 ? along / failed : 0;
+}
+
+const char* name_of(LaboratoryTest test) {
+  switch (test) {
+    case LaboratoryTest::compression:
+      return "compression";
+    case LaboratoryTest::tension:
+      return "direct tension";
+    case LaboratoryTest::brazilian:
+      return "Brazilian disc";
+    case LaboratoryTest::heating:
+      return "heating between fixed platens";
+    default:
+      return "quench of the upper face";
+  }
+}
+
+/// One specimen of a loading test.
+struct LoadedSpecimen {
+  PlatenResult result;
+  double along_load = 0;
+};
+
+LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int number, const std::string& directory,
+                             HistoryWriter& curve, std::ostream* progress) {
+  MechanicsParameters parameters = scene.mechanics->parameters;
+  parameters.bond.seed += static_cast<std::uint64_t>(number);
+  SpecimenPictures pictures(scene, specimen, directory);
+  const PlatenTest test = platen_test(scene);
+  LoadedSpecimen loaded;
+  double next_line = 0;
+  loaded.result = load_between_platens(
+      Exec(), specimen, parameters, test, [&](const Mechanics& rock, const PlatenResult& so_far, bool last) {
+        const double strain = so_far.strain.back(), stress = so_far.stress.back();
+        const BondCounts bonds = rock.bond_counts();
+        curve.write(std::vector<double>{strain, stress, static_cast<double>(parameters.bond.seed),
+                                        static_cast<double>(bonds.failed_in_tension),
+                                        static_cast<double>(bonds.failed_in_shear)});
+        if (number == 0) pictures.look(rock, last);
+        if (last) loaded.along_load = share_along_load(rock.bonds());
+        if (progress && (last || strain >= next_line)) {
+          *progress << fmt::format("seed {}: strain {:.4f} %, stress {:.2f} MPa, {} bonds failed\n",
+                                   parameters.bond.seed, 100 * strain, stress / 1e6, bonds.failed());
+          next_line += 0.02 * test.largest_strain;
+        }
+      });
+  return loaded;
+}
+
+struct Spread {
+  double mean = 0, deviation = 0;
+};
+
+template <class Number>
+Spread spread_of(const std::vector<LoadedSpecimen>& specimens, Number&& number) {
+  const auto n = static_cast<double>(specimens.size());
+  Spread s;
+  for (const LoadedSpecimen& one : specimens) s.mean += number(one.result) / n;
+  for (const LoadedSpecimen& one : specimens) s.deviation += std::pow(number(one.result) - s.mean, 2);
+  s.deviation = n > 1 ? std::sqrt(s.deviation / (n - 1)) : 0;
+  return s;
+}
+
+std::string line(const char* what, const Spread& s, double unit, const char* name, int digits) {
+  const std::string spread = s.deviation > 0 ? fmt::format(" +- {:.{}f}", s.deviation / unit, digits) : "";
+  return fmt::format("{:<22}{:.{}f}{} {}\n", what, s.mean / unit, digits, spread, name);
+}
+
+std::string load_all(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
+                     const std::string& directory, Results& results) {
+  HistoryWriter curve(directory + "/stress_strain.csv",
+                      {"strain_1", "stress_Pa", "seed_1", "failed_in_tension_1", "failed_in_shear_1"});
+  std::vector<LoadedSpecimen> specimens;
+  for (int s = 0; s < options.seeds; ++s)
+    specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
+  const auto spread = [&](auto number) { return spread_of(specimens, number); };
+  const Spread modulus = spread([](const PlatenResult& r) { return r.modulus; });
+  const Spread poisson = spread([](const PlatenResult& r) { return r.poisson; });
+  const Spread strength = spread([](const PlatenResult& r) { return r.strength; });
+  const Spread strain = spread([](const PlatenResult& r) { return r.peak_strain; });
+  std::string text;
+  if (modulus.mean != 0) {
+    text += line("Young's modulus", modulus, 1e9, "GPa", 2) + line("Poisson's ratio", poisson, 1, "", 3);
+    results.insert(results.end(), {{"modulus_Pa", modulus.mean}, {"poisson_1", poisson.mean}});
+  }
+  text += line("strength", strength, 1e6, "MPa", 2) + line("strain at the peak", strain, 0.01, "%", 3);
+  results.insert(
+      results.end(),
+      {{"strength_Pa", strength.mean}, {"strength_deviation_Pa", strength.deviation}, {"peak_strain_1", strain.mean}});
+  const LoadedSpecimen& first = specimens.front();
+  const BondCounts &peak = first.result.bonds_at_peak, &end = first.result.bonds_at_end;
+  text += fmt::format(
+      "bonds failed          {} in tension, {} in shear at the peak; {} and {} at the end; {:.0f} % of them along the "
+      "load\n"
+      "time step             {:.3g} s, {} steps\n",
+      peak.failed_in_tension, peak.failed_in_shear, end.failed_in_tension, end.failed_in_shear, 100 * first.along_load,
+      first.result.time_step, first.result.steps);
+  if (scene.laboratory->test == LaboratoryTest::compression && strength.mean > 0 &&
+      first.result.bonds_at_end.failed() == 0)
+    text += "the specimen did not break: raise laboratory.largest_strain\n";
+  results.insert(results.end(), {{"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
+                                 {"failed_in_shear_1", static_cast<double>(end.failed_in_shear)},
+                                 {"failed_along_load_1", first.along_load}});
+  return text;
+}
+
+std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
+                            const std::string& directory, Results& results) {
+  SpecimenPictures pictures(scene, specimen, directory);
+  int looks = 0;
+  const QuenchTest test = quench_test(scene);
+  const QuenchResult r =
+      quench(Exec(), specimen, scene.mechanics->parameters, test, [&](const Mechanics& rock, double length, bool last) {
+        pictures.look(rock, last);
+        if (options.progress && ++looks % (test.samples / 10) == 0)
+          *options.progress << fmt::format("cold to {:.3g} mm, {} bonds failed\n", 1e3 * length,
+                                           rock.bond_counts().failed());
+      });
+  HistoryWriter table(directory + "/cracks.csv", {"depth_m", "cracks_1"});
+  for (std::size_t i = 0; i < r.depth.size(); ++i) table.write(std::vector<double>{r.depth[i], r.cracks[i]});
+  results = {{"spacing_m", r.spacing}, {"mean_depth_m", r.mean_depth}, {"deepest_m", r.deepest}};
+  if (r.spacing == 0) return "no crack is deeper than two elements\n";
+  return fmt::format(
+      "crack spacing         {:.3g} mm at two elements' depth\nmean depth            {:.3g} mm\n"
+      "deepest crack         {:.3g} mm\n",
+      1e3 * r.spacing, 1e3 * r.mean_depth, 1e3 * r.deepest);
+}
+
+std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, Results& results) {
+  if (scene.laboratory->test == LaboratoryTest::quench) throw InputError("lab: a quench has no strength to fit");
+  const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene),
+                                         *options.fit_strength, options.seeds, fit_tolerance);
+  results = {{"cohesion_Pa", found.cohesion},
+             {"strength_Pa", found.strength.mean},
+             {"strength_deviation_Pa", found.strength.deviation}};
+  return fmt::format(
+      "cohesion              {:.2f} MPa (mechanics.bond.cohesion = {:.4g})\n"
+      "strength              {:.2f} +- {:.2f} MPa over {} seeds, wanted {:.2f}; {} rounds\n",
+      found.cohesion / 1e6, found.cohesion, found.strength.mean / 1e6, found.strength.deviation / 1e6, options.seeds,
+      *options.fit_strength / 1e6, found.rounds);
+}
+
+}  // namespace
+
+Assembly build_specimen(const Scene& scene) {
+  const LaboratorySection& laboratory = *scene.laboratory;
+  if (scene.rock->mesh) return read_mesh(*scene.rock->mesh);
+  if (laboratory.test == LaboratoryTest::brazilian)
+    return generate_disc(laboratory.diameter, laboratory.flat_width, *scene.rock);
+  return generate_rock(laboratory.size[0], laboratory.size[1], *scene.rock);
+}
+
+PlatenTest platen_test(const Scene& scene) {
+  const LaboratorySection& laboratory = *scene.laboratory;
+  PlatenTest test;
+  const bool compression = laboratory.test == LaboratoryTest::compression;
+  test.speed = laboratory.platen_speed.value_or(compression ? 0.5 : 0.1);
+  if (laboratory.test == LaboratoryTest::tension) test.speed = -test.speed;
+  if (laboratory.test == LaboratoryTest::brazilian) test.specimen = Specimen::disc;
+  test.largest_strain = laboratory.largest_strain;
+  test.step_fraction = scene.mechanics->critical_fraction;
+  test.confinement = laboratory.confinement;
+  test.confining_time = scene.mechanics->preload_time;
+  test.chemical_damage = laboratory.chemical_damage;
+  if (laboratory.test == LaboratoryTest::heating) {
+    test.speed = 0;
+    test.heating_rate = laboratory.temperature_change / laboratory.duration;
+    test.largest_strain = scene.mechanics->parameters.thermal_expansion * laboratory.temperature_change;
+  }
+  return test;
+}
+
+QuenchTest quench_test(const Scene& scene) {
+  QuenchTest test;
+  test.drop = scene.laboratory->temperature_change;
+  test.final_length = scene.laboratory->diffusion_length;
+  test.duration = scene.laboratory->duration;
+  test.chemical_damage = scene.laboratory->chemical_damage;
+  test.step_fraction = scene.mechanics->critical_fraction;
+  return test;
+}
+
+std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options) {
+  const Assembly specimen = build_specimen(scene);
+  const std::string directory = run_directory(scene, options.directory);
+  make_directory(directory);
+  RunRecord record = first_record(scene);
+  write_run_record(directory, record);
+  const auto start = std::chrono::steady_clock::now();
+  const auto finish = [&](const char* status, const std::string& reason, int code) {
+    record.status = status;
+    record.exit_reason = reason;
+    record.exit_code = code;
+    record.ended = utc_now();
+    record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write_run_record(directory, record);
+  };
+  try {
+    const std::string found = options.fit_strength ? fit(scene, options, specimen, record.results)
+                              : scene.laboratory->test == LaboratoryTest::quench
+                                  ? quench_specimen(scene, options, specimen, directory, record.results)
+                                  : load_all(scene, options, specimen, directory, record.results);
+    finish("done", "the test has ended", 0);
+    return fmt::format("{:<22}{}, {} triangles\n{}{:<22}{}\n", "test", name_of(scene.laboratory->test),
+                       specimen.triangles.size(), found, "files", directory);
+  } catch (const StabilityError& error) {
+    finish("diverged", error.what(), 3);
+    throw;
+  }
+}
+
+}  // namespace vug

@@ -1,0 +1,15 @@
+#pragma once
+// What bonded rock shows of itself: fields of triangles and bonds, and the shape they are drawn on.
+#include "dem/mechanics.hpp"
+#include "io/field_list.hpp"
+#include "io/snapshot_writer.hpp"
+
+namespace vug {
+
+/// Adds displacement, rotation, temperature, damage, stress, ... of `rock`.
+void add_rock_fields(const Mechanics& rock, FieldList& list);
+
+/// Triangles and bonds for particles.h5.
+RockShape shape_of_rock(const Assembly& assembly, const Bonds& bonds);
+
+}  // namespace vug

@@ -1,0 +1,55 @@
+#include "coupling/run_directory.hpp"
+
+#include "kernels/launch.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#ifndef VUG_COMMIT
+#define VUG_COMMIT "unknown"
+#endif
+
+namespace vug {
+
+BuildInfo build_info() {
+  BuildInfo info;
+  info.version = VUG_VERSION;
+  info.commit = VUG_COMMIT;
+  info.compiler = VUG_COMPILER;
+  info.backend = Exec::name();
+  info.threads = Exec().concurrency();
+  info.device = runs_on_host ? fmt::format("host, {} threads", info.threads) : std::string(Exec::name()) + " device";
+  return info;
+}
+
+RunRecord first_record(const Scene& scene) {
+  const BuildInfo build = build_info();
+  RunRecord record;
+  record.case_path = scene.path;
+  record.case_text = scene.source_text;
+  record.overrides = scene.overrides;
+  record.version = build.version;
+  record.commit = build.commit;
+  record.compiler = build.compiler;
+  record.backend = build.backend;
+  record.device = build.device;
+  record.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
+  record.threads = build.threads;
+  record.started = utc_now();
+  return record;
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw FileError(fmt::format("{}: cannot make the run directory: {}", directory, error.message()));
+}
+
+std::string run_directory(const Scene& scene, const std::string& wanted) {
+  return wanted.empty() ? "runs/" + std::filesystem::path(scene.path).stem().string() : wanted;
+}
+
+}  // namespace vug

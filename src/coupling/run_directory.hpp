@@ -1,0 +1,26 @@
+#pragma once
+// What every run directory says of its origin.
+#include "io/run_record.hpp"
+#include "io/scene.hpp"
+
+#include <string>
+
+namespace vug {
+
+/// What a program says of itself; written to run.json and printed by `vug info`.
+struct BuildInfo {
+  std::string version, commit, compiler, backend, device;
+  int threads = 1;
+};
+BuildInfo build_info();
+
+/// The record of a run of `scene` that begins now.
+RunRecord first_record(const Scene& scene);
+
+/// `wanted`, or runs/<name of the case file> where it is empty.
+std::string run_directory(const Scene& scene, const std::string& wanted);
+
+/// Makes the directory. Throws FileError.
+void make_directory(const std::string& directory);
+
+}  // namespace vug

@@ -1,0 +1,127 @@
+#include "dem/quench.hpp"
+
+#include "dem/soundness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+template <class V>
+auto host_copy(const V& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+Loads roller_at_the_mid_plane() {
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  return loads;
+}
+
+/// Mean over the corners and the centroid, weights 1/12 and 3/4: exact for a quadratic field.
+void cool(const Assembly& slab, double top, double height, double drop, double length, const Particles& p) {
+  const auto change = Kokkos::create_mirror_view(p.temperature_change);
+  for (int i = 0; i < p.count; ++i) {
+    double centroid = 0, sum = 0;
+    for (const int v : slab.triangles[static_cast<std::size_t>(i)]) {
+      const double depth = top - slab.vertices[static_cast<std::size_t>(v)][1];
+      centroid += depth / 3;
+      sum += quenched_temperature(drop, depth, height, length) / 12;
+    }
+    change(i) = sum + 0.75 * quenched_temperature(drop, centroid, height, length);
+  }
+  Kokkos::deep_copy(p.temperature_change, change);
+}
+
+/// Edges of failed bonds as (x, depth) pairs of their ends.
+std::vector<std::array<std::array<double, 2>, 2>> failed_edges(const Assembly& slab, double top, const Bonds& bonds) {
+  const auto state = host_copy(bonds.state);
+  const auto vertex = host_copy(bonds.vertex);
+  std::vector<std::array<std::array<double, 2>, 2>> edges;
+  for (int k = 0; k < bonds.count; ++k) {
+    if (!has_failed(state(k))) continue;
+    const auto& p = slab.vertices[static_cast<std::size_t>(vertex(k, 0))];
+    const auto& q = slab.vertices[static_cast<std::size_t>(vertex(k, 1))];
+    edges.push_back({{{p[0], top - p[1]}, {q[0], top - q[1]}}});
+  }
+  return edges;
+}
+
+/// Number of failed edges that cross a level; neighbours closer than `apart` are one crack.
+int cracks_at(double level, double apart, const std::vector<std::array<std::array<double, 2>, 2>>& edges) {
+  std::vector<double> crossings;
+  for (const auto& [p, q] : edges) {
+    if ((p[1] - level) * (q[1] - level) > 0 || p[1] == q[1]) continue;
+    crossings.push_back(p[0] + (q[0] - p[0]) * (level - p[1]) / (q[1] - p[1]));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  int count = 0;
+  double last = -2 * apart;
+  for (const double x : crossings) {
+    if (x - last > apart) ++count;
+    last = x;
+  }
+  return count;
+}
+
+}  // namespace
+
+double quenched_temperature(double drop, double depth, double height, double length) {
+  double sum = 0, sign = 1;
+  for (double image = 0; image < 6 * length; image += 2 * height, sign = -sign)  // erfc(6) = 2e-17
+    sum += sign * (std::erfc((image + depth) / length) + std::erfc((image + 2 * height - depth) / length));
+  return -drop * sum;
+}
+
+double quenched_stress(double modulus, double expansion, double drop, double depth, double height, double length) {
+  constexpr int samples = 2000;
+  double mean = 0;
+  for (int k = 0; k < samples; ++k)
+    mean += quenched_temperature(drop, height * (k + 0.5) / samples, height, length) / samples;
+  return -modulus * expansion * (quenched_temperature(drop, depth, height, length) - mean);
+}
+
+QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters parameters, const QuenchTest& test,
+                    const QuenchWatch& watch) {
+  parameters.local_damping = test.local_damping;
+  Mechanics rock(slab, parameters, roller_at_the_mid_plane());
+  Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
+  double left = slab.vertices[0][0], right = left, bottom = slab.vertices[0][1], top = bottom;
+  for (const auto& [x, y] : slab.vertices) {
+    left = std::min(left, x), right = std::max(right, x);
+    bottom = std::min(bottom, y), top = std::max(top, y);
+  }
+  QuenchResult result;
+  result.time_step = test.step_fraction * rock.critical_step();
+  const int stride = std::max(1, static_cast<int>(test.duration / (result.time_step * test.samples)));
+  for (int sample = 1; sample <= test.samples; ++sample) {
+    const double length = test.final_length * std::sqrt((sample - 0.5) / test.samples);
+    cool(slab, top, top - bottom, test.drop, length, rock.particles());
+    rock.advance(exec, result.time_step, stride);
+    require_sound(exec, rock);
+    result.steps += stride;
+    if (watch) watch(rock, length, sample == test.samples);
+  }
+  const auto edges = failed_edges(slab, top, rock.bonds());
+  // edge of an equilateral triangle of the mean area, 4 A / sqrt(3) = l^2
+  const double element =
+      std::sqrt(4 / std::sqrt(3.0) * (right - left) * (top - bottom) / static_cast<double>(slab.triangles.size()));
+  const double surface = 2 * element;
+  for (double level = surface; level < top - bottom; level += 0.25 * element) {
+    result.depth.push_back(level);
+    result.cracks.push_back(cracks_at(level, element, edges));
+    if (result.cracks.back() > 0) result.deepest = level;
+  }
+  const double first = result.cracks.front();
+  double area = 0;
+  for (const double n : result.cracks) area += std::min(n, first) * 0.25 * element;
+  result.spacing = first > 0 ? (right - left) / first : 0;
+  result.mean_depth = first > 0 ? surface + area / first : 0;
+  result.bonds_at_end = rock.bond_counts();
+  return result;
+}
+
+}  // namespace vug

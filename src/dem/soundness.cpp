@@ -1,0 +1,29 @@
+#include "dem/soundness.hpp"
+
+#include "kernels/require.hpp"
+
+#include <cstdio>
+
+namespace vug {
+
+std::string what_is_unsound(const Exec& exec, const Mechanics& rock) {
+  const RunawayParticle runaway = rock.runaway(exec, runaway_speed);
+  if (runaway.particle >= 0) {
+    char speed[32];
+    std::snprintf(speed, sizeof speed, "%.3g", runaway.speed);
+    return "particle " + std::to_string(runaway.particle) + " moves at " + speed +
+           " m/s; take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction";
+  }
+  int lost = 0;
+  Kokkos::deep_copy(lost, Kokkos::subview(rock.contacts().status, contacts_lost));
+  if (lost == 0) return {};
+  return "the rock has gone to pieces, " + std::to_string(lost) +
+         " pairs of touching triangles are more than the contact list holds";
+}
+
+void require_sound(const Exec& exec, const Mechanics& rock) {
+  const std::string wrong = what_is_unsound(exec, rock);
+  if (!wrong.empty()) throw StabilityError("mechanics diverged: " + wrong);
+}
+
+}  // namespace vug

@@ -1,0 +1,91 @@
+// [laboratory]: a loading test of bonded rock alone.
+#include "io/detail/case_checks.hpp"
+#include "io/detail/case_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug {
+namespace {
+
+/// A key that some tests need and the others have no use for.
+template <class Value, class... Arguments>
+void need_if(bool used, const TomlCursor& table, const char* key, const char* otherwise, Value& value,
+             Arguments... arguments) {
+  if (used || table.describing()) {
+    table.need(key, value, arguments...);
+  } else {
+    table.refuse(key, otherwise);
+  }
+}
+
+/// The same with a default.
+template <class Value, class... Arguments>
+void read_if(bool used, const TomlCursor& table, const char* key, const char* otherwise, Value& value,
+             Arguments... arguments) {
+  if (used || table.describing()) {
+    table.read(key, value, arguments...);
+  } else {
+    table.refuse(key, otherwise);
+  }
+}
+
+}  // namespace
+
+LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
+  using Test = LaboratoryTest;
+  LaboratorySection laboratory;
+  Test& test = laboratory.test;
+  table.need_choice("test", test,
+                    {{"compression", Test::compression},
+                     {"tension", Test::tension},
+                     {"brazilian", Test::brazilian},
+                     {"heating", Test::heating},
+                     {"quench", Test::quench}});
+  const bool disc = test == Test::brazilian, pressed = test == Test::compression;
+  const bool thermal = test == Test::heating || test == Test::quench, quenched = test == Test::quench;
+  need_if(!disc && !meshed, table, "size", meshed ? "is for the generator; rock.mesh replaces it" : "is of a block",
+          laboratory.size, unit::metre, range::positive);
+  need_if(disc && !meshed, table, "diameter", meshed ? "is for the generator; rock.mesh replaces it" : "is of a disc",
+          laboratory.diameter, unit::metre, range::positive);
+  read_if(disc && !meshed, table, "flat_width", meshed ? "is for the generator; rock.mesh replaces it" : "is of a disc",
+          laboratory.flat_width, unit::none, range::between(0.05, 0.6));
+  read_if(!thermal, table, "platen_speed", "is of a test between moving platens", laboratory.platen_speed,
+          unit::metre_per_second, range::positive);
+  read_if(pressed, table, "confinement", "is only for test = \"compression\"", laboratory.confinement, unit::pascal,
+          range::not_negative);
+  table.read("chemical_damage", laboratory.chemical_damage, unit::none, {.low = 0, .high = 1, .high_open = true});
+  need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change, unit::kelvin,
+          range::positive);
+  read_if(thermal, table, "duration", "is of heating and quench", laboratory.duration, unit::second, range::positive);
+  read_if(quenched, table, "diffusion_length", "is only for test = \"quench\"", laboratory.diffusion_length,
+          unit::metre, range::positive);
+  read_if(!thermal, table, "largest_strain", "is of a test between moving platens", laboratory.largest_strain,
+          unit::none, range::positive_to(1));
+  return laboratory;
+}
+
+void check_laboratory(const TomlDocument& document, const Scene& scene) {
+  for (const char* table :
+       {"lattice", "time", "geometry", "flow", "heat", "solute", "reaction", "damage", "boundary", "accuracy"})
+    if (document.find(table) != nullptr)
+      document.fail_at(table, fmt::format("[{}] has no place beside [laboratory], a test of rock alone", table));
+  if (!scene.rock) document.fail_at("laboratory", "[laboratory] needs the table [rock]");
+  const LaboratorySection& laboratory = *scene.laboratory;
+  const bool disc = laboratory.test == LaboratoryTest::brazilian;
+  for (const char* key : {"rock.porosity", "rock.pathway_aperture"})
+    if (document.find(key) != nullptr) document.fail(key, "is of pathways on a lattice");
+  if (disc)
+    for (const char* key : {"rock.grading", "rock.notches", "rock.hole"})
+      if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a block, not of a disc", key));
+  const double smallest = disc ? laboratory.diameter : std::min(laboratory.size[0], laboratory.size[1]);
+  if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
+    document.fail("rock.element_size",
+                  fmt::format("leaves fewer than five elements across the specimen; at most {:g} m", smallest / 5));
+  for (const char* key : {"output.interval_steps", "output.checkpoint_interval", "output.probes"})
+    if (document.find(key) != nullptr)
+      document.fail_at(key, fmt::format("{} is of a run on a lattice; a test has output.interval in s", key));
+}
+
+}  // namespace vug

@@ -1,0 +1,142 @@
+// Rock at the edge of what can be asked of it: the motion stays finite, or a StabilityError says that it does not.
+#include "dem/laboratory.hpp"
+#include "dem/soundness.hpp"
+#include "dem_support.hpp"
+#include "kernels/require.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace vug;
+using vug::test::host_copy;
+
+Loads pressed(double speed) {
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
+  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -speed};
+  return loads;
+}
+
+TEST(Extremes, StiffnessesOfAnyRatioStayStableAtTheirOwnStep) {
+  for (const double ratio : {1e-6, 1e-3, 1e3}) {
+    MechanicsParameters parameters;
+    parameters.bond.tangential_modulus = ratio * parameters.bond.normal_modulus;
+    parameters.contact.normal_stiffness = ratio * 3.73e10;
+    parameters.contact.tangential_stiffness = 3.73e10;
+    parameters.bond.cohesion = 20e6;
+    Mechanics rock(test::block(0.02, 0.02, 2e-3, 0.25), parameters, pressed(5));
+    rock.advance(Exec(), 0.3 * rock.critical_step(), 5000);
+    EXPECT_EQ(what_is_unsound(Exec(), rock), "") << ratio;
+  }
+}
+
+TEST(Extremes, SliversSetTheStepAndNothingElse) {
+  // the interior vertices of one row pushed down to a tenth of the row below: angles of a few degrees
+  constexpr double size = 0.02, height = size / 12;
+  Assembly slivers = test::block(size, size, 2e-3, 0);
+  for (auto& [x, y] : slivers.vertices)
+    if (std::abs(y - 6 * height) < 1e-9 && x > 1e-9 && x < size - 1e-9) y -= 0.9 * height;
+  MechanicsParameters parameters;
+  parameters.bond.cohesion = 20e6;
+  Mechanics rock(slivers, parameters, pressed(2));
+  const Mechanics plain(test::block(0.02, 0.02, 2e-3, 0), parameters, pressed(2));
+  EXPECT_LT(rock.critical_step(), 0.7 * plain.critical_step());
+  rock.advance(Exec(), 0.3 * rock.critical_step(), 5000);
+  EXPECT_EQ(what_is_unsound(Exec(), rock), "");
+}
+
+TEST(Extremes, WithoutAnyDampingEnergyIsKept) {
+  MechanicsParameters parameters;
+  parameters.bond.normal_strength = parameters.bond.cohesion = 1e15;
+  parameters.bond.damping = parameters.contact.normal_damping = 0;
+  parameters.energy_ledger = true;
+  Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), parameters, pressed(1));
+  const double dt = 0.3 * rock.critical_step();
+  rock.advance(Exec(), dt, 20000);
+  const Energies e = rock.energies(Exec());
+  EXPECT_EQ(e.fracture, 0);
+  // the leapfrog's own energy is kept but for the turning of frames within a step, 1e-9 of the work at this step
+  EXPECT_LT(std::abs(e.damping), 1e-12 * e.work);
+  EXPECT_LT(std::abs(e.imbalance()), 1e-7 * e.work);
+}
+
+TEST(Extremes, FullUnloadingLeavesElasticRockAtRest) {
+  MechanicsParameters parameters;
+  parameters.bond.normal_strength = parameters.bond.cohesion = 1e15;
+  parameters.local_damping = 0.3;
+  Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), parameters, pressed(1));
+  const double dt = 0.3 * rock.critical_step();
+  rock.advance(Exec(), dt, 2000);
+  rock.set_platen_velocity(RockSide::top, {0, 1});
+  rock.advance(Exec(), dt, 2000);
+  rock.set_platen_velocity(RockSide::top, {0, 0});
+  const double loaded = parameters.bond.normal_modulus * 1e-6;
+  rock.advance(Exec(), dt, 20000);
+  const auto stress = host_copy(rock.bonds().stress);
+  for (int k = 0; k < rock.bonds().count; ++k) EXPECT_LT(std::abs(stress(k, 0)), loaded);
+  EXPECT_EQ(rock.bond_counts().damaged + rock.bond_counts().failed(), 0);
+}
+
+TEST(Extremes, AlmostDissolvedRockIsSoftAndDissolvedRockFallsApart) {
+  MechanicsParameters parameters;
+  Mechanics soft(test::block(0.01, 0.02, 2e-3, 0.25), parameters, pressed(2));
+  Kokkos::deep_copy(soft.bonds().d_c, 0.949);
+  soft.advance(Exec(), 0.3 * soft.critical_step(), 5000);
+  EXPECT_EQ(what_is_unsound(Exec(), soft), "");
+  EXPECT_EQ(soft.bond_counts().dissolved, 0);
+  Mechanics gone(test::block(0.01, 0.02, 2e-3, 0.25), parameters, pressed(2));
+  Kokkos::deep_copy(gone.bonds().d_c, 1.0);
+  gone.advance(Exec(), 0.3 * gone.critical_step(), 5000);
+  EXPECT_EQ(what_is_unsound(Exec(), gone), "");
+  EXPECT_EQ(gone.bond_counts().dissolved, gone.bonds().count);
+}
+
+TEST(Extremes, BondsWithoutStrengthBreakAtTheFirstTension) {
+  MechanicsParameters parameters;
+  parameters.bond.normal_strength = parameters.bond.cohesion = 0;
+  Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), parameters, pressed(-1));
+  rock.advance(Exec(), 0.3 * rock.critical_step(), 5000);
+  EXPECT_EQ(what_is_unsound(Exec(), rock), "");
+  EXPECT_GT(rock.bond_counts().failed(), 5);  // across the block's five elements: then it is in two pieces
+}
+
+TEST(Extremes, TenThousandBondsThatFailAtOnceReleaseWhatTheyHeld) {
+  // squeezed by confining platens, then dissolved in one step: every bond fails, the faces still press
+  MechanicsParameters parameters;
+  parameters.bond.normal_strength = parameters.bond.cohesion = 1e15;
+  Loads loads = pressed(1);
+  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::right)] = Support::roller;
+  Mechanics rock(test::block(0.1, 0.14, 2e-3, 0.2), parameters, loads);
+  ASSERT_GT(rock.bonds().count, 10000);
+  const double dt = 0.3 * rock.critical_step();
+  rock.advance(Exec(), dt, 500);
+  Kokkos::deep_copy(rock.bonds().d_c, 0.96);
+  rock.advance(Exec(), dt, 500);
+  EXPECT_EQ(rock.bond_counts().failed(), rock.bonds().count);
+  EXPECT_EQ(what_is_unsound(Exec(), rock), "");
+}
+
+TEST(Extremes, MotionThatIsNotANumberOrRunsAwayStops) {
+  Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), {}, {});
+  EXPECT_NO_THROW(require_sound(Exec(), rock));
+  const auto v = host_copy(rock.particles().v);
+  v(5, 1) = std::numeric_limits<double>::quiet_NaN();
+  Kokkos::deep_copy(rock.particles().v, v);
+  EXPECT_THROW(require_sound(Exec(), rock), StabilityError);
+  v(5, 1) = 1e5;
+  Kokkos::deep_copy(rock.particles().v, v);
+  EXPECT_THROW(require_sound(Exec(), rock), StabilityError);
+  // a step beyond the critical one makes energy from nothing
+  PlatenTest unstable;
+  unstable.step_fraction = 3;
+  MechanicsParameters strong;
+  strong.bond.normal_strength = strong.bond.cohesion = 1e15;
+  EXPECT_THROW(load_between_platens(Exec(), test::block(0.01, 0.02, 2e-3, 0.25), strong, unstable), StabilityError);
+}
+
+}  // namespace
