@@ -36,11 +36,12 @@ class HeatModule final : public Module {
 
  private:
   double energy() const;
+  int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   HeatSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
-  const Carrier<T>* carrier_;  ///< null: the fluid is at rest
+  const Carrier<T>* carrier_ = nullptr;  ///< null: the fluid is at rest
   int interval_;
   HeatFields<T> fields_;
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
@@ -50,7 +51,8 @@ class HeatModule final : public Module {
   ScalarField<double> created_;  ///< (block) energy that the advective form added
   ScalarField<double> born_;     ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
-  double fastest_ = 0;         ///< speed limit of the flow, lattice units; 0: none
+  bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names
+  double fastest_ = 0;         ///< largest speed that drives it, lattice units
   double initial_energy_ = 0;  ///< in fluid heat capacities
 };
 

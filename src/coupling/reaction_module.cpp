@@ -98,12 +98,17 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
     table.push_back({"reaction", std::string("Damkohler number of a node, k dx/D, ") + name, k / D, "1", 0,
                      std::numeric_limits<double>::infinity(), ""});
   };
+  const double coldest = heat_ ? heat_->coldest() : section_.temperature;
+  const double hottest = heat_ ? heat_->hottest() : section_.temperature;
   if (heat_) {
-    row("coldest", heat_->coldest());
-    row("hottest", heat_->hottest());
+    row("coldest", coldest);
+    row("hottest", hottest);
   } else {
     row("at the case's temperature", section_.temperature);
   }
+  const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
+  table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
+  table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
   if (wall_.law == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9", D, "lattice", 0.05, 1,
                      "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});

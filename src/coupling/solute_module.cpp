@@ -2,6 +2,7 @@
 
 #include "coupling/read_fields.hpp"
 #include "kernels/advective_form.hpp"
+#include "kernels/guards.hpp"
 #include "kernels/require.hpp"
 #include "kernels/solute_boundary.hpp"
 #include "kernels/solute_totals.hpp"
@@ -28,7 +29,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
       geometry_(geometry),
       carrier_(flow ? &flow->carrier(exec, scene.accuracy.solute_interval, Set::Q) : nullptr),
       interval_(scene.accuracy.solute_interval),
-      fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean) {
+      fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean),
+      fastest_(flow ? flow->largest_speed() : 0) {
   for (const Species& section : section_.species) {
     SpeciesState<T> state;
     state.section = section;
@@ -116,11 +118,15 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
         largest = std::max(largest, value / units_.concentration);
     const double bound = runaway_factor * std::max(1.0, largest);
     const FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.count);
-    if (range.first_not_finite < 0 && range.min >= -bound && range.max <= bound) continue;
+    if (range.first_not_finite < 0 && range.min > -bound && range.max < bound) continue;
+    int node = 0;
+    const int bad = first_outside(exec, s.fields.C, geometry_.fluid.count, -bound, bound);
+    Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, bad));
     throw StabilityError(fmt::format(
-        "solute {} diverged at step {}: concentrations from {:.3g} to {:.3g} mol/m3{}; lower the velocity or raise the "
-        "diffusivity",
-        s.section.name, clock.step, range.min * units_.concentration, range.max * units_.concentration,
+        "solute {} diverged at step {}: node ({}, {}) is not finite or beyond {:g} mol/m3; concentrations from {:.3g} "
+        "to {:.3g} mol/m3{}; lower the velocity or raise the diffusivity",
+        s.section.name, clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), bound * units_.concentration,
+        range.min * units_.concentration, range.max * units_.concentration,
         range.first_not_finite < 0 ? "" : ", and some that are not finite"));
   }
 }
@@ -132,6 +138,12 @@ void SoluteModule<T, Set>::limits(LimitTable& table) const {
                      "change lattice.time_step (docs/stability.md)"});
     table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
                      "change lattice.time_step"});
+    // The scheme with Lambda = 1/4 on D2Q5 carries any speed at any diffusivity; all others that were measured hold up
+    // to this at least (docs/stability.md).
+    if (carrier_ && (Set::Q != D2Q5::Q || section_.relaxation_time))
+      table.push_back({"solute", s.section.name + " grid Peclet number at the largest speed",
+                       fastest_ * units_.diffusivity() / s.section.diffusivity, "1", 0, 10,
+                       "use solute.velocity_set = \"d2q5\" without solute.relaxation_time, or lower the pressures"});
     table.push_back({"solute", s.section.name + " relaxation time tau_h", s.parameters.tau_h, "1", 0.5,
                      std::numeric_limits<double>::infinity(), "raise solute.relaxation_time above 1/2"});
   }

@@ -52,6 +52,7 @@ class SoluteModule final : public Module {
   const Carrier<T>* carrier_;  ///< null: the fluid is at rest
   int interval_;               ///< lattice steps per step
   BirthFill fill_;
+  double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
 };
 
