@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"lone pixels", rectangle(3, 3, 4, 4) + rectangle(6, 0, 7, 1) + rectangle(8, 5, 9, 6)},
                     std::pair{"around a closed pore",
                               rectangle(3, 2, 8, 6) + rectangle(5, 3, 6, 4) + "material = \"fluid\"\n"},
-                    std::pair{"a wall across, many at once", rectangle(5, 0, 6, 8)}));
+                    std::pair{"a thin wall across, many at once", rectangle(5, 0, 6, 8)}));
 
 }  // namespace
 }  // namespace vug

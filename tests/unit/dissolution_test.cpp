@@ -165,6 +165,14 @@ TEST(SurfaceNormal, PointsFromTheSolidIntoTheFluid) {
   EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 5, 1e-14);
 }
 
+TEST(SurfaceNormal, IsUndefinedForAWallOfOnePixelHoweverItsVolumeVaries) {
+  Box box = box_of({"..#..", "..#..", "..#..", "..#..", "..#.."});
+  for (int y = 0; y < 5; ++y) V(box, 2, y) = 0.5 + 0.1 * y;
+  VectorField<double> normal;
+  find_normals(box.exec, box.nodes, box.surface, box.V, normal);
+  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 10 * 3.14159265358979 / 4, 1e-14);
+}
+
 TEST(SurfaceNormal, IsUndefinedForALonePixelWhichCountsAsADisc) {
   Box box = box_of({".....", ".....", "..#..", ".....", "....."});
   VectorField<double> normal;
