@@ -34,7 +34,7 @@ def eq28(records, figures):
     smooth, reversible = records["solute_corner_free"], records["solute_reversible"]
     if not (errors and wall and profile and smooth and reversible):
         return None
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.4, 3.8))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.2))
     for k, da in enumerate(sorted({r["Da"] for r in errors})):
         rows = [r for r in profile if r["Da"] == da and r["form"] == "default"]
         for y in sorted({r["y"] for r in rows}):
@@ -75,11 +75,11 @@ def stefan(records, figures):
     if not (results and front and balance):
         return None
     figure, axes = plt.subplots(figsize=(5.6, 3.8))
-    fine = max(r["s0"] for r in results if r["s0"] < 60)
+    fine = max(r["s0"] for r in results)
     t = np.linspace(1, 4, 200)
     axes.plot(t - 1, np.sqrt(t), "k-", lw=1, label="exact")
     for k, a in enumerate(sorted({r["a"] for r in front if r["s0"] == fine})):
-        points = [r for r in front if r["a"] == a and r["s0"] == fine][k::4]
+        points = [r for r in front if r["a"] == a and r["s0"] == fine][k::8]
         axes.plot([r["tau"] for r in points], [r["s"] for r in points], f"C{k}o", ms=4, mfc="none", label=f"a = {a:g}")
     axes.set(xlabel="4 λ² D t / s₀²", ylabel="position of the wall / s₀")
     axes.legend(fontsize=8)
@@ -87,7 +87,7 @@ def stefan(records, figures):
     rows = [[f"{r['a']:g}", f"{r['s0']:g}", f"{r['measured']:.6f}", f"{r['exact']:.6f}",
              f"{100 * (r['measured'] / r['exact'] - 1):+.2f} %"] for r in sorted(results, key=lambda r: (r["a"], r["s0"]))]
     return section(
-        "Stefan problem", "StefanProblem.ConvergesToTheExactFront",
+        "Stefan problem", "StefanProblem.ConvergesToTheExactFront, StefanProblem.HoldsOverThreeDecadesOfTheStefanNumber",
         "A wall that dissolves as fast as acid diffuses to it recedes as 2 λ √(D t), √π λ exp(λ²) erf(λ) = a, with a the "
         "rock dissolved by the acid in one volume of fluid. Started from the exact profile at a distance of s₀ nodes and "
         "followed to 2 s₀. The wall moves pixel by pixel and is half a pixel ahead on average: first order in 1/s₀. Acid and "
@@ -122,7 +122,7 @@ def shrinking_disc(records, figures):
     results, shape = records["solute_disc"], records["solute_disc_shape"]
     if not (results and shape):
         return None
-    figure, panels = plt.subplots(1, 2, figsize=(8, 3.9))
+    figure, panels = plt.subplots(1, 2, figsize=(7.6, 3.7))
     for axes, form in zip(panels, ("default", "paper")):
         rows = sorted((r for r in shape if r["form"] == form), key=lambda r: r["y"])
         left = np.array([[int(c) for c in r["row"]] for r in rows]) / 9
