@@ -4,6 +4,7 @@
 #include "dem/edges.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
+#include "kernels/require.hpp"
 
 #include <fmt/format.h>
 
@@ -156,13 +157,25 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
           to_device<ScalarField<double>>("vug::pathways::open", open)};
 }
 
+/// The rock of a mesh file, which must lie in the lattice.
+Assembly mesh_on_lattice(const LatticeSection& lattice, const std::string& file) {
+  Assembly assembly = read_mesh(file);
+  const double slack = 1e-9 * (lattice.length_x + lattice.length_y);
+  for (const auto& [x, y] : assembly.vertices)
+    if (x < -slack || x > lattice.length_x + slack || y < -slack || y > lattice.length_y + slack)
+      throw InputError(
+          fmt::format("{}: the point ({:g}, {:g}) m lies outside the lattice, which is [0, {:g}] x [0, {:g}] m", file,
+                      x, y, lattice.length_x, lattice.length_y));
+  return assembly;
+}
+
 }  // namespace
 
 Rock build_rock(const Scene& scene, const Lattice& lattice) {
   const RockSection& section = *scene.rock;
   Rock rock;
-  rock.assembly =
-      section.mesh ? read_mesh(*section.mesh) : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
+  rock.assembly = section.mesh ? mesh_on_lattice(scene.lattice, *section.mesh)
+                               : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
   const BondEdges bonds = bond_edges(rock.assembly);
   rock.bonds = static_cast<int>(bonds.vertices.size());
   const RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);

@@ -44,4 +44,16 @@ KOKKOS_FUNCTION inline ClosestPoint closest_on_triangle(const Triangle& t, Vec2 
   return best[chosen];
 }
 
+/// Whether the line of one of the edges of a, counter-clockwise, keeps every corner of b farther than `gap` outside:
+/// then no point of b is closer to a. Cheap, and misses only pairs that face each other with a corner each.
+KOKKOS_FUNCTION inline bool keeps_clear(const Triangle& a, const Triangle& b, double gap) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 p = a.corner[k], edge = a.corner[(k + 1) % 3] - p;
+    double least = -cross(edge, b.corner[0] - p);
+    for (int c = 1; c < 3; ++c) least = Kokkos::min(least, -cross(edge, b.corner[c] - p));
+    if (least > 0 && least * least > gap * gap * dot(edge, edge)) return true;
+  }
+  return false;
+}
+
 }  // namespace vug

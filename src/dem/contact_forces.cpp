@@ -71,9 +71,23 @@ struct ContactForces {
     torque_b -= cross(at - b.centre, f);
   }
 
-  KOKKOS_FUNCTION void push_pair(int low, int pair, int generation, PairEnergy& energy) const {
-    const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
-    const Body a = body(low, origin), b = body(contacts.other(pair, generation), origin);
+  /// A pair that does not touch forgets its friction.
+  KOKKOS_FUNCTION void release(int pair, int generation, PairEnergy& energy) const {
+    for (int f = 0; f < pair_features; ++f) {
+      double& stretch = contacts.stretch(pair, generation, f);
+      energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
+      stretch = 0;
+    }
+    for (int k = 0; k < 4; ++k) contacts.load(pair, k) = 0;
+  }
+
+  KOKKOS_FUNCTION void push_pair(const Body& a, Vec2 origin, int pair, int generation, PairEnergy& energy) const {
+    const Body b = body(contacts.other(pair, generation), origin);
+    const double gap = 2 * particles.radius * (1 + 1e-9);  // beyond rounding
+    if (keeps_clear(a.outline, b.outline, gap) || keeps_clear(b.outline, a.outline, gap)) {
+      release(pair, generation, energy);
+      return;
+    }
     ClosestPoint of_a[3], of_b[3];
     for (int c = 0; c < 3; ++c) {
       of_a[c] = closest_on_triangle(b.outline, a.outline.corner[c]);
@@ -111,8 +125,11 @@ struct ContactForces {
     if (bonds.events(bond_has_failed) == 0) return;
     const int generation = contacts.status(contacts_generation);
     PairEnergy energy;
-    for (int pair = contacts.first(low, generation); pair < contacts.first(low + 1, generation); ++pair) {
-      push_pair(low, pair, generation, energy);
+    const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);
+    if (first < last) {
+      const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
+      const Body a = body(low, origin);
+      for (int pair = first; pair < last; ++pair) push_pair(a, origin, pair, generation, energy);
     }
     contacts.energy(low) = energy.stored;
     accounts.add_pair(low, energy.friction, energy.damping);

@@ -28,10 +28,11 @@ template <class Body>
 struct BlockOfNodes {
   Body body;
   int n;
+  int size = nodes_per_block;
   KOKKOS_FUNCTION void operator()(int block) const {
     const Body local = body;
-    const int first = block * nodes_per_block;
-    const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
+    const int first = block * size;
+    const int last = first + size < n ? first + size : n;
     VUG_VECTORISE
     for (int i = first; i < last; ++i) local(i);
   }
@@ -83,8 +84,16 @@ template <class Body>
 void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)),
-                         detail::BlockOfNodes<Body>{body, n});
+    // Short lists (the bonds of a small rock, the links of an opening) in shorter blocks, two for each thread; the
+    // shortest without waking other threads, which takes longer than the work.
+    constexpr int shortest = 32;
+    const int shares = 2 * exec.concurrency();
+    const int share = (n / shares + shortest) / shortest * shortest;
+    const detail::BlockOfNodes<Body> blocks{body, n, share < nodes_per_block ? share : nodes_per_block};
+    if (n <= shortest)
+      blocks(0);
+    else
+      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + blocks.size - 1) / blocks.size), blocks);
   } else {
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
   }

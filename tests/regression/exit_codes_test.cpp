@@ -38,6 +38,20 @@ TEST(ExitCodes, EveryBrokenCaseGivesTwoOneLineAndNoFiles) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST(ExitCodes, MeshBeyondTheLatticeGivesTwo) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "rock.msh",
+                   "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 0.01 0 0\n3 0.01 0.03 0\n4 0 0.02 0\n"
+                   "$EndNodes\n$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n$EndElements\n");
+  test::write_text(folder / "case.toml",
+                   "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n[time]\nsteps = 10\n"
+                   "[geometry]\ntype = \"rock\"\n[rock]\nmesh = \"rock.msh\"\n[mechanics]\n");
+  const Outcome outcome = run_vug("run " + (folder / "case.toml") + " -o " + (folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("rock.msh: the point (0.01, 0.03) m lies outside the lattice"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 TEST(ExitCodes, WrongArgumentsGiveTwo) {
   for (const char* arguments :
        {"", "walk", "run", "run --steps -1 x.toml", "run --threads zero x.toml", "check", "info --fast"}) {

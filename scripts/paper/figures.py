@@ -1,0 +1,117 @@
+"""The counterparts of the paper's Figs. 8-13, nine conditions side by side."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection
+
+from .run_data import DAMAGED, FAILED, NOTCH
+
+CM = 100  # per m
+ROCK = "#d9d5cc"
+
+
+def concentration(snapshot):
+    return np.ma.masked_where(snapshot.solid, snapshot.field["concentration_L1"] / 1000), "viridis"
+
+
+def pressure(snapshot):
+    return np.ma.masked_where(snapshot.solid, snapshot.field["pressure"] / 1e6), "turbo"
+
+
+def temperature(snapshot):
+    return np.ma.asarray(snapshot.field["temperature"] - 288.15), "inferno"
+
+
+def rock(snapshot):
+    return np.ma.masked_where(snapshot.solid, np.ones(snapshot.solid.shape)), "Greys"
+
+
+# file, title, unit, field, limits, cracks drawn
+PANELS = [
+    ("fig08_concentration", "reactant L1", "mol/L", concentration, (0, 3), False),
+    ("fig09_fractures", "fractures", None, rock, (0, 4), True),
+    ("fig10_pressure", "pressure", "MPa", pressure, None, False),
+    ("fig11_temperature", "temperature above the injected fluid's", "K", temperature, (0, 200), False),
+]
+
+
+def draw(axes, snapshot, field, limits, cracks):
+    values, colours = field(snapshot)
+    colours = matplotlib.colormaps[colours].copy()
+    colours.set_bad(ROCK)
+    left, right, bottom, top = (CM * v for v in snapshot.extent)
+    image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), cmap=colours,
+                        vmin=limits[0] if limits else values.min(), vmax=limits[1] if limits else values.max(),
+                        interpolation="nearest")
+    if cracks:
+        for states, colour, width in (((NOTCH,), "black", 1.2), (DAMAGED, "#2166ac", 0.8), (FAILED, "#d6181f", 1.2)):
+            axes.add_collection(LineCollection(snapshot.bonds(states) * CM, colors=colour, linewidths=width))
+    axes.set_xlim(left, right)
+    axes.set_ylim(bottom, top)
+    axes.set_xticks([])
+    axes.set_yticks([])
+    return image
+
+
+def nine_panels(snapshots, folder):
+    """Figs. 8-11: snapshots[(pressure in MPa, Da)] at the end; Da down, pressure across."""
+    pressures = sorted({p for p, _ in snapshots})
+    numbers = sorted({da for _, da in snapshots})
+    for name, title, unit, field, limits, cracks in PANELS:
+        figure, grid = plt.subplots(len(numbers), len(pressures), squeeze=False, constrained_layout=True,
+                                    figsize=(4.2 * len(pressures), 3.1 * len(numbers)))
+        for row, da in zip(grid, numbers):
+            for axes, p in zip(row, pressures):
+                axes.set_title(f"{p} MPa, Da = {da:g}", fontsize=10)
+                if (p, da) not in snapshots:
+                    axes.set_axis_off()
+                    continue
+                # one scale of pressure per column: what the injection sets
+                scale = limits or (0.1, p)
+                image = draw(axes, snapshots[p, da], field, scale, cracks)
+                if unit and not limits:
+                    figure.colorbar(image, ax=axes, label=unit, shrink=0.8)
+        if unit and limits:
+            figure.colorbar(image, ax=grid, label=unit, shrink=0.6)
+        figure.suptitle(title if unit else "fractures: failed bonds red, damaged blue, from the start black")
+        figure.savefig(folder / f"{name}.png", dpi=110)
+        plt.close(figure)
+
+
+def reactive_area(histories, folder):
+    """Fig. 12: reactive surface area over time, one panel per Da."""
+    numbers = sorted({da for _, da in histories})
+    figure, row = plt.subplots(1, len(numbers), squeeze=False, constrained_layout=True, figsize=(4.4 * len(numbers), 3.4))
+    for axes, da in zip(row[0], numbers):
+        for (p, _), history in sorted((key, h) for key, h in histories.items() if key[1] == da):
+            axes.plot(history["time_s"], history["reactive_area_m2_per_m"], label=f"{p} MPa")
+        axes.set_title(f"Da = {da:g}")
+        axes.set_xlabel("time / s")
+        axes.legend(frameon=False)
+    row[0][0].set_ylabel("reactive area / m² per m")
+    figure.savefig(folder / "fig12_reactive_area.png", dpi=110)
+    plt.close(figure)
+
+
+def evolution(run, folder, name):
+    """Fig. 13: reactant and fractures of one condition at six moments."""
+    steps = run.steps
+    chosen = [steps[round(k * (len(steps) - 1) / 6)] for k in range(1, 7)] if len(steps) > 6 else steps[1:]
+    if not chosen:
+        return
+    columns = 3
+    rows = -(-len(chosen) // columns)
+    figure, grid = plt.subplots(rows, columns, squeeze=False, constrained_layout=True, figsize=(4.4 * columns, 3.2 * rows))
+    for axes in grid.flat:
+        axes.set_axis_off()
+    for axes, step in zip(grid.flat, chosen):
+        axes.set_axis_on()
+        snapshot = run.snapshot(step)
+        image = draw(axes, snapshot, concentration, (0, 3), True)
+        axes.set_title(f"t = {snapshot.time:.3g} s", fontsize=10)
+    figure.colorbar(image, ax=grid, label="reactant L1 / (mol/L)", shrink=0.6)
+    figure.suptitle(name)
+    figure.savefig(folder / "fig13_evolution.png", dpi=110)
+    plt.close(figure)
