@@ -34,19 +34,19 @@ def eq28(records, figures):
     smooth, reversible = records["solute_corner_free"], records["solute_reversible"]
     if not (errors and wall and profile and smooth and reversible):
         return None
-    figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.2))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.8, 3.0))
     for k, da in enumerate(sorted({r["Da"] for r in errors})):
         rows = [r for r in profile if r["Da"] == da and r["form"] == "default"]
         for y in sorted({r["y"] for r in rows}):
             line = [r for r in rows if r["y"] == y]
             left.plot([r["x"] for r in line], [r["exact"] for r in line], f"C{k}-", lw=1)
-            left.plot([r["x"] for r in line[::6]], [r["psi"] for r in line[::6]], f"C{k}o", ms=3,
+            left.plot([r["x"] for r in line[::8]], [r["psi"] for r in line[::8]], f"C{k}o", ms=3,
                       label=f"Da = {da:g}" if y < 0.1 else None)
         line = [r for r in wall if r["Da"] == da and r["form"] == "default"]
         right.semilogy([r["x"] for r in line], [r["exact"] for r in line], f"C{k}-", lw=1)
-        right.semilogy([r["x"] for r in line[::4]], [r["flux"] for r in line[::4]], f"C{k}o", ms=3, label=f"Da = {da:g}")
+        right.semilogy([r["x"] for r in line[::6]], [r["flux"] for r in line[::6]], f"C{k}o", ms=3, label=f"Da = {da:g}")
         line = [r for r in wall if r["Da"] == da and r["form"] == "paper"]
-        right.semilogy([r["x"] for r in line[2::4]], [r["flux"] for r in line[2::4]], f"C{k}x", ms=4,
+        right.semilogy([r["x"] for r in line[3::6]], [r["flux"] for r in line[3::6]], f"C{k}x", ms=4,
                        label=f"Da = {da:g}, paper's form")
     left.set(xlabel="x / L", ylabel="Ψ", title="Lowest row, middle, row beside the wall")
     right.set(xlabel="x / L", ylabel="flux into the wall, D C_in / L", title="Wall flux")

@@ -1,8 +1,10 @@
 #include "coupling/flow_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
 #include "kernels/advective_form.hpp"
 #include "kernels/guards.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/open_boundary.hpp"
 #include "kernels/require.hpp"
 
@@ -65,22 +67,23 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
     case FlowBoundaryKind::pressure: {
       const double rise = flow.ramp_time > 0 ? std::min(1.0, time / flow.ramp_time) : 1.0;
       const double pressure = section_.initial_pressure + rise * (flow.pressure - section_.initial_pressure);
-      dress_pressure(exec, geometry_.fluid, boundary.links, units_.lattice_pressure(pressure), fields_, boundary.gain);
+      dress_pressure(exec, geometry_.fluid, boundary.links, units_.lattice_pressure(pressure), fields_,
+                     boundary.gain.recent());
       break;
     }
     case FlowBoundaryKind::velocity:
       dress_velocity(exec, geometry_.fluid, boundary.links,
                      {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
-                     boundary.gain);
+                     boundary.gain.recent());
       break;
     case FlowBoundaryKind::outflow:
-      dress_outflow(exec, geometry_.fluid, boundary.links, fields_, boundary.gain);
+      dress_outflow(exec, geometry_.fluid, boundary.links, fields_, boundary.gain.recent());
       break;
     case FlowBoundaryKind::wall:
       if (flow.velocity[0] != 0 || flow.velocity[1] != 0)
         dress_velocity(exec, geometry_.fluid, boundary.links,
                        {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
-                       boundary.gain);
+                       boundary.gain.recent());
       break;
     case FlowBoundaryKind::periodic:
       break;
@@ -129,7 +132,10 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     else
       advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e, carrier.even_weight);
   }
-  for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
+  for (const StretchLinks& boundary : boundaries_) {
+    if (clock.every(LongSum::interval)) boundary.gain.settle(exec);
+    dress(exec, boundary, clock.time());
+  }
   collide_and_stream(exec, fluid, fields_, step_);
   for (const Carrier<T>& carrier : carriers_)
     if (carrier.interval > 1 && carrier.due(clock.step))
@@ -256,7 +262,7 @@ void FlowModule<T>::state(StateList& list) {
   }
   for (StretchLinks& boundary : boundaries_) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
-    list.add(key + "/gain", boundary.gain);
+    add_state(list, key + "/gain", boundary.gain);
     list.add_value(key + "/entered", boundary.entered);
   }
   list.add_value("flow/initial_mass", initial_mass_);

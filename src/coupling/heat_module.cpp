@@ -1,6 +1,7 @@
 #include "coupling/heat_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
 #include "kernels/guards.hpp"
 #include "kernels/heat_sums.hpp"
 #include "kernels/launch.hpp"
@@ -67,9 +68,11 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     }
     stretches_.push_back(stretch);
     sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value));
+    entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
+    sides_.back().energy_in = entered_.back().recent();
   }
   if (carrier_) lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
-  created_ = ScalarField<double>("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  created_ = LongSum("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   initial_energy_ = energy();
 }
@@ -91,11 +94,15 @@ FaceTemperature<T> HeatModule<T>::face_temperature() const {
 template <class T>
 void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   if (!clock.every(interval_)) return;
+  if (clock.every(LongSum::interval)) {
+    created_.settle(exec);
+    for (const LongSum& side : entered_) side.settle(exec);
+  }
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
   conduct(exec, fields_);
-  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, lagged_, fields_, created_);
+  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, lagged_, fields_, created_.recent());
 }
 
 template <class T>
@@ -143,11 +150,11 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
   balance.stored = joule * energy();
   double injected = 0, sides = 0;
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    (stretches_[s].name == "injection" ? injected : sides) += sum_in_order(sides_[s].energy_in);
+    (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();
   balance.gains.push_back({"injection", joule * injected});
   balance.gains.push_back({"sides", joule * sides});
   balance.gains.push_back({"births", joule * sum_in_order(born_)});
-  balance.gains.push_back({"advective_form", joule * sum_in_order(created_)});
+  balance.gains.push_back({"advective_form", joule * created_.total()});
 }
 
 template <class T>
@@ -170,10 +177,10 @@ void HeatModule<T>::state(StateList& list) {
   list.add("heat/g", fields_.g);
   list.add("heat/theta", fields_.theta);
   if (carrier_) list.add("heat/lagged", lagged_);
-  list.add("heat/created", created_);
+  add_state(list, "heat/created", created_);
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    list.add("heat/" + stretches_[s].name + "/" + std::to_string(stretches_[s].first), sides_[s].energy_in);
+    add_state(list, "heat/" + stretches_[s].name + "/" + std::to_string(stretches_[s].first), entered_[s]);
   list.add_value("heat/initial_energy", initial_energy_);
 }
 

@@ -5,6 +5,7 @@
 #include "coupling/module.hpp"
 #include "kernels/heat.hpp"
 #include "kernels/heat_boundary.hpp"
+#include "kernels/long_sum.hpp"
 #include "kernels/units.hpp"
 
 namespace vug {
@@ -47,9 +48,10 @@ class HeatModule final : public Module {
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::array<bool, 2> periodic_;
-  ScalarField<T> lagged_;        ///< (fluid) state of the advective correction
-  ScalarField<double> created_;  ///< (block) energy that the advective form added
-  ScalarField<double> born_;     ///< (block) energy that births added
+  ScalarField<T> lagged_;         ///< (fluid) state of the advective correction
+  std::vector<LongSum> entered_;  ///< energy that entered through each of sides_
+  LongSum created_;               ///< (block) energy that the advective form added
+  ScalarField<double> born_;      ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
   bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names
   double fastest_ = 0;         ///< largest speed that drives it, lattice units

@@ -1,8 +1,10 @@
 #include "coupling/solute_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
 #include "kernels/advective_form.hpp"
 #include "kernels/guards.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/require.hpp"
 #include "kernels/solute_boundary.hpp"
 #include "kernels/solute_totals.hpp"
@@ -66,7 +68,7 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
   const int blocks = block_count(geometry_.fluid.capacity);
   for (SpeciesState<T>& s : species_) {
     for (StretchLinks& boundary : s.boundaries) boundary.find(exec, geometry_.fluid, Set::Q);
-    Kokkos::resize(exec, s.correction, blocks);
+    s.correction.resize(exec, blocks);
     Kokkos::resize(exec, s.created, blocks);
   }
 }
@@ -76,20 +78,21 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (!due(clock)) return;
   const FluidNodes& fluid = geometry_.fluid;
   for (SpeciesState<T>& s : species_) {
+    if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries) {
       const SoluteBoundary& condition = boundary.stretch.conditions.solute;
       if (condition.kind == SoluteBoundaryKind::outflow) {
-        dress_outflow<Set>(exec, fluid, boundary.links, s.fields, boundary.gain);
+        dress_outflow<Set>(exec, fluid, boundary.links, s.fields, boundary.gain.recent());
       } else {
         const auto given = condition.concentration.find(s.section.name);
         const double C = given == condition.concentration.end() ? 0.0 : given->second / units_.concentration;
-        dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain);
+        dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain.recent());
       }
     }
     if (!carrier_)
       advance_solute<Set>(exec, fluid, s.parameters, s.fields);
     else if (section_.advective_form)
-      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction);
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction.recent());
     else
       advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, s.fields);
   }
@@ -162,7 +165,7 @@ void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
     balance.gains.push_back({"injected", mol * injected});
     balance.gains.push_back({"outflow", mol * left});
     balance.gains.push_back({"births", mol * sum_in_order(s.created)});
-    balance.gains.push_back({"advective_form", mol * sum_in_order(s.correction)});
+    balance.gains.push_back({"advective_form", mol * s.correction.total()});
   }
 }
 
@@ -180,12 +183,12 @@ void SoluteModule<T, Set>::state(StateList& list) {
     const std::string key = "solute/" + s.section.name;
     list.add(key + "/h", s.fields.h);
     list.add(key + "/C", s.fields.C);
-    list.add(key + "/correction", s.correction);
+    add_state(list, key + "/correction", s.correction);
     list.add(key + "/created", s.created);
     list.add_value(key + "/initial", s.initial);
     for (StretchLinks& boundary : s.boundaries) {
       const std::string side = key + "/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
-      list.add(side + "/gain", boundary.gain);
+      add_state(list, side + "/gain", boundary.gain);
       list.add_value(side + "/entered", boundary.entered);
     }
   }
