@@ -46,7 +46,8 @@ TEST(HeatFlux, OfACaseGivesTheGradientOfEachConductivity) {
           parse_scene(slab, "slab.toml", {"heat.velocity_set=" + set, "accuracy.heat_interval=" + interval});
       Simulation simulation(scene);
       simulation.begin();
-      for (int step = 0; step < 40000; ++step) simulation.step();  // 40 times the slowest decay time
+      const int steps = 28000;  // 40 times the slowest decay time
+      for (int step = 0; step < steps; ++step) simulation.step();
       simulation.guard();
       std::vector<double> temperature(20 * 3);
       for (const Field& field : simulation.fields().lattice)
@@ -57,7 +58,8 @@ TEST(HeatFlux, OfACaseGivesTheGradientOfEachConductivity) {
         EXPECT_NEAR(temperature[20 + x], exact, 1e-9) << set << ", interval " << interval << ", cell " << x;
       }
       for (const Balance& balance : simulation.ledger().balances)
-        EXPECT_LE(std::abs(balance.relative_error()), 1e-12) << balance.quantity;
+        // in a steady state the populations are rounded the same way in every step, by half a digit at most
+        EXPECT_LE(std::abs(balance.relative_error()), 1.1e-16 * steps) << balance.quantity;
     }
 }
 
