@@ -37,12 +37,18 @@ HeatBoundary read_heat_boundary(const TomlCursor& table) {
   table.need_choice("type", boundary.kind,
                     {{"adiabatic", Kind::adiabatic},
                      {"temperature", Kind::temperature},
+                     {"flux", Kind::flux},
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
   if (boundary.kind == Kind::temperature || table.describing()) {
     table.need("temperature", boundary.temperature, unit::kelvin, range::positive);
   } else {
     table.refuse("temperature", "is only for type = \"temperature\"");
+  }
+  if (boundary.kind == Kind::flux || table.describing()) {
+    table.need("flux", boundary.flux, unit::watt_per_square_metre);
+  } else {
+    table.refuse("flux", "is only for type = \"flux\"");
   }
   return boundary;
 }

@@ -73,7 +73,8 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
                                    unit::per_kelvin,
                                    unit::newton_per_metre,
                                    unit::newton_second_per_metre,
-                                   unit::second_per_metre};
+                                   unit::second_per_metre,
+                                   unit::watt_per_square_metre};
   std::set<std::string> checked{"", "1"};
   for (const Unit& unit : units) {
     const std::string all = accepted_units(unit);

@@ -31,6 +31,7 @@ constexpr Unit cubic_metre_per_mole{"m3/mol", 1};
 constexpr Unit per_kelvin{"1/K", 1};
 constexpr Unit newton_per_metre{"N/m", 1e15};
 constexpr Unit newton_second_per_metre{"N s/m", 1e12};
+constexpr Unit watt_per_square_metre{"W/m2", 1e15};
 constexpr Unit second_per_metre{"s/m", 1};
 }  // namespace unit
 
