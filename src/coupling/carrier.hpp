@@ -10,6 +10,7 @@ template <class T>
 struct Carrier {
   int interval = 1;    ///< n
   int directions = 5;  ///< of the scalar's velocity set
+  T even_weight = 1;   ///< of the defect (advective_form.hpp)
   VectorField<T> u;    ///< (fluid, axis)
   ScalarField<T> e;    ///< (fluid)
 

@@ -1,8 +1,10 @@
 #include "coupling/flow_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
 #include "kernels/advective_form.hpp"
 #include "kernels/guards.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/open_boundary.hpp"
 #include "kernels/require.hpp"
 
@@ -65,22 +67,23 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
     case FlowBoundaryKind::pressure: {
       const double rise = flow.ramp_time > 0 ? std::min(1.0, time / flow.ramp_time) : 1.0;
       const double pressure = section_.initial_pressure + rise * (flow.pressure - section_.initial_pressure);
-      dress_pressure(exec, geometry_.fluid, boundary.links, units_.lattice_pressure(pressure), fields_, boundary.gain);
+      dress_pressure(exec, geometry_.fluid, boundary.links, units_.lattice_pressure(pressure), fields_,
+                     boundary.gain.recent());
       break;
     }
     case FlowBoundaryKind::velocity:
       dress_velocity(exec, geometry_.fluid, boundary.links,
                      {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
-                     boundary.gain);
+                     boundary.gain.recent());
       break;
     case FlowBoundaryKind::outflow:
-      dress_outflow(exec, geometry_.fluid, boundary.links, fields_, boundary.gain);
+      dress_outflow(exec, geometry_.fluid, boundary.links, fields_, boundary.gain.recent());
       break;
     case FlowBoundaryKind::wall:
       if (flow.velocity[0] != 0 || flow.velocity[1] != 0)
         dress_velocity(exec, geometry_.fluid, boundary.links,
                        {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
-                       boundary.gain);
+                       boundary.gain.recent());
       break;
     case FlowBoundaryKind::periodic:
       break;
@@ -88,10 +91,11 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
 }
 
 template <class T>
-const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int directions) {
+const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int directions, T even_weight) {
   for (const Carrier<T>& carrier : carriers_)
-    if (carrier.interval == interval && carrier.directions == directions) return carrier;
-  Carrier<T>& carrier = carriers_.emplace_back(Carrier<T>{interval, directions, {}, {}});
+    if (carrier.interval == interval && carrier.directions == directions && carrier.even_weight == even_weight)
+      return carrier;
+  Carrier<T>& carrier = carriers_.emplace_back(Carrier<T>{interval, directions, even_weight, {}, {}});
   fit_carrier(exec, carrier);
   return carrier;
 }
@@ -126,9 +130,12 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     if (carrier.directions == D2Q5::Q)
       advective_defect<D2Q5>(exec, fluid, carrier.u, carrier.e);
     else
-      advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e);
+      advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e, carrier.even_weight);
   }
-  for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
+  for (const StretchLinks& boundary : boundaries_) {
+    if (clock.every(LongSum::interval)) boundary.gain.settle(exec);
+    dress(exec, boundary, clock.time());
+  }
   collide_and_stream(exec, fluid, fields_, step_);
   for (const Carrier<T>& carrier : carriers_)
     if (carrier.interval > 1 && carrier.due(clock.step))
@@ -160,14 +167,43 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
 }
 
 template <class T>
-void FlowModule<T>::limits(LimitTable& table) const {
-  const double nu = section_.viscosity / units_.diffusivity();
+double FlowModule<T>::largest_pressure() const {
   double highest = 0;
   for (const StretchLinks& boundary : boundaries_)
     if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::pressure)
       highest = std::max(highest, std::abs(units_.lattice_pressure(boundary.stretch.conditions.flow.pressure)));
-  // The lowest relaxation times that survived a stair-step geometry at a pressure difference (docs/stability.md).
-  const double lowest_tau = highest > 0.04 ? 0.764 : highest > 0.01 ? 0.60 : 0.505;
+  return highest;
+}
+
+template <class T>
+double FlowModule<T>::largest_speed() const {
+  double prescribed = 0;
+  for (const StretchLinks& boundary : boundaries_) {
+    const auto& velocity = boundary.stretch.conditions.flow.velocity;
+    prescribed = std::max(prescribed, std::hypot(velocity[0], velocity[1]) / units_.velocity());
+  }
+  const double limit = section_.speed_limit > 0 ? section_.speed_limit : speed_bound;
+  const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
+  return driven ? limit : std::min(limit, prescribed + std::sqrt(2 * largest_pressure()));
+}
+
+namespace {
+
+/// The lowest relaxation time that survived a stair-step geometry at a pressure difference in lattice units
+/// (docs/stability.md).
+double lowest_relaxation_time(Collision collision, double pressure) {
+  if (pressure > 0.04) return 0.764;
+  if (pressure > 0.01) return 0.60;
+  return collision == Collision::trt ? 0.55 : collision == Collision::bgk ? 0.52 : 0.505;
+}
+
+}  // namespace
+
+template <class T>
+void FlowModule<T>::limits(LimitTable& table) const {
+  const double nu = section_.viscosity / units_.diffusivity();
+  const double highest = largest_pressure();
+  const double lowest_tau = lowest_relaxation_time(section_.collision, highest);
   table.push_back({"flow", "relaxation time tau_f", 0.5 + 3 * nu, "1", lowest_tau - 1e-9, 2.5,
                    "change lattice.time_step: tau - 1/2 is proportional to it"});
   table.push_back({"flow", "viscosity", nu, "lattice", 0, 1, "change lattice.time_step"});
@@ -218,15 +254,15 @@ void FlowModule<T>::state(StateList& list) {
   list.add("flow/density", fields_.density);
   list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);
-  for (const Carrier<T>& carrier : carriers_) {
-    const std::string key =
-        "flow/carrier" + std::to_string(carrier.interval) + "_" + std::to_string(carrier.directions);
+  for (std::size_t c = 0; c < carriers_.size(); ++c) {  // in the order in which the modules asked for them
+    const Carrier<T>& carrier = carriers_[c];
+    const std::string key = "flow/carrier" + std::to_string(c);
     if (carrier.interval > 1) list.add(key + "/u", carrier.u);
     list.add(key + "/e", carrier.e);
   }
   for (StretchLinks& boundary : boundaries_) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
-    list.add(key + "/gain", boundary.gain);
+    add_state(list, key + "/gain", boundary.gain);
     list.add_value(key + "/entered", boundary.entered);
   }
   list.add_value("flow/initial_mass", initial_mass_);

@@ -27,11 +27,15 @@ class FlowModule final : public Module {
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
-  /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities. Asked for
-  /// at set-up; the reference stays valid.
-  const Carrier<T>& carrier(const Exec& exec, int interval, int directions);
+  /// Largest speed that the case can drive, lattice units: what the sides prescribe and Bernoulli's bound of their
+  /// pressures, at most the speed limit; that limit where a body force drives.
+  double largest_speed() const;
+  /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities, the even
+  /// part of the defect weighed (advective_form.hpp). Asked for at set-up; the reference stays valid.
+  const Carrier<T>& carrier(const Exec& exec, int interval, int directions, T even_weight = 1);
 
  private:
+  double largest_pressure() const;
   void find_boundaries(const Exec& exec);
   void dress(const Exec& exec, const StretchLinks& boundary, double time) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);

@@ -1,6 +1,8 @@
 #include "coupling/heat_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
+#include "kernels/guards.hpp"
 #include "kernels/heat_sums.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/require.hpp"
@@ -13,13 +15,16 @@ namespace vug {
 
 namespace {
 
-// Temperatures this far outside what the case puts in are no solution of the heat equation.
-constexpr double runaway_margin = 1000;  // K
+// Temperatures this far outside what the case puts in are no solution of the heat equation; a flux has no such bound,
+// but rock and water that a model like this one is for do not outlive the second.
+constexpr double runaway_margin = 1000, runaway_margin_with_flux = 1e5;  // K
 
 HeatCondition condition_of(HeatBoundaryKind kind) {
   switch (kind) {
     case HeatBoundaryKind::temperature:
       return HeatCondition::temperature;
+    case HeatBoundaryKind::flux:
+      return HeatCondition::flux;
     case HeatBoundaryKind::outflow:
       return HeatCondition::outflow;
     default:
@@ -35,33 +40,39 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     : section_(*scene.heat),
       units_(units),
       geometry_(geometry),
-      carrier_(flow ? &flow->carrier(exec, scene.accuracy.heat_interval, D2Q5::Q) : nullptr),
       interval_(scene.accuracy.heat_interval),
       periodic_(periodic_sides(scene)),
       initial_theta_(units.lattice_temperature(section_.initial_temperature)),
       coldest_(section_.initial_temperature),
       hottest_(section_.initial_temperature),
-      fastest_(scene.flow ? scene.flow->speed_limit : 0) {
+      fastest_(flow ? flow->largest_speed() : 0) {
   const double scale = interval_ / units.diffusivity();
   const double sigma =
       section_.solid_density * section_.solid_heat_capacity / (section_.fluid_density * section_.fluid_heat_capacity);
-  fields_ = make_heat_fields<T>(exec, geometry.lattice,
-                                {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma},
-                                geometry.type, periodic_, initial_theta_);
+  fields_ = make_heat_fields<T>(
+      exec, geometry.lattice,
+      {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma, section_.velocity_set},
+      geometry.type, periodic_, initial_theta_);
+  if (flow) carrier_ = &flow->carrier(exec, interval_, directions(), even_defect_weight(fields_));
   for (const Stretch& stretch : boundary_stretches(scene)) {
     const HeatBoundary& heat = stretch.conditions.heat;
     if (periodic_[stretch.side == Side::left || stretch.side == Side::right ? 0 : 1]) continue;
-    double theta = 0;
+    double value = 0;
     if (heat.kind == HeatBoundaryKind::temperature) {
-      theta = units.lattice_temperature(heat.temperature);
+      value = units.lattice_temperature(heat.temperature);
       coldest_ = std::min(coldest_, heat.temperature);
       hottest_ = std::max(hottest_, heat.temperature);
+    } else if (heat.kind == HeatBoundaryKind::flux) {
+      value = interval_ * heat.flux / (section_.fluid_density * section_.fluid_heat_capacity * units.velocity());
+      heated_ = heated_ || heat.flux != 0;
     }
     stretches_.push_back(stretch);
-    sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), theta));
+    sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value));
+    entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
+    sides_.back().energy_in = entered_.back().recent();
   }
   if (carrier_) lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
-  created_ = ScalarField<double>("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  created_ = LongSum("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   initial_energy_ = energy();
 }
@@ -83,11 +94,15 @@ FaceTemperature<T> HeatModule<T>::face_temperature() const {
 template <class T>
 void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   if (!clock.every(interval_)) return;
-  for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
+  if (clock.every(LongSum::interval)) {
+    created_.settle(exec);
+    for (const LongSum& side : entered_) side.settle(exec);
+  }
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
+  for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
   conduct(exec, fields_);
-  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, lagged_, fields_, created_);
+  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, lagged_, fields_, created_.recent());
 }
 
 template <class T>
@@ -99,15 +114,18 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
 
 template <class T>
 void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
+  const double margin = heated_ ? runaway_margin_with_flux : runaway_margin;
+  const int node =
+      first_outside(exec, fields_.theta, fields_.lattice.size(), units_.lattice_temperature(coldest_ - margin),
+                    units_.lattice_temperature(hottest_ + margin));
+  if (node < 0) return;
   const HeatExtremes extremes = heat_extremes(exec, fields_);
-  const double lowest = extremes.lowest + units_.reference_temperature;
-  const double highest = extremes.highest + units_.reference_temperature;
-  if (extremes.not_finite == 0 && lowest > coldest_ - runaway_margin && highest < hottest_ + runaway_margin) return;
-  throw StabilityError(
-      fmt::format("heat diverged at step {}: temperatures from {:.4g} to {:.4g} K, {} nodes not finite; lower the "
-                  "velocity or raise "
-                  "the diffusivities",
-                  clock.step, lowest, highest, extremes.not_finite));
+  throw StabilityError(fmt::format(
+      "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "
+      "{:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise the diffusivities",
+      clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), margin,
+      extremes.lowest + units_.reference_temperature, extremes.highest + units_.reference_temperature,
+      extremes.not_finite));
 }
 
 template <class T>
@@ -115,10 +133,10 @@ void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
   table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
-  if (carrier_ && fastest_ > 0)
-    table.push_back({"heat", "grid Peclet number at the speed limit",
+  if (carrier_ && geometry_.surface.count > 0)  // without walls of rock there is no stair-step to feed the mode
+    table.push_back({"heat", "grid Peclet number at the largest speed",
                      fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
-                     "lower flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
+                     "lower the pressures or flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
   table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
 }
@@ -132,11 +150,11 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
   balance.stored = joule * energy();
   double injected = 0, sides = 0;
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    (stretches_[s].name == "injection" ? injected : sides) += sum_in_order(sides_[s].energy_in);
+    (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();
   balance.gains.push_back({"injection", joule * injected});
   balance.gains.push_back({"sides", joule * sides});
   balance.gains.push_back({"births", joule * sum_in_order(born_)});
-  balance.gains.push_back({"advective_form", joule * sum_in_order(created_)});
+  balance.gains.push_back({"advective_form", joule * created_.total()});
 }
 
 template <class T>
@@ -159,10 +177,10 @@ void HeatModule<T>::state(StateList& list) {
   list.add("heat/g", fields_.g);
   list.add("heat/theta", fields_.theta);
   if (carrier_) list.add("heat/lagged", lagged_);
-  list.add("heat/created", created_);
+  add_state(list, "heat/created", created_);
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    list.add("heat/" + stretches_[s].name + "/" + std::to_string(stretches_[s].first), sides_[s].energy_in);
+    add_state(list, "heat/" + stretches_[s].name + "/" + std::to_string(stretches_[s].first), entered_[s]);
   list.add_value("heat/initial_energy", initial_energy_);
 }
 

@@ -5,6 +5,7 @@
 #include "coupling/module.hpp"
 #include "kernels/heat.hpp"
 #include "kernels/heat_boundary.hpp"
+#include "kernels/long_sum.hpp"
 #include "kernels/units.hpp"
 
 namespace vug {
@@ -36,21 +37,24 @@ class HeatModule final : public Module {
 
  private:
   double energy() const;
+  int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   HeatSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
-  const Carrier<T>* carrier_;  ///< null: the fluid is at rest
+  const Carrier<T>* carrier_ = nullptr;  ///< null: the fluid is at rest
   int interval_;
   HeatFields<T> fields_;
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::array<bool, 2> periodic_;
-  ScalarField<T> lagged_;        ///< (fluid) state of the advective correction
-  ScalarField<double> created_;  ///< (block) energy that the advective form added
-  ScalarField<double> born_;     ///< (block) energy that births added
+  ScalarField<T> lagged_;         ///< (fluid) state of the advective correction
+  std::vector<LongSum> entered_;  ///< energy that entered through each of sides_
+  LongSum created_;               ///< (block) energy that the advective form added
+  ScalarField<double> born_;      ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
-  double fastest_ = 0;         ///< speed limit of the flow, lattice units; 0: none
+  bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names
+  double fastest_ = 0;         ///< largest speed that drives it, lattice units
   double initial_energy_ = 0;  ///< in fluid heat capacities
 };
 

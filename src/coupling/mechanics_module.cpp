@@ -21,6 +21,7 @@ Loads boundary_loads(const Scene& scene) {
   const auto side = [&](RockSide which, const BoundarySection& boundary, double nx, double ny) {
     const int s = static_cast<int>(which);
     loads.support[s] = boundary.traction.support;
+    loads.stiffness[s] = boundary.traction.stiffness;
     loads.traction[s] = {-boundary.traction.normal_stress * nx, -boundary.traction.normal_stress * ny};
   };
   side(RockSide::right, scene.right, 1, 0);

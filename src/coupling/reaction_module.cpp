@@ -2,6 +2,8 @@
 
 #include "coupling/face_temperature.hpp"
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
 #include "kernels/surface_normal.hpp"
 
@@ -48,10 +50,8 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
   geometry.dissolved = ScalarField<double>("vug::reaction::dissolved", lattice.size());
   for_each_node(exec, "vug::reaction::fill", lattice.nx * lattice.ny,
                 FillVolume{geometry.type, lattice, geometry.volume});
-  sums_ = {geometry.volume,
-           geometry.dissolved,
-           ScalarField<double>("vug::reaction::consumed", block_count(lattice.size())),
-           {}};
+  consumed_ = LongSum("vug::reaction::consumed", block_count(lattice.size()));
+  sums_ = {geometry.volume, geometry.dissolved, consumed_.recent(), {}};
   if (wall_.law == ReactiveWallLaw::paper && product_)
     sums_.released = ScalarField<double>("vug::reaction::released", lattice.size());
   lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
@@ -78,6 +78,7 @@ void ReactionModule<T, Set>::refresh(const Exec& exec) {
 template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (clock.step % update_interval_ == 0) refresh(exec);
+  if (clock.every(LongSum::interval)) consumed_.settle(exec);
   if (!solutes_.due(clock)) return;
   react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, StoredRate{rate_}, normal_, reactant_.fields,
                      product_ ? &product_->fields : nullptr, sums_);
@@ -98,12 +99,17 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
     table.push_back({"reaction", std::string("Damkohler number of a node, k dx/D, ") + name, k / D, "1", 0,
                      std::numeric_limits<double>::infinity(), ""});
   };
+  const double coldest = heat_ ? heat_->coldest() : section_.temperature;
+  const double hottest = heat_ ? heat_->hottest() : section_.temperature;
   if (heat_) {
-    row("coldest", heat_->coldest());
-    row("hottest", heat_->hottest());
+    row("coldest", coldest);
+    row("hottest", hottest);
   } else {
     row("at the case's temperature", section_.temperature);
   }
+  const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
+  table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
+  table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
   if (wall_.law == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9", D, "lattice", 0.05, 1,
                      "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});
@@ -112,7 +118,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
 template <class T, class Set>
 void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
   const double mol = units_.amount();
-  const double consumed = sum_in_order(sums_.consumed);
+  const double consumed = consumed_.total();
   ledger.of(reactant_.section.name, "mol/m").gains.push_back({"reaction", -mol * consumed});
   if (product_) {
     const double released = sums_.released.extent(0) > 0 ? sum_in_order(sums_.released) : consumed;
@@ -148,7 +154,7 @@ template <class T, class Set>
 void ReactionModule<T, Set>::state(StateList& list) {
   list.add("reaction/volume", geometry_.volume);
   list.add("reaction/dissolved", geometry_.dissolved);
-  list.add("reaction/consumed", sums_.consumed);
+  add_state(list, "reaction/consumed", consumed_);
   if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);

@@ -41,6 +41,7 @@ class ReactionModule final : public Module {
   SpeciesState<T>* product_;
   const HeatModule<T>* heat_;
   ReactiveWall wall_;
+  LongSum consumed_;  ///< (block) reactant that has reacted
   ReactionLedger sums_;
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
   ScalarField<double> rate_;    ///< (dense node) rate constant on surface nodes, lattice units

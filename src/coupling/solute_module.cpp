@@ -1,7 +1,10 @@
 #include "coupling/solute_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/sum_state.hpp"
 #include "kernels/advective_form.hpp"
+#include "kernels/guards.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/require.hpp"
 #include "kernels/solute_boundary.hpp"
 #include "kernels/solute_totals.hpp"
@@ -28,7 +31,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
       geometry_(geometry),
       carrier_(flow ? &flow->carrier(exec, scene.accuracy.solute_interval, Set::Q) : nullptr),
       interval_(scene.accuracy.solute_interval),
-      fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean) {
+      fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean),
+      fastest_(flow ? flow->largest_speed() : 0) {
   for (const Species& section : section_.species) {
     SpeciesState<T> state;
     state.section = section;
@@ -64,7 +68,7 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
   const int blocks = block_count(geometry_.fluid.capacity);
   for (SpeciesState<T>& s : species_) {
     for (StretchLinks& boundary : s.boundaries) boundary.find(exec, geometry_.fluid, Set::Q);
-    Kokkos::resize(exec, s.correction, blocks);
+    s.correction.resize(exec, blocks);
     Kokkos::resize(exec, s.created, blocks);
   }
 }
@@ -74,20 +78,21 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (!due(clock)) return;
   const FluidNodes& fluid = geometry_.fluid;
   for (SpeciesState<T>& s : species_) {
+    if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries) {
       const SoluteBoundary& condition = boundary.stretch.conditions.solute;
       if (condition.kind == SoluteBoundaryKind::outflow) {
-        dress_outflow<Set>(exec, fluid, boundary.links, s.fields, boundary.gain);
+        dress_outflow<Set>(exec, fluid, boundary.links, s.fields, boundary.gain.recent());
       } else {
         const auto given = condition.concentration.find(s.section.name);
         const double C = given == condition.concentration.end() ? 0.0 : given->second / units_.concentration;
-        dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain);
+        dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain.recent());
       }
     }
     if (!carrier_)
       advance_solute<Set>(exec, fluid, s.parameters, s.fields);
     else if (section_.advective_form)
-      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction);
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction.recent());
     else
       advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, s.fields);
   }
@@ -116,11 +121,15 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
         largest = std::max(largest, value / units_.concentration);
     const double bound = runaway_factor * std::max(1.0, largest);
     const FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.count);
-    if (range.first_not_finite < 0 && range.min >= -bound && range.max <= bound) continue;
+    if (range.first_not_finite < 0 && range.min > -bound && range.max < bound) continue;
+    int node = 0;
+    const int bad = first_outside(exec, s.fields.C, geometry_.fluid.count, -bound, bound);
+    Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, bad));
     throw StabilityError(fmt::format(
-        "solute {} diverged at step {}: concentrations from {:.3g} to {:.3g} mol/m3{}; lower the velocity or raise the "
-        "diffusivity",
-        s.section.name, clock.step, range.min * units_.concentration, range.max * units_.concentration,
+        "solute {} diverged at step {}: node ({}, {}) is not finite or beyond {:g} mol/m3; concentrations from {:.3g} "
+        "to {:.3g} mol/m3{}; lower the velocity or raise the diffusivity",
+        s.section.name, clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), bound * units_.concentration,
+        range.min * units_.concentration, range.max * units_.concentration,
         range.first_not_finite < 0 ? "" : ", and some that are not finite"));
   }
 }
@@ -132,6 +141,12 @@ void SoluteModule<T, Set>::limits(LimitTable& table) const {
                      "change lattice.time_step (docs/stability.md)"});
     table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
                      "change lattice.time_step"});
+    // The scheme with Lambda = 1/4 on D2Q5 carries any speed at any diffusivity; all others that were measured hold up
+    // to this at least (docs/stability.md).
+    if (carrier_ && (Set::Q != D2Q5::Q || section_.relaxation_time))
+      table.push_back({"solute", s.section.name + " grid Peclet number at the largest speed",
+                       fastest_ * units_.diffusivity() / s.section.diffusivity, "1", 0, 10,
+                       "use solute.velocity_set = \"d2q5\" without solute.relaxation_time, or lower the pressures"});
     table.push_back({"solute", s.section.name + " relaxation time tau_h", s.parameters.tau_h, "1", 0.5,
                      std::numeric_limits<double>::infinity(), "raise solute.relaxation_time above 1/2"});
   }
@@ -150,7 +165,7 @@ void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
     balance.gains.push_back({"injected", mol * injected});
     balance.gains.push_back({"outflow", mol * left});
     balance.gains.push_back({"births", mol * sum_in_order(s.created)});
-    balance.gains.push_back({"advective_form", mol * sum_in_order(s.correction)});
+    balance.gains.push_back({"advective_form", mol * s.correction.total()});
   }
 }
 
@@ -168,12 +183,12 @@ void SoluteModule<T, Set>::state(StateList& list) {
     const std::string key = "solute/" + s.section.name;
     list.add(key + "/h", s.fields.h);
     list.add(key + "/C", s.fields.C);
-    list.add(key + "/correction", s.correction);
+    add_state(list, key + "/correction", s.correction);
     list.add(key + "/created", s.created);
     list.add_value(key + "/initial", s.initial);
     for (StretchLinks& boundary : s.boundaries) {
       const std::string side = key + "/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
-      list.add(side + "/gain", boundary.gain);
+      add_state(list, side + "/gain", boundary.gain);
       list.add_value(side + "/entered", boundary.entered);
     }
   }

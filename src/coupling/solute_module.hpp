@@ -16,9 +16,14 @@ struct SpeciesState {
   SoluteParameters parameters;
   SoluteFields<T> fields;
   std::vector<StretchLinks> boundaries;
-  ScalarField<double> correction;  ///< (block) added by the advective form
-  ScalarField<double> created;     ///< (block) added by filling newborn nodes
-  double initial = 0;              ///< lattice units
+  LongSum correction;           ///< (block) added by the advective form
+  ScalarField<double> created;  ///< (block) added by filling newborn nodes
+  double initial = 0;           ///< lattice units
+
+  void settle(const Exec& exec) const {
+    correction.settle(exec);
+    for (const StretchLinks& boundary : boundaries) boundary.gain.settle(exec);
+  }
 };
 
 /// Owns the populations of all species. `flow` may be null: diffusion only. Steps every accuracy.solute_interval
@@ -52,6 +57,7 @@ class SoluteModule final : public Module {
   const Carrier<T>* carrier_;  ///< null: the fluid is at rest
   int interval_;               ///< lattice steps per step
   BirthFill fill_;
+  double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // The links of one stretch of boundary, and what has come in through them.
 #include "coupling/geometry.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/long_sum.hpp"
 
 #include <vector>
 
@@ -12,16 +12,16 @@ namespace vug {
 struct StretchLinks {
   Stretch stretch;
   BoundaryLinks links;
-  ScalarField<double> gain;  ///< (link)
-  double entered = 0;        ///< sum over links of former times, lattice units
+  LongSum gain;        ///< (link)
+  double entered = 0;  ///< sum over links of former times, lattice units
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions) {
     entered = total();
     links = find_boundary_links(exec, fluid, stretch.side, stretch.first, stretch.last, directions);
-    gain = ScalarField<double>("vug::boundary::gain", links.count);
+    gain = LongSum("vug::boundary::gain", links.count);
   }
   /// Everything that has entered so far; waits for the device.
-  double total() const { return entered + sum_in_order(gain); }
+  double total() const { return entered + gain.total(); }
 };
 
 }  // namespace vug

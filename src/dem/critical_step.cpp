@@ -38,6 +38,7 @@ struct ParticleStep {
   double mass_scaling;
   Particles p;
   Bonds bonds;
+  BoundaryLoads loads;
 
   KOKKOS_FUNCTION void add_bond(int e, double rho, Stiffness& stiffness, Stiffness& dashpot) const {
     const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
@@ -73,6 +74,9 @@ struct ParticleStep {
     Stiffness stiffness, dashpot;
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) add_bond(e, rho, stiffness, dashpot);
     add_contact(i, rho, stiffness, dashpot);
+    // the mirror image below doubles every spring; what ends at the fixed rock beyond has none
+    stiffness.add(0.5 * loads.stiffness(i, 0), {1, 0}, 0);
+    stiffness.add(0.5 * loads.stiffness(i, 1), {0, 1}, 0);
     const double omega = Kokkos::sqrt(2 * stiffness.largest_eigenvalue() / mass);
     const double z = dashpot.largest_eigenvalue() / (mass * omega);
     smallest = Kokkos::min(smallest, 2 / omega * (Kokkos::sqrt(1 + z * z) - z));
@@ -82,10 +86,11 @@ struct ParticleStep {
 }  // namespace
 
 double critical_step(const Exec& exec, const MechanicsParameters& parameters, const Particles& particles,
-                     const Bonds& bonds) {
+                     const Bonds& bonds, const BoundaryLoads& loads) {
   double smallest = 0;
   Kokkos::parallel_reduce("vug::dem::critical_step", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
-                          ParticleStep{parameters.bond, parameters.contact, parameters.mass_scaling, particles, bonds},
+                          ParticleStep{parameters.bond, parameters.contact, parameters.mass_scaling, particles, bonds,
+                                       loads},
                           Kokkos::Min<double>(smallest));
   return smallest;
 }

@@ -30,12 +30,17 @@ struct Integrate {
     return {sign * bonds.load(k, 0), sign * bonds.load(k, 1), bonds.load(k, 2 + end)};
   }
 
+  /// What the rock beyond the boundary adds to the stress that was there after the preload.
+  KOKKOS_FORCEINLINE_FUNCTION double spring(int i, int axis) const {
+    return control.surroundings * boundary.stiffness(i, axis) * (p.u(i, axis) - p.u_reference(i, axis));
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION Push outside(int i) const {
     const double weight = p.mass(i) * mass_fraction(p.solid_fraction(i));
     const double a = boundary.moment(i, 0), b = boundary.moment(i, 1);
     const double moment = a + p.rotation(i, 0) * a - p.rotation(i, 1) * b;
-    return {p.force(i, 0) + control.load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x),
-            p.force(i, 1) + control.load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y),
+    return {p.force(i, 0) + control.load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x) - spring(i, 0),
+            p.force(i, 1) + control.load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y) - spring(i, 1),
             p.torque(i) + control.load_factor * moment};
   }
 

@@ -12,6 +12,7 @@ struct StepControl {
   double local_damping = 0;  ///< Cundall's alpha
   double mass_scaling = 1;   ///< of inertia only
   double load_factor = 1;    ///< scales tractions and gravity, for ramps
+  double surroundings = 1;   ///< scales the springs of the rock beyond: 0 in a preload, which they would resist
 };
 
 /// Gathers the forces on each particle in fixed order and moves it: v(t + dt/2) = v(t - dt/2) + dt F / m,

@@ -64,10 +64,12 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
                           const Particles& particles) {
   const auto n = static_cast<std::size_t>(particles.count);
   BoundaryLoads out{VectorField<double>("vug::dem::boundary_force", n),
-                    VectorField<double>("vug::dem::boundary_moment", n), loads.gravity[0], loads.gravity[1]};
+                    VectorField<double>("vug::dem::boundary_moment", n),
+                    VectorField<double>("vug::dem::boundary_stiffness", n), loads.gravity[0], loads.gravity[1]};
   const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
   const auto force = Kokkos::create_mirror_view(out.force);
   const auto moment = Kokkos::create_mirror_view(out.moment);
+  const auto stiffness = Kokkos::create_mirror_view(out.stiffness);
   const auto held = Kokkos::create_mirror_view(particles.held);
   const auto drive = Kokkos::create_mirror_view(particles.drive);
   for (const BoundaryEdge& edge : boundary) {
@@ -83,10 +85,12 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     force(i, 1) += f.y;
     moment(i, 0) += cross(r, f);
     moment(i, 1) += dot(r, f);
+    stiffness(i, edge.side % 2) += length * loads.stiffness[side];
     hold(loads.support[side], edge.side, loads.velocity[side], i, held, drive);
   }
   Kokkos::deep_copy(out.force, force);
   Kokkos::deep_copy(out.moment, moment);
+  Kokkos::deep_copy(out.stiffness, stiffness);
   Kokkos::deep_copy(particles.held, held);
   Kokkos::deep_copy(particles.drive, drive);
   return out;

@@ -17,6 +17,9 @@ struct Loads {
   std::array<std::array<double, 2>, 4> traction{};  ///< force on the rock per area, Pa: {-5e6, 0} on the right presses
   std::array<Support, 4> support{Support::free, Support::free, Support::free, Support::free};
   std::array<std::array<double, 2>, 4> velocity{};  ///< of the platen of a held side, m/s
+  /// Of the rock beyond a free side: stress that it adds per distance that the side moves outwards after the preload,
+  /// Pa/m; about its Young's modulus over the size of the specimen. 0: a dead load, whatever the rock does.
+  std::array<double, 4> stiffness{};
   std::array<double, 2> gravity{};                  ///< m/s2
 };
 
@@ -35,6 +38,7 @@ std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
 struct BoundaryLoads {
   VectorField<double> force;   ///< (particle, axis) N
   VectorField<double> moment;  ///< (particle, A or B) N m
+  VectorField<double> stiffness;  ///< (particle, axis) of the rock beyond, at the centroid, N/m
   double gravity_x = 0;        ///< m/s2
   double gravity_y = 0;
 };

@@ -38,7 +38,7 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
 }
 
 double Mechanics::critical_step() const {
-  return vug::critical_step(Exec(), parameters_, particles_, bonds_);
+  return vug::critical_step(Exec(), parameters_, particles_, bonds_, loads_);
 }
 
 template <class Keeper>
@@ -73,14 +73,14 @@ long Mechanics::ramp(const Exec& exec, double dt, double ramp_time) {
   const long steps = std::max(1L, std::lround(ramp_time / dt));
   for (long s = 0; s < steps; ++s) {
     step(exec,
-         {dt, preload_damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps)});
+         {dt, preload_damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
   }
   return steps;
 }
 
 PreloadReport Mechanics::preload(const Exec& exec, double ramp_time) {
   const double dt = 0.3 * critical_step();
-  const StepControl settle{dt, preload_damping, parameters_.mass_scaling, 1};
+  const StepControl settle{dt, preload_damping, parameters_.mass_scaling, 1, 0};
   PreloadReport report;
   report.steps = ramp(exec, dt, ramp_time);
   const long look = std::max(1L, report.steps / 5), last = report.steps * (1 + longest_settling);

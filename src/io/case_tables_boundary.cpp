@@ -37,12 +37,18 @@ HeatBoundary read_heat_boundary(const TomlCursor& table) {
   table.need_choice("type", boundary.kind,
                     {{"adiabatic", Kind::adiabatic},
                      {"temperature", Kind::temperature},
+                     {"flux", Kind::flux},
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
   if (boundary.kind == Kind::temperature || table.describing()) {
     table.need("temperature", boundary.temperature, unit::kelvin, range::positive);
   } else {
     table.refuse("temperature", "is only for type = \"temperature\"");
+  }
+  if (boundary.kind == Kind::flux || table.describing()) {
+    table.need("flux", boundary.flux, unit::watt_per_square_metre);
+  } else {
+    table.refuse("flux", "is only for type = \"flux\"");
   }
   return boundary;
 }
@@ -75,8 +81,12 @@ TractionBoundary read_traction_boundary(const TomlCursor& table) {
   table.choose("support", boundary.support,
                {{"free", Support::free}, {"roller", Support::roller}, {"fixed", Support::fixed}});
   table.read("normal_stress", boundary.normal_stress, unit::pascal);
+  table.read("stiffness", boundary.stiffness, unit::pascal_per_metre, range::not_negative);
   if (boundary.support != Support::free && boundary.normal_stress != 0) {
     table.fail("normal_stress", "acts on a side that its support holds still; use support = \"free\" or leave it out");
+  }
+  if (boundary.support != Support::free && boundary.stiffness != 0) {
+    table.fail("stiffness", "is that of the rock beyond a side that is free to move; use support = \"free\" or leave it out");
   }
   return boundary;
 }

@@ -70,6 +70,8 @@ HeatSection read_heat(const TomlCursor& table) {
   table.read("fluid_heat_capacity", heat.fluid_heat_capacity, unit::joule_per_kilogram_kelvin, range::positive);
   table.read("solid_heat_capacity", heat.solid_heat_capacity, unit::joule_per_kilogram_kelvin, range::positive);
   table.read("initial_temperature", heat.initial_temperature, unit::kelvin, range::positive);
+  table.choose("velocity_set", heat.velocity_set,
+               {{"d2q5", ScalarVelocitySet::d2q5}, {"d2q9", ScalarVelocitySet::d2q9}});
   return heat;
 }
 

@@ -80,6 +80,7 @@ struct FlowSection {
 };
 
 struct HeatSection {
+  ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
   double fluid_diffusivity = 0, solid_diffusivity = 0;      ///< m2/s
   double fluid_density = 1000, solid_density = 2500;        ///< kg/m3
   double fluid_heat_capacity = 4000, solid_heat_capacity = 1000;  ///< J/(kg K)
@@ -91,7 +92,6 @@ struct Species {
   double diffusivity = 0;  ///< m2/s
   double initial = 0;      ///< mol/m3
 };
-enum class ScalarVelocitySet { d2q5, d2q9 };
 struct SoluteSection {
   std::vector<Species> species;
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
@@ -153,10 +153,11 @@ struct FlowBoundary {
   std::array<double, 2> velocity{0, 0};  ///< m/s (wall: tangential speed of a moving wall)
   double ramp_time = 0;                ///< s, over which the pressure rises from the initial one
 };
-enum class HeatBoundaryKind { adiabatic, temperature, outflow, periodic };
+enum class HeatBoundaryKind { adiabatic, temperature, flux, outflow, periodic };
 struct HeatBoundary {
   HeatBoundaryKind kind = HeatBoundaryKind::adiabatic;
   double temperature = 0;  ///< K
+  double flux = 0;         ///< W/m2 into the domain
 };
 enum class SoluteBoundaryKind { no_flux, concentration, outflow, periodic };
 struct SoluteBoundary {
@@ -166,6 +167,7 @@ struct SoluteBoundary {
 struct TractionBoundary {
   Support support = Support::free;
   double normal_stress = 0;  ///< Pa, compression positive
+  double stiffness = 0;      ///< Pa/m, of the rock beyond: stress added per outward displacement
 };
 struct BoundarySection {
   FlowBoundary flow;

@@ -8,9 +8,12 @@ namespace vug {
 /// (design note LATTICE section 4; for D2Q5 e = sum_i e_i / 2 with e_i = c_i.u(x - c_i) for a fluid neighbour,
 /// -c_i.u(x) for a closed link and +c_i.u(x) for an open one). Subtracting C e after streaming turns conservation form
 /// into advective form, so that a uniform scalar stays uniform beside stair-steps and while the density changes.
+/// The even part of the equilibrium, which D2Q9 has, is multiplied by `even_weight`: a scheme whose even and odd parts
+/// build up at different rates (heat.hpp) has another defect of its own.
 /// `u` is the velocity that the populations were last collided with, (fluid, axis). e: (fluid).
 /// Sums to zero over a closed domain. Bytes per node (D2Q5, double): 16 + 4 x 20 + 6 read, 8 written.
 template <class Set, class T>
-void advective_defect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& e);
+void advective_defect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& e,
+                      T even_weight = 1);
 
 }  // namespace vug

@@ -11,6 +11,12 @@ enum class Collision {
   regularised     ///< non-equilibrium projected on its second moment, the rest forgotten
 };
 
+/// Velocities of a scalar field.
+enum class ScalarVelocitySet {
+  d2q5,  ///< along the axes
+  d2q9   ///< diagonal ones as well
+};
+
 /// How a wall link reacts.
 enum class ReactiveWallLaw {
   kinetic,  ///< flux from the outgoing populations, closed form: acid, product and solid balance to the last digit

@@ -17,8 +17,9 @@ struct MarkDissolved {
   }
 };
 
-/// Hands the overdraft of one dissolved node to its heir. The lowest of the dissolved nodes that share an heir gathers
-/// for all of them in the order of the directions, so that nothing is added twice or in another order.
+/// Hands the overdrafts of dissolved nodes to their heirs, the solid nodes around them, in equal shares. What an heir
+/// gets is gathered in the order of the directions by the lowest of its overdrawn neighbours, so that nothing is added
+/// twice or in another order.
 struct BequeathOverdraft {
   DenseNeighbour lattice;
   IndexList node;
@@ -27,36 +28,42 @@ struct BequeathOverdraft {
 
   KOKKOS_FORCEINLINE_FUNCTION bool overdrawn(int n) const { return type(n) == NodeType::fluid && V(n) < 0; }
 
-  KOKKOS_FUNCTION int heir(int n) const {
-    int lowest = -1;
+  /// The neighbour of n along q; -1 outside, and where a direction before q leads to the same node: on a joined lattice
+  /// one or two nodes wide.
+  KOKKOS_FUNCTION int neighbour(int n, int q) const {
+    const int m = lattice.along(n, q);
+    for (int p = 1; p < q; ++p)
+      if (lattice.along(n, p) == m) return -1;
+    return m;
+  }
+  KOKKOS_FUNCTION int heir(int n, int q) const {
+    const int m = neighbour(n, q);
+    return m >= 0 && type(m) == NodeType::solid ? m : -1;
+  }
+  KOKKOS_FUNCTION int count_heirs(int n) const {
+    int heirs = 0;
+    for (int q = 1; q < D2Q9::Q; ++q) heirs += heir(n, q) >= 0;
+    return heirs;
+  }
+  /// Adds to V(to) its shares, if n is the one to do it.
+  KOKKOS_FUNCTION void gather(int to, int n) const {
+    double sum = 0;
     for (int q = 1; q < D2Q9::Q; ++q) {
-      const int m = lattice.along(n, q);
-      if (m >= 0 && type(m) == NodeType::solid && (lowest < 0 || m < lowest)) lowest = m;
+      const int from = neighbour(to, q);
+      if (from < 0 || !overdrawn(from)) continue;
+      if (from < n) return;
+      sum += V(from) / count_heirs(from);
     }
-    return lowest;
+    V(to) += sum;
   }
 
   KOKKOS_FUNCTION double operator()(int s) const {
     const int n = node(s);
     if (!overdrawn(n)) return 0;
-    const int to = heir(n);
-    if (to < 0) return V(n);
-    double sum = 0;
-    for (int q = 1; q < D2Q9::Q; ++q) {
-      const int from = lattice.along(to, q);
-      if (from < 0 || !overdrawn(from) || heir(from) != to || visited(to, from, q)) continue;
-      if (from < n) return 0;
-      sum += V(from);
-    }
-    V(to) += sum;
+    if (count_heirs(n) == 0) return V(n);
+    for (int q = 1; q < D2Q9::Q; ++q)
+      if (const int to = heir(n, q); to >= 0) gather(to, n);
     return 0;
-  }
-
-  /// True when a direction before q leads to the same node: on a joined lattice one or two nodes wide.
-  KOKKOS_FUNCTION bool visited(int to, int from, int q) const {
-    for (int p = 1; p < q; ++p)
-      if (lattice.along(to, p) == from) return true;
-    return false;
   }
 };
 

@@ -9,8 +9,8 @@
 namespace vug {
 
 /// Turns every surface node with V <= 0 into fluid and returns how many (0: nothing else was touched; waits for the
-/// device). What a pixel was overdrawn by, -V, is taken from the neighbouring solid node (of eight) with the lowest
-/// number, whichever number of pixels dissolve at once and in an order that does not matter; where no solid is left,
+/// device). What a pixel was overdrawn by, -V, is taken in equal shares from the neighbouring solid nodes (of eight),
+/// whichever number of pixels dissolve at once and in an order that does not matter; where no solid is left,
 /// lost(block) += V (negative). V of the new fluid nodes is 0: sum V + lost is unchanged.
 /// `lost` has at least block_count(surface.count) entries.
 int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,

@@ -35,6 +35,26 @@ FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const Flow
   return found;
 }
 
+template <class T>
+struct FirstOutside {
+  Kokkos::View<const T*> field;
+  double lowest, highest;
+  KOKKOS_FUNCTION void operator()(int i, int& first) const {
+    const double value = double(field(i));
+    if (!(value > lowest && value < highest) && i < first) first = i;  // true for NaN
+  }
+};
+
+template <class T>
+int first_outside(const Exec& exec, const ScalarField<T>& field, int count, double lowest, double highest) {
+  int first = count;
+  Kokkos::parallel_reduce("vug::guards::first_outside", Kokkos::RangePolicy<Exec>(exec, 0, count),
+                          FirstOutside<T>{field, lowest, highest}, Kokkos::Min<int>(first));
+  return first < count ? first : -1;
+}
+
+template int first_outside(const Exec&, const ScalarField<float>&, int, double, double);
+template int first_outside(const Exec&, const ScalarField<double>&, int, double, double);
 template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<float>&, double, double);
 template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<double>&, double, double);
 

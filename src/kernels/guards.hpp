@@ -1,5 +1,5 @@
 #pragma once
-// Watching the flow for divergence, at monitor steps.
+// Watching the fields for divergence, at monitor steps. All wait for the device.
 #include "kernels/flow.hpp"
 
 namespace vug {
@@ -10,8 +10,12 @@ struct FlowExtremes {
   int bad = -1;        ///< lowest fluid index whose state is not finite or beyond a bound; -1: none
 };
 
+/// The first of the first `count` entries of a field that is not finite or not within (lowest, highest); -1: none.
+template <class T>
+int first_outside(const Exec& exec, const ScalarField<T>& field, int count, double lowest, double highest);
+
 /// Extremes of the density and velocity of the last sweep; a broken population shows in the density of the node where
-/// it arrives. The same for any number of threads. Waits for the device.
+/// it arrives. The same for any number of threads.
 template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);

@@ -3,6 +3,8 @@
 #include "kernels/conjugate_link.hpp"
 #include "kernels/require.hpp"
 #include "kernels/row_launch.hpp"
+#include "kernels/scalar_equilibrium.hpp"
+#include "kernels/unroll.hpp"
 
 #include <cmath>
 #include <string>
@@ -29,11 +31,11 @@ HeatRates<T> heat_rates(const HeatParameters& p) {
           p.capacity_ratio};
 }
 
-/// Mask of the solid, continued into the halo so that the conjugate link is inert there: like the nearest node inside,
-/// or like the node joined to it where opposite sides are.
+/// Mask of the solid, continued into the halo so that the conjugate link is inert there: like the node joined to it,
+/// and where there is none, like the nearest node inside or, if `marked`, as outside.
 struct CopySolid {
   Lattice lattice;
-  bool periodic_x, periodic_y;
+  bool periodic_x, periodic_y, marked;
   Kokkos::View<const NodeType*> type;
   Kokkos::View<std::uint8_t*> solid;
 
@@ -45,8 +47,9 @@ struct CopySolid {
     const int x = lattice.x(node);
     const int y = lattice.y(node);
     if (x < -1 || x > lattice.nx) return;
+    const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
     const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
-    solid(node) = type(from) == NodeType::solid ? 1 : 0;
+    solid(node) = outside && marked ? outside_lattice : static_cast<std::uint8_t>(type(from) == NodeType::solid);
   }
 };
 
@@ -54,24 +57,27 @@ template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields) {
   for_each_node(exec, "vug::heat::copy_solid", fields.lattice.size(),
-                CopySolid{fields.lattice, periodic[0], periodic[1], type, fields.solid});
+                CopySolid{fields.lattice, periodic[0], periodic[1], fields.velocity_set == ScalarVelocitySet::d2q9,
+                          type, fields.solid});
 }
 
 /// Populations at rest, g_q = w_q theta.
-template <class T>
+template <class T, class Set>
 struct StartHeat {
   int plane;
   Kokkos::View<const T*> theta;
   ScalarField<T> g;
   KOKKOS_FUNCTION void operator()(int node) const {
-    for (int q = 0; q < D2Q5::Q; ++q) g(q * plane + node) = T(D2Q5::w(q)) * theta(node);
+    for (int q = 0; q < Set::Q; ++q) g(q * plane + node) = T(Set::w(q)) * theta(node);
   }
 };
 
 template <class T>
 void start_heat(const Exec& exec, HeatFields<T>& fields) {
   const int plane = fields.lattice.size();
-  for_each_node(exec, "vug::heat::start", plane, StartHeat<T>{plane, fields.theta, fields.g});
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    for_each_node(exec, "vug::heat::start", plane, StartHeat<T, decltype(set)>{plane, fields.theta, fields.g});
+  });
 }
 
 template <class T>
@@ -87,9 +93,11 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   HeatFields<T> fields;
   fields.lattice = lattice;
   fields.rates = heat_rates<T>(parameters);
+  fields.velocity_set = parameters.velocity_set;
   const std::size_t size = lattice.size();
-  fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), D2Q5::Q * size);
-  fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), D2Q5::Q * size);
+  const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
+  fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);
+  fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
   fields.theta = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), size);
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   set_heat_geometry(exec, type, periodic, fields);
@@ -103,8 +111,8 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
 /// so
 ///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
 /// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it to
-/// the last digit at any precision. Dense fields; lattice units. Reads 5 populations and a byte, writes 5 and theta.
-template <class T>
+/// the last digit at any precision. Dense fields; lattice units. Reads Q populations and a byte, writes Q and theta.
+template <class T, class Set>
 struct Conduct {
   int pitch, plane;
   T fluid_rate, rate_step, reflection;
@@ -112,25 +120,34 @@ struct Conduct {
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g_next, theta;
 
-  KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return D2Q5::c(q, 1) * pitch + D2Q5::c(q, 0); }
+  KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return Set::c(q, 1) * pitch + Set::c(q, 0); }
+
+  KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(int beyond, T solid_here) const {
+    if constexpr (Set::Q == D2Q5::Q)
+      return static_cast<T>(solid(beyond));
+    else
+      return solid(beyond) == outside_lattice ? solid_here : static_cast<T>(solid(beyond));
+  }
 
   KOKKOS_FORCEINLINE_FUNCTION T arriving(int node, int q, T solid_here) const {
     const int beyond = node - offset(q);
-    return conjugate_link(g(q * plane + beyond), g(D2Q5::opposite(q) * plane + node), reflection, solid_here,
-                          static_cast<T>(solid(beyond)));
+    return conjugate_link(g(q * plane + beyond), g(Set::opposite(q) * plane + node), reflection, solid_here,
+                          solid_beyond(beyond, solid_here));
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
     const T solid_here = static_cast<T>(solid(node));
-    T in[D2Q5::Q];
+    T in[Set::Q];
     in[0] = g(node);
     T temperature = in[0];
-    for (int q = 1; q < D2Q5::Q; ++q) temperature += in[q] = arriving(node, q, solid_here);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) temperature += in[q] = arriving(node, q, solid_here);
     const T s = fluid_rate + solid_here * rate_step;
-    const T even = (2 - s) * T(D2Q5::w(1)) * temperature;
+    const T even = (2 - s) * temperature;
     T rest = temperature;
-    for (int q = 1; q < D2Q5::Q; ++q) {
-      const T out = (s - 1) * in[D2Q5::opposite(q)] + even;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const T out = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
       g_next(q * plane + node) = out;
       rest -= out;
     }
@@ -142,19 +159,23 @@ struct Conduct {
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields) {
   const HeatRates<T>& rates = fields.rates;
-  for_each_dense_node(exec, "vug::heat::conduct", fields.lattice,
-                      Conduct<T>{fields.lattice.pitch, fields.lattice.size(), rates.fluid, rates.solid - rates.fluid,
-                                 rates.reflection, fields.g, fields.solid, fields.g_next, fields.theta});
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    for_each_dense_node(
+        exec, "vug::heat::conduct", fields.lattice,
+        Conduct<T, decltype(set)>{fields.lattice.pitch, fields.lattice.size(), rates.fluid, rates.solid - rates.fluid,
+                                  rates.reflection, fields.g, fields.solid, fields.g_next, fields.theta});
+  });
   std::swap(fields.g, fields.g_next);
 }
 
 /// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow
-/// `Conduct`. Carried: g_q* += 3 s w_q T c_q.u. Towards solid and closed sides that part stays at its node, in the
-/// population at rest: only conducted heat crosses a wall. The advective form (advective_form.hpp) takes T e' from the
+/// `Conduct`. Carried: g_q* += s w_q T 3 c_q.u, and on D2Q9 the even part of the equilibrium with its own rate, 2 - s.
+/// Towards solid and closed sides that part stays at its node, in the population at rest: only conducted heat crosses a
+/// wall. The advective form (advective_form.hpp) takes T e' from the
 /// population at rest before the collision, e' being what streaming has added to a uniform temperature: the carried
 /// part builds up over the relaxation time, so e' lags behind e in the same way, e' = (1 - s) e' + s e. A uniform
 /// temperature then stays uniform to round-off in any flow, steady or not. Returns the energy added, -T e'.
-template <class T>
+template <class T, class Set>
 struct Advect {
   int plane;
   T rate;
@@ -164,6 +185,15 @@ struct Advect {
   Kokkos::View<const T*> defect;
   ScalarField<T> lagged, g, theta;
 
+  /// Carried along direction q, over w_q T.
+  KOKKOS_FORCEINLINE_FUNCTION T carried(int q, T ux, T uy) const {
+    const T odd = 3 * (Set::c(q, 0) * ux + Set::c(q, 1) * uy);
+    if constexpr (Set::Q == D2Q5::Q)
+      return rate * odd;
+    else
+      return rate * odd + (2 - rate) * (scalar_equilibrium<Set, T>(q, ux, uy) - 1 - odd);
+  }
+
   KOKKOS_FUNCTION double operator()(int i) const {
     const int n = node(i);
     const T excess = lagged(i) + rate * (defect(i) - lagged(i));
@@ -171,10 +201,10 @@ struct Advect {
     const T temperature = theta(n) + added;
     const unsigned walls = solid_links(i) | (side_links(i) & ~open_links(i));
     T rest = added;
-    for (int q = 1; q < D2Q5::Q; ++q) {
-      const T along = D2Q5::c(q, 0) * u(i, 0) + D2Q5::c(q, 1) * u(i, 1);
-      const T carried = (walls >> q & 1u) ? T(0) : T(3 * D2Q5::w(q)) * rate * temperature * along;
-      const T change = (2 - rate) * T(D2Q5::w(q)) * added + carried;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const T along = (walls >> q & 1u) ? T(0) : temperature * carried(q, u(i, 0), u(i, 1));
+      const T change = T(Set::w(q)) * ((2 - rate) * added + along);
       g(q * plane + n) += change;
       rest -= change;
     }
@@ -188,21 +218,23 @@ struct Advect {
 template <class T>
 void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
             const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created) {
-  const Advect<T> body{fields.lattice.size(),
-                       fields.rates.fluid,
-                       nodes.node,
-                       nodes.solid_links,
-                       nodes.side_links,
-                       nodes.open_links,
-                       u,
-                       defect,
-                       lagged,
-                       fields.g,
-                       fields.theta};
-  if (created.extent(0) > 0)
-    add_per_block(exec, "vug::heat::advect", nodes.count, body, created);
-  else
-    for_each_node(exec, "vug::heat::advect", nodes.count, body);
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const Advect<T, decltype(set)> body{fields.lattice.size(),
+                                        fields.rates.fluid,
+                                        nodes.node,
+                                        nodes.solid_links,
+                                        nodes.side_links,
+                                        nodes.open_links,
+                                        u,
+                                        defect,
+                                        lagged,
+                                        fields.g,
+                                        fields.theta};
+    if (created.extent(0) > 0)
+      add_per_block(exec, "vug::heat::advect", nodes.count, body, created);
+    else
+      for_each_node(exec, "vug::heat::advect", nodes.count, body);
+  });
 }
 
 #define VUG_INSTANTIATE(T)                                                                                           \

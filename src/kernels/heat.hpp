@@ -1,5 +1,6 @@
 #pragma once
-// Conjugate heat on every node of the lattice, fluid and solid alike: D2Q5, two relaxation times with Lambda = 1/4.
+// Conjugate heat on every node of the lattice, fluid and solid alike: D2Q5 or D2Q9, two relaxation times with Lambda =
+// 1/4.
 //
 // One step: fill the halo (heat_boundary.hpp), `conduct` on all nodes, then `advect` on the fluid nodes where there is
 // flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
@@ -13,6 +14,7 @@ struct HeatParameters {
   double fluid_diffusivity = 0;
   double solid_diffusivity = 0;
   double capacity_ratio = 1;  ///< sigma = (rho cp)_s / (rho cp)_f
+  ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
 };
 
 /// What the kernels need of HeatParameters.
@@ -27,13 +29,19 @@ struct HeatRates {
 template <class T>
 HeatRates<T> heat_rates(const HeatParameters& parameters);
 
+/// Entry of the mask of the solid beyond a side that is not joined to the opposite one (D2Q9; see HeatFields).
+inline constexpr std::uint8_t outside_lattice = 2;
+
 template <class T>
 struct HeatFields {
   Lattice lattice;
   HeatRates<T> rates;
-  ScalarField<T> g, g_next;           ///< (q * lattice.size() + node) post-collision populations, with halo
-  ScalarField<T> theta;               ///< (node) temperature, deviation from the reference; 0 outside the lattice
-  Kokkos::View<std::uint8_t*> solid;  ///< (node) 1 in solid; in the halo like the node beside it or joined to it
+  ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
+  ScalarField<T> g, g_next;  ///< (q * lattice.size() + node) post-collision populations, with halo
+  ScalarField<T> theta;      ///< (node) temperature, deviation from the reference; 0 outside the lattice
+  /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
+  /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
+  Kokkos::View<std::uint8_t*> solid;
 };
 
 /// Allocates the fields; all nodes have temperature `theta`.
@@ -56,10 +64,18 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields);
 
+/// How much faster than the odd part of the carried populations their even part builds up, (2 - s) / s; 1 on D2Q5,
+/// where they have none.
+template <class T>
+T even_defect_weight(const HeatFields<T>& fields) {
+  return fields.velocity_set == ScalarVelocitySet::d2q9 ? (2 - fields.rates.fluid) / fields.rates.fluid : T(1);
+}
+
 /// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` (fluid, axis) is the velocity
 /// in nodes per heat step, `defect` (fluid) the e of kernels/advective_form.hpp for the velocity of the heat step
-/// before. `lagged` (fluid) is the state of its lag behind e: 0 at the start and at births, part of a checkpoint.
-/// `created` (block) grows by the energy that the advective form adds; give an empty View to leave it out.
+/// before, its even part weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
+/// start and at births, part of a checkpoint. `created` (block) grows by the energy that the advective form adds; give
+/// an empty View to leave it out.
 template <class T>
 void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
             const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created);

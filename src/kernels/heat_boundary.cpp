@@ -45,44 +45,76 @@ SideNodes side_nodes(const Lattice& lattice, Side side) {
 
 }  // namespace
 
-/// in = A + q / c.
+/// One link that crosses a side, as its law sees it.
+template <class T>
+struct SideLink {
+  T leaving;  ///< A, the population that leaves through it
+  T inward;   ///< the node's own population of the opposite direction
+  T weight;   ///< w of the velocity set
+  T share;    ///< of what enters at the node
+  bool solid;
+};
+
+/// in = A + share q / c.
 template <class T>
 struct FluxIn {
   T fluid_flux, solid_flux;
-  KOKKOS_FUNCTION T operator()(T leaving, T, T solid) const {
-    return leaving + fluid_flux + solid * (solid_flux - fluid_flux);
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
+    return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
   }
 };
 
 /// in = -A + 2 w theta_wall (half-way anti-bounce-back).
 template <class T>
 struct TemperatureIn {
-  T twice_wall_population;
-  KOKKOS_FUNCTION T operator()(T leaving, T, T) const { return twice_wall_population - leaving; }
+  T twice_wall_temperature;
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
+    return link.weight * twice_wall_temperature - link.leaving;
+  }
 };
 
 /// in = the node's own inward population.
 template <class T>
 struct OutflowIn {
-  KOKKOS_FUNCTION T operator()(T, T inward, T) const { return inward; }
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const { return link.inward; }
 };
 
-/// Writes the arriving population of one link of a side into the halo and returns the energy it brings in, c (in - A).
-/// `Law` maps the leaving population A, the node's own inward population and its kind to the arriving one.
-template <class T, class Law>
+/// Writes the populations that arrive at one node through a side into the halo and returns the energy they bring in,
+/// the sum of c (in - A). `Law` maps a SideLink to what arrives.
+template <class T, class Set, class Law>
 struct FillSide {
   Law law;
-  int first, stride, beyond, leaving_plane, arriving_plane;
+  Lattice lattice;
+  int first, stride, outward;
   double capacity_ratio;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
+
+  /// True where a diagonal link leaves through a corner, which belongs to the left or right side.
+  KOKKOS_FUNCTION bool through_corner(int node, int q) const {
+    return Set::c(outward, 0) == 0 && solid(node + Set::c(q, 0)) == outside_lattice;
+  }
+  KOKKOS_FUNCTION double fill(int node, int q, T share) const {
+    const int plane = lattice.size(), back = Set::opposite(q);
+    const SideLink<T> link{g(q * plane + node), g(back * plane + node), static_cast<T>(Set::w(q)), share,
+                           solid(node) != 0};
+    const T arriving = law(link);
+    g(back * plane + node + lattice.offset(q)) = arriving;
+    return static_cast<double>(arriving) - static_cast<double>(link.leaving);
+  }
   KOKKOS_FUNCTION double operator()(int item) const {
     const int node = first + item * stride;
-    const T leaving = g(leaving_plane + node);
-    const T arriving = law(leaving, g(arriving_plane + node), static_cast<T>(solid(node)));
-    g(arriving_plane + node + beyond) = arriving;
-    const double capacity = solid(node) ? capacity_ratio : 1;
-    return capacity * (static_cast<double>(arriving) - static_cast<double>(leaving));
+    double entered = 0;
+    T straight_share = 1;
+    for (int q = 5; q < Set::Q; ++q) {
+      if (Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) != 1 || through_corner(node, q))
+        continue;
+      const T share = static_cast<T>(6 * Set::w(q));
+      straight_share -= share;
+      entered += fill(node, q, share);
+    }
+    entered += fill(node, outward, straight_share);
+    return (solid(node) ? capacity_ratio : 1) * entered;
   }
 };
 
@@ -90,17 +122,12 @@ template <class T, class Law>
 void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side, const Law& law) {
   const Lattice& lattice = fields.lattice;
   const auto [origin, stride] = side_nodes(lattice, side.side);
-  const int q = outward(side.side);
-  const FillSide<T, Law> body{law,
-                              origin + side.first * stride,
-                              stride,
-                              lattice.offset(q),
-                              q * lattice.size(),
-                              D2Q5::opposite(q) * lattice.size(),
-                              fields.rates.capacity_ratio,
-                              fields.solid,
-                              fields.g};
-  add_per_block(exec, "vug::heat::fill_side", side.last - side.first + 1, body, side.energy_in);
+  const int start = origin + side.first * stride, step = stride;
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const FillSide<T, decltype(set), Law> body{
+        law, lattice, start, step, outward(side.side), fields.rates.capacity_ratio, fields.solid, fields.g};
+    add_per_block(exec, "vug::heat::fill_side", side.last - side.first + 1, body, side.energy_in);
+  });
 }
 
 template <class T>
@@ -109,7 +136,7 @@ void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSid
     case HeatCondition::adiabatic:
       return launch(exec, fields, side, FluxIn<T>{0, 0});
     case HeatCondition::temperature:
-      return launch(exec, fields, side, TemperatureIn<T>{static_cast<T>(2 * D2Q5::w(1) * side.value)});
+      return launch(exec, fields, side, TemperatureIn<T>{static_cast<T>(2 * side.value)});
     case HeatCondition::flux:
       return launch(exec, fields, side,
                     FluxIn<T>{static_cast<T>(side.value), static_cast<T>(side.value / fields.rates.capacity_ratio)});
@@ -119,15 +146,17 @@ void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSid
 }
 
 /// Copies the populations that leave through one side to the halo beside the other.
-template <class T>
+template <class T, class Set>
 struct JoinSides {
-  int low, high, stride, beyond, up_plane, down_plane;
+  int low, high, stride, beyond, plane, axis;
   ScalarField<T> g;
   KOKKOS_FUNCTION void operator()(int item) const {
     const int bottom = low + item * stride;
     const int top = high + item * stride;
-    g(up_plane + bottom - beyond) = g(up_plane + top);
-    g(down_plane + top + beyond) = g(down_plane + bottom);
+    for (int q = 1; q < Set::Q; ++q) {
+      if (Set::c(q, axis) > 0) g(q * plane + bottom - beyond) = g(q * plane + top);
+      if (Set::c(q, axis) < 0) g(q * plane + top + beyond) = g(q * plane + bottom);
+    }
   }
 };
 
@@ -136,11 +165,15 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
   const Lattice& lattice = fields.lattice;
   const Side low = axis == 0 ? Side::left : Side::bottom;
   const Side high = axis == 0 ? Side::right : Side::top;
-  const int q = outward(high);
   const SideNodes nodes = side_nodes(lattice, low);
-  for_each_node(exec, "vug::heat::join_sides", axis == 0 ? lattice.ny : lattice.nx,
-                JoinSides<T>{nodes.first, side_nodes(lattice, high).first, nodes.stride, lattice.offset(q),
-                             q * lattice.size(), D2Q5::opposite(q) * lattice.size(), fields.g});
+  const int last = side_nodes(lattice, high).first;
+  // Across axis 1 the halo of axis 0 is copied as well: it brings what moves diagonally through two joined sides.
+  const int halo = axis, count = (axis == 0 ? lattice.ny : lattice.nx) + 2 * halo;
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    for_each_node(exec, "vug::heat::join_sides", count,
+                  JoinSides<T, decltype(set)>{nodes.first - halo, last - halo, nodes.stride,
+                                              lattice.offset(outward(high)), lattice.size(), axis, fields.g});
+  });
 }
 
 #define VUG_INSTANTIATE(T)                                                          \

@@ -8,7 +8,7 @@ namespace vug {
 enum class HeatCondition {
   adiabatic,    ///< in = A: nothing passes
   temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
-  flux,         ///< in = A + q / c: the heat q enters per link and step, c the node's heat capacity
+  flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
   outflow       ///< in = the node's own population of the same direction: zero gradient
 };
 
@@ -26,11 +26,13 @@ struct HeatSide {
 HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value = 0);
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value = 0);
 
-/// Fills the halo beside `side`, and books what enters in side.energy_in.
+/// Fills the halo beside `side`, and books what enters in side.energy_in. On D2Q9 three links of a node cross the side,
+/// which share a flux as 1/6, 2/3, 1/6; the one through a corner of two sides that are not joined belongs to the left
+/// or right side, its share to the straight link. Sides that are joined come first.
 template <class T>
 void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side);
 
-/// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top).
+/// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top), 0 before 1.
 template <class T>
 void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis);
 

@@ -11,6 +11,10 @@ namespace vug {
 /// pixels, which lies outside the true surface by half the depth of what has dissolved of the pixel; that depth is
 /// (1 - V)/(|n_x| + |n_y|), 0.8 (1 - V) in the mean over all orientations. The outline is longer by the factor
 /// 1 + 0.4 (1 - V) kappa, and the normal is shortened by it.
+///
+/// The gradient beside a flat wall is 0.34, beside a wall two pixels thick 0.17, and 0 across one of a single pixel,
+/// where whatever the volume happens to do along the wall would give the direction, and faces at right angles to it
+/// would never react: below 0.1 there is no normal.
 struct SurfaceNormal {
   DenseNeighbour lattice;
   IndexList node;
@@ -49,7 +53,8 @@ struct SurfaceNormal {
   KOKKOS_FUNCTION void operator()(int s) const {
     const Fit f = fit(node(s));
     const double length = Kokkos::sqrt(f.x * f.x + f.y * f.y);
-    if (!(length > 1e-6)) {
+    constexpr double least = 0.1;
+    if (!(length > least)) {
       normal(s, 0) = normal(s, 1) = 0;
       return;
     }

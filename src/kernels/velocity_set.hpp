@@ -1,6 +1,7 @@
 #pragma once
 // The discrete velocity sets. D2Q5 is the first five directions of D2Q9, so one table of neighbours serves both.
 #include "kernels/base.hpp"
+#include "kernels/choices.hpp"
 
 namespace vug {
 
@@ -31,6 +32,12 @@ struct D2Q5 {
   /// Weight of velocity q: 1/3, 1/6.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr double w(int q) { return q == 0 ? 1.0 / 3.0 : 1.0 / 6.0; }
 };
+
+/// visit(D2Q5{}) or visit(D2Q9{}), as chosen.
+template <class Visit>
+auto visit_velocity_set(ScalarVelocitySet set, const Visit& visit) {
+  return set == ScalarVelocitySet::d2q9 ? visit(D2Q9{}) : visit(D2Q5{});
+}
 
 /// Square of the lattice speed of sound of both sets.
 inline constexpr double c_s2 = 1.0 / 3.0;

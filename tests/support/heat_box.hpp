@@ -13,14 +13,22 @@
 
 namespace vug::test {
 
-/// Temperature along a whole side: in = -A + 2 w theta_wall(item), as HeatCondition::temperature has it for one value.
+/// Temperature along a whole side: in = -A + 2 w theta_wall, as HeatCondition::temperature has it for one value.
+/// profile(k): theta_wall at k/2 nodes from the beginning of the side. Corners are left to the side filled last.
 template <class T>
 struct FillProfile {
-  int first, stride, beyond, leaving, arriving;
+  Lattice lattice;
+  int first, stride, outward, directions;
   ScalarField<T> profile, g;
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int node = first + item * stride;
-    g(arriving + node + beyond) = profile(item) / 3 - g(leaving + node);
+    const int node = first + item * stride, plane = lattice.size(), along = D2Q9::c(outward, 0) == 0 ? 0 : 1;
+    for (int q = 1; q < directions; ++q) {
+      if (D2Q9::c(q, 0) * D2Q9::c(outward, 0) + D2Q9::c(q, 1) * D2Q9::c(outward, 1) != 1) continue;
+      const int back = D2Q9::opposite(q);
+      const double weight = directions == D2Q5::Q ? D2Q5::w(q) : D2Q9::w(q);
+      g(back * plane + node + lattice.offset(q)) =
+          T(2 * weight) * profile(2 * item + 1 + D2Q9::c(q, along)) - g(q * plane + node);
+    }
   }
 };
 
@@ -57,22 +65,16 @@ class HeatBox {
     given_.push_back(stretch.side);
   }
 
-  /// Sets the temperature along the wall of a whole side, by node along it.
-  void profile(Side which, const std::function<double(int)>& theta) {
+  /// Sets the temperature along the wall of a whole side, by the distance in nodes from its lower or left end.
+  void profile(Side which, const std::function<double(double)>& theta) {
     const bool upright = which == Side::left || which == Side::right;
-    const int q = static_cast<int>(which);
-    ScalarField<T> values("profile", upright ? lattice.ny : lattice.nx);
+    ScalarField<T> values("profile", 2 * (upright ? lattice.ny : lattice.nx) + 1);
     const auto host = Kokkos::create_mirror_view(values);
-    for (std::size_t i = 0; i < values.extent(0); ++i) host(i) = static_cast<T>(theta(static_cast<int>(i)));
+    for (std::size_t k = 0; k < values.extent(0); ++k) host(k) = static_cast<T>(theta(0.5 * static_cast<double>(k)));
     Kokkos::deep_copy(values, host);
     const int corner = lattice.node(which == Side::right ? lattice.nx - 1 : 0, which == Side::top ? lattice.ny - 1 : 0);
-    profiles_.push_back({corner,
-                         upright ? lattice.pitch : 1,
-                         lattice.offset(q),
-                         q * lattice.size(),
-                         D2Q5::opposite(q) * lattice.size(),
-                         values,
-                         {}});
+    profiles_.push_back(
+        {lattice, corner, upright ? lattice.pitch : 1, static_cast<int>(which), directions(), values, {}});
     given_.push_back(which);
   }
 
@@ -95,7 +97,7 @@ class HeatBox {
   /// Opens a side for the flow (its velocity passes).
   void open(Side which) {
     const int length = which == Side::left || which == Side::right ? lattice.ny : lattice.nx;
-    mark_open(exec, nodes, find_boundary_links(exec, nodes, which, 0, length - 1, 5));
+    mark_open(exec, nodes, find_boundary_links(exec, nodes, which, 0, length - 1, directions()));
   }
 
   void run(int steps) {
@@ -106,12 +108,16 @@ class HeatBox {
       for (const HeatSide& s : sides) fill_heat_side(exec, fields, s);
       for (FillProfile<T> p : profiles_) {
         p.g = fields.g;
-        for_each_node(exec, "profile", static_cast<int>(p.profile.extent(0)), p);
+        for_each_node(exec, "profile", static_cast<int>(p.profile.extent(0)) / 2, p);
       }
       conduct(exec, fields);
       if (nodes.count == 0) continue;
       advect(exec, nodes, u, defect, lagged, fields, created);
-      advective_defect<D2Q5>(exec, nodes, u, defect);  // of the velocity that the next step streams with
+      // of the velocity that the next step streams with
+      if (directions() == D2Q5::Q)
+        advective_defect<D2Q5>(exec, nodes, u, defect);
+      else
+        advective_defect<D2Q9>(exec, nodes, u, defect, even_defect_weight(fields));
     }
     exec.fence();
   }
@@ -136,6 +142,8 @@ class HeatBox {
     for (const HeatSide& s : sides) sum += sum_in_order(s.energy_in);
     return sum;
   }
+
+  int directions() const { return fields.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   Exec exec;
   Lattice lattice;

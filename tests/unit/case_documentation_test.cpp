@@ -61,6 +61,7 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
                                    unit::second,
                                    unit::kelvin,
                                    unit::pascal,
+                                   unit::pascal_per_metre,
                                    unit::metre_per_second,
                                    unit::metre_per_square_second,
                                    unit::square_metre_per_second,
@@ -72,7 +73,8 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
                                    unit::per_kelvin,
                                    unit::newton_per_metre,
                                    unit::newton_second_per_metre,
-                                   unit::second_per_metre};
+                                   unit::second_per_metre,
+                                   unit::watt_per_square_metre};
   std::set<std::string> checked{"", "1"};
   for (const Unit& unit : units) {
     const std::string all = accepted_units(unit);

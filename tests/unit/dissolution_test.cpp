@@ -43,13 +43,14 @@ double concentration(const Box& box, int x, int y) {
   return C;
 }
 
-TEST(MarkDissolved, TakesTheOverdraftFromTheLowestSolidNeighbour) {
+TEST(MarkDissolved, TakesTheOverdraftFromTheSolidNeighboursInEqualShares) {
   Box box = box_of({"####", "####", "..##"});
   V(box, 2, 0) = -0.25;
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 1);
   EXPECT_EQ(box.type(box.lattice.node(2, 0)), NodeType::fluid);
   EXPECT_EQ(V(box, 2, 0), 0);
-  EXPECT_EQ(V(box, 3, 0), 0.75);
+  for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}, {2, 1}, {3, 1}}) EXPECT_EQ(V(box, x, y), 1 - 0.25 / 4);
+  EXPECT_EQ(V(box, 0, 1), 1);
   EXPECT_EQ(box.solid_total(), 8.75);
   EXPECT_EQ(sum_in_order(box.lost), 0);
 }
@@ -162,6 +163,14 @@ TEST(SurfaceNormal, PointsFromTheSolidIntoTheFluid) {
     EXPECT_NEAR(normal(s, 1), 1, 1e-15);
   }
   EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 5, 1e-14);
+}
+
+TEST(SurfaceNormal, IsUndefinedForAWallOfOnePixelHoweverItsVolumeVaries) {
+  Box box = box_of({"..#..", "..#..", "..#..", "..#..", "..#.."});
+  for (int y = 0; y < 5; ++y) V(box, 2, y) = 0.5 + 0.1 * y;
+  VectorField<double> normal;
+  find_normals(box.exec, box.nodes, box.surface, box.V, normal);
+  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 10 * 3.14159265358979 / 4, 1e-14);
 }
 
 TEST(SurfaceNormal, IsUndefinedForALonePixelWhichCountsAsADisc) {

@@ -1,5 +1,6 @@
 // Laws and kernels of conjugate heat on lattices small enough to check by hand.
 #include "kernels/conjugate_link.hpp"
+#include "kernels/guards.hpp"
 #include "kernels/require.hpp"
 #include "support/heat_box.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 
 using test::HeatBox;
 
+constexpr ScalarVelocitySet velocity_sets[] = {ScalarVelocitySet::d2q5, ScalarVelocitySet::d2q9};
 constexpr double contrasts[] = {1e-4, 0.01, 0.625, 1, 10, 1e3, 1e4};
 
 TEST(ConjugateLink, IsTheHalfLinkConditionOnBothSides) {
@@ -49,42 +51,44 @@ TEST(HeatRates, RefuseWhatIsNotPositive) {
 }
 
 /// The textbook form of one step: pull, both formulas of the link, two relaxation times; periodic, no flow.
+template <class Set>
 class PlainTwoRelaxationTimes {
  public:
   PlainTwoRelaxationTimes(int nx, int ny, HeatParameters p, std::vector<int> solid, const std::vector<double>& theta)
-      : nx_(nx), ny_(ny), p_(p), solid_(std::move(solid)), g_(5 * theta.size()) {
+      : nx_(nx), ny_(ny), p_(p), solid_(std::move(solid)), g_(Q * theta.size()) {
     for (std::size_t n = 0; n < theta.size(); ++n)
-      for (int q = 0; q < 5; ++q) g_[5 * n + q] = D2Q5::w(q) * theta[n];
+      for (int q = 0; q < Q; ++q) g_[Q * n + q] = Set::w(q) * theta[n];
   }
   void step() {
     std::vector<double> next(g_.size());
     for (int y = 0; y < ny_; ++y)
-      for (int x = 0; x < nx_; ++x) collide(x, y, &next[5 * node(x, y)]);
+      for (int x = 0; x < nx_; ++x) collide(x, y, &next[Q * node(x, y)]);
     g_ = next;
   }
   double theta(int x, int y) const {
     double sum = 0;
-    for (int q = 0; q < 5; ++q) sum += g_[5 * node(x, y) + q];
+    for (int q = 0; q < Q; ++q) sum += g_[Q * node(x, y) + q];
     return sum;
   }
 
  private:
+  static constexpr int Q = Set::Q;
   int node(int x, int y) const { return (y + ny_) % ny_ * nx_ + (x + nx_) % nx_; }
   double arriving(int x, int y, int q) const {
-    const int here = node(x, y), there = node(x - D2Q5::c(q, 0), y - D2Q5::c(q, 1));
-    const double own = g_[5 * here + D2Q5::opposite(q)], other = g_[5 * there + q], sigma = p_.capacity_ratio;
+    const int here = node(x, y), there = node(x - Set::c(q, 0), y - Set::c(q, 1));
+    const double own = g_[Q * here + Set::opposite(q)], other = g_[Q * there + q], sigma = p_.capacity_ratio;
     if (solid_[here] == solid_[there]) return other;
     if (solid_[here]) return (2 * other - (1 - sigma) * own) / (1 + sigma);
     return ((1 - sigma) * own + 2 * sigma * other) / (1 + sigma);
   }
   void collide(int x, int y, double* out) const {
-    double in[5], t = 0;
-    for (int q = 0; q < 5; ++q) t += in[q] = arriving(x, y, q);
+    double in[Q], t = 0;
+    for (int q = 0; q < Q; ++q) t += in[q] = arriving(x, y, q);
     const double d = solid_[node(x, y)] ? p_.solid_diffusivity : p_.fluid_diffusivity;
     const double odd = 1 / (0.5 + 3 * d), even = 1 / (0.5 + 0.25 / (3 * d));
-    for (int q = 0; q < 5; ++q) {
-      const int o = D2Q5::opposite(q);
-      out[q] = in[q] - even * (0.5 * (in[q] + in[o]) - D2Q5::w(q) * t) - odd * 0.5 * (in[q] - in[o]);
+    for (int q = 0; q < Q; ++q) {
+      const int o = Set::opposite(q);
+      out[q] = in[q] - even * (0.5 * (in[q] + in[o]) - Set::w(q) * t) - odd * 0.5 * (in[q] - in[o]);
     }
   }
   int nx_, ny_;
@@ -93,8 +97,9 @@ class PlainTwoRelaxationTimes {
   std::vector<double> g_;
 };
 
-TEST(Conduct, IsTwoRelaxationTimesWithTheConjugateLink) {
-  const HeatParameters p{0.056, 0.14, 0.625};
+template <class Set>
+void expect_plain_steps(ScalarVelocitySet set) {
+  const HeatParameters p{0.056, 0.14, 0.625, set};
   const int n = 5;
   std::mt19937 random(7);
   std::vector<int> solid(n * n);
@@ -106,7 +111,7 @@ TEST(Conduct, IsTwoRelaxationTimesWithTheConjugateLink) {
   HeatBox<double> box(
       n, n, p, [&](int x, int y) { return solid[y * n + x] == 1; }, [&](int x, int y) { return theta[y * n + x]; },
       {true, true});
-  PlainTwoRelaxationTimes plain(n, n, p, solid, theta);
+  PlainTwoRelaxationTimes<Set> plain(n, n, p, solid, theta);
   for (int step = 0; step < 20; ++step) plain.step();
   box.run(20);
   const std::vector<double> found = box.theta();
@@ -114,13 +119,20 @@ TEST(Conduct, IsTwoRelaxationTimesWithTheConjugateLink) {
     for (int x = 0; x < n; ++x) EXPECT_NEAR(found[y * n + x], plain.theta(x, y), 1e-14);
 }
 
+TEST(Conduct, IsTwoRelaxationTimesWithTheConjugateLink) {
+  expect_plain_steps<D2Q5>(ScalarVelocitySet::d2q5);
+  expect_plain_steps<D2Q9>(ScalarVelocitySet::d2q9);
+}
+
 TEST(Conduct, ConservesEnergyWhileTheGeometryChanges) {
   for (const double sigma : contrasts) {
+    const ScalarVelocitySet set = velocity_sets[sigma > 0.1 && sigma < 100];  // each at contrasts of its own
     std::mt19937 random(3);
     const int n = 12;
     std::vector<int> solid(n * n, 1);
     const auto is_solid = [&](int x, int y) { return solid[y * n + x] == 1; };
-    HeatBox<double> box(n, n, {0.056, 0.14, sigma}, is_solid, [](int x, int y) { return std::sin(3 * x + y * y); });
+    HeatBox<double> box(n, n, {0.056, 0.14, sigma, set}, is_solid,
+                        [](int x, int y) { return std::sin(3 * x + y * y); });
     double expected = box.energy();
     const ScalarField<double> booked("booked", 1);
     IndexList born("born", 1);
@@ -143,16 +155,18 @@ TEST(Conduct, ConservesEnergyWhileTheGeometryChanges) {
 
 TEST(HeatSides, BookWhatEnters) {
   const auto pillar = [](int x, int y) { return (x + y) % 3 == 0; };
-  HeatBox<double> box(8, 6, {0.05, 0.2, 3}, pillar, [](int x, int) { return 0.1 * x; });
-  box.side(Side::left, HeatCondition::temperature, 1.5);
-  box.side(Side::right, HeatCondition::outflow, 0);
-  box.side(Side::top, HeatCondition::flux, 0.01);
-  const double before = box.energy();
-  box.run(200);
-  EXPECT_NEAR(box.energy() - before, box.entered(), 1e-12);
-  EXPECT_NEAR(sum_in_order(box.sides[2].energy_in), 200 * 8 * 0.01, 1e-13);
-  EXPECT_EQ(sum_in_order(box.sides[3].energy_in), 0) << "adiabatic";
-  EXPECT_GT(sum_in_order(box.sides[0].energy_in), 0.1);
+  for (const ScalarVelocitySet set : velocity_sets) {
+    HeatBox<double> box(8, 6, {0.05, 0.2, 3, set}, pillar, [](int x, int) { return 0.1 * x; });
+    box.side(Side::left, HeatCondition::temperature, 1.5);
+    box.side(Side::right, HeatCondition::outflow, 0);
+    box.side(Side::top, HeatCondition::flux, 0.01);
+    const double before = box.energy();
+    box.run(200);
+    EXPECT_NEAR(box.energy() - before, box.entered(), 1e-12);
+    EXPECT_NEAR(sum_in_order(box.sides[2].energy_in), 200 * 8 * 0.01, 1e-13);
+    EXPECT_EQ(sum_in_order(box.sides[3].energy_in), 0) << "adiabatic";
+    EXPECT_GT(sum_in_order(box.sides[0].energy_in), 0.1);
+  }
 }
 
 TEST(HeatSides, TakeAStretchWithAConditionOfItsOwn) {
@@ -189,22 +203,42 @@ bool staircase(int x, int y) {
 }
 
 TEST(Advect, KeepsAUniformTemperatureUniformInAStairStepFlow) {
-  for (const double sigma : contrasts) {
-    HeatBox<double> box(20, 18, {0.02, 0.14, sigma}, staircase, [](int, int) { return 1.0; });
-    box.flow(rough_flow);
-    box.run(300);
-    for (const double t : box.theta()) ASSERT_NEAR(t, 1, 1e-12) << "sigma = " << sigma;
-  }
+  for (const ScalarVelocitySet set : velocity_sets)
+    for (const double sigma : contrasts) {
+      HeatBox<double> box(20, 18, {0.02, 0.14, sigma, set}, staircase, [](int, int) { return 1.0; });
+      box.flow(rough_flow);
+      box.run(300);
+      for (const double t : box.theta()) ASSERT_NEAR(t, 1, 1e-12) << "sigma = " << sigma;
+    }
 }
 
 TEST(Advect, ConservesEnergyUpToTheBookedTerm) {
-  HeatBox<double> box(20, 18, {0.02, 0.14, 0.625}, staircase, [](int x, int y) { return std::sin(x * 0.5 + y); });
-  box.flow(rough_flow);
-  const double before = box.energy();
-  box.run(500);
-  const double created = sum_in_order(box.created);
-  EXPECT_GT(std::abs(created), 1e-3) << "the test should see the term at work";
-  EXPECT_NEAR(box.energy() - before, created, 1e-11);
+  for (const ScalarVelocitySet set : velocity_sets) {
+    HeatBox<double> box(20, 18, {0.02, 0.14, 0.625, set}, staircase,
+                        [](int x, int y) { return std::sin(x * 0.5 + y); });
+    box.flow(rough_flow);
+    const double before = box.energy();
+    box.run(500);
+    const double created = sum_in_order(box.created);
+    EXPECT_GT(std::abs(created), 1e-3) << "the test should see the term at work";
+    EXPECT_NEAR(box.energy() - before, created, 1e-11);
+  }
+}
+
+TEST(FirstOutside, IsTheLowestNodeThatIsNotFiniteOrBeyondTheBounds) {
+  HeatBox<double> box(
+      5, 4, {0.1, 0.1, 1}, [](int, int) { return false; },
+      [](int x, int y) { return x == 3 && y == 2   ? NAN
+                                : x == 1 && y == 3 ? -9.0
+                                                   : 0.5 * y; });
+  const auto first = [&](const HeatFields<double>& fields, double lowest, double highest) {
+    return first_outside(box.exec, fields.theta, box.lattice.size(), lowest, highest);
+  };
+  EXPECT_EQ(first(box.fields, -1, 2), box.lattice.node(3, 2));
+  EXPECT_EQ(first(box.fields, -1, 0.5), box.lattice.node(0, 1));
+  HeatBox<double> calm(
+      5, 4, {0.1, 0.1, 1}, [](int, int) { return false; }, [](int, int) { return 0.0; });
+  EXPECT_EQ(first(calm.fields, -1, 1), -1);
 }
 
 }  // namespace

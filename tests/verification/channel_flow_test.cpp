@@ -2,6 +2,7 @@
 #include "kernels/guards.hpp"
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@ namespace vug {
 namespace {
 
 using test::Flow;
+using test::record;
 
 /// Sweeps (with `dress` before each) until the velocity no longer changes, and fails when it does not get there.
 template <class Dress>
@@ -36,15 +38,20 @@ void run_to_rest(Flow<double>& flow, double tolerance, const Dress& dress) {
   FAIL() << "the flow did not become steady";
 }
 
-/// Relative L2 error of a channel of n nodes driven by a body force along x (axis 0) or y (axis 1).
-double poiseuille_error(Collision collision, int n, double tau, int axis) {
-  Flow<double> flow(axis == 0 ? 2 : n, axis == 0 ? n : 2, {axis == 0, axis == 1}, collision, tau);
-  const double nu = (tau - 0.5) / 3, top_speed = 0.01, force = 8 * nu * top_speed / (n * n);
-  flow.step.body_force[axis] = force;
-  run_to_rest(flow, 1e-15, [] {});
+/// A channel of n nodes to be driven by a body force along x (axis 0) or y (axis 1) to the given speed in its middle.
+template <class T>
+Flow<T> driven_channel(Collision collision, int n, double tau, int axis, double top_speed) {
+  Flow<T> flow(axis == 0 ? 2 : n, axis == 0 ? n : 2, {axis == 0, axis == 1}, collision, tau);
+  flow.step.body_force[axis] = static_cast<T>(8 * (tau - 0.5) / 3 * top_speed / (n * n));
+  return flow;
+}
+
+/// Relative L2 error of its velocity.
+template <class T>
+double parabola_error(const Flow<T>& flow, int n, int axis, double top_speed) {
   double error2 = 0, size2 = 0;
   for (int k = 0; k < n; ++k) {
-    const double y = k + 0.5, exact = force / (2 * nu) * y * (n - y);
+    const double y = k + 0.5, exact = 4 * top_speed * y * (n - y) / (n * n);
     const Macroscopic<double> m = axis == 0 ? flow.at(1, k) : flow.at(k, 1);
     error2 += std::pow((axis == 0 ? m.ux : m.uy) - exact, 2) + std::pow(axis == 0 ? m.uy : m.ux, 2);
     size2 += exact * exact;
@@ -52,12 +59,38 @@ double poiseuille_error(Collision collision, int n, double tau, int axis) {
   return std::sqrt(error2 / size2);
 }
 
+double poiseuille_error(Collision collision, int n, double tau, int axis) {
+  Flow<double> flow = driven_channel<double>(collision, n, tau, axis, 0.01);
+  run_to_rest(flow, 1e-15, [] {});
+  return parabola_error(flow, n, axis, 0.01);
+}
+
 TEST(Poiseuille, ExactAtAnyWidthAndViscosityWithTwoRelaxationTimes) {
   // round-off only: the magic product 3/16 puts the no-slip plane exactly half way (1e-15 per step, amplified by the
   // number of steps a wide viscous channel takes)
-  for (const int n : {3, 5, 9, 17})
-    for (const double tau : {0.55, 0.764, 1.0, 2.0, 5.0})
-      EXPECT_LT(poiseuille_error(Collision::trt, n, tau, 0), 1e-12) << n << " nodes, tau " << tau;
+  for (const int n : {1, 3, 5, 9, 17})
+    for (const double tau : {0.55, 0.764, 1.0, 2.0, 5.0}) {
+      const double error = poiseuille_error(Collision::trt, n, tau, 0);
+      EXPECT_LT(error, 1e-12) << n << " nodes, tau " << tau;
+      record("flow_poiseuille", {{"n", n}, {"tau", tau}, {"error", error}});
+    }
+}
+
+TEST(Poiseuille, FloatKeepsItsDigitsAtAnySpeed) {
+  // Populations are deviations from rest, so that rounding is relative to the flow and a creeping flow has the digits
+  // of a fast one: 6e-8 per operation, and the steady state remembers what n^2 / nu steps have rounded, of which a
+  // fifth is allowed to point the same way.
+  for (const double top_speed : {0.01, 1e-6, 1e-12})
+    for (const int n : {1, 3, 9, 17})
+      for (const double tau : {0.55, 0.764, 2.0}) {
+        Flow<float> flow = driven_channel<float>(Collision::trt, n, tau, 0, top_speed);
+        const int steps = 300 + static_cast<int>(2 * n * n / ((tau - 0.5) / 3));  // the slowest mode decays to 2e-9
+        for (int t = 0; t < steps; ++t) flow.sweep();
+        const double error = parabola_error(flow, n, 0, top_speed);
+        EXPECT_LT(error, 6e-8 * (3 + 0.2 * n * n / ((tau - 0.5) / 3)))
+            << n << " nodes, tau " << tau << ", speed " << top_speed;
+        record("flow_poiseuille_float", {{"n", n}, {"tau", tau}, {"speed", top_speed}, {"error", error}});
+      }
 }
 
 TEST(Poiseuille, TheSameAlongTheOtherAxis) {
@@ -73,6 +106,10 @@ TEST(Poiseuille, OtherCollisionsSlipAsTheoryPredictsAndConverge) {
     const RelaxationRates r = relaxation_rates(c, tau);
     const double lambda = (1 / r.s_nu - 0.5) * (1 / r.s_q - 0.5);
     std::array<double, 2> error;
+    for (const int n : {3, 5, 9, 17})
+      record("flow_poiseuille_slip", {{"collision", c == Collision::bgk ? "bgk" : "lallemand_luo"},
+                                      {"n", n},
+                                      {"error", poiseuille_error(c, n, tau, 0)}});
     for (const int n : {5, 17}) {
       double size2 = 0;
       const double scale = 0.04 / (n * n);  // F/(2 nu) of poiseuille_error
@@ -85,11 +122,43 @@ TEST(Poiseuille, OtherCollisionsSlipAsTheoryPredictsAndConverge) {
   }
 }
 
+/// The profile over a channel of five nodes at the viscosity of the paper, for the page.
+TEST(Poiseuille, ProfileOfFiveNodes) {
+  for (const Collision c : {Collision::trt, Collision::bgk}) {
+    Flow<double> flow = driven_channel<double>(c, 5, 0.764, 0, 0.01);
+    run_to_rest(flow, 1e-15, [] {});
+    for (int y = 0; y < 5; ++y) {
+      const double exact = 4 * (y + 0.5) * (4.5 - y) / 25;
+      EXPECT_NEAR(flow.at(1, y).ux / 0.01, exact, c == Collision::trt ? 1e-12 : 0.1);
+      record(
+          "flow_poiseuille_profile",
+          {{"collision", c == Collision::trt ? "trt" : "bgk"}, {"y", (y + 0.5) / 5}, {"u", flow.at(1, y).ux / 0.01}});
+    }
+  }
+}
+
 TEST(Poiseuille, RegularisedConvergesWithSecondOrder) {
   const double coarse = poiseuille_error(Collision::regularised, 5, 0.764, 0);
   const double fine = poiseuille_error(Collision::regularised, 17, 0.764, 0);
   EXPECT_LT(coarse, 0.02);  // measured independently: 0.016
   EXPECT_GT(std::log(coarse / fine) / std::log(17.0 / 5.0), 1.9);
+}
+
+TEST(Couette, WallsThatMoveOnAnySideDragTheSameFlow) {
+  constexpr int n = 7;
+  for (const Side moving : all_sides) {
+    const bool upright = moving == Side::left || moving == Side::right;
+    Flow<double> flow(upright ? n : 2, upright ? 2 : n, {!upright, upright}, Collision::trt, 0.764);
+    const BoundaryLinks wall = flow.side(moving);
+    const std::array<double, 2> speed{upright ? 0 : -0.05, upright ? -0.05 : 0};
+    run_to_rest(flow, 1e-15, [&] { dress_velocity(flow.exec, flow.nodes, wall, speed, flow.fields, flow.gain); });
+    for (int k = 0; k < n; ++k) {
+      const double from_rest = moving == Side::right || moving == Side::top ? k + 0.5 : n - k - 0.5;
+      const Macroscopic<double> m = upright ? flow.at(k, 1) : flow.at(1, k);
+      EXPECT_NEAR(upright ? m.uy : m.ux, -0.05 * from_rest / n, 1e-14) << vug::name_of(moving);
+      EXPECT_NEAR(upright ? m.ux : m.uy, 0, 1e-15) << vug::name_of(moving);
+    }
+  }
 }
 
 TEST(Couette, LinearProfileIsExactInEveryCollision) {
@@ -98,7 +167,10 @@ TEST(Couette, LinearProfileIsExactInEveryCollision) {
     Flow<double> flow(2, n, {true, false}, c, 0.764);
     const BoundaryLinks top = flow.side(Side::top);
     run_to_rest(flow, 1e-15, [&] { dress_velocity(flow.exec, flow.nodes, top, {0.05, 0}, flow.fields, flow.gain); });
-    for (int y = 0; y < n; ++y) EXPECT_NEAR(flow.at(1, y).ux, 0.05 * (y + 0.5) / n, 1e-14) << int(c);
+    for (int y = 0; y < n; ++y) {
+      EXPECT_NEAR(flow.at(1, y).ux, 0.05 * (y + 0.5) / n, 1e-14) << int(c);
+      if (c == Collision::trt) record("flow_couette", {{"y", (y + 0.5) / n}, {"u", flow.at(1, y).ux / 0.05}});
+    }
     EXPECT_NEAR(sum_in_order(flow.gain), 0, 1e-13);  // a wall that slides lets nothing in
   }
 }

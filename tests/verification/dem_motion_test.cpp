@@ -145,6 +145,25 @@ TEST(ThermalExpansion, OfAClampedBlockGivesTheStressOfTheBondModuli) {
   EXPECT_NEAR(rock.reaction(RockSide::bottom).y, expected, 0.01 * expected);
 }
 
+TEST(RockBeyond, CarriesTheShareOfAThermalExpansionThatItsStiffnessSays) {
+  const double dT = 20, alpha = 8e-6, size = 0.02, modulus = 27.8e9;
+  for (const double ratio : {0.25, 1.0, 4.0}) {  // of its stiffness to that of the block, E / L
+    MechanicsParameters parameters = elastic();
+    parameters.bond.damping = 4.6e-5;
+    parameters.local_damping = 0.3;
+    Loads loads;
+    loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
+    loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+    loads.stiffness[static_cast<std::size_t>(RockSide::right)] = ratio * modulus / size;
+    Mechanics rock(test::block(size, size, 2e-3, 0.2), parameters, loads);
+    Kokkos::deep_copy(rock.particles().temperature_change, dT);
+    rock.advance(Exec(), 0.3 * rock.critical_step(), 6000);
+    // two springs in series, one of which wants to be alpha dT L longer
+    const double expected = modulus * alpha * dT * ratio / (1 + ratio) * size;
+    EXPECT_NEAR(rock.reaction(RockSide::left).x, expected, 0.03 * expected) << ratio;
+  }
+}
+
 TEST(ElasticBlock, HasTheModulusAndPoissonRatioOfTheLaboratory) {
   const double width = 0.05, height = 0.1, pressure = 1e6;
   for (const int along : {0, 1}) {
@@ -277,6 +296,11 @@ TEST(Preload, LeavesTheTectonicStressInTheRockAndNothingBroken) {
   EXPECT_NEAR(rock.reaction(RockSide::bottom).y, 7.5e6 * width, 1e-3 * 7.5e6 * width);
   rock.advance(Exec(), 0.3 * rock.critical_step(), 1000);
   EXPECT_LT(rock.energies(Exec()).kinetic, 1e-5 * rock.energies(Exec()).elastic);  // it stays at rest without damping
+  // rock beyond the sides takes no part in the preload: the same stress, the same shape
+  loads.stiffness[static_cast<std::size_t>(RockSide::right)] = 1e12;
+  Mechanics backed(test::block(width, height, 2.5e-3, 0.2), {}, loads);
+  backed.preload(Exec(), 5 * width / 3300);
+  EXPECT_NEAR(backed.reaction(RockSide::left).x, 5e6 * height, 1e-3 * 5e6 * height);
 }
 
 }  // namespace

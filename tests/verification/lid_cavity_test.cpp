@@ -1,6 +1,7 @@
 // The lid-driven cavity: steady recirculation against published extremes of its centre lines.
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@ namespace vug {
 namespace {
 
 using test::Flow;
+using test::record;
 
 struct Extremes {
   double u_min, v_max, v_min;  ///< of u along x = 1/2 and of v along y = 1/2, over the speed of the lid
@@ -48,9 +50,28 @@ Extremes cavity(int n, double reynolds, double speed, double turnovers) {
     const auto index = [&](int across) { return axis == 0 ? along * n + across : across * n + along; };
     return (u(index(n / 2 - 1), axis) + u(index(n / 2), axis)) / (2 * speed);
   };
+  for (int k = 0; k < n; k += n / 64) {
+    const double at = (k + 0.5) / n;
+    record("flow_cavity_profile",
+           {{"reynolds", reynolds}, {"n", n}, {"at", at}, {"u", on_centre_line(k, 0)}, {"v", on_centre_line(k, 1)}});
+  }
   return {extreme(n, -1, [&](int y) { return on_centre_line(y, 0); }),
           extreme(n, +1, [&](int x) { return on_centre_line(x, 1); }),
           extreme(n, -1, [&](int x) { return on_centre_line(x, 1); })};
+}
+
+void record_extremes(int n, double reynolds, const Extremes& found, const Extremes& converged, const Extremes& ghia) {
+  const auto row = [&](const char* name, double measured, double exact, double table) {
+    record("flow_cavity", {{"reynolds", reynolds},
+                           {"n", n},
+                           {"name", name},
+                           {"measured", measured},
+                           {"converged", exact},
+                           {"ghia", table}});
+  };
+  row("u_min", found.u_min, converged.u_min, ghia.u_min);
+  row("v_max", found.v_max, converged.v_max, ghia.v_max);
+  row("v_min", found.v_min, converged.v_min, ghia.v_min);
 }
 
 void expect_within(const Extremes& found, const Extremes& reference, double tolerance) {
@@ -61,18 +82,21 @@ void expect_within(const Extremes& found, const Extremes& reference, double tole
 
 TEST(LidCavity, Reynolds100) {
   const Extremes found = cavity(64, 100, 0.1, 20);
+  record_extremes(64, 100, found, converged_100, ghia_100);
   expect_within(found, converged_100, 0.005);  // (1/64)^2 times a coefficient of order 10; measured 0.2 to 0.3 %
   expect_within(found, ghia_100, 0.035);       // the table's own error
 }
 
 TEST(LidCavityLong, Reynolds100OnTheTablesGrid) {
   const Extremes found = cavity(128, 100, 0.1, 20);
+  record_extremes(128, 100, found, converged_100, ghia_100);
   expect_within(found, converged_100, 0.002);
   expect_within(found, ghia_100, 0.035);
 }
 
-TEST(LidCavityLong, Reynolds1000) {
+TEST(LidCavity, Reynolds1000) {
   const Extremes found = cavity(128, 1000, 0.2, 120);
+  record_extremes(128, 1000, found, converged_1000, ghia_1000);
   expect_within(found, converged_1000, 0.008);  // measured 0.4 to 0.5 %
   expect_within(found, ghia_1000, 0.025);
 }

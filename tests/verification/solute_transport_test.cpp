@@ -1,6 +1,7 @@
 // Advection and diffusion of a species away from reactive walls.
 #include "../reference/reactive_box.hpp"
 #include "kernels/advective_form.hpp"
+#include "support/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,8 @@ TEST(CarriedWave, IsOfSecondOrder) {
       q9[k] = carried_wave_error<D2Q9>(16 << k, 0.03, Pe, paper);
     }
     std::printf("    Pe %g: D2Q5 %.2e %.2e %.2e, D2Q9 %.2e %.2e %.2e\n", Pe, q5[0], q5[1], q5[2], q9[0], q9[1], q9[2]);
+    for (int k = 0; k < 3; ++k)
+      test::record("solute_carried_wave", {{"Pe", Pe}, {"n", 16 << k}, {"D2Q5", q5[k]}, {"D2Q9", q9[k]}});
     for (const auto& e : {q5, q9}) {
       EXPECT_GE(std::log2(e[0] / e[1]), 1.9);
       EXPECT_GE(std::log2(e[1] / e[2]), 1.95);

@@ -37,6 +37,8 @@ constexpr std::array suffixes{
     Suffix{"J/mol", "kJ/mol", 1e3},
     Suffix{"m3/mol", "cm3/mol", 1e-6},
     Suffix{"J/(kg K)", "kJ/(kg K)", 1e3},
+    Suffix{"W/m2", "kW/m2", 1e3},
+    Suffix{"W/m2", "MW/m2", 1e6},
 };
 
 std::string_view trimmed(std::string_view text) {

@@ -19,6 +19,7 @@ constexpr Unit metre{"m", 1e5};
 constexpr Unit second{"s", 1e9};
 constexpr Unit kelvin{"K", 1e4};
 constexpr Unit pascal{"Pa", 1e13};
+constexpr Unit pascal_per_metre{"Pa/m", 1e18};
 constexpr Unit metre_per_second{"m/s", 1e6};
 constexpr Unit metre_per_square_second{"m/s2", 1e12};
 constexpr Unit square_metre_per_second{"m2/s", 1e4};
@@ -30,6 +31,7 @@ constexpr Unit cubic_metre_per_mole{"m3/mol", 1};
 constexpr Unit per_kelvin{"1/K", 1};
 constexpr Unit newton_per_metre{"N/m", 1e15};
 constexpr Unit newton_second_per_metre{"N s/m", 1e12};
+constexpr Unit watt_per_square_metre{"W/m2", 1e15};
 constexpr Unit second_per_metre{"s/m", 1};
 }  // namespace unit
 

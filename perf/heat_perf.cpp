@@ -1,0 +1,77 @@
+// The heat kernels: conduction over all nodes, what the flow carries over the fluid ones; velocity sets, precisions.
+#include "kernels/advective_form.hpp"
+#include "kernels/heat.hpp"
+#include "measure.hpp"
+#include "rock_geometry.hpp"
+
+namespace vug::perf {
+namespace {
+
+constexpr int nx = 2000, ny = 1400;
+
+int directions_of(ScalarVelocitySet set) {
+  return visit_velocity_set(set, [](auto s) { return decltype(s)::Q; });
+}
+
+/// Heat fields over a geometry, at a temperature that no population makes subnormal.
+template <class T>
+struct HeatSetting {
+  Exec exec;
+  Lattice lattice{nx, ny};
+  Kokkos::View<NodeType*> type;
+  HeatFields<T> fields;
+  HeatSetting(const Geometry& geometry, ScalarVelocitySet set)
+      : type(node_types(geometry, lattice)),
+        fields(make_heat_fields<T>(exec, lattice, {0.056, 0.14, 0.625, set}, type, {false, false}, 1.0)) {}
+};
+
+/// Q populations read and written, temperature written, the mask read.
+template <class T>
+void conduct_all(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
+  HeatSetting<T> s(*geometry, set);
+  const double bytes = (2 * directions_of(set) + 1) * sizeof(T) + 1;
+  const auto step = [&] { conduct(s.exec, s.fields); };
+  if (set == ScalarVelocitySet::d2q5)
+    measure<T, D2Q5::Q>(state, nx * ny, bytes, step);
+  else
+    measure<T, D2Q9::Q>(state, nx * ny, bytes, step);
+}
+
+/// Q populations and theta read and written, velocity and defect read, the lagged defect read and written, node, links.
+template <class T>
+void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
+  HeatSetting<T> s(*geometry, set);
+  const FluidNodes nodes = make_fluid_nodes(s.exec, s.lattice, s.type);
+  const VectorField<T> u("u", nodes.capacity);
+  const ScalarField<T> defect("defect", nodes.capacity), lagged("lagged", nodes.capacity);
+  Kokkos::deep_copy(u, T(1e-4));
+  const double bytes = (2 * directions_of(set) + 7) * sizeof(T) + sizeof(int) + 3 * sizeof(std::uint16_t);
+  const auto step = [&] { advect(s.exec, nodes, u, defect, lagged, s.fields, {}); };
+  if (set == ScalarVelocitySet::d2q5)
+    measure<T, D2Q5::Q>(state, nodes.count, bytes, step);
+  else
+    measure<T, D2Q9::Q>(state, nodes.count, bytes, step);
+}
+
+template <class Function>
+void add(const std::string& name, Function function, const Geometry& geometry, ScalarVelocitySet set) {
+  benchmark::RegisterBenchmark((name + "/" + geometry.name).c_str(), function, &geometry, set)
+      ->UseManualTime()
+      ->Iterations(7)
+      ->Unit(benchmark::kMillisecond);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const Geometry& geometry : geometries)
+    for (const ScalarVelocitySet set : {ScalarVelocitySet::d2q5, ScalarVelocitySet::d2q9}) {
+      const std::string name = set == ScalarVelocitySet::d2q5 ? "D2Q5" : "D2Q9";
+      add("heat/conduct_" + name + "/double", conduct_all<double>, geometry, set);
+      add("heat/conduct_" + name + "/float", conduct_all<float>, geometry, set);
+      add("heat/advect_" + name + "/double", advect_fluid<double>, geometry, set);
+      add("heat/advect_" + name + "/float", advect_fluid<float>, geometry, set);
+    }
+  return true;
+}();
+
+}  // namespace
+}  // namespace vug::perf

@@ -1,0 +1,15 @@
+#pragma once
+// What a checkpoint must hold of a long sum.
+#include "io/field_list.hpp"
+#include "kernels/long_sum.hpp"
+
+namespace vug {
+
+/// Adds the parts of `sum` to a checkpoint under names that begin with `key`.
+inline void add_state(StateList& list, const std::string& key, const LongSum& sum) {
+  list.add(key, sum.recent());
+  list.add(key + "_sum", sum.sum());
+  list.add(key + "_carry", sum.carry());
+}
+
+}  // namespace vug

@@ -1,0 +1,75 @@
+// Heat as a case gives it: SI in, SI out.
+#include "coupling/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+/// Water on the left, rock on the right, 20 cells in all; 2000 W/m2 enter on the left, the right is held at 300 K.
+const std::string slab = R"(
+[lattice]
+size = [0.02, 0.003]
+spacing = 1e-3
+time_step = 0.5
+[time]
+steps = 100000
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "rectangle"
+from = [0.01, 0]
+to = [0.02, 0.003]
+[heat]
+fluid_diffusivity = 4e-7
+solid_diffusivity = 8e-7
+initial_temperature = 320
+[boundary.left]
+heat = { type = "flux", flux = "2 kW/m2" }
+[boundary.right]
+heat = { type = "temperature", temperature = 300 }
+[boundary.bottom]
+heat = { type = "periodic" }
+[boundary.top]
+heat = { type = "periodic" }
+)";
+
+TEST(HeatFlux, OfACaseGivesTheGradientOfEachConductivity) {
+  const double flux = 2000, water = 4e-7 * 1000 * 4000, rock = 8e-7 * 2500 * 1000;  // W/m2, W/(m K)
+  for (const std::string set : {"d2q5", "d2q9"})
+    for (const std::string interval : {"1", "2"}) {
+      const Scene scene =
+          parse_scene(slab, "slab.toml", {"heat.velocity_set=" + set, "accuracy.heat_interval=" + interval});
+      Simulation simulation(scene);
+      simulation.begin();
+      const int steps = 28000;  // 40 times the slowest decay time
+      for (int step = 0; step < steps; ++step) simulation.step();
+      simulation.guard();
+      std::vector<double> temperature(20 * 3);
+      for (const Field& field : simulation.fields().lattice)
+        if (field.name == "temperature") field.read(temperature);
+      for (int x = 0; x < 20; ++x) {
+        const double at = (x + 0.5) * 1e-3;
+        const double exact = 300 + flux * ((at < 0.01 ? (0.01 - at) / water : 0) + (0.02 - std::max(at, 0.01)) / rock);
+        EXPECT_NEAR(temperature[20 + x], exact, 1e-9) << set << ", interval " << interval << ", cell " << x;
+      }
+      for (const Balance& balance : simulation.ledger().balances)
+        // in a steady state the populations are rounded the same way in every step, by half a digit at most
+        EXPECT_LE(std::abs(balance.relative_error()), 1.1e-16 * steps) << balance.quantity;
+    }
+}
+
+TEST(HeatFlux, MayLeaveTheTemperaturesOfTheCaseByMoreThanTheGuardAllowsOthers) {
+  const Scene scene = parse_scene(slab, "slab.toml", {"boundary.left.heat.flux=4e5"});
+  Simulation simulation(scene);
+  simulation.begin();
+  for (int step = 0; step < 10000; ++step) simulation.step();
+  EXPECT_NO_THROW(simulation.guard());
+}
+
+}  // namespace
+}  // namespace vug
