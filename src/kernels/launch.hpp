@@ -84,10 +84,10 @@ template <class Body>
 void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
-    // Short lists (the bonds of a small rock, the links of an opening) in shorter blocks, two for each thread; the
-    // shortest without waking other threads, which takes longer than the work.
-    constexpr int shortest = 32;
-    const int shares = 2 * exec.concurrency();
+    // Short lists (the bonds of a small rock, the links of an opening) in shorter blocks, so that several threads have
+    // a share, whatever their number: where blocks end decides which nodes are rounded by the loop's vectorised part.
+    // The shortest without waking other threads, which takes longer than the work.
+    constexpr int shortest = 32, shares = 4;
     const int share = (n / shares + shortest) / shortest * shortest;
     const detail::BlockOfNodes<Body> blocks{body, n, share < nodes_per_block ? share : nodes_per_block};
     if (n <= shortest)

@@ -49,7 +49,7 @@ TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injection->conditions.heat.temperature, 200);
   ASSERT_EQ(scene.solute->species.size(), 2u);
   EXPECT_DOUBLE_EQ(scene.injection->conditions.solute.concentration.at("L1"), 3000);
-  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 15e6);
+  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 20e6);
   EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
   EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 60e6);
