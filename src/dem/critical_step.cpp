@@ -35,6 +35,7 @@ struct Stiffness {
 struct ParticleStep {
   BondParameters law;
   ContactParameters contact;
+  ChemicalDamageLaw chemical;
   double mass_scaling;
   Particles p;
   Bonds bonds;
@@ -45,10 +46,11 @@ struct ParticleStep {
     const Vec2 n{bonds.normal(k, 0), bonds.normal(k, 1)}, t{-n.y, n.x};
     const double width = 0.5 * bonds.length(k);
     const double bond_length = law.length_factor * bonds.spacing(k);
+    const double left = 1 - Kokkos::min(bonds.d_c(k), chemical.failure_at);
     for (int s = 0; s < 2; ++s) {
       const Vec2 r{bonds.arm(k, s, end, 0), bonds.arm(k, s, end, 1)};
-      stiffness.add(width * law.normal_modulus / bond_length, n, cross(r, n) / rho);
-      stiffness.add(width * law.tangential_modulus / bond_length, t, cross(r, t) / rho);
+      stiffness.add(left * width * law.normal_modulus / bond_length, n, cross(r, n) / rho);
+      stiffness.add(left * width * law.tangential_modulus / bond_length, t, cross(r, t) / rho);
       dashpot.add(Kokkos::max(width * law.damping * law.normal_modulus, contact.normal_damping), n, cross(r, n) / rho);
       dashpot.add(Kokkos::max(width * law.damping * law.tangential_modulus, contact.tangential_damping), t,
                   cross(r, t) / rho);
@@ -89,8 +91,8 @@ double critical_step(const Exec& exec, const MechanicsParameters& parameters, co
                      const Bonds& bonds, const BoundaryLoads& loads) {
   double smallest = 0;
   Kokkos::parallel_reduce("vug::dem::critical_step", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
-                          ParticleStep{parameters.bond, parameters.contact, parameters.mass_scaling, particles, bonds,
-                                       loads},
+                          ParticleStep{parameters.bond, parameters.contact, parameters.chemical,
+                                       parameters.mass_scaling, particles, bonds, loads},
                           Kokkos::Min<double>(smallest));
   return smallest;
 }

@@ -3,6 +3,7 @@
 // one node per thread. Sums are taken per block in a fixed order, so their bits do not depend on the thread count.
 #include "kernels/base.hpp"
 
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -22,15 +23,27 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
 
 namespace detail {
 
-/// Runs a block's nodes in one loop. The body is copied first: a local that nobody else can see keeps its constants
-/// and pointers in registers, whatever the loop stores.
+/// A body's bytes in a local that nobody else can see, so that its constants and pointers stay in registers whatever
+/// the loop stores. It counts no references: the launch holds the body for as long, and threads that count the views
+/// of a block wait for each other.
+template <class Body>
+union LocalBody {
+  Body body;
+  KOKKOS_FORCEINLINE_FUNCTION explicit LocalBody(const Body& other) {
+    std::memcpy(static_cast<void*>(&body), &other, sizeof(Body));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION ~LocalBody() {}
+};
+
+/// Runs a block's nodes in one loop.
 template <class Body>
 struct BlockOfNodes {
   Body body;
   int n;
   int size = nodes_per_block;
   KOKKOS_FUNCTION void operator()(int block) const {
-    const Body local = body;
+    const LocalBody<Body> copy(body);
+    const Body& local = copy.body;
     const int first = block * size;
     const int last = first + size < n ? first + size : n;
     VUG_VECTORISE
@@ -45,7 +58,8 @@ struct BlockSum {
   int n;
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(int block) const {
-    const Body local = body;
+    const LocalBody<Body> copy(body);
+    const Body& local = copy.body;
     constexpr int lanes = 8;
     double term[nodes_per_block];
     const int first = block * nodes_per_block;

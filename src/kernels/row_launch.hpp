@@ -13,7 +13,8 @@ struct RowOfNodes {
   Body body;
   Lattice lattice;
   KOKKOS_FUNCTION void operator()(int y) const {
-    const Body local = body;  // its address stays here, so that its members live in registers
+    const LocalBody<Body> copy(body);
+    const Body& local = copy.body;
     const int first = lattice.node(0, y);
     const int last = lattice.node(lattice.nx, y);
     VUG_VECTORISE
