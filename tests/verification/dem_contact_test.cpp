@@ -121,6 +121,7 @@ TEST(NeighbourGrid, FindsExactlyThePairsThatASearchOverAllFinds) {
   Assembly assembly = test::block(0.02, 0.02, 2e-3, 0.25);
   Mechanics rock(assembly, {}, {});
   const Particles& p = rock.particles();
+  const double dt = 0.3 * rock.critical_step();
   Kokkos::deep_copy(rock.bonds().d_c, 1.0);  // everything falls apart
   const auto v = host_copy(p.v), x0 = host_copy(p.x0);
   for (int i = 0; i < p.count; ++i) {  // stirred: particles pass each other
@@ -128,7 +129,6 @@ TEST(NeighbourGrid, FindsExactlyThePairsThatASearchOverAllFinds) {
     v(i, 1) = -20 * (x0(i, 1) - 0.01) / 0.01;
   }
   Kokkos::deep_copy(p.v, v);
-  const double dt = 0.3 * rock.critical_step();
   rock.advance(Exec(), dt, 4000);
   const auto joint = host_copy(rock.bonds().joint);
   const auto pair = host_copy(rock.bonds().pair);
