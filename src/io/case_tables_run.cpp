@@ -10,7 +10,7 @@ namespace {
 
 enum class Preset { fast, balanced, reference };
 
-/// What a preset stands for; single keys in the case override it (docs/accuracy.md has the measured errors).
+/// What a preset stands for; single keys in the case override it.
 AccuracySection accuracy_of(Preset preset) {
   AccuracySection accuracy;
   if (preset == Preset::reference) {
