@@ -43,8 +43,7 @@ def draw(axes, snapshot, field, limits, cracks):
     colours.set_bad(ROCK)
     left, right, bottom, top = (CM * v for v in snapshot.extent)
     image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), cmap=colours,
-                        vmin=limits[0] if limits else values.min(), vmax=limits[1] if limits else values.max(),
-                        interpolation="nearest")
+                        vmin=limits[0], vmax=limits[1], interpolation="nearest")
     if cracks:
         for states, colour, width in (((NOTCH,), "black", 1.2), (DAMAGED, "#2166ac", 0.8), (FAILED, "#d6181f", 1.2)):
             axes.add_collection(LineCollection(snapshot.bonds(states) * CM, colors=colour, linewidths=width))

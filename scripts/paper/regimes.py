@@ -15,7 +15,7 @@ import dataclasses
 
 import numpy as np
 
-CAVITY_REACH = 0.01  # m: from the edge of the hole; an eighth of the way to the outlets
+CAVITY_REACH = 0.01  # m: from the edge of the hole; a third of the way to the nearest outlet
 ACID_FRONT = 0.05  # of the inlet's concentration
 
 

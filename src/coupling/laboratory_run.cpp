@@ -111,20 +111,6 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   return loaded;
 }
 
-struct Spread {
-  double mean = 0, deviation = 0;
-};
-
-template <class Number>
-Spread spread_of(const std::vector<LoadedSpecimen>& specimens, Number&& number) {
-  const auto n = static_cast<double>(specimens.size());
-  Spread s;
-  for (const LoadedSpecimen& one : specimens) s.mean += number(one.result) / n;
-  for (const LoadedSpecimen& one : specimens) s.deviation += std::pow(number(one.result) - s.mean, 2);
-  s.deviation = n > 1 ? std::sqrt(s.deviation / (n - 1)) : 0;
-  return s;
-}
-
 std::string line(const char* what, const Spread& s, double unit, const char* name, int digits) {
   const std::string spread = s.deviation > 0 ? fmt::format(" +- {:.{}f}", s.deviation / unit, digits) : "";
   return fmt::format("{:<22}{:.{}f}{} {}\n", what, s.mean / unit, digits, spread, name);
@@ -137,11 +123,15 @@ std::string load_all(const Scene& scene, const LaboratoryOptions& options, const
   std::vector<LoadedSpecimen> specimens;
   for (int s = 0; s < options.seeds; ++s)
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
-  const auto spread = [&](auto number) { return spread_of(specimens, number); };
-  const Spread modulus = spread([](const PlatenResult& r) { return r.modulus; });
-  const Spread poisson = spread([](const PlatenResult& r) { return r.poisson; });
-  const Spread strength = spread([](const PlatenResult& r) { return r.strength; });
-  const Spread strain = spread([](const PlatenResult& r) { return r.peak_strain; });
+  const auto spread = [&](double PlatenResult::*number) {
+    std::vector<double> values;
+    for (const LoadedSpecimen& one : specimens) values.push_back(one.result.*number);
+    return spread_of(values);
+  };
+  const Spread modulus = spread(&PlatenResult::modulus);
+  const Spread poisson = spread(&PlatenResult::poisson);
+  const Spread strength = spread(&PlatenResult::strength);
+  const Spread strain = spread(&PlatenResult::peak_strain);
   std::string text;
   if (modulus.mean != 0) {
     text += line("Young's modulus", modulus, 1e9, "GPa", 2) + line("Poisson's ratio", poisson, 1, "", 3);

@@ -176,6 +176,15 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   return result;
 }
 
+Spread spread_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  Spread s;
+  for (const double value : values) s.mean += value / n;
+  for (const double value : values) s.deviation += (value - s.mean) * (value - s.mean);
+  s.deviation = n > 1 ? std::sqrt(s.deviation / (n - 1)) : 0;
+  return s;
+}
+
 CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
                          const PlatenTest& test, double strength, int seeds, double tolerance) {
   constexpr int most_rounds = 10;
@@ -183,18 +192,15 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
   CohesionFit fit;
   while (fit.rounds < most_rounds) {
     ++fit.rounds;
-    double sum = 0, squares = 0;
+    std::vector<double> strengths;
     for (int s = 0; s < seeds; ++s) {
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
-      const double one = load_between_platens(exec, specimen, parameters, test).strength;
-      sum += one;
-      squares += one * one;
+      strengths.push_back(load_between_platens(exec, specimen, parameters, test).strength);
     }
-    const double mean = sum / seeds;
-    fit.strength = {mean, seeds > 1 ? std::sqrt(std::max(0.0, squares - seeds * mean * mean) / (seeds - 1)) : 0};
+    fit.strength = spread_of(strengths);
     fit.cohesion = parameters.bond.cohesion;
-    if (std::abs(mean / strength - 1) <= tolerance) return fit;
-    parameters.bond.cohesion *= strength / mean;
+    if (std::abs(fit.strength.mean / strength - 1) <= tolerance) return fit;
+    parameters.bond.cohesion *= strength / fit.strength.mean;
   }
   throw InputError("laboratory: no cohesion found that gives a strength of " + std::to_string(strength) +
                    " Pa; is the tensile strength or the friction too large for it?");

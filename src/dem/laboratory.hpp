@@ -55,16 +55,17 @@ using LaboratoryWatch = std::function<void(const Mechanics&, const PlatenResult&
 PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, const MechanicsParameters& parameters,
                                   const PlatenTest& test, const LaboratoryWatch& watch = {});
 
-/// Strengths over several seeds of the bonds' scatter.
-struct StrengthSample {
-  double mean = 0;       ///< Pa
-  double deviation = 0;  ///< of a single specimen (n - 1), Pa
+/// A number over several specimens.
+struct Spread {
+  double mean = 0;
+  double deviation = 0;  ///< of a single specimen (n - 1); 0 of one
 };
+Spread spread_of(const std::vector<double>& values);
 
 /// What a search for the cohesion has found.
 struct CohesionFit {
   double cohesion = 0;  ///< Pa
-  StrengthSample strength;
+  Spread strength;  ///< over the seeds, Pa
   int rounds = 0;
 };
 

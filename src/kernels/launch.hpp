@@ -102,7 +102,7 @@ void for_each_node(const Exec& exec, const std::string& label, int n, const Body
     // a share, whatever their number: where blocks end decides which nodes are rounded by the loop's vectorised part.
     // The shortest without waking other threads, which takes longer than the work.
     constexpr int shortest = 32, shares = 4;
-    const int share = (n / shares + shortest) / shortest * shortest;
+    const int share = ((n + shares - 1) / shares + shortest - 1) / shortest * shortest;
     const detail::BlockOfNodes<Body> blocks{body, n, share < nodes_per_block ? share : nodes_per_block};
     if (n <= shortest)
       blocks(0);
