@@ -13,6 +13,11 @@
 
 namespace vug::test {
 
+inline constexpr std::array velocity_sets{ScalarVelocitySet::d2q5, ScalarVelocitySet::d2q9};
+inline const char* name_of(ScalarVelocitySet set) {
+  return set == ScalarVelocitySet::d2q5 ? "D2Q5" : "D2Q9";
+}
+
 /// Temperature along a whole side: in = -A + 2 w theta_wall, as HeatCondition::temperature has it for one value.
 /// profile(k): theta_wall at k/2 nodes from the beginning of the side. Corners are left to the side filled last.
 template <class T>
