@@ -104,6 +104,7 @@ struct FillSide {
   }
   KOKKOS_FUNCTION double operator()(int item) const {
     const int node = first + item * stride;
+    if (solid(node) > 1) return 0;
     double entered = 0;
     T straight_share = 1;
     for (int q = 5; q < Set::Q; ++q) {
@@ -118,6 +119,28 @@ struct FillSide {
   }
 };
 
+/// As FillSide for one link into an opening, whose node there takes what arrives.
+template <class T, class Set, class Law>
+struct FillOpening {
+  Law law;
+  int plane;
+  double capacity_ratio;
+  Kokkos::View<const int*> node, beyond;
+  Kokkos::View<const std::uint8_t*> direction, solid;
+  Kokkos::View<const double*> area;
+  ScalarField<T> g;
+  KOKKOS_FUNCTION double operator()(int item) const {
+    const int n = node(item), q = direction(item), back = Set::opposite(q);
+    const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)), static_cast<T>(area(item)),
+                           solid(n) != 0};
+    const T arriving = law(link);
+    g(back * plane + beyond(item)) = arriving;
+    return (link.solid ? capacity_ratio : 1) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
+  }
+};
+
+namespace {
+
 template <class T, class Law>
 void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side, const Law& law) {
   const Lattice& lattice = fields.lattice;
@@ -130,19 +153,61 @@ void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side,
   });
 }
 
+template <class T, class Law>
+void launch(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening, const Law& law) {
+  const DenseLinks& links = opening.links;
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const FillOpening<T, decltype(set), Law> body{law,
+                                                  fields.lattice.size(),
+                                                  fields.rates.capacity_ratio,
+                                                  links.node,
+                                                  links.beyond,
+                                                  links.direction,
+                                                  fields.solid,
+                                                  links.area,
+                                                  fields.g};
+    add_per_block(exec, "vug::heat::fill_opening", links.count, body, opening.energy_in);
+  });
+}
+
+/// Launches the law of a side's or an opening's condition.
+template <class T, class Boundary>
+void fill(const Exec& exec, const HeatFields<T>& fields, const Boundary& boundary) {
+  switch (boundary.condition) {
+    case HeatCondition::adiabatic:
+      return launch(exec, fields, boundary, FluxIn<T>{0, 0});
+    case HeatCondition::temperature:
+      return launch(exec, fields, boundary, TemperatureIn<T>{static_cast<T>(2 * boundary.value)});
+    case HeatCondition::flux:
+      return launch(
+          exec, fields, boundary,
+          FluxIn<T>{static_cast<T>(boundary.value), static_cast<T>(boundary.value / fields.rates.capacity_ratio)});
+    case HeatCondition::outflow:
+      return launch(exec, fields, boundary, OutflowIn<T>{});
+  }
+}
+
+}  // namespace
+
 template <class T>
 void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side) {
-  switch (side.condition) {
-    case HeatCondition::adiabatic:
-      return launch(exec, fields, side, FluxIn<T>{0, 0});
-    case HeatCondition::temperature:
-      return launch(exec, fields, side, TemperatureIn<T>{static_cast<T>(2 * side.value)});
-    case HeatCondition::flux:
-      return launch(exec, fields, side,
-                    FluxIn<T>{static_cast<T>(side.value), static_cast<T>(side.value / fields.rates.capacity_ratio)});
-    case HeatCondition::outflow:
-      return launch(exec, fields, side, OutflowIn<T>{});
-  }
+  fill(exec, fields, side);
+}
+
+template <class T>
+void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening) {
+  fill(exec, fields, opening);
+}
+
+template <class T>
+HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
+                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
+                              double value) {
+  const int directions = visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
+  HeatOpening made{
+      find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}};
+  made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(made.links.count));
+  return made;
 }
 
 /// Copies the populations that leave through one side to the halo beside the other.
@@ -176,8 +241,11 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
   });
 }
 
-#define VUG_INSTANTIATE(T)                                                          \
-  template void fill_heat_side(const Exec&, const HeatFields<T>&, const HeatSide&); \
+#define VUG_INSTANTIATE(T)                                                                                  \
+  template void fill_heat_side(const Exec&, const HeatFields<T>&, const HeatSide&);                         \
+  template void fill_heat_opening(const Exec&, const HeatFields<T>&, const HeatOpening&);                   \
+  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
+                                         std::array<bool, 2>, const Opening&, HeatCondition, double);       \
   template void join_heat_sides(const Exec&, const HeatFields<T>&, int)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -1,7 +1,9 @@
 #pragma once
-// Heat at the sides of the lattice: the populations that should come in are written to the halo before `conduct`
-// pulls them. Every wall plane lies half a node outside the first node.
+// Heat at the sides of the lattice and at openings in it: the populations that should come in are written to
+// the halo, or to the nodes of the opening, before `conduct` pulls them. Every wall plane lies half a node outside the
+// first node.
 #include "kernels/heat.hpp"
+#include "kernels/opening.hpp"
 
 namespace vug {
 
@@ -31,6 +33,25 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
 /// or right side, its share to the straight link. Sides that are joined come first.
 template <class T>
 void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side);
+
+/// The surface of an opening with its condition. Its links are those of a geometry: births do not change them.
+struct HeatOpening {
+  DenseLinks links;
+  HeatCondition condition = HeatCondition::adiabatic;
+  double value = 0;               ///< as of a side
+  ScalarField<double> energy_in;  ///< (block of links) heat that entered so far, in fluid heat capacities
+};
+
+/// The links of `fields` into an opening; `type` and `periodic` as given to make_heat_fields.
+template <class T>
+HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
+                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
+                              double value = 0);
+
+/// Writes the populations that should come out of an opening into its nodes, as fill_heat_side does to the halo, and
+/// books what enters. A flux is per true area of the surface (link_areas). Before sides are joined.
+template <class T>
+void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening);
 
 /// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top), 0 before 1.
 template <class T>

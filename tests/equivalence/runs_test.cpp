@@ -11,8 +11,8 @@ using test::run_vug;
 using test::small_rock;
 using test::TemporaryFolder;
 
-void run(const std::string& folder, const std::string& more) {
-  const test::Outcome outcome = run_vug("run " + small_rock + " -o " + folder + " --quiet " + more);
+void run(const std::string& folder, const std::string& more, const std::string& text = small_rock) {
+  const test::Outcome outcome = run_vug("run " + text + " -o " + folder + " --quiet " + more);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
 }
 
@@ -40,6 +40,16 @@ TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
     run(parts, "--threads 2 --resume" + checkpoints + precision);
     EXPECT_EQ(difference(folder / "whole", parts), "") << "restarted at step " << steps;
   }
+}
+
+TEST_P(SameBits, OfAWellInDissolvingRockWithThreadsAndAfterARestart) {
+  const TemporaryFolder folder;
+  const std::string well = VUG_SOURCE_DIR "/tests/cases/coupled/well.toml";
+  const std::string more = std::string(" --set output.checkpoint_interval=0.02 --set accuracy.precision=") + GetParam();
+  run(folder / "whole", "--threads 1" + more, well);
+  run(folder / "parts", "--threads 2 --steps 200" + more, well);
+  run(folder / "parts", "--threads 1 --resume" + more, well);
+  EXPECT_EQ(difference(folder / "whole", folder / "parts"), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, SameBits, testing::Values("double", "single"));

@@ -108,6 +108,24 @@ INSTANTIATE_TEST_SUITE_P(
             {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::particle_load", "vug::advective_form"}},
         Absence{{"damage"}, {"vug::pathways"}}));
 
+TEST(AbsentOpenings, AllocateNothingAndLaunchNothing) {
+  const Watch watch;
+  live(scene_without({}));
+  EXPECT_FALSE(watch.saw("opening"));
+}
+
+TEST(PresentOpenings, AreSeenByTheSameWatchAndStayOnTheDevice) {
+  Simulation simulation(read_scene(VUG_SOURCE_DIR "/tests/cases/coupled/well.toml"));
+  simulation.begin();
+  for (int step = 0; step < 5; ++step) simulation.step();
+  const Watch watch;
+  for (int step = 0; step < 4; ++step) simulation.step();  // up to the next update of the pores
+  EXPECT_TRUE(watch.saw("vug::heat::fill_opening"));
+  EXPECT_TRUE(watch.saw("vug::open_boundary::normal_speed"));
+  EXPECT_TRUE(watch.allocations.empty()) << *watch.allocations.begin();
+  EXPECT_TRUE(watch.copies.empty()) << *watch.copies.begin();
+}
+
 TEST(PresentModules, AreSeenByTheSameWatch) {
   const Watch watch;
   live(scene_without({}));
