@@ -63,6 +63,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
     sides_.back().energy_in = entered_.back().recent();
   }
+  assign_corners(geometry.lattice, sides_);
   for (const InnerOpening& opening : geometry.openings) {
     const HeatBoundary& heat = opening.conditions.heat;
     openings_.push_back(make_heat_opening(exec, fields_, geometry.type, periodic_, opening.nodes,

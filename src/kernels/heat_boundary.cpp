@@ -8,14 +8,44 @@ namespace vug {
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value) {
   if (first < 0 || last < first)
     throw InputError("heat: a stretch of a side from node " + std::to_string(first) + " to " + std::to_string(last));
-  HeatSide made{side, first, last, condition, value, {}};
+  HeatSide made{side, first, last, condition, value, {}, {}};
   made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(last - first + 1));
   return made;
 }
 
+namespace {
+
+bool is_upright(Side side) {
+  return side == Side::left || side == Side::right;
+}
+
+int side_length(const Lattice& lattice, Side side) {
+  return is_upright(side) ? lattice.ny : lattice.nx;
+}
+
+/// What a condition says: the more, the sooner it has a corner.
+int rank(const HeatSide& side) {
+  return side.condition == HeatCondition::adiabatic ? 0 : side.condition == HeatCondition::flux ? 1 : 2;
+}
+
+}  // namespace
+
+void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides) {
+  const auto at_end = [&](const HeatSide& side, int end) {
+    return end == 0 ? side.first == 0 : side.last == side_length(lattice, side.side) - 1;
+  };
+  for (HeatSide& upright : sides)
+    for (HeatSide& flat : sides) {
+      if (!is_upright(upright.side) || is_upright(flat.side)) continue;
+      const int on_flat = upright.side == Side::left ? 0 : 1, on_upright = flat.side == Side::bottom ? 0 : 1;
+      if (!at_end(upright, on_upright) || !at_end(flat, on_flat)) continue;
+      flat.corners[on_flat] = rank(flat) > rank(upright);
+      upright.corners[on_upright] = !flat.corners[on_flat];
+    }
+}
+
 HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value) {
-  const bool upright = side == Side::left || side == Side::right;
-  return make_heat_side(side, 0, (upright ? lattice.ny : lattice.nx) - 1, condition, value);
+  return make_heat_side(side, 0, side_length(lattice, side) - 1, condition, value);
 }
 
 namespace {
@@ -48,7 +78,7 @@ SideNodes side_nodes(const Lattice& lattice, Side side) {
 /// One link that crosses a side, as its law sees it.
 template <class T>
 struct SideLink {
-  T leaving;  ///< A, the population that leaves through it
+  T leaving;  ///< A, the population that leaves through it, or that a mirror sends back through it
   T inward;   ///< the node's own population of the opposite direction
   T weight;   ///< w of the velocity set
   T share;    ///< of what enters at the node
@@ -58,6 +88,7 @@ struct SideLink {
 /// in = A + share q / c.
 template <class T>
 struct FluxIn {
+  static constexpr bool mirrors = true;
   T fluid_flux, solid_flux;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
@@ -67,6 +98,7 @@ struct FluxIn {
 /// in = -A + 2 w theta_wall (half-way anti-bounce-back).
 template <class T>
 struct TemperatureIn {
+  static constexpr bool mirrors = false;
   T twice_wall_temperature;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     return link.weight * twice_wall_temperature - link.leaving;
@@ -76,6 +108,7 @@ struct TemperatureIn {
 /// in = the node's own inward population.
 template <class T>
 struct OutflowIn {
+  static constexpr bool mirrors = false;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const { return link.inward; }
 };
 
@@ -85,18 +118,37 @@ template <class T, class Set, class Law>
 struct FillSide {
   Law law;
   Lattice lattice;
-  int first, stride, outward;
+  int first, count, stride, outward;
+  bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
   double capacity_ratio;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
 
-  /// True where a diagonal link leaves through a corner, which belongs to the left or right side.
-  KOKKOS_FUNCTION bool through_corner(int node, int q) const {
-    return Set::c(outward, 0) == 0 && solid(node + Set::c(q, 0)) == outside_lattice;
+  KOKKOS_FORCEINLINE_FUNCTION static int along(int outward, int q) {
+    return Set::c(outward, 0) == 0 ? Set::c(q, 0) : Set::c(q, 1);
   }
-  KOKKOS_FUNCTION double fill(int node, int q, T share) const {
+  KOKKOS_FORCEINLINE_FUNCTION static bool crosses(int outward, int q) {
+    return Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) == 1;
+  }
+  /// True where a diagonal link leaves through a corner that is another side's.
+  KOKKOS_FUNCTION bool lost_corner(int node, int q) const {
+    const int step = along(outward, q);
+    return solid(node + step * stride) == outside_lattice && !(step < 0 ? lower_corner : upper_corner);
+  }
+  /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
+  /// same kind and of this stretch by the link that crosses q.
+  KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
+    const int step = along(outward, q), plane = lattice.size();
+    const int next = node + step * stride;
+    const bool beside = whole || (item + step >= 0 && item + step < count);
+    if (!Law::mirrors || step == 0 || !beside || solid(next) != solid(node)) return g(q * plane + node);
+    int crossing = 5;
+    while (crossing == q || !crosses(outward, crossing)) ++crossing;
+    return g(crossing * plane + next);
+  }
+  KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
     const int plane = lattice.size(), back = Set::opposite(q);
-    const SideLink<T> link{g(q * plane + node), g(back * plane + node), static_cast<T>(Set::w(q)), share,
+    const SideLink<T> link{leaving(item, node, q), g(back * plane + node), static_cast<T>(Set::w(q)), share,
                            solid(node) != 0};
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
@@ -108,13 +160,12 @@ struct FillSide {
     double entered = 0;
     T straight_share = 1;
     for (int q = 5; q < Set::Q; ++q) {
-      if (Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) != 1 || through_corner(node, q))
-        continue;
+      if (!crosses(outward, q) || lost_corner(node, q)) continue;
       const T share = static_cast<T>(6 * Set::w(q));
       straight_share -= share;
-      entered += fill(node, q, share);
+      entered += fill(item, node, q, share);
     }
-    entered += fill(node, outward, straight_share);
+    entered += fill(item, node, outward, straight_share);
     return (solid(node) ? capacity_ratio : 1) * entered;
   }
 };
@@ -145,11 +196,21 @@ template <class T, class Law>
 void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side, const Law& law) {
   const Lattice& lattice = fields.lattice;
   const auto [origin, stride] = side_nodes(lattice, side.side);
-  const int start = origin + side.first * stride, step = stride;
+  const int start = origin + side.first * stride, step = stride, count = side.last - side.first + 1;
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const FillSide<T, decltype(set), Law> body{
-        law, lattice, start, step, outward(side.side), fields.rates.capacity_ratio, fields.solid, fields.g};
-    add_per_block(exec, "vug::heat::fill_side", side.last - side.first + 1, body, side.energy_in);
+    const FillSide<T, decltype(set), Law> body{law,
+                                               lattice,
+                                               start,
+                                               count,
+                                               step,
+                                               outward(side.side),
+                                               count == side_length(lattice, side.side),
+                                               side.corners[0],
+                                               side.corners[1],
+                                               fields.rates.capacity_ratio,
+                                               fields.solid,
+                                               fields.g};
+    add_per_block(exec, "vug::heat::fill_side", count, body, side.energy_in);
   });
 }
 

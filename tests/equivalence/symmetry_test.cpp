@@ -98,8 +98,7 @@ std::string case_text(const Turn& turn, const Scale& s, const std::string& set) 
   text += fmt::format("[boundary.{}]\nflow = {{ type = \"velocity\", velocity = {} }}\nsolute = {}\n", bottom,
                       moving(0, 5e-3), acid);
   text += fmt::format("[boundary.{}]\nflow = {{ type = \"wall\", velocity = {} }}\n", top, moving(-0.02, 0));
-  if (set == "d2q5")  // on D2Q9 a corner belongs to the left or right side, which is a direction
-    text += fmt::format("heat = {{ type = \"flux\", flux = {:.17g} }}\n", 4e5 * s.density * velocity);
+  text += fmt::format("heat = {{ type = \"flux\", flux = {:.17g} }}\n", 4e5 * s.density * velocity);
   text += fmt::format(
       "[boundary.shape.well]\nflow = {{ type = \"velocity\", speed = {:.17g} }}\n"
       "heat = {{ type = \"flux\", flux = {:.17g} }}\nsolute = {}\n",

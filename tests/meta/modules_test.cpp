@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -111,11 +112,15 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(AbsentOpenings, AllocateNothingAndLaunchNothing) {
   const Watch watch;
   live(scene_without({}));
-  EXPECT_FALSE(watch.saw("opening"));
+  for (const char* label : {"vug::opening", "vug::heat::fill_opening", "vug::open_boundary::normal_speed"})
+    EXPECT_FALSE(watch.saw(label)) << label;
 }
 
 TEST(PresentOpenings, AreSeenByTheSameWatchAndStayOnTheDevice) {
+  std::optional<Watch> setup(std::in_place);
   Simulation simulation(read_scene(VUG_SOURCE_DIR "/tests/cases/coupled/well.toml"));
+  EXPECT_TRUE(setup->saw("vug::opening"));
+  setup.reset();
   simulation.begin();
   for (int step = 0; step < 5; ++step) simulation.step();
   const Watch watch;

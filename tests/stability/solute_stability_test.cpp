@@ -104,6 +104,67 @@ TEST(ReactiveWallStability, ThePapersWallHoldsAtItsOwnDiffusivityAndNotFarBelow)
   EXPECT_LT(slow(ReactiveWallLaw::kinetic), 1.1);
 }
 
+struct SlabResult {
+  double flux_error;     ///< of what dissolves per step in the steady state
+  double acid_error;     ///< of the acid that the fluid loses per step
+  double lowest, highest;  ///< ever, from an empty start
+};
+
+/// Acid given at x = 0 diffuses through n nodes to a wall that takes it: D C_in Da/((1 + Da) n) in the steady state, Da
+/// = k n/D.
+template <class Set, class T>
+SlabResult reacting_slab(double Da, SoluteParameters p, ReactiveWallLaw law) {
+  constexpr int n = 10, width = 3;
+  ReactiveBox<Set, T> box(n + 1, width, [](int x, int) { return x == n; }, p, 0, {false, true});
+  const double diffusivity = p.diffusivity();
+  box.k = Da * diffusivity / n;
+  box.wall.law = law;
+  box.wall.molar_volume = 1;  // to read the flux off the dissolved volume: nothing is turned into fluid here
+  box.wall.D_reactant = diffusivity;
+  box.give_concentration(Side::left, [](int) { return 1.0; });
+  SlabResult result{0, 0, 1, 0};
+  const auto look = [&] {
+    const FieldRange range = field_range(box.exec, box.acid.C, box.nodes.count);
+    EXPECT_EQ(range.first_not_finite, -1);
+    result.lowest = std::min(result.lowest, range.min);
+    result.highest = std::max(result.highest, range.max);
+  };
+  for (int step = 0; step < 100; ++step) {
+    box.step();
+    look();
+  }
+  const int steps = static_cast<int>(40 * n * n / (2.46 * diffusivity));  // 40 decay times of the slowest mode
+  for (int step = 0; step < steps; ++step) box.step();
+  look();
+  const double solid = sum_in_order(box.dissolved), acid = sum_in_order(box.consumed);
+  constexpr int more = 1000;
+  for (int step = 0; step < more; ++step) box.step();
+  const double exact = more * width * diffusivity / n * (Da / (1 + Da));
+  result.flux_error = (sum_in_order(box.dissolved) - solid) / exact - 1;
+  result.acid_error = (sum_in_order(box.consumed) - acid) / exact - 1;
+  return result;
+}
+
+constexpr double all_damkohler_numbers[] = {1e-6, 1e-3, 1.0, 1e3, 1e6};
+
+/// Twelve decades of Da with the default law: the flux is exact, and nothing leaves 0 ... C_in.
+TEST(ReactingSlab, HasItsExactFluxFromReactionToDiffusionControl) {
+  for (const double Da : all_damkohler_numbers) {
+    const SlabResult twice = reacting_slab<D2Q5, double>(Da, solute_parameters(0.2), ReactiveWallLaw::kinetic);
+    const SlabResult single = reacting_slab<D2Q5, float>(Da, solute_parameters(0.2), ReactiveWallLaw::kinetic);
+    std::printf("    Da %g: flux %+.1e (float %+.1e), C from %.1e to 1%+.1e (float %.1e, 1%+.1e)\n", Da,
+                twice.flux_error, single.flux_error, twice.lowest, twice.highest - 1, single.lowest,
+                single.highest - 1);
+    EXPECT_LE(std::abs(twice.flux_error), 1e-10);  // sums of a thousand steps; Da/(1 + Da) off the wall at 1e6
+    EXPECT_LE(std::abs(single.flux_error), 1e-4);  // 6e-8 in each of the n^2/D = 500 steps that the state remembers
+    EXPECT_NEAR(twice.acid_error, twice.flux_error, 1e-11);
+    EXPECT_GE(twice.lowest, 0);
+    EXPECT_LE(twice.highest, 1 + 1e-13);
+    EXPECT_GE(single.lowest, 0);
+    EXPECT_LE(single.highest, 1 + 1e-5f);
+  }
+}
+
 /// A channel of n nodes between reactive walls with a parabolic flow of mean speed u.
 FieldRange channel(int n, double u_mean, double D, double k) {
   ReactiveBox<D2Q5, double> box(
