@@ -57,7 +57,8 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
                               double value = 0);
 
 /// Writes the populations that should come out of an opening into its nodes, as fill_heat_side does to the halo, and
-/// books what enters. A flux is per true area of the surface (link_areas). Before sides are joined.
+/// books what enters. A flux is per true area of the surface (link_areas). No mirror: on D2Q9
+/// what moves diagonally goes back the way it came. Before sides are joined.
 template <class T>
 void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening);
 

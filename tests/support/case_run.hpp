@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,10 +29,8 @@ inline std::string disc(double x, double y, double radius, const std::string& mo
 
 class CaseRun {
  public:
-  explicit CaseRun(const std::string& text, const std::vector<std::string>& overrides = {})
-      : scene_(parse_scene(text, "case.toml", overrides)), simulation(scene_) {
-    simulation.begin();
-  }
+  explicit CaseRun(const Scene& scene) : scene_(scene), simulation(scene_) { simulation.begin(); }
+  explicit CaseRun(const std::string& text) : CaseRun(parse_scene(text, "case.toml")) {}
 
   void run(int steps) {
     for (int step = 0; step < steps; ++step) simulation.step();
