@@ -146,7 +146,8 @@ void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
   table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
-  if (carrier_ && geometry_.surface.count > 0)  // without walls of rock there is no stair-step to feed the mode
+  // without walls of rock or openings there is no stair-step to feed the mode
+  if (carrier_ && (geometry_.surface.count > 0 || !geometry_.openings.empty()))
     table.push_back({"heat", "grid Peclet number at the largest speed",
                      fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
                      "lower the pressures or flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
