@@ -1,11 +1,12 @@
 """The sections of docs/validation.md, one module per field of physics."""
 from .records import Records
-from . import flow, heat, solute, rock
+from . import coupling, flow, heat, rock, solute
 
 chapters = [
     ("Flow", flow.entries),
     ("Heat", heat.entries),
     ("Solutes and dissolution", solute.entries),
     ("Rock", rock.entries),
+    ("Couplings", coupling.entries),
 ]
 __all__ = ["Records", "chapters"]
