@@ -8,7 +8,7 @@ namespace vug {
 namespace {
 
 /// Internal cohesion that gives the measured uniaxial strength of 91.1 MPa; Table 1 as printed gives about 137 MPa.
-constexpr double calibrated_cohesion = 60e6;
+constexpr double calibrated_cohesion = 58e6;
 
 Notch read_notch(const TomlCursor& table) {
   Notch notch{};

@@ -139,6 +139,7 @@ struct LaboratorySection {
   double flat_width = 0.174;           ///< of the disc's flats under the platens, over the diameter (20 degrees of arc)
   std::optional<double> platen_speed;  ///< m/s; absent: 0.5 in compression, 0.1 in tension and splitting
   double confinement = 0;              ///< Pa
+  Support flanks = Support::free;      ///< free: the confinement is a membrane's dead load; servo: that of platens
   double chemical_damage = 0;          ///< d_c of all bonds
   double temperature_change = 0;       ///< K: rise at the end of heating, or fall of the quenched face
   double duration = 1e-3;              ///< s in which it is heated or the cold has come down by the diffusion length

@@ -46,7 +46,8 @@ void warn_about_injection(Scene& scene) {
 /// Rock that nothing holds drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
   for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
-    if (side->traction.support != Support::free) return;
+    const Support support = side->traction.support;
+    if (support == Support::roller || support == Support::fixed) return;
   }
   scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
 }
