@@ -207,8 +207,7 @@ Assembly build_specimen(const Scene& scene) {
 PlatenTest platen_test(const Scene& scene) {
   const LaboratorySection& laboratory = *scene.laboratory;
   PlatenTest test;
-  const bool compression = laboratory.test == LaboratoryTest::compression;
-  test.speed = laboratory.platen_speed.value_or(compression ? 0.5 : 0.1);
+  test.speed = platen_speed(laboratory);
   if (laboratory.test == LaboratoryTest::tension) test.speed = -test.speed;
   if (laboratory.test == LaboratoryTest::brazilian) test.specimen = Specimen::disc;
   test.largest_strain = laboratory.largest_strain;
@@ -216,6 +215,7 @@ PlatenTest platen_test(const Scene& scene) {
   test.confinement = laboratory.confinement;
   test.flanks = laboratory.flanks;
   test.confining_time = scene.mechanics->preload_time;
+  test.confining_damping = scene.mechanics->preload_damping;
   test.chemical_damage = laboratory.chemical_damage;
   if (laboratory.test == LaboratoryTest::heating) {
     test.speed = 0;
@@ -250,6 +250,8 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_run_record(directory, record);
   };
+  if (options.progress)
+    for (const std::string& warning : scene.warnings) *options.progress << "warning: " << warning << '\n';
   try {
     const std::string found = options.fit_strength ? fit(scene, options, specimen, record.results)
                               : scene.laboratory->test == LaboratoryTest::quench

@@ -135,7 +135,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   const Extent extent = extent_of(specimen);
   Mechanics rock(specimen, parameters, press(test));
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
-  if (test.confinement != 0) rock.preload(exec, test.confining_time);
+  if (test.confinement != 0) rock.preload(exec, test.confining_time, test.confining_damping);
   const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);
   const double sign = test.speed < 0 ? -1 : 1;
   const double rate = std::abs(test.speed) / (high - low) + std::abs(parameters.thermal_expansion * test.heating_rate);

@@ -25,6 +25,7 @@ struct PlatenTest {
   /// frictionless platens which follow it (servo.hpp).
   Support flanks = Support::free;
   double confining_time = 150e-6;  ///< s over which it is raised
+  double confining_damping = default_preload_damping;  ///< Cundall's alpha meanwhile
   double largest_strain = 0.02;    ///< where the test ends at the latest
   double stop_below = 0.6;         ///< ends when the stress has fallen to this share of its peak
   double step_fraction = 0.3;      ///< time step over the critical one

@@ -123,6 +123,7 @@ struct MechanicsSection {
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
   bool force_unstable = false;         ///< accept a sub-step above the critical one
   double preload_time = 150e-6;        ///< s over which the outer stress is ramped before the run
+  double preload_damping = 0.7;        ///< Cundall's alpha until the rock is at rest
 };
 
 struct DamageSection {
@@ -146,6 +147,11 @@ struct LaboratorySection {
   double diffusion_length = 0.01;      ///< 2 sqrt(kappa t) at the end of a quench, m
   double largest_strain = 0.02;        ///< where a loading test ends at the latest
 };
+
+/// Of the moving platen, m/s; when it is not given, so slow that strengths are within 4 % of those at a quarter of it.
+inline double platen_speed(const LaboratorySection& laboratory) {
+  return laboratory.platen_speed.value_or(laboratory.test == LaboratoryTest::compression ? 0.5 : 0.1);
+}
 
 enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
 struct FlowBoundary {

@@ -54,17 +54,22 @@ constexpr std::uint64_t seeds = 3;
 
 TEST(MassScalingLong, KeepsTheModulusAndRaisesTheStrengthAsAFasterPlatenDoes) {
   std::vector<double> unscaled;
+  double before = 0;
   for (const double scaling : {1.0, 4.0, 16.0, 64.0, 100.0}) {
+    double more = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       const Compression c = compress(seed, scaling, 0.3);
       record_compression("mass_scaling", seed, scaling, c);
       if (scaling == 1) unscaled.push_back(c.result.strength);
+      more += (c.result.strength / unscaled[seed - 1] - 1) / seeds;
       EXPECT_NEAR(c.result.modulus, 28.1e9, 0.02 * 28.1e9) << scaling;
-      // its cost: the step grows with the square root (of one test; where it ends differs a little)
-      if (scaling == 4) {
-        EXPECT_NEAR(c.result.strength, unscaled[seed - 1], 0.1 * unscaled[seed - 1]);
-      }
     }
+    EXPECT_GE(more, before) << scaling;
+    // four times the mass is twice the speed, which adds 3 % (StrengthHardlyDependsOnThePlatensSpeed)
+    if (scaling == 4) {
+      EXPECT_LT(more, 0.05);
+    }
+    before = more;
   }
 }
 
@@ -122,14 +127,16 @@ double pulse_speed(double fraction) {
 
 TEST(SubStep, APulseTravelsTheSameToSecondOrder) {
   const double fine = pulse_speed(0.05);
-  double error_of_half = 0;
-  for (const double fraction : {0.9, 0.45, 0.3, 0.15}) {
+  double before = 0;
+  for (const double fraction : {0.9, 0.45, 0.225}) {
     const double error = std::abs(pulse_speed(fraction) / fine - 1);
     record("sub_step_pulse", {{"fraction", fraction}, {"error", error}});
-    EXPECT_LT(error, 0.01) << fraction;
-    if (fraction == 0.45) error_of_half = error;
+    if (before > 0) {
+      EXPECT_LT(error, before / 3) << fraction;  // a quarter
+    }
+    before = error;
   }
-  (void)error_of_half;
+  EXPECT_LT(before, 1e-5);
 }
 
 /// Elastic rock under the paper's outer stress, with its displacements.
@@ -180,7 +187,7 @@ TEST(PreloadAccuracyLong, RestsAtTheStaticDisplacementWhateverTheRampAndTheDampi
                        {"damaged", p.report.bonds.damaged + p.report.bonds.failed()},
                        {"error", difference(p, slow)}});
     EXPECT_TRUE(p.report.settled) << ramp << ' ' << damping;
-    // kinetic over elastic energy of 1e-9: a displacement off by its root, if it is at a turning point no more
+    // at rest is a kinetic energy of 1e-9 of the elastic one: displacements are known to its root
     EXPECT_LT(difference(p, slow), 1e-4) << ramp << ' ' << damping;
   }
 }

@@ -56,8 +56,7 @@ TEST(PaperCompressionLong, CalibratedCohesionGivesThePrintedModulusAndStrength) 
     Spread modulus, strength;
     compress_five(1, "calibrated", rock_of(calibrated_cohesion), size, modulus, strength);
     EXPECT_NEAR(modulus.mean, printed_modulus, 0.03 * printed_modulus);
-    // fitted with elements of 2 mm; larger ones scatter more and lie higher
-    EXPECT_NEAR(strength.mean, printed_strength, (size == 2e-3 ? 0.03 : 0.10) * printed_strength);
+    EXPECT_NEAR(strength.mean, printed_strength, 0.03 * printed_strength);
   }
 }
 
@@ -119,7 +118,7 @@ TEST(PaperCompressionLong, ConfinementStrengthensTheRock) {
 }
 
 TEST(ServoConfinementLong, BreaksTheRockAtTheStrengthThatAMembraneDoes) {
-  std::vector<double> ratio;
+  std::vector<double> ratios;
   for (const double confinement : {5e6, 10e6, 20e6}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Assembly block = specimen(3e-3, seed);
@@ -134,7 +133,7 @@ TEST(ServoConfinementLong, BreaksTheRockAtTheStrengthThatAMembraneDoes) {
         double& worst = servo.strain[i] < 0.5 * servo.peak_strain ? before : after;
         worst = std::max(worst, std::abs(servo.confinement[i] - confinement));
       }
-      ratio.push_back(servo.strength / membrane.strength);
+      ratios.push_back(servo.strength / membrane.strength);
       record("servo_strength", {{"confinement", confinement},
                                 {"seed", static_cast<int>(seed)},
                                 {"membrane", membrane.strength},
@@ -148,8 +147,12 @@ TEST(ServoConfinementLong, BreaksTheRockAtTheStrengthThatAMembraneDoes) {
                                   {"stress", servo.stress[i]},
                                   {"confinement", servo.confinement[i]}});
       }
+      EXPECT_LT(before, 0.12e6);  // v / G, 0.066 MPa, and the waves of the start
+      EXPECT_LT(after, 10e6);     // what bursts out at 3 m/s pushes the platens with 8 MPa
+      EXPECT_NEAR(ratios.back(), 1, 0.12) << confinement << ' ' << seed;  // twice a specimen's scatter
     }
   }
+  EXPECT_NEAR(spread_of(ratios).mean, 1, 0.06);  // a platen holds flakes back that a membrane lets go
 }
 
 }  // namespace
