@@ -1,21 +1,22 @@
 """Which of the paper's three types of dissolution (Section 4.1) a run shows, from what it measured.
 
-The paper tells the types by eye. Here they follow from two numbers:
+The paper tells the types by eye, "according to the dissolution morphology". Here they follow from two numbers:
 
-  near share         the share of the dissolved volume that lies within 1 cm of the injection hole. A cavity is all of it;
-                     acid that permeates the rock dissolves it all over.
-  fractured share    the share of the dissolved volume beyond that distance which lies on failed bonds (within one
-                     pathway's width): dissolution that the new fractures carry into the rock.
+  cavity share     the share of the dissolved volume that lies in cavities. A cavity is pore space in which a disc three
+                   pathways wide has room (the morphological opening of the pores by that disc): rock that is gone
+                   wholesale. A pathway that acid has widened a little, or rock that is eaten at everywhere and still
+                   stands, is none.
+  fractured share  the share of the dissolved volume on failed bonds (within a pathway's width) away from the cavities:
+                   what the new fractures carry into the rock.
 
-  permeation         near share below 1/2: most of the rock dissolves away from the hole
-  permeation-cavity  near share above 1/2, but at least 1/20 of the volume dissolves beyond, most of that on fractures
+  permeation         cavity share below 1/2: the rock dissolves where it still stands
+  permeation-cavity  cavity share of 1/2 and more, but at least 1/20 of the volume dissolves on fractures
   cavity             the rest
 """
 import dataclasses
 
 import numpy as np
 
-CAVITY_REACH = 0.01  # m: from the edge of the hole; a third of the way to the nearest outlet
 ACID_FRONT = 0.05  # of the inlet's concentration
 
 
@@ -24,8 +25,9 @@ class Morphology:
     """What is measured of one snapshot."""
 
     dissolved_volume: float  # m3 per m
-    near_share: float  # of the dissolved volume, within CAVITY_REACH of the hole
-    fractured_share: float  # of the dissolved volume beyond, on failed bonds
+    cavity_share: float  # of the dissolved volume, in cavities
+    fractured_share: float  # of the dissolved volume, on failed bonds away from the cavities
+    cavity_area: float  # m2, less what was wide before (the hole)
     mean_distance: float  # m, of the dissolved volume from the hole
     acid_reach: float  # m, farthest from the hole with ACID_FRONT of the inlet's concentration
     failed_bonds: int
@@ -36,11 +38,9 @@ class Morphology:
     def type(self):
         if not self.dissolved_volume > 0:
             return "none"
-        if self.near_share < 0.5:
+        if self.cavity_share < 0.5:
             return "permeation"
-        if 1 - self.near_share >= 0.05 and self.fractured_share > 0.5:
-            return "permeation-cavity"
-        return "cavity"
+        return "permeation-cavity" if self.fractured_share >= 0.05 else "cavity"
 
 
 def distance_to_rectangle(x, y, lower, upper):
@@ -61,20 +61,46 @@ def near_segments(x, y, segments, reach):
     return found
 
 
-def measure(x, y, dissolved, acid, failed, hole, dx):
-    """Morphology of arrays over the nodes: dissolved (share of a pixel that was rock), acid (of the inlet's
-    concentration); failed: ends of the failed bonds, (n, 2, 2) m; hole: its two corners, m; dx: spacing, m."""
+def dilate(mask, radius):
+    """True within `radius` nodes of a True node; nothing comes from beyond the edges of the array."""
+    ny, nx = mask.shape
+    reach = int(radius)
+    padded = np.pad(mask, reach)
+    found = np.zeros_like(mask)
+    for dy in range(-reach, reach + 1):
+        for dx in range(-reach, reach + 1):
+            if dx * dx + dy * dy <= radius * radius:
+                found |= padded[reach + dy:reach + dy + ny, reach + dx:reach + dx + nx]
+    return found
+
+
+def cavities(solid, diameter):
+    """The pores in which a disc of that many nodes has room (it may stick out of the lattice)."""
+    return dilate(~dilate(solid, diameter / 2), diameter / 2) & ~solid
+
+
+def measure(solid, dissolved, acid, failed, hole, dx, pathway):
+    """Morphology of arrays over the nodes: solid (bool), dissolved (share of a pixel that was rock), acid (of the inlet's
+    concentration); failed: ends of the failed bonds, (n, 2, 2) m; hole: its two corners, m; dx: spacing, m; pathway: its
+    width in nodes."""
+    ny, nx = solid.shape
+    x, y = np.meshgrid((np.arange(nx) + 0.5) * dx, (np.arange(ny) + 0.5) * dx)
     distance = distance_to_rectangle(x, y, *hole)
     total = float(dissolved.sum())
-    far = distance > CAVITY_REACH
-    far_total = float(dissolved[far].sum())
-    on_fracture = near_segments(x, y, failed, 4 * dx) & far  # half a pathway of three nodes, and what it has dissolved
+
+    def share(where):
+        return float(dissolved[where].sum()) / total if total > 0 else 0.0
+
+    cavity = cavities(solid, 3 * pathway)
+    # the nodes of the strip, and those that it has dissolved beside it
+    on_fracture = near_segments(x, y, failed, (pathway / 2 + 2) * dx) & ~dilate(cavity, 2 * pathway)
     reached = distance[acid > ACID_FRONT]
     middle = failed.mean(axis=1) if len(failed) else np.empty((0, 2))
     return Morphology(
         dissolved_volume=total * dx**2,
-        near_share=1 - far_total / total if total > 0 else 0.0,
-        fractured_share=float(dissolved[on_fracture].sum()) / far_total if far_total > 0 else 0.0,
+        cavity_share=share(cavity),
+        fractured_share=share(on_fracture),
+        cavity_area=float((cavity & (distance > 0)).sum()) * dx**2,
         mean_distance=float((dissolved * distance).sum()) / total if total > 0 else 0.0,
         acid_reach=float(reached.max()) if reached.size else 0.0,
         failed_bonds=len(failed),
@@ -83,9 +109,8 @@ def measure(x, y, dissolved, acid, failed, hole, dx):
     )
 
 
-def measure_snapshot(snapshot, hole, inlet_concentration, failed_states):
+def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway):
     """Morphology of a snapshot of a run."""
-    x, y = snapshot.nodes()
     dissolved = np.clip(np.nan_to_num(snapshot.field["dissolved_fraction"]), 0, 1)
     acid = np.where(snapshot.solid, 0, np.nan_to_num(snapshot.field["concentration_L1"])) / inlet_concentration
-    return measure(x, y, dissolved, acid, snapshot.bonds(failed_states), hole, snapshot.dx)
+    return measure(snapshot.solid, dissolved, acid, snapshot.bonds(failed_states), hole, snapshot.dx, pathway)

@@ -1,19 +1,20 @@
 #pragma once
 // The pathways that give the rock its initial porosity (paper Fig. 4b; closure in docs/model.md, "Pathways").
-#include <array>
+#include "dem/assembly.hpp"
+
 #include <cstdint>
 #include <vector>
 
 namespace vug {
 
-/// Chooses the edges that carry a pathway from the start: a random spanning tree over the vertices, so that every
-/// pathway is connected to every other, pruned leaf by leaf or filled up with further edges, in an order drawn from
-/// the seed and the vertex names, until the nodes they open reach `target_nodes`.
-/// edges: vertex pairs (low, high); strips: the nodes that a pathway along each edge opens (strips overlap where edges
-/// meet; a node counts once); fixed: edges that are open anyway (notches), which count and stay. Returns one flag per
-/// edge.
-std::vector<bool> choose_pathways(const std::vector<std::array<int, 2>>& edges,
-                                  const std::vector<std::vector<int>>& strips, const std::vector<bool>& fixed,
-                                  int vertices, int target_nodes, std::uint64_t seed);
+/// Chooses the bonds that carry a pathway from the start: the joints between blocks of rock, each block the triangles
+/// nearest to one of so many random triangles that the joints open about `target_nodes`. Joints, notches and the walls
+/// of holes that do not meet are connected by the shortest ways between them. How many triangles a block has follows
+/// from the porosity, so the network does not change its nature when the triangles get smaller, and all bonds are
+/// joints when the porosity asks for it.
+/// strips: (bond, in the order of find_edges) the nodes that a pathway along it opens; strips overlap where bonds meet
+/// and a node counts once; fixed: (bond) is open anyway (notches), counts and stays. Returns one flag per bond.
+std::vector<bool> choose_pathways(const Assembly& assembly, const std::vector<std::vector<int>>& strips,
+                                  const std::vector<bool>& fixed, int target_nodes, std::uint64_t seed);
 
 }  // namespace vug

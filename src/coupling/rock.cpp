@@ -110,8 +110,7 @@ std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice
   }
   const auto rock_nodes = std::count_if(raster.owner.begin(), raster.owner.end(), [](int owner) { return owner >= 0; });
   const int target = static_cast<int>(std::lround(section.porosity * static_cast<double>(rock_nodes)));
-  const auto chosen =
-      choose_pathways(bonds.vertices, strips, fixed, static_cast<int>(assembly.vertices.size()), target, section.seed);
+  const std::vector<bool> chosen = choose_pathways(assembly, strips, fixed, target, section.seed);
   for (std::size_t b = 0; b < aperture.size(); ++b)
     if (chosen[b]) aperture[b] = wide[b];
   return aperture;

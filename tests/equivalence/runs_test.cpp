@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
 namespace vug {
 namespace {
 
@@ -28,21 +33,35 @@ TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
   EXPECT_EQ(difference(folder / "one", folder / "two"), "");
 }
 
-TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
+/// Stops a run after each of these steps, resumes it on another number of threads and compares it with one that went
+/// through.
+void stop_and_resume(const std::string& precision, const std::vector<int>& stops) {
   const TemporaryFolder folder;
-  const std::string precision = std::string(" --set accuracy.precision=") + GetParam();
-  // snapshots and checkpoints every 20 steps, so that a part ends where the whole run has a snapshot too
-  const std::string checkpoints = " --set output.checkpoint_interval=5e-5 --set output.interval=5e-5";
-  run(folder / "whole", "--threads 1" + checkpoints + precision);
-  for (const int steps : {60, 200, 340}) {
+  // snapshots and checkpoints at every update of the pores, so that a part ends where the whole run has a snapshot too
+  const std::string common = " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
+                             " --set accuracy.precision=" + precision;
+  run(folder / "whole", "--threads 1" + common);
+  for (const int steps : stops) {
     const std::string parts = folder / ("parts" + std::to_string(steps));
-    run(parts, "--threads 1 --steps " + std::to_string(steps) + checkpoints + precision);
-    run(parts, "--threads 2 --resume" + checkpoints + precision);
+    run(parts, "--threads 1 --steps " + std::to_string(steps) + common);
+    run(parts, "--threads 2 --resume" + common);
     EXPECT_EQ(difference(folder / "whole", parts), "") << "restarted at step " << steps;
   }
 }
 
+TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
+  stop_and_resume(GetParam(), {60, 200, 340});
+}
+
 INSTANTIATE_TEST_SUITE_P(Precisions, SameBits, testing::Values("double", "single"));
+
+TEST(SameBitsLong, AfterRestartsAtTwentySteps) {
+  std::vector<int> updates(39), stops(20);
+  std::iota(updates.begin(), updates.end(), 1);
+  std::sample(updates.begin(), updates.end(), stops.begin(), 20, std::mt19937(1));
+  for (int& stop : stops) stop *= 10;
+  stop_and_resume("double", stops);
+}
 
 TEST(SmallRock, ExercisesWhatItIsThereFor) {
   const TemporaryFolder folder;

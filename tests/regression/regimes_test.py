@@ -19,52 +19,76 @@ def half_disc(radius):
     return (np.hypot(X - 0.004, Y - 0.035) < radius).astype(float)
 
 
+def rock(dissolved):
+    """What is solid: all but the hole and the nodes that are gone."""
+    in_hole = (X < HOLE[1][0]) & (Y > HOLE[0][1]) & (Y < HOLE[1][1])
+    return ~in_hole & (dissolved < 1)
+
+
+def strip(a, b, half_width):
+    """Nodes beside the segment from a to b."""
+    along = np.subtract(b, a)
+    t = np.clip(((X - a[0]) * along[0] + (Y - a[1]) * along[1]) / (along @ along), 0, 1)
+    return np.hypot(X - a[0] - t * along[0], Y - a[1] - t * along[1]) < half_width * DX
+
+
 def branches(seed, count=6):
-    """Cracks from the hole into the rock: their segments, and the dissolved nodes along them."""
+    """Cracks from the hole into the rock: their segments, and the nodes along them."""
     random = np.random.default_rng(seed)
     ends = np.array([0.02, 0.035]) + random.uniform([0.01, -0.02], [0.06, 0.02], (count, 2))
     segments = np.array([[[0.012, 0.035], end] for end in ends])
-    dissolved = np.zeros_like(X)
-    for a, b in segments:
-        for t in np.linspace(0, 1, 400):
-            p = a + t * (b - a)
-            dissolved[int(p[1] / DX), int(p[0] / DX)] = 0.5
-    return segments, dissolved
+    return segments, np.any([strip(a, b, 1.5) for a, b in segments], axis=0)
+
+
+def type_of(dissolved, failed=NOTHING, solid=None):
+    return measure(rock(dissolved) if solid is None else solid, dissolved, 0 * X, failed, HOLE, DX, 3).type
 
 
 class Regimes(unittest.TestCase):
     def test_a_cavity_round_the_hole(self):
-        for radius in (0.002, 0.004, 0.008):
+        for radius in (0.003, 0.004, 0.008):
             for seed in range(5):
                 specks = (np.random.default_rng(seed).random(X.shape) < 1e-4) * 0.1
-                found = measure(X, Y, np.maximum(half_disc(radius), specks), half_disc(radius), NOTHING, HOLE, DX)
-                self.assertEqual(found.type, "cavity")
+                self.assertEqual(type_of(np.maximum(half_disc(radius), specks)), "cavity")
 
-    def test_dissolution_all_over(self):
+    def test_rock_that_is_eaten_at_and_stands(self):
         for seed in range(5):
             everywhere = np.random.default_rng(seed).random(X.shape) < 0.05
-            self.assertEqual(measure(X, Y, everywhere * 0.02, everywhere * 0.5, NOTHING, HOLE, DX).type, "permeation")
+            self.assertEqual(type_of(everywhere * 0.02), "permeation")
+        self.assertEqual(type_of(half_disc(0.008) * 0.9), "permeation")
+
+    def test_widened_pathways_are_no_cavity(self):
+        for spacing in (20, 30, 50):
+            def near(half_width):  # a network of crossing pathways
+                return np.minimum((X / DX) % spacing, (Y / DX) % spacing) < 2 * half_width
+            dissolved = (near(3) & ~near(1.5)).astype(float)
+            self.assertEqual(type_of(dissolved, solid=rock(dissolved) & ~near(1.5)), "permeation")
 
     def test_a_cavity_with_dissolving_fractures(self):
         for seed in range(5):
             segments, along = branches(seed)
-            found = measure(X, Y, np.maximum(half_disc(0.006), along), half_disc(0.006), segments, HOLE, DX)
-            self.assertEqual(found.type, "permeation-cavity")
-            self.assertEqual(found.failed_bonds, len(segments))
+            self.assertEqual(type_of(np.maximum(half_disc(0.006), along * 0.2), segments), "permeation-cavity")
 
     def test_fractures_that_carry_nothing_leave_a_cavity(self):
         segments, _ = branches(1)
-        self.assertEqual(measure(X, Y, half_disc(0.006), half_disc(0.006), segments, HOLE, DX).type, "cavity")
+        self.assertEqual(type_of(half_disc(0.006), segments), "cavity")
 
     def test_rock_that_does_not_dissolve_has_no_type(self):
-        self.assertEqual(measure(X, Y, 0 * X, 0 * X, NOTHING, HOLE, DX).type, "none")
+        self.assertEqual(type_of(0 * X), "none")
 
     def test_numbers_of_a_disc(self):
-        found = measure(X, Y, half_disc(0.003), half_disc(0.003), NOTHING, HOLE, DX)
+        disc = half_disc(0.003)
+        segments, _ = branches(2)
+        found = measure(rock(disc), disc, disc, segments, HOLE, DX, 3)
         # the disc of radius 3 mm round the middle of the hole's end, its part within the domain
         self.assertAlmostEqual(found.dissolved_volume, np.pi * 0.003**2, delta=0.02 * np.pi * 0.003**2)
         self.assertAlmostEqual(found.acid_reach, 0.003, delta=2 * DX)
-        self.assertEqual(found.near_share, 1)
+        self.assertGreater(found.cavity_share, 0.95)
+        beyond_the_hole = np.pi * 0.003**2 / 2 + 2 * (np.pi * 0.003**2 / 4 - 0.002 * 0.003 * 0.75)
+        self.assertLess(found.cavity_area, np.pi * 0.003**2)
+        self.assertGreater(found.cavity_area, 0.5 * beyond_the_hole)
+        self.assertEqual(found.failed_bonds, len(segments))
+        self.assertAlmostEqual(found.fracture_length, np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
 
 
 if __name__ == "__main__":

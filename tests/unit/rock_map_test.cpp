@@ -3,10 +3,13 @@
 
 #include "coupling/initial_pathways.hpp"
 #include "coupling/pathways.hpp"
+#include "dem/edges.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace vug {
 namespace {
@@ -49,39 +52,92 @@ TEST(StripNodes, MeetWhereTheirLinesMeet) {
   EXPECT_NEAR(static_cast<double>(second.size()), 8 * 3 + 7, 4);  // three cells wide, round ends
 }
 
-TEST(InitialPathways, AreConnectedAndMeetTheTarget) {
-  // a 7 x 7 grid of vertices; every edge opens three nodes of its own and shares one with all edges of its ends
-  const int side = 7;
-  std::vector<std::array<int, 2>> edges;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      if (x + 1 < side) edges.push_back({y * side + x, y * side + x + 1});
-      if (y + 1 < side) edges.push_back({y * side + x, (y + 1) * side + x});
-    }
+/// side x side vertices, every square cut in two; strips in which every bond opens three nodes of its own and shares one
+/// with all bonds of its ends.
+struct CutSquares {
+  Assembly assembly;
+  std::vector<Edge> bonds;
   std::vector<std::vector<int>> strips;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const int own = 1000 + 3 * static_cast<int>(e);
-    strips.push_back({edges[e][0], edges[e][1], own, own + 1, own + 2});
-  }
-  for (const int target : {100, 190, 260}) {
-    const auto chosen = choose_pathways(edges, strips, std::vector<bool>(edges.size(), false), side * side, target, 7);
-    std::set<int> open;
-    std::vector<int> component(side * side);
-    std::iota(component.begin(), component.end(), 0);
-    for (int sweep = 0; sweep < side * side; ++sweep)
-      for (std::size_t e = 0; e < edges.size(); ++e)
-        if (chosen[e])
-          component[edges[e][0]] = component[edges[e][1]] = std::min(component[edges[e][0]], component[edges[e][1]]);
-    std::set<int> components;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (!chosen[e]) continue;
-      open.insert(strips[e].begin(), strips[e].end());
-      components.insert(component[edges[e][0]]);
+  std::vector<bool> fixed;
+
+  explicit CutSquares(int side) {
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) assembly.vertices.push_back({double(x), double(y)});
+    for (int y = 0; y + 1 < side; ++y)
+      for (int x = 0; x + 1 < side; ++x) {
+        const int a = y * side + x, b = a + 1, c = a + side, d = c + 1;
+        assembly.triangles.push_back({a, b, d});
+        assembly.triangles.push_back({a, d, c});
+      }
+    for (const Edge& edge : find_edges(assembly)) {
+      if (edge.triangle[1] < 0) continue;
+      const int own = 1000 + 3 * static_cast<int>(bonds.size());
+      bonds.push_back(edge);
+      strips.push_back({edge.vertex[0], edge.vertex[1], own, own + 1, own + 2});
     }
-    EXPECT_EQ(components.size(), 1u) << target;
-    EXPECT_NEAR(static_cast<double>(open.size()), target, 4) << target;
-    EXPECT_EQ(chosen, choose_pathways(edges, strips, std::vector<bool>(edges.size(), false), side * side, target, 7));
-    EXPECT_NE(chosen, choose_pathways(edges, strips, std::vector<bool>(edges.size(), false), side * side, target, 8));
+    fixed.assign(bonds.size(), false);
+  }
+  std::set<int> opened(const std::vector<bool>& chosen) const {
+    std::set<int> nodes;
+    for (std::size_t b = 0; b < bonds.size(); ++b)
+      if (chosen[b]) nodes.insert(strips[b].begin(), strips[b].end());
+    return nodes;
+  }
+  /// Connected pieces of the chosen bonds.
+  int pieces(const std::vector<bool>& chosen) const {
+    std::vector<int> piece(assembly.vertices.size());
+    std::iota(piece.begin(), piece.end(), 0);
+    for (std::size_t sweep = 0; sweep < piece.size(); ++sweep)
+      for (std::size_t b = 0; b < bonds.size(); ++b)
+        if (chosen[b])
+          piece[bonds[b].vertex[0]] = piece[bonds[b].vertex[1]] =
+              std::min(piece[bonds[b].vertex[0]], piece[bonds[b].vertex[1]]);
+    std::set<int> pieces;
+    for (std::size_t b = 0; b < bonds.size(); ++b)
+      if (chosen[b]) pieces.insert(piece[bonds[b].vertex[0]]);
+    return static_cast<int>(pieces.size());
+  }
+};
+
+TEST(InitialPathways, AreConnectedAndMeetTheTarget) {
+  const CutSquares rock(13);
+  for (const int target : {300, 600, 900, 1200}) {
+    const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, target, 7);
+    EXPECT_EQ(rock.pieces(chosen), 1) << target;
+    EXPECT_NEAR(static_cast<double>(rock.opened(chosen).size()), target, 15) << target;
+    EXPECT_EQ(chosen, choose_pathways(rock.assembly, rock.strips, rock.fixed, target, 7));
+    EXPECT_NE(chosen, choose_pathways(rock.assembly, rock.strips, rock.fixed, target, 8));
+  }
+}
+
+TEST(InitialPathways, AreAllBondsWhenThePorosityAsksForIt) {
+  const CutSquares rock(5);
+  const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, 100000, 7);
+  EXPECT_EQ(std::count(chosen.begin(), chosen.end(), true), static_cast<long>(rock.bonds.size()));
+}
+
+/// Away from the sides a joint ends only where it meets others: there are no dead ends.
+TEST(InitialPathways, EndOnlyAtTheSides) {
+  const int side = 13;
+  const CutSquares rock(side);
+  const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, 600, 7);
+  std::vector<int> degree(rock.assembly.vertices.size(), 0);
+  for (std::size_t b = 0; b < rock.bonds.size(); ++b)
+    if (chosen[b])
+      for (const int v : rock.bonds[b].vertex) ++degree[v];
+  for (int y = 1; y + 1 < side; ++y)
+    for (int x = 1; x + 1 < side; ++x) EXPECT_NE(degree[y * side + x], 1) << x << " " << y;
+}
+
+TEST(InitialPathways, ReachANotchThatLiesWithinABlock) {
+  CutSquares rock(13);
+  for (std::size_t b = 0; b < rock.bonds.size(); ++b)  // one bond in the middle
+    rock.fixed[b] = std::ranges::is_permutation(rock.bonds[b].vertex, std::array{6 * 13 + 6, 6 * 13 + 7});
+  ASSERT_EQ(std::count(rock.fixed.begin(), rock.fixed.end(), true), 1);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, 200, seed);
+    EXPECT_EQ(rock.pieces(chosen), 1) << seed;
+    for (std::size_t b = 0; b < rock.bonds.size(); ++b) EXPECT_TRUE(chosen[b] || !rock.fixed[b]);
   }
 }
 

@@ -1,0 +1,115 @@
+// Dissolution to mass and chemical damage: what the lattice dissolves, triangle by triangle and bond by bond.
+#include "dem_support.hpp"
+#include "support/coupled_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+/// A hole full of acid in a block that stands still.
+const std::string pickled_rock = R"(
+[lattice]
+size = [0.02, 0.014]
+spacing = 2.5e-4
+time_step = 2.5e-6
+[time]
+steps = 2000
+[geometry]
+type = "rock"
+[rock]
+element_size = 3e-3
+porosity = 0
+[rock.hole]
+from = [0, 0.004]
+to = [0.006, 0.010]
+[solute]
+[[solute.species]]
+name = "acid"
+diffusivity = 5e-4
+initial = 3000
+[reaction]
+reactant = "acid"
+rate_constant = 5
+molar_volume = 4e-4
+[mechanics]
+[damage]
+[accuracy]
+update_interval = 1  # mass and damage are of this step
+[boundary.injection]
+side = "left"
+centre = 0.007
+width = 0.006
+solute = { type = "concentration", concentration = { acid = 3000 } }
+)";
+
+/// Twice the signed area of a, b, c.
+double area2(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
+  test::CoupledRun run(pickled_rock);
+  run.steps(2000);
+  const auto dissolved = run.nodes("dissolved_fraction");
+  const Assembly& assembly = run.parts().rock->assembly;
+  const Particles& particles = run.rock().particles();
+  const Bonds& bonds = run.rock().bonds();
+  const auto fraction = test::host_copy(particles.solid_fraction);
+  const auto pair = test::host_copy(bonds.pair);
+  const auto vertex = test::host_copy(bonds.vertex);
+  const auto d_c = test::host_copy(bonds.d_c);
+
+  // by the triangles' own geometry: a node belongs to the triangle that holds it, and to the nearest of its edges by
+  // barycentric coordinates; nodes on an edge may go to either side
+  const int nx = run.scene().lattice.nx, ny = run.scene().lattice.ny;
+  const double dx = run.scene().lattice.spacing;
+  std::vector<double> taken(particles.count, 0), nodes(particles.count, 0), bond_taken(bonds.count, 0),
+      bond_nodes(bonds.count, 0);
+  for (int y = 0; y < ny; ++y)
+    for (int x = 0; x < nx; ++x) {
+      const std::array<double, 2> p{(x + 0.5) * dx, (y + 0.5) * dx};
+      for (int t = 0; t < particles.count; ++t) {
+        const auto& corner = assembly.triangles[t];
+        std::array<double, 3> weight;  // of the edge (k, k + 1): the coordinate of the corner opposite
+        for (int k = 0; k < 3; ++k)
+          weight[k] = area2(assembly.vertices[corner[k]], assembly.vertices[corner[(k + 1) % 3]], p);
+        const int edge = static_cast<int>(std::min_element(weight.begin(), weight.end()) - weight.begin());
+        if (weight[edge] < 0) continue;
+        const double lost = dissolved[static_cast<std::size_t>(y) * nx + x];
+        taken[t] += lost;
+        nodes[t] += 1;
+        for (int b = 0; b < bonds.count; ++b) {
+          const bool own = pair(b, 0) == t || pair(b, 1) == t;
+          const int p_ = corner[edge], q_ = corner[(edge + 1) % 3];
+          if (!own || std::minmax(p_, q_) != std::minmax(vertex(b, 0), vertex(b, 1))) continue;
+          bond_taken[b] += lost;
+          bond_nodes[b] += 1;
+        }
+        break;
+      }
+    }
+  int touched = 0, damaged = 0;
+  for (int t = 0; t < particles.count; ++t) {
+    EXPECT_NEAR(fraction(t), 1 - taken[t] / nodes[t], 1e-12) << "triangle " << t;
+    touched += taken[t] > 0.01 * nodes[t];
+  }
+  for (int b = 0; b < bonds.count; ++b) {
+    EXPECT_NEAR(d_c(b), bond_taken[b] / bond_nodes[b], 1e-12) << "bond " << b;
+    damaged += d_c(b) > 0.01;
+  }
+  EXPECT_GE(touched, 5);
+  EXPECT_GE(damaged, 5);
+  // all that is missing was dissolved by the acid: volume = molar volume times acid (Eq. 24)
+  double sum = 0;
+  for (const double one : taken) sum += one;
+  EXPECT_NEAR(sum * dx * dx / (-4e-4 * run.now("acid_gain_reaction_mol_m")), 1, 1e-11);
+}
+
+}  // namespace
+}  // namespace vug
