@@ -41,8 +41,9 @@ KOKKOS_FORCEINLINE_FUNCTION PairLoad difference(const PairLoad& load, const Pair
 
 /// One pair: corners of each against the outline of the other. n points from the outline's body to the corner's one;
 /// overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 at the contact point
-/// half-way. A corner whose closest point is a corner counts only if the two are each other's closest, and once: the
-/// force is continuous when a corner slides round another. Forces cancel exactly and act on one line.
+/// half-way. Every corner counts with its own closest point, be it inside an edge or a corner: distances are continuous,
+/// and with them forces and the energy, however the two slide round each other. Two corners that meet count twice, each
+/// for the other. Forces cancel exactly and act on one line.
 template <class Keeper>
 struct ContactForces {
   ContactParameters law;
@@ -105,6 +106,16 @@ struct ContactForces {
     stretch = 0;
   }
 
+  KOKKOS_FUNCTION void push_corner(const Body& a, const Body& b, int c, double& stretch, PairLoad& load, PairLoad& drag,
+                                   PairEnergy& energy) const {
+    const ClosestPoint where = closest_on_triangle(b.outline, a.outline.corner[c]);
+    if (where.distance < 2 * particles.radius) {
+      add_corner(a, b, c, where, stretch, load, drag, energy);
+    } else {
+      forget(stretch, energy);
+    }
+  }
+
   KOKKOS_FUNCTION void push_pair(const Body& a, Vec2 origin, int pair, int generation, PairEnergy& energy) const {
     const Body b = body(contacts.other(pair, generation), origin);
     const double gap = 2 * particles.radius * (1 + 1e-9);  // beyond rounding
@@ -113,28 +124,10 @@ struct ContactForces {
       leave(pair, {}, {});
       return;
     }
-    ClosestPoint of_a[3], of_b[3];
-    for (int c = 0; c < 3; ++c) {
-      of_a[c] = closest_on_triangle(b.outline, a.outline.corner[c]);
-      of_b[c] = closest_on_triangle(a.outline, b.outline.corner[c]);
-    }
     PairLoad by_a, by_b, drag_a, drag_b;  // of the corners of a on b, and of b on a: there the roles are exchanged
     for (int c = 0; c < 3; ++c) {
-      const bool counts = of_a[c].corner < 0 || of_b[of_a[c].corner].corner == c;
-      double& stretch = contacts.stretch(pair, generation, c);
-      if (counts && of_a[c].distance < 2 * particles.radius) {
-        add_corner(a, b, c, of_a[c], stretch, by_a, drag_a, energy);
-      } else {
-        forget(stretch, energy);
-      }
-    }
-    for (int c = 0; c < 3; ++c) {
-      double& stretch = contacts.stretch(pair, generation, 3 + c);
-      if (of_b[c].corner < 0 && of_b[c].distance < 2 * particles.radius) {
-        add_corner(b, a, c, of_b[c], stretch, by_b, drag_b, energy);
-      } else {
-        forget(stretch, energy);
-      }
+      push_corner(a, b, c, contacts.stretch(pair, generation, c), by_a, drag_a, energy);
+      push_corner(b, a, c, contacts.stretch(pair, generation, 3 + c), by_b, drag_b, energy);
     }
     leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
   }
