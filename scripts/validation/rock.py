@@ -70,17 +70,19 @@ def energy(records, figures):
     rows, whole, hit, crushed = (records[f"energy_{n}"] for n in ("ledger", "compression", "collision", "crushed"))
     if not rows or not hit or not crushed:
         return None
-    figure, axes = plt.subplots(figsize=(5.4, 3.4))
+    figure, axes = plt.subplots(figsize=(7.4, 3.4))
     tests = (("oblique collision", hit, GREEN), ("small block, broken fast", rows, BLUE),
              ("three small specimens, crushed", crushed, ORANGE), ("whole compression test", whole, RED))
     for name, points, colour in tests:
         if points:
             axes.loglog(column(points, "fraction"), column(points, "imbalance"), "o", color=colour, label=name)
-    x = np.array([0.06, 0.35])
-    axes.loglog(x, rows[0]["imbalance"] * (x / rows[0]["fraction"]) ** 2, "--", color=GREY, label="second order")
+    for number, start in enumerate((hit[0], rows[0])):
+        x = start["fraction"] * np.array([0.12, 1.4])
+        axes.loglog(x, start["imbalance"] * (x / start["fraction"]) ** 2, "--", color=GREY, lw=1,
+                    label="second order" if number == 0 else None)
     axes.set_xlabel("time step / critical step")
     axes.set_ylabel("|missing energy| / work")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False)
     save(figure, figures / "rock_energy.png")
     return section(
         "Energy ledger through breaking", "EnergyLedger, EnergyLedgerLong",

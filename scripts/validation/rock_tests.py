@@ -82,11 +82,12 @@ def compression(records, figures):
     specimens, curves = records["compression_specimens"], records["compression_profiles"]
     if not specimens or not curves:
         return None
-    names = [name for name in ("paper-literal", "calibrated", "weibull-scale") if records[f"compression_cracks_{name}"]]
+    profiles = ("paper-literal", "calibrated", "weibull-scale")
+    names = [name for name in profiles if records[f"compression_cracks_{name}"]]
     figure, axes = plt.subplots(1, 1 + len(names), figsize=(4 + 2 * len(names), 3.8),
                                 gridspec_kw={"width_ratios": [2.2] + len(names) * [1]})
     for (number, points), colour in zip(sorted(groups(curves, "parameter").items()), (BLUE, RED, GREEN)):
-        name = f"{names[int(number)]}"
+        name = profiles[int(number)]
         axes[0].plot(100 * column(points, "strain"), column(points, "stress") / MPA, color=colour, label=name)
     axes[0].plot([0.328], [91.1], "k*", ms=10, label="printed: 91.1 MPa at 0.328 %")
     axes[0].set_xlabel("axial strain / %")
