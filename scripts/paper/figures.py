@@ -79,17 +79,18 @@ def nine_panels(snapshots, folder):
         plt.close(figure)
 
 
-def reactive_area(histories, folder):
-    """Fig. 12: reactive surface area over time, one panel per Da."""
-    numbers = sorted({da for _, da in histories})
+def reactive_area(curves, folder):
+    """Fig. 12: surface that acid has reached over time, curves[(pressure in MPa, Da)] = (time, area); a panel per Da."""
+    numbers = sorted({da for _, da in curves})
     figure, row = plt.subplots(1, len(numbers), squeeze=False, constrained_layout=True, figsize=(4.4 * len(numbers), 3.4))
     for axes, da in zip(row[0], numbers):
-        for (p, _), history in sorted((key, h) for key, h in histories.items() if key[1] == da):
-            axes.plot(history["time_s"], history["reactive_area_m2_per_m"], label=f"{p} MPa")
+        for (p, _), (time, area) in sorted((key, curve) for key, curve in curves.items() if key[1] == da):
+            axes.plot(1000 * time, 100 * area, label=f"{p} MPa")
         axes.set_title(f"Da = {da:g}")
-        axes.set_xlabel("time / s")
+        axes.set_xlabel("time / ms")
+        axes.set_ylim(bottom=0)
         axes.legend(frameon=False)
-    row[0][0].set_ylabel("reactive area / m² per m")
+    row[0][0].set_ylabel("surface that acid has reached / cm")
     figure.savefig(folder / "fig12_reactive_area.png", dpi=110)
     plt.close(figure)
 

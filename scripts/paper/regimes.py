@@ -18,6 +18,7 @@ import dataclasses
 import numpy as np
 
 ACID_FRONT = 0.05  # of the inlet's concentration
+TOUCHED = 1e-3  # of it: a node where acid touches the wall; where the wall is fast the acid beside it is thin
 
 
 @dataclasses.dataclass
@@ -79,6 +80,26 @@ def cavities(solid, diameter):
     return dilate(~dilate(solid, diameter / 2), diameter / 2) & ~solid
 
 
+def reached_area(solid, acid, dx):
+    """Surface of the rock that acid has reached, m2 per m: the pixel faces between solid and a TOUCHED node."""
+    reached = ~solid & (acid > TOUCHED)
+    faces = 0
+    for axis in (0, 1):
+        low = [slice(None)] * 2
+        high = [slice(None)] * 2
+        low[axis], high[axis] = slice(None, -1), slice(1, None)
+        low, high = tuple(low), tuple(high)
+        faces += int((reached[low] & solid[high]).sum() + (solid[low] & reached[high]).sum())
+    return faces * dx
+
+
+def thirds(time, area):
+    """How much of its growth a curve does in each third of its time."""
+    marks = np.interp(np.linspace(time[0], time[-1], 4), time, area)
+    growth = marks[3] - marks[0]
+    return np.diff(marks) / growth if growth != 0 else np.zeros(3)
+
+
 def measure(solid, dissolved, acid, failed, hole, dx, pathway):
     """Morphology of arrays over the nodes: solid (bool), dissolved (share of a pixel that was rock), acid (of the inlet's
     concentration); failed: ends of the failed bonds, (n, 2, 2) m; hole: its two corners, m; dx: spacing, m; pathway: its
@@ -109,8 +130,20 @@ def measure(solid, dissolved, acid, failed, hole, dx, pathway):
     )
 
 
+def acid_of(snapshot, inlet_concentration):
+    """Reactant of a snapshot, of the inlet's concentration."""
+    return np.where(snapshot.solid, 0, np.nan_to_num(snapshot.field["concentration_L1"])) / inlet_concentration
+
+
 def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway):
     """Morphology of a snapshot of a run."""
     dissolved = np.clip(np.nan_to_num(snapshot.field["dissolved_fraction"]), 0, 1)
-    acid = np.where(snapshot.solid, 0, np.nan_to_num(snapshot.field["concentration_L1"])) / inlet_concentration
-    return measure(snapshot.solid, dissolved, acid, snapshot.bonds(failed_states), hole, snapshot.dx, pathway)
+    return measure(snapshot.solid, dissolved, acid_of(snapshot, inlet_concentration), snapshot.bonds(failed_states), hole,
+                   snapshot.dx, pathway)
+
+
+def area_over_time(run, inlet_concentration):
+    """Times of a run's snapshots and the surface that acid has reached in each."""
+    snapshots = [run.snapshot(step) for step in run.steps]
+    return (np.array([s.time for s in snapshots]),
+            np.array([reached_area(s.solid, acid_of(s, inlet_concentration), s.dx) for s in snapshots]))

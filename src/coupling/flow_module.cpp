@@ -47,6 +47,11 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
   fields_ = make_flow_fields<T>(exec, geometry.fluid);
   for (const Stretch& stretch : boundary_stretches(scene)) boundaries_.push_back({stretch, {}, {}, 0});
   find_boundaries(exec);
+  double raised = 0;  // s, when the last pressure is
+  for (const StretchLinks& boundary : boundaries_)
+    raised = std::max(raised, boundary.stretch.conditions.flow.ramp_time);
+  steady_ = SteadyFlow<T>(scene.accuracy.flow_tolerance, raised, scene.accuracy.guard_interval);
+  steady_.wake(exec, geometry.fluid.capacity);
   initial_mass_ = total_mass(geometry.fluid, fields_);
 }
 
@@ -126,17 +131,20 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   const FluidNodes& fluid = geometry_.fluid;
   // The velocity that scalars were collided with in the step before is about to be overwritten.
   for (const Carrier<T>& carrier : carriers_) {
-    if (!carrier.due(clock.step - 1)) continue;
+    if (!carrier.due(clock.step - 1) || (steady_.held() && steady_.age() > carrier.interval)) continue;
     if (carrier.directions == D2Q5::Q)
       advective_defect<D2Q5>(exec, fluid, carrier.u, carrier.e);
     else
       advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e, carrier.even_weight);
   }
-  for (const StretchLinks& boundary : boundaries_) {
+  for (const StretchLinks& boundary : boundaries_)
     if (clock.every(LongSum::interval)) boundary.gain.settle(exec);
-    dress(exec, boundary, clock.time());
+  if (steady_.held()) {
+    steady_.pass();
+  } else {
+    for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
+    collide_and_stream(exec, fluid, fields_, step_);
   }
-  collide_and_stream(exec, fluid, fields_, step_);
   for (const Carrier<T>& carrier : carriers_)
     if (carrier.interval > 1 && carrier.due(clock.step))
       for_each_node(exec, "vug::flow::scale_velocity", fluid.count,
@@ -151,10 +159,12 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   born_mass_ += total_mass(geometry_.fluid, fields_) - before;
   for (Carrier<T>& carrier : carriers_) fit_carrier(exec, carrier);
   find_boundaries(exec);
+  steady_.wake(exec, geometry_.fluid.capacity);
 }
 
 template <class T>
 void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
+  steady_.look(exec, clock, geometry_.fluid, fields_.u);
   const FlowExtremes extremes = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
   if (extremes.bad < 0) return;
   int node = 0;
@@ -231,6 +241,7 @@ void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"largest_mach_1", extremes.speed * std::sqrt(3.0)});
   row.push_back({"fluid_nodes_1", static_cast<double>(geometry_.fluid.count)});
   row.push_back({"speed_limiter_uses_1", sum_in_order(step_.limited)});
+  if (steady_.on()) row.push_back({"flow_held_steps_1", static_cast<double>(steady_.held_steps())});
 }
 
 template <class T>
@@ -265,6 +276,7 @@ void FlowModule<T>::state(StateList& list) {
     add_state(list, key + "/gain", boundary.gain);
     list.add_value(key + "/entered", boundary.entered);
   }
+  steady_.state(list);
   list.add_value("flow/initial_mass", initial_mass_);
   list.add_value("flow/born_mass", born_mass_);
 }

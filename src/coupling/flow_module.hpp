@@ -2,6 +2,7 @@
 // Flow through the pores (paper section 2.1).
 #include "coupling/carrier.hpp"
 #include "coupling/module.hpp"
+#include "coupling/steady_flow.hpp"
 #include "coupling/stretch_links.hpp"
 #include "kernels/flow.hpp"
 #include "kernels/units.hpp"
@@ -47,6 +48,7 @@ class FlowModule final : public Module {
   FlowFields<T> fields_;
   FlowStep<T> step_;
   std::deque<Carrier<T>> carriers_;
+  SteadyFlow<T> steady_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;
 };

@@ -38,9 +38,10 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       reactant_(solutes.species(section_.reactant)),
       product_(section_.product ? &solutes.species(*section_.product) : nullptr),
       heat_(heat),
-      update_interval_(scene.accuracy.update_interval) {
+      update_interval_(scene.accuracy.update_interval),
+      faster_(scene.accuracy.dissolution_factor > 1) {
   wall_.law = section_.wall;
-  wall_.molar_volume = section_.molar_volume * units.concentration;
+  wall_.molar_volume = scene.accuracy.dissolution_factor * section_.molar_volume * units.concentration;
   wall_.inverse_equilibrium = section_.inverse_equilibrium_constant;
   wall_.D_reactant = reactant_.parameters.diffusivity();
   if (product_) wall_.D_product = product_->parameters.diffusivity();
@@ -110,6 +111,9 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
   table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
   table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
+  if (faster_)
+    table.push_back({"reaction", "volume dissolved per volume of the strongest acid", wall_.molar_volume, "1", 0, 0.1,
+                     "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
   if (wall_.law == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9", D, "lattice", 0.05, 1,
                      "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});

@@ -47,6 +47,7 @@ class ReactionModule final : public Module {
   ScalarField<double> rate_;    ///< (dense node) rate constant on surface nodes, lattice units
   ScalarField<double> lost_;
   int update_interval_;
+  bool faster_;  ///< the rock ages faster than the fluid (accuracy.dissolution_factor)
   double initial_volume_ = 0;  ///< pixels
 };
 

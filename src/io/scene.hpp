@@ -198,6 +198,11 @@ struct AccuracySection {
   int heat_interval = 1;     ///< lattice steps per heat step
   int solute_interval = 1;   ///< lattice steps per solute step
   int guard_interval = 100;  ///< lattice steps between checks for divergence
+  /// Largest change of velocity between two checks, over the largest velocity, at which the flow is held until the pores
+  /// change; 0: never
+  double flow_tolerance = 0;
+  /// Volume that dissolves per volume that the acid pays for: the rock ages so many times faster than the fluid
+  double dissolution_factor = 1;
 };
 
 struct Probe {

@@ -53,6 +53,31 @@ int first_outside(const Exec& exec, const ScalarField<T>& field, int count, doub
   return first < count ? first : -1;
 }
 
+template <class T>
+struct CompareVelocity {
+  VectorField<T> u, previous;
+  KOKKOS_FUNCTION void operator()(int i, double& change2, double& speed2) const {
+    const double ux = double(u(i, 0)), uy = double(u(i, 1));
+    const double dx = ux - double(previous(i, 0)), dy = uy - double(previous(i, 1));
+    previous(i, 0) = u(i, 0);
+    previous(i, 1) = u(i, 1);
+    if (dx * dx + dy * dy > change2) change2 = dx * dx + dy * dy;
+    if (ux * ux + uy * uy > speed2) speed2 = ux * ux + uy * uy;
+  }
+};
+
+template <class T>
+double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
+                       const VectorField<T>& previous) {
+  double change2 = 0, speed2 = 0;
+  Kokkos::parallel_reduce("vug::guards::velocity_change", Kokkos::RangePolicy<Exec>(exec, 0, nodes.count),
+                          CompareVelocity<T>{u, previous}, Kokkos::Max<double>(change2), Kokkos::Max<double>(speed2));
+  return speed2 > 0 ? Kokkos::sqrt(change2 / speed2) : 0;
+}
+
+template double velocity_change(const Exec&, const FluidNodes&, const VectorField<float>&, const VectorField<float>&);
+template double velocity_change(const Exec&, const FluidNodes&, const VectorField<double>&,
+                                const VectorField<double>&);
 template int first_outside(const Exec&, const ScalarField<float>&, int, double, double);
 template int first_outside(const Exec&, const ScalarField<double>&, int, double, double);
 template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<float>&, double, double);

@@ -20,4 +20,10 @@ template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);
 
+/// Largest |u - previous| over the fluid nodes divided by the largest |u| (0 where nothing moves); previous (fluid, axis)
+/// is u afterwards.
+template <class T>
+double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
+                       const VectorField<T>& previous);
+
 }  // namespace vug

@@ -25,21 +25,21 @@ class SameBits : public testing::TestWithParam<const char*> {};
 
 TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
   const TemporaryFolder folder;
-  const std::string precision = std::string(" --set accuracy.precision=") + GetParam();
-  run(folder / "one", "--threads 1" + precision);
-  run(folder / "again", "--threads 1" + precision);
-  run(folder / "two", "--threads 2" + precision);
+  const std::string choice = std::string(" --set ") + GetParam();
+  run(folder / "one", "--threads 1" + choice);
+  run(folder / "again", "--threads 1" + choice);
+  run(folder / "two", "--threads 2" + choice);
   EXPECT_EQ(difference(folder / "one", folder / "again"), "");
   EXPECT_EQ(difference(folder / "one", folder / "two"), "");
 }
 
 /// Stops a run after each of these steps, resumes it on another number of threads and compares it with one that went
 /// through.
-void stop_and_resume(const std::string& precision, const std::vector<int>& stops) {
+void stop_and_resume(const std::string& choice, const std::vector<int>& stops) {
   const TemporaryFolder folder;
   // snapshots and checkpoints at every update of the pores, so that a part ends where the whole run has a snapshot too
   const std::string common = " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
-                             " --set accuracy.precision=" + precision;
+                             " --set " + choice;
   run(folder / "whole", "--threads 1" + common);
   for (const int steps : stops) {
     const std::string parts = folder / ("parts" + std::to_string(steps));
@@ -53,14 +53,16 @@ TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
   stop_and_resume(GetParam(), {60, 200, 340});
 }
 
-INSTANTIATE_TEST_SUITE_P(Precisions, SameBits, testing::Values("double", "single"));
+INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
+                         testing::Values("accuracy.precision=double", "accuracy.precision=single",
+                                         "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10"));
 
 TEST(SameBitsLong, AfterRestartsAtTwentySteps) {
   std::vector<int> updates(39), stops(20);
   std::iota(updates.begin(), updates.end(), 1);
   std::sample(updates.begin(), updates.end(), stops.begin(), 20, std::mt19937(1));
   for (int& stop : stops) stop *= 10;
-  stop_and_resume("double", stops);
+  stop_and_resume("accuracy.precision=double", stops);
 }
 
 TEST(SmallRock, ExercisesWhatItIsThereFor) {

@@ -7,7 +7,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 sys.dont_write_bytecode = True
-from paper.regimes import measure  # noqa: E402
+from paper.regimes import measure, reached_area, thirds  # noqa: E402
 
 DX = 2.5e-4
 HOLE = ((0.0, 0.033), (0.004, 0.037))
@@ -75,6 +75,17 @@ class Regimes(unittest.TestCase):
 
     def test_rock_that_does_not_dissolve_has_no_type(self):
         self.assertEqual(type_of(0 * X), "none")
+
+    def test_area_that_acid_has_reached(self):
+        solid = np.ones(X.shape, bool)
+        solid[100:140, 50:80] = False  # a pore of 30 x 40 nodes, acid in its lower half
+        acid = np.where(np.arange(280)[:, None] < 120, 1.0, 0.0) * ~solid
+        self.assertAlmostEqual(reached_area(solid, acid, DX), (30 + 2 * 20) * DX)
+
+    def test_thirds_of_a_growth(self):
+        time = np.linspace(0, 9, 10)
+        np.testing.assert_allclose(thirds(time, 2 + time), [1 / 3, 1 / 3, 1 / 3])
+        np.testing.assert_allclose(thirds(time, time**2), [1 / 9, 3 / 9, 5 / 9])
 
     def test_numbers_of_a_disc(self):
         disc = half_disc(0.003)

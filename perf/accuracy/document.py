@@ -1,0 +1,74 @@
+"""docs/accuracy.md and its picture."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+TITLES = {
+    "wall": ("Diffusion to a reactive wall (Eq. 28)", "relative L2 error of the concentration, 100 x 80 cells, Da = 4.8"),
+    "channel": ("Flow through a pathway of three nodes",
+                "relative L2 error of the velocity, at the paper's relaxation time 0.764"),
+    "cooling": ("Rock cooled from one side", "largest error of the temperature over its step, 400 cells"),
+    "rock": ("The paper's rock",
+             "coarse, 30 MPa, Da = 1.5e-3, first 20 ms, against `preset = \"reference\"` with a third of the mechanical "
+             "sub-step. Errors of the dissolved volume, the acid in place, the temperature (largest, over 200 K) and the "
+             "length of the cracks"),
+}
+
+INTRODUCTION = """# Speed against accuracy
+
+What the choices of a case file gain and what they cost, measured together: `perf/accuracy_cost` runs every row and writes
+this page ({machine}). Cost is processor time as a ratio to the default of the same problem, run beside it; errors are
+against a solution on paper for the first three problems, and against the most careful computation for the rock.
+
+![error against cost](accuracy.png)
+
+"""
+
+
+def number(value):
+    return f"{value:.1e}" if value else "0"
+
+
+def table(rows):
+    names = list(rows[0]["errors"])
+    lines = ["| choice | cost | " + " | ".join(names) + " |", "| --- | --- |" + " --- |" * len(names)]
+    for row in rows:
+        lines.append(f"| {row['choice']} | {row['cost']:.2f} | "
+                     + " | ".join(number(row["errors"].get(name, 0)) for name in names) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def draw(results, path):
+    problems = [name for name in TITLES if any(row["problem"] == name for row in results["rows"])]
+    figure, axes = plt.subplots(1, len(problems), figsize=(4.6 * len(problems), 4.6), squeeze=False, layout="constrained")
+    for axis, name in zip(axes[0], problems):
+        rows = [row for row in results["rows"] if row["problem"] == name]
+        first = next(iter(rows[0]["errors"]))
+        groups = list(dict.fromkeys(row["group"] for row in rows))
+        floor = min([row["errors"][first] for row in rows if row["errors"][first] > 0], default=1) / 3
+        for group in groups:
+            chosen = [row for row in rows if row["group"] == group]
+            axis.plot([row["cost"] for row in chosen], [max(row["errors"][first], floor) for row in chosen],
+                      "k*" if group == "default" else "o", markersize=12 if group == "default" else 6, label=group)
+        axis.set_yscale("log")
+        axis.set_xscale("log")
+        axis.set_xlabel("processor time / default")
+        axis.set_ylabel(f"error of the {first}")
+        axis.set_title(TITLES[name][0], fontsize=10)
+        axis.legend(fontsize=7)
+        axis.grid(alpha=0.3, which="both")
+    figure.savefig(path, dpi=90)
+    plt.close(figure)
+
+
+def write(results, page, picture):
+    if not results["rows"]:
+        return
+    draw(results, picture)
+    text = INTRODUCTION.format(machine=results.get("machine", "machine not recorded"))
+    for name, (title, what) in TITLES.items():
+        rows = [row for row in results["rows"] if row["problem"] == name]
+        if rows:
+            text += f"## {title}\n\n{what[0].upper() + what[1:]}.\n\n{table(rows)}\n"
+    page.write_text(text)

@@ -1,0 +1,189 @@
+"""The problems on which choices are measured: three with a solution on paper, and the paper's rock against itself."""
+import dataclasses
+import math
+
+import numpy as np
+from paper.run_data import FAILED, Run
+
+
+@dataclasses.dataclass
+class Choice:
+    """One way to compute a problem."""
+
+    group: str  # of the table
+    name: str
+    overrides: dict
+
+
+def last(directory):
+    run = Run(directory)
+    return run.snapshot(run.steps[-1])
+
+
+class Wall:
+    """Eq. 28: diffusion to a reactive wall at Da = 4.8, steady. Error: L2 of C over that of Eq. 28."""
+
+    name = "wall"
+    case = "cases/diffusion_reaction.toml"
+    common = {"output.interval": 1600}
+    choices = [
+        Choice("default", "as it is: D2Q5, kinetic wall, double", {}),
+        Choice("precision", "precision = single", {"accuracy.precision": "single"}),
+        Choice("scalar velocities", "velocity_set = d2q9", {"solute.velocity_set": "d2q9"}),
+        Choice("scalar velocities", "d2q9, tau_h = 0.6, wall = paper",
+               {"solute.velocity_set": "d2q9", "solute.relaxation_time": 0.6, "reaction.wall": "paper"}),
+        Choice("interval", "solute_interval = 2", {"accuracy.solute_interval": 2}),
+        Choice("interval", "solute_interval = 4", {"accuracy.solute_interval": 4}),
+        Choice("interval", "solute_interval = 8", {"accuracy.solute_interval": 8}),
+        Choice("spacing", "spacing x 2, time step x 4",
+               {"lattice.spacing": 2e-5, "lattice.time_step": 12e-3, "lattice.size": "[1.0e-3, 0.82e-3]",
+                "geometry.shapes.0.to": "[1.0e-3, 0.82e-3]"}),
+        Choice("spacing", "spacing x 4, time step x 16",
+               {"lattice.spacing": 4e-5, "lattice.time_step": 48e-3, "lattice.size": "[1.0e-3, 0.84e-3]",
+                "geometry.shapes.0.to": "[1.0e-3, 0.84e-3]", "output.interval": 1599.984}),
+    ]
+
+    def prepare(self, _):
+        """Nothing: the solution is on paper."""
+
+    @staticmethod
+    def exact(x, y, length, height, damkohler):
+        total = np.zeros_like(x)
+        for n in range(3000):
+            low, high = n * math.pi, (n + 0.5) * math.pi
+            for _ in range(80):  # beta H tan(beta H) = Da
+                middle = (low + high) / 2
+                if middle * math.tan(middle) > damkohler:
+                    high = middle
+                else:
+                    low = middle
+            beta = low / height
+            weight = 2 * math.sin(low) / (low + math.sin(low) * math.cos(low))
+            across = (np.exp(-beta * x) + np.exp(-beta * (2 * length - x))) / (1 + math.exp(-2 * beta * length))
+            total += weight * np.cos(beta * y) * across
+        return total
+
+    def errors(self, directory, _):
+        snapshot = last(directory)
+        x, y = snapshot.nodes()
+        fluid = y < 0.8e-3
+        exact = self.exact(x[fluid], y[fluid], 1e-3, 0.8e-3, 4.8)
+        found = snapshot.field["concentration_L1"][fluid]
+        return {"concentration": float(np.linalg.norm(found - exact) / np.linalg.norm(exact))}
+
+
+class Channel:
+    """Plane Poiseuille flow through a narrow channel. Error: L2 of the profile."""
+
+    name = "channel"
+    case = "cases/poiseuille.toml"
+    # as narrow as the paper's pathways, and at its relaxation time
+    common = {"lattice.size": "[0.064, 0.0003]", "lattice.time_step": 8.8e-4, "time.steps": 100000,
+              "output.interval_steps": 100000, "flow.body_force": "[0.08889, 0]"}
+    choices = [
+        Choice("default", "as it is: MRT with Lambda = 3/16, double", {}),
+        Choice("precision", "precision = single", {"accuracy.precision": "single"}),
+        Choice("collision", "collision = lallemand_luo", {"flow.collision": "lallemand_luo"}),
+        Choice("collision", "collision = regularised", {"flow.collision": "regularised"}),
+        Choice("collision", "collision = bgk", {"flow.collision": "bgk"}),
+    ]
+
+    def prepare(self, _):
+        """Nothing: the solution is on paper."""
+
+    def errors(self, directory, _):
+        snapshot = last(directory)
+        _, y = snapshot.nodes()
+        height, viscosity, force = y.shape[0] * snapshot.dx, 1e-6, 0.08889
+        exact = force * y * (height - y) / (2 * viscosity)
+        return {"velocity": float(np.linalg.norm(snapshot.field["velocity"][..., 0] - exact) / np.linalg.norm(exact))}
+
+
+class Cooling:
+    """Rock cooled from one side, before the cold reaches the other. Error: largest, over the step of temperature."""
+
+    name = "cooling"
+    case = "perf/accuracy/cooling.toml"
+    common = {}
+    choices = [
+        Choice("default", "as it is: D2Q5, double", {}),
+        Choice("precision", "precision = single", {"accuracy.precision": "single"}),
+        Choice("scalar velocities", "velocity_set = d2q9", {"heat.velocity_set": "d2q9"}),
+        Choice("interval", "heat_interval = 2", {"accuracy.heat_interval": 2}),
+        Choice("interval", "heat_interval = 4", {"accuracy.heat_interval": 4}),
+        Choice("interval", "heat_interval = 8", {"accuracy.heat_interval": 8}),
+        Choice("spacing", "spacing x 2, time step x 4",
+               {"lattice.spacing": 5e-4, "lattice.time_step": 1e-5, "lattice.size": "[0.1, 0.02]"}),
+        Choice("spacing", "spacing x 4, time step x 16",
+               {"lattice.spacing": 1e-3, "lattice.time_step": 4e-5, "lattice.size": "[0.1, 0.02]"}),
+    ]
+
+    def prepare(self, _):
+        """Nothing: the solution is on paper."""
+
+    def errors(self, directory, _):
+        snapshot = last(directory)
+        x, _ = snapshot.nodes()
+        depth = x / (2 * math.sqrt(3.5e-3 * snapshot.time))
+        exact = 288.15 + 200 * np.vectorize(math.erf)(depth)
+        return {"temperature": float(np.abs(snapshot.field["temperature"] - exact).max() / 200)}
+
+
+class Rock:
+    """The paper's rock, coarse, at 30 MPa and Da = 1.5e-3, its first 20 ms, against `preset = "reference"` with small
+    mechanical sub-steps: the dissolved volume, the acid in place, the temperature, the length of the cracks."""
+
+    name = "rock"
+    case = "cases/acid_fracturing/coarse/p30_da1.5e-3.toml"
+    common = {"time.end": 0.02, "output.interval": 0.02, "output.checkpoint_interval": 0.02}
+    choices = [
+        Choice("default", "preset = balanced", {}),
+        Choice("preset", "preset = fast", {"accuracy.preset": "fast"}),
+        Choice("preset", "preset = reference", {"accuracy.preset": "reference"}),
+        Choice("precision", "precision = single", {"accuracy.precision": "single"}),
+        Choice("interval", "update_interval = 1", {"accuracy.update_interval": 1}),
+        Choice("interval", "update_interval = 50", {"accuracy.update_interval": 50}),
+        Choice("interval", "heat_interval = 2", {"accuracy.heat_interval": 2}),
+        Choice("interval", "heat_interval = 4", {"accuracy.heat_interval": 4}),
+        Choice("interval", "solute_interval = 2", {"accuracy.solute_interval": 2}),
+        Choice("interval", "solute_interval = 4", {"accuracy.solute_interval": 4}),
+        Choice("steady flow", "flow_tolerance = 1e-4", {"accuracy.flow_tolerance": 1e-4}),
+        Choice("steady flow", "flow_tolerance = 1e-3", {"accuracy.flow_tolerance": 1e-3}),
+        Choice("steady flow", "flow_tolerance = 1e-2", {"accuracy.flow_tolerance": 1e-2}),
+        Choice("mechanics", "critical_fraction = 0.1", {"mechanics.critical_fraction": 0.1}),
+        Choice("mechanics", "critical_fraction = 0.5", {"mechanics.critical_fraction": 0.5}),
+        Choice("mechanics", "mass_scaling = 4", {"mechanics.mass_scaling": 4}),
+        Choice("mechanics", "mass_scaling = 16", {"mechanics.mass_scaling": 16}),
+        Choice("mechanics", "mass_scaling = 64", {"mechanics.mass_scaling": 64}),
+        Choice("wall", "reaction.wall = paper", {"reaction.wall": "paper"}),
+        Choice("wall", "reaction.birth_fill = split", {"reaction.birth_fill": "split"}),
+        Choice("wall", "reaction.surface_normal = false", {"reaction.surface_normal": "false"}),
+        Choice("scalar velocities", "solute.velocity_set = d2q9", {"solute.velocity_set": "d2q9"}),
+        Choice("scalar velocities", "heat.velocity_set = d2q9", {"heat.velocity_set": "d2q9"}),
+        Choice("scalar velocities", "solute.advective_form = false", {"solute.advective_form": "false"}),
+        Choice("dissolution", "dissolution_factor = 2", {"accuracy.dissolution_factor": 2}),
+    ]
+
+    def prepare(self, once):
+        directory, _ = once({"accuracy.preset": "reference", "mechanics.critical_fraction": 0.1})
+        self.reference = self.state(directory)
+
+    @staticmethod
+    def state(directory):
+        snapshot = last(directory)
+        history = Run(directory).history()
+        cracks = snapshot.bonds(FAILED)
+        return {"dissolved": history["dissolved_volume_m3_per_m"][-1],
+                "acid": history["L1_stored_mol_m"][-1],
+                "temperature": np.nan_to_num(snapshot.field["temperature"]),
+                "cracks": float(np.linalg.norm(cracks[:, 1] - cracks[:, 0], axis=1).sum()) if len(cracks) else 0.0}
+
+    def errors(self, directory, _):
+        found, exact = self.state(directory), self.reference
+        return {"dissolved volume": abs(found["dissolved"] / exact["dissolved"] - 1),
+                "acid in place": abs(found["acid"] / exact["acid"] - 1),
+                "temperature": float(np.abs(found["temperature"] - exact["temperature"]).max() / 200),
+                "crack length": abs(found["cracks"] - exact["cracks"]) / max(exact["cracks"], 1e-3)}
+
+
+ALL = [Wall(), Channel(), Cooling(), Rock()]

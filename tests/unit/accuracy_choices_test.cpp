@@ -1,0 +1,116 @@
+// Choices of speed against accuracy that change what is computed: a held flow, and rock that ages faster.
+#include "support/coupled_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace vug {
+namespace {
+
+/// A channel with a pixel of rock in it, which acid takes away.
+const std::string channel = R"(
+[lattice]
+size = [0.024, 0.009]
+spacing = 1e-3
+time_step = 1e-3
+[time]
+steps = 100000
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "rectangle"
+from = [0.010, 0]
+to = [0.013, 0.004]
+[flow]
+viscosity = 2e-4
+initial_pressure = 0
+[solute]
+[[solute.species]]
+name = "A"
+diffusivity = 1e-4
+initial = 1000
+[reaction]
+reactant = "A"
+rate_constant = 2e-4
+molar_volume = 4e-4
+[boundary.left]
+flow = { type = "pressure", pressure = 5, ramp_time = 0.5 }
+solute = { type = "concentration", concentration = { A = 1000 } }
+[boundary.right]
+flow = { type = "pressure", pressure = 0 }
+solute = { type = "outflow" }
+[accuracy]
+guard_interval = 20
+)";
+
+/// Runs n steps with the checks that `vug run` makes.
+void steps(test::CoupledRun& run, int n) {
+  for (int step = 0; step < n; step += 20) run.steps(20);
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+TEST(HeldFlow, IsHeldOnceItIsSteadyAndNotBeforeThePressureIsRaised) {
+  test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-5"});
+  steps(held, 500);
+  EXPECT_EQ(held.now("flow_held_steps_1"), 0);
+  steps(held, 3500);
+  steps(always, 4000);
+  EXPECT_GT(held.now("flow_held_steps_1"), 1000);
+  const auto exact = always.nodes("velocity"), found = held.nodes("velocity");
+  const double speed = largest_difference(exact, std::vector<double>(exact.size(), 0));
+  // it decays by a tenth or more between two looks, so what was still to come is ten times the last change at most
+  EXPECT_LE(largest_difference(exact, found), 1e-4 * speed);
+  EXPECT_LE(largest_difference(always.nodes("concentration_A"), held.nodes("concentration_A")), 1e-3 * 1000);
+  EXPECT_LE(std::abs(held.now("fluid_mass_balance_error_1")), 1e-13);
+  EXPECT_LE(std::abs(held.now("A_balance_error_1")), 1e-13);
+}
+
+TEST(HeldFlow, WakesWhenAPixelDissolves) {
+  test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-4"});
+  const double nodes = held.now("fluid_nodes_1");
+  int n = 0;
+  for (; n < 60000 && held.now("fluid_nodes_1") < nodes + 6; n += 20) held.steps(20);
+  ASSERT_LT(n, 60000);
+  const double passed = held.now("flow_held_steps_1");
+  EXPECT_GT(passed, 0.5 * n);
+  steps(held, 40);
+  EXPECT_EQ(held.now("flow_held_steps_1"), passed);  // two looks at least
+  steps(always, n + 40);
+  EXPECT_NEAR(held.now("dissolved_volume_m3_per_m") / always.now("dissolved_volume_m3_per_m"), 1, 1e-3);
+  EXPECT_LE(std::abs(held.now("A_balance_error_1")), 1e-13);
+}
+
+TEST(HeldFlow, HasItsBitsWhateverElseIsLookedAt) {
+  test::CoupledRun run(channel, {"accuracy.flow_tolerance=1e-5"}), looked_at(channel, {"accuracy.flow_tolerance=1e-5"});
+  steps(run, 4000);
+  for (int step = 0; step < 4000; step += 10) looked_at.steps(10);  // guards between the looks
+  EXPECT_EQ(run.nodes("velocity"), looked_at.nodes("velocity"));
+  EXPECT_EQ(run.nodes("concentration_A"), looked_at.nodes("concentration_A"));
+}
+
+/// In the limit of slow reactions the factor is nothing but time.
+TEST(DissolutionFactor, TenTimesAsMuchInATenthOfTheTime) {
+  const std::vector<std::string> slow = {"reaction.rate_constant=1e-8", "boundary.left.flow.pressure=0"};
+  test::CoupledRun one(channel, slow);
+  one.steps(4000);
+  std::vector<std::string> ten = slow;
+  ten.push_back("accuracy.dissolution_factor=10");
+  test::CoupledRun fast(channel, ten);
+  fast.steps(400);
+  const double exact = one.now("dissolved_volume_m3_per_m");
+  EXPECT_GT(exact, 0);
+  // k L/D = 1e-6 is what the acid's own transient is worth
+  EXPECT_NEAR(fast.now("dissolved_volume_m3_per_m") / exact, 1, 1e-5);
+  EXPECT_LE(std::abs(fast.now("dissolved_volume_balance_error_1")), 1e-12);
+  EXPECT_LE(std::abs(fast.now("solid_volume_balance_error_1")), 1e-12);
+}
+
+}  // namespace
+}  // namespace vug
