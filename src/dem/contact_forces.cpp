@@ -41,9 +41,9 @@ KOKKOS_FORCEINLINE_FUNCTION PairLoad difference(const PairLoad& load, const Pair
 
 /// One pair: corners of each against the outline of the other. n points from the outline's body to the corner's one;
 /// overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 at the contact point
-/// half-way. Every corner counts with its own closest point, be it inside an edge or a corner: distances are continuous,
-/// and with them forces and the energy, however the two slide round each other. Two corners that meet count twice, each
-/// for the other. Forces cancel exactly and act on one line.
+/// half-way. Every corner counts with its own closest point, be it inside an edge or a corner: distances are
+/// continuous, and with them forces and the energy, however the two slide round each other. Two corners that meet count
+/// twice, each for the other. Forces cancel exactly and act on one line.
 template <class Keeper>
 struct ContactForces {
   ContactParameters law;

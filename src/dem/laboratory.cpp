@@ -90,7 +90,8 @@ Loads press(const PlatenTest& test) {
   loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
   loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
   for (const RockSide flank : {RockSide::right, RockSide::left}) {
-    loads.traction[static_cast<std::size_t>(flank)] = {flank == RockSide::right ? -test.confinement : test.confinement, 0};
+    loads.traction[static_cast<std::size_t>(flank)] = {flank == RockSide::right ? -test.confinement : test.confinement,
+                                                       0};
     loads.support[static_cast<std::size_t>(flank)] = test.flanks;
   }
   return loads;

@@ -12,17 +12,17 @@ namespace vug {
 inline constexpr double servo_gain = 0.5;
 
 /// One platen. Its outward speed is v = G (p - p_wanted), p the pressure on it in the last step and
-/// G = servo_gain / (K dt), with K = sum of (k_n n^2 + k_t t^2) l of the bonds between held and free particles, over the
-/// length of the platen: the servo of granular mechanics (Itasca, PFC: v = G (sigma_measured - sigma_required),
-/// G = alpha A / (k_n N dt)). In a wave it is a boundary of impedance 1 / G. Rock that keeps moving outwards at v
-/// presses with p_wanted + v / G.
+/// G = servo_gain / (K dt), with K = sum of (k_n n^2 + k_t t^2) l of the bonds between held and free particles, over
+/// the length of the platen: the servo of granular mechanics (Itasca, PFC: v = G (sigma_measured - sigma_required), G =
+/// alpha A / (k_n N dt)). In a wave it is a boundary of impedance 1 / G. Rock that keeps moving outwards at v presses
+/// with p_wanted + v / G.
 struct ServoPlaten {
-  int axis = 0;             ///< of its normal
-  double outward = 1;       ///< sign of the outward normal
-  double pressure = 0;      ///< wanted, Pa
-  double length = 0;        ///< of the side at the start, m
-  double compliance = 0;    ///< servo_gain / K, m/Pa
-  IndexList held;           ///< its particles, ascending
+  int axis = 0;           ///< of its normal
+  double outward = 1;     ///< sign of the outward normal
+  double pressure = 0;    ///< wanted, Pa
+  double length = 0;      ///< of the side at the start, m
+  double compliance = 0;  ///< servo_gain / K, m/Pa
+  IndexList held;         ///< its particles, ascending
 };
 
 /// The servo platens of the loads.

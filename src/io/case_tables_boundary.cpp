@@ -78,11 +78,9 @@ SoluteBoundary read_solute_boundary(const TomlCursor& table) {
 
 TractionBoundary read_traction_boundary(const TomlCursor& table) {
   TractionBoundary boundary;
-  table.choose("support", boundary.support,
-               {{"free", Support::free},
-                {"roller", Support::roller},
-                {"fixed", Support::fixed},
-                {"servo", Support::servo}});
+  table.choose(
+      "support", boundary.support,
+      {{"free", Support::free}, {"roller", Support::roller}, {"fixed", Support::fixed}, {"servo", Support::servo}});
   table.read("normal_stress", boundary.normal_stress, unit::pascal);
   table.read("stiffness", boundary.stiffness, unit::pascal_per_metre, range::not_negative);
   const bool still = boundary.support == Support::roller || boundary.support == Support::fixed;
@@ -91,7 +89,8 @@ TractionBoundary read_traction_boundary(const TomlCursor& table) {
                "acts on a side that its support holds still; use support = \"free\" or \"servo\", or leave it out");
   }
   if (boundary.support != Support::free && boundary.stiffness != 0) {
-    table.fail("stiffness", "is that of the rock beyond a side that is free to move; use support = \"free\" or leave it out");
+    table.fail("stiffness",
+               "is that of the rock beyond a side that is free to move; use support = \"free\" or leave it out");
   }
   return boundary;
 }

@@ -7,8 +7,8 @@
 namespace vug {
 namespace {
 
-/// Internal cohesion that gives the measured uniaxial strength of 91.1 MPa within 3 %, five specimens each of elements of
-/// 2 and 3 mm (`vug lab --fit-cohesion 91.1` finds 57.6 and 57.3); Table 1 as printed gives about 137 MPa.
+/// Internal cohesion that gives the measured uniaxial strength of 91.1 MPa within 3 %, five specimens each of elements
+/// of 2 and 3 mm (`vug lab --fit-cohesion 91.1` finds 57.6 and 57.3); Table 1 as printed gives about 137 MPa.
 constexpr double calibrated_cohesion = 58e6;
 
 Notch read_notch(const TomlCursor& table) {

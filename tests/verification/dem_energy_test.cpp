@@ -135,8 +135,7 @@ TEST(EnergyLedger, OfASpecimenThatIsCrushedClosesToSecondOrder) {
     double before = 0;
     for (const double fraction : {0.4, 0.2, 0.1}) {
       const double error = compression_imbalance(test::block(0.015, 0.03, 2e-3, 0.25), seed, 2, fraction);
-      test::record("energy_crushed",
-                   {{"seed", static_cast<int>(seed)}, {"fraction", fraction}, {"imbalance", error}});
+      test::record("energy_crushed", {{"seed", static_cast<int>(seed)}, {"fraction", fraction}, {"imbalance", error}});
       if (before > 0) {
         EXPECT_LT(error, before / 3) << seed << ' ' << fraction;  // a quarter
       }

@@ -49,12 +49,12 @@ TEST(LargeRockLong, CarriesAWaveAtItsImpedanceAndBreaks) {
     rock.advance(exec, dt, 100);
     if (k >= 5) stress += -rock.reaction(RockSide::top).y / width / 5;
   }
-  // a platen of speed v in rock whose sides are held: rho c v with c = sqrt(E / (1 - nu^2) / rho), E and nu of the paper
+  // a platen of speed v in rock whose sides are held: rho c v with c = sqrt(E / (1 - nu^2) / rho), E and nu of the
+  // paper
   const double modulus = 27.8e9 / (1 - 0.24 * 0.24);
   const double expected = std::sqrt(modulus * 2500) * gentle;
-  record("large_rock", {{"triangles", static_cast<double>(rock_read.triangles.size())},
-                        {"stress", stress},
-                        {"expected", expected}});
+  record("large_rock",
+         {{"triangles", static_cast<double>(rock_read.triangles.size())}, {"stress", stress}, {"expected", expected}});
   EXPECT_NEAR(stress, expected, 0.02 * expected);
   EXPECT_EQ(rock.bond_counts().failed(), 0);
 

@@ -86,8 +86,7 @@ TEST(MassScalingLong, ActsLikeAPlatenFasterByItsSquareRoot) {
   test.speed = 0.25;
   const PlatenResult scaled = load_between_platens(Exec(), block, parameters, test);
   ASSERT_EQ(fast.steps, scaled.steps);
-  for (std::size_t i = 0; i < fast.stress.size(); ++i)
-    EXPECT_NEAR(scaled.stress[i], fast.stress[i], 1e-6 * 28e6) << i;
+  for (std::size_t i = 0; i < fast.stress.size(); ++i) EXPECT_NEAR(scaled.stress[i], fast.stress[i], 1e-6 * 28e6) << i;
 }
 
 TEST(SubStepLong, StrengthHardlyDependsOnTheShareOfTheCriticalStep) {

@@ -131,8 +131,7 @@ TEST(ServoConfinementLong, BreaksTheRockAtTheStrengthThatAMembraneDoes) {
       const Assembly block = specimen(3e-3, seed);
       PlatenTest test;
       test.confinement = confinement;
-      const PlatenResult membrane =
-          load_between_platens(Exec(), block, rock_of(calibrated_cohesion, seed), test);
+      const PlatenResult membrane = load_between_platens(Exec(), block, rock_of(calibrated_cohesion, seed), test);
       test.flanks = Support::servo;
       const PlatenResult servo = load_between_platens(Exec(), block, rock_of(calibrated_cohesion, seed), test);
       double before = 0, after = 0;  // largest errors of the confinement

@@ -40,8 +40,8 @@ TEST(ServoConfinement, HoldsItsStressAndFollowsHookesLawInPlaneStress) {
   test.confinement = confinement;
   test.flanks = Support::servo;
   double offset = 0;  // pressure that moves the platens outwards with the flanks, v / G
-  const PlatenResult held = load_between_platens(
-      Exec(), block, unbreakable(), test, [&](const Mechanics& rock, const PlatenResult& r, bool) {
+  const PlatenResult held =
+      load_between_platens(Exec(), block, unbreakable(), test, [&](const Mechanics& rock, const PlatenResult& r, bool) {
         const double rate = r.strain.back() / rock.time();
         offset = 0.5 * 0.03 * free.poisson * rate * r.time_step / rock.servos()[0].compliance;
       });

@@ -61,7 +61,8 @@ void warn_about_sides(Scene& scene) {
   remark("bottom and top", scene.bottom);
 }
 
-/// Inertia strengthens rock as it breaks (docs/validation.md): in compression at 0.5 m/s by 3 % with four times the mass.
+/// Inertia strengthens rock as it breaks (docs/validation.md): in compression at 0.5 m/s by 3 % with four times the
+/// mass.
 void warn_about_mass_scaling(Scene& scene) {
   constexpr double notable = 4;
   const double scaling = scene.mechanics->parameters.mass_scaling;
@@ -78,10 +79,11 @@ void warn_about_press(Scene& scene) {
   if (scene.laboratory->test != LaboratoryTest::compression) return;
   const double scaling = scene.mechanics->parameters.mass_scaling, speed = platen_speed(*scene.laboratory);
   if (speed * std::sqrt(scaling) <= notable) return;
-  scene.warnings.push_back(fmt::format(
-      "platens at {:g} m/s with mechanics.mass_scaling = {:g} act like {:.3g} m/s: above {:g} m/s inertia adds more than "
-      "5 % to the strength",
-      speed, scaling, speed * std::sqrt(scaling), notable));
+  scene.warnings.push_back(
+      fmt::format("platens at {:g} m/s with mechanics.mass_scaling = {:g} act like {:.3g} m/s: above {:g} m/s inertia "
+                  "adds more than "
+                  "5 % to the strength",
+                  speed, scaling, speed * std::sqrt(scaling), notable));
 }
 
 }  // namespace
