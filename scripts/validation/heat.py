@@ -86,14 +86,53 @@ def convection(records, figures):
 
 
 def heated_slab(records, figures):
-    rows = records["heat_heated_slab"]
-    if not rows:
+    rows, sides = records["heat_heated_slab"], records["heat_adiabatic_side"]
+    if not (rows and sides):
         return None
     return section(
         "A slab with a given heat flux", "HeatedSlab.HasTheGradientOfItsFluxExactly",
         "Fluid and rock in series, a heat flux given on one side and a temperature on the other, in all four directions "
         "and with both velocity sets: the steady gradients are q/λ in each layer to round-off (largest relative deviation "
-        f"{max(abs(r['error']) for r in rows):.0e}), and the heat that entered is the given flux times the time.")
+        f"{max(abs(r['error']) for r in rows):.0e}), and the heat that entered is the given flux times the time. "
+        "Along adiabatic sides, corners included, a profile stays one-dimensional to "
+        f"{max(row['across'] for row in sides):.0e} of its largest value with both sets "
+        "(`AdiabaticSide.LeavesAProfileAlongItOneDimensional`).")
 
 
-entries = [two_layer_mode, half_spaces, convection, heated_slab]
+def openings(records, figures):
+    rings, rows = records["opening_ring"], records["opening_ring_profile"]
+    wells, speeds = records["opening_well"], records["opening_well_profile"]
+    if not (rings and rows and wells and speeds):
+        return None
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.7))
+    r = np.linspace(1, 2.5, 200)
+    left.plot(r, np.log(2.5 / r) / np.log(2.5), "k-", lw=1, zorder=3, label="ln(R₂/r)/ln(R₂/R₁)")
+    for first, physics, name, marker in ((0, "heat", "temperature", "o"), (7, "A", "concentration", "x")):
+        points = [row for row in rows if row["physics"] == physics][first::15]
+        left.plot([p["r"] for p in points], [p["value"] for p in points], marker, ms=3.5, mfc="none", lw=0,
+                  label=f"{name}, R₁ = 16 cells")
+    left.set(xlabel="r / R₁", ylabel="value over the difference applied")
+    right.plot(r, 1 / r, "k-", lw=1, zorder=3, label="R₁/r")
+    right.plot([p["r"] for p in speeds[::3]], [p["u"] for p in speeds[::3]], "o", ms=3, mfc="none", label="well, R₁ = 12 cells")
+    right.set(xlabel="r / R₁", ylabel="radial speed / speed at the well")
+    for axes in (left, right):
+        axes.legend(fontsize=8)
+    save(figure, figures / "openings.png")
+    names = {"heat": "heat", "A": "solute"}
+    cells = [[names[row["physics"]], row["set"].upper(), f"{row['inner']:g}", f"{row['field']:.3f}",
+              f"{row['flux']:+.3f}", f"{row['balance']:.0e}"] for row in rings]
+    well = wells[-1]
+    return section(
+        "Openings inside the lattice", "RingBetweenOpenings, Well, HeatedPipe, ShapeAsSide",
+        "Left: steady conduction and diffusion in the ring between two discs that are openings (R₂ = 2.5 R₁), against the "
+        "logarithmic profile. The surface of an opening lies half way along its links, up to half a cell from the circle: "
+        "first order in the cell over the radius. Right: a well that feeds a given speed, against the radial flow "
+        f"that continuity asks for; the well lets in its speed times its true circumference within "
+        f"{abs(well['circumference']):.1%}, the drain takes all of it (to {abs(well['left_over_fed']):.0e}), and two cells "
+        f"from either staircase the speed is right within {well['radial']:.1%}. "
+        "Beside flat ends an opening gives the fields of a side of the lattice to 1e-14.",
+        table(["physics", "set", "R₁, cells", "largest error of the profile", "error of the flux", "balance"], cells),
+        "openings.png")
+
+
+entries = [two_layer_mode, half_spaces, convection, heated_slab, openings]

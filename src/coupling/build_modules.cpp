@@ -25,6 +25,8 @@ LatticeUnits units_of(const Scene& scene) {
     for (const Species& species : scene.solute->species) largest = std::max(largest, species.initial);
     for (const Stretch& stretch : boundary_stretches(scene))
       for (const auto& [name, value] : stretch.conditions.solute.concentration) largest = std::max(largest, value);
+    for (const OpeningSection& opening : scene.openings)
+      for (const auto& [name, value] : opening.conditions.solute.concentration) largest = std::max(largest, value);
     if (largest > 0) units.concentration = largest;
   }
   return units;
@@ -32,14 +34,18 @@ LatticeUnits units_of(const Scene& scene) {
 
 namespace {
 
-/// Node types from a mask row by row without halo; the halo is solid.
-Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<bool>& solid) {
+/// Node types from masks row by row without halo; the halo is solid. `opening` is empty or as from opening_of_nodes.
+Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<bool>& solid,
+                                   const std::vector<int>& opening) {
   Kokkos::View<NodeType*> type("vug::geometry::type", lattice.size());
   const auto host = Kokkos::create_mirror_view(type);
   Kokkos::deep_copy(host, NodeType::solid);
   for (int y = 0; y < lattice.ny; ++y)
-    for (int x = 0; x < lattice.nx; ++x)
-      if (!solid[static_cast<std::size_t>(y) * lattice.nx + x]) host(lattice.node(x, y)) = NodeType::fluid;
+    for (int x = 0; x < lattice.nx; ++x) {
+      const std::size_t n = static_cast<std::size_t>(y) * lattice.nx + x;
+      if (!solid[n]) host(lattice.node(x, y)) = NodeType::fluid;
+      if (!opening.empty() && opening[n] >= 0) host(lattice.node(x, y)) = NodeType::opening;
+    }
   Kokkos::deep_copy(type, host);
   return type;
 }
@@ -89,13 +95,15 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
   geometry.spacing = scene.lattice.spacing;
   if (scene.geometry.kind == GeometryKind::rock) {
     parts->rock = build_rock(scene, geometry.lattice);
-    geometry.type = node_types(geometry.lattice, parts->rock->solid);
+    geometry.type = node_types(geometry.lattice, parts->rock->solid, opening_of_nodes(scene));
   } else {
-    geometry.type = node_types(geometry.lattice, solid_mask(scene));
+    geometry.type = node_types(geometry.lattice, solid_mask(scene), opening_of_nodes(scene));
   }
+  geometry.openings = make_openings(scene, geometry.lattice);
   if (scene.flow || scene.solute) {
     geometry.fluid = make_fluid_nodes(exec, geometry.lattice, geometry.type, periodic_sides(scene));
     find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
+    require_fluid_at_openings(exec, scene, geometry);
   }
   const bool paper_set = scene.solute && scene.solute->velocity_set == ScalarVelocitySet::d2q9;
   const bool single = scene.accuracy.precision == Precision::single_precision;

@@ -45,7 +45,7 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
     step_.body_force[axis] = static_cast<T>(section_.body_force[axis] / (units.acceleration() * units.pressure_scale));
   step_.speed_limit = static_cast<T>(section_.speed_limit);
   fields_ = make_flow_fields<T>(exec, geometry.fluid);
-  for (const Stretch& stretch : boundary_stretches(scene)) boundaries_.push_back({stretch, {}, {}, 0});
+  for (const Stretch& stretch : boundary_stretches(scene, geometry)) boundaries_.push_back({stretch, {}, {}, 0});
   find_boundaries(exec);
   double raised = 0;  // s, when the last pressure is
   for (const StretchLinks& boundary : boundaries_)
@@ -60,7 +60,10 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
   const FluidNodes& fluid = geometry_.fluid;
   for (StretchLinks& boundary : boundaries_) {
     boundary.find(exec, fluid, D2Q9::Q);
-    if (is_open(boundary.stretch.conditions.flow)) mark_open(exec, fluid, boundary.links);
+    const FlowBoundary& flow = boundary.stretch.conditions.flow;
+    if (is_open(flow)) mark_open(exec, fluid, boundary.links);
+    if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
+      boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
   }
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }
@@ -77,6 +80,11 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
       break;
     }
     case FlowBoundaryKind::velocity:
+      if (boundary.stretch.opening) {
+        dress_normal_speed(exec, geometry_.fluid, boundary.links, boundary.area, flow.speed / units_.velocity(),
+                           fields_, boundary.gain.recent());
+        break;
+      }
       dress_velocity(exec, geometry_.fluid, boundary.links,
                      {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
                      boundary.gain.recent());
@@ -189,8 +197,9 @@ template <class T>
 double FlowModule<T>::largest_speed() const {
   double prescribed = 0;
   for (const StretchLinks& boundary : boundaries_) {
-    const auto& velocity = boundary.stretch.conditions.flow.velocity;
-    prescribed = std::max(prescribed, std::hypot(velocity[0], velocity[1]) / units_.velocity());
+    const FlowBoundary& flow = boundary.stretch.conditions.flow;
+    const double speed = std::max(std::hypot(flow.velocity[0], flow.velocity[1]), std::abs(flow.speed));
+    prescribed = std::max(prescribed, speed / units_.velocity());
   }
   const double limit = section_.speed_limit > 0 ? section_.speed_limit : speed_bound;
   const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
@@ -230,8 +239,11 @@ void FlowModule<T>::ledger(Ledger& ledger) const {
   balance.initial = kg * initial_mass_;
   balance.stored = kg * total_mass(geometry_.fluid, fields_);
   double entered = 0;
-  for (const StretchLinks& boundary : boundaries_) entered += boundary.total();
+  for (const StretchLinks& boundary : boundaries_)
+    if (!boundary.stretch.opening) entered += boundary.total();
   balance.gains.push_back({"boundaries", kg * entered});
+  for (const StretchLinks& boundary : boundaries_)
+    if (boundary.stretch.opening) balance.gains.push_back({boundary.stretch.name, kg * boundary.total()});
   balance.gains.push_back({"births", kg * born_mass_});
 }
 

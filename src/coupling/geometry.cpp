@@ -1,9 +1,13 @@
 #include "coupling/geometry.hpp"
 
 #include "io/image_reader.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug {
 
@@ -28,6 +32,13 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
   side(Side::right, lattice.ny, scene.right);
   side(Side::bottom, lattice.nx, scene.bottom);
   side(Side::top, lattice.nx, scene.top);
+  return stretches;
+}
+
+std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geometry) {
+  std::vector<Stretch> stretches = boundary_stretches(scene);
+  for (const InnerOpening& opening : geometry.openings)
+    stretches.push_back({opening.name, Side::left, 0, -1, opening.conditions, &opening.nodes});
   return stretches;
 }
 
@@ -64,7 +75,96 @@ bool holds(const Polygon& polygon, const Point& p) {
   return in;
 }
 
+/// Calls paint(node) for every node, row by row without halo, whose centre lies in the shape.
+template <class Paint>
+void draw(const Shape& shape, const LatticeSection& lattice, const Paint& paint) {
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x) {
+      const Point centre{(x + 0.5) * lattice.spacing, (y + 0.5) * lattice.spacing};
+      if (std::visit([&](const auto& form) { return holds(form, centre); }, shape.form))
+        paint(static_cast<std::size_t>(y) * lattice.nx + x);
+    }
+}
+
+Point unit_vector(const Point& v) {
+  const double length = std::hypot(v[0], v[1]);
+  return length > 0 ? Point{v[0] / length, v[1] / length} : Point{1, 0};
+}
+
+/// Unit normal, of either sign, of the outline at the point of it that is nearest to p.
+Point normal_at(const Disc& disc, const Point& p) {
+  return unit_vector({p[0] - disc.centre[0], p[1] - disc.centre[1]});
+}
+
+Point normal_at(const Polygon& polygon, const Point& p) {
+  const auto& v = polygon.points;
+  Point normal{1, 0};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++) {
+    const Point along{v[b][0] - v[a][0], v[b][1] - v[a][1]}, to_p{p[0] - v[a][0], p[1] - v[a][1]};
+    const double length2 = along[0] * along[0] + along[1] * along[1];
+    if (length2 == 0) continue;
+    const double t = std::clamp((to_p[0] * along[0] + to_p[1] * along[1]) / length2, 0.0, 1.0);
+    const double distance = std::hypot(to_p[0] - t * along[0], to_p[1] - t * along[1]);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    normal = unit_vector({-along[1], along[0]});
+  }
+  return normal;
+}
+
+Point normal_at(const Rectangle& r, const Point& p) {
+  return normal_at(Polygon{{r.from, {r.to[0], r.from[1]}, r.to, {r.from[0], r.to[1]}}}, p);
+}
+
 }  // namespace
+
+std::vector<int> opening_of_nodes(const Scene& scene) {
+  if (scene.openings.empty()) return {};
+  std::vector<int> opening(static_cast<std::size_t>(scene.lattice.nx) * scene.lattice.ny, -1);
+  const auto& shapes = scene.geometry.shapes;
+  for (std::size_t s = 0, next = 0; s < shapes.size(); ++s) {
+    const int painted = shapes[s].name.empty() ? -1 : static_cast<int>(next++);
+    draw(shapes[s], scene.lattice, [&](std::size_t n) { opening[n] = painted; });
+  }
+  return opening;
+}
+
+std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& lattice) {
+  const std::vector<int> opening_of = opening_of_nodes(scene);
+  std::vector<std::vector<int>> nodes(scene.openings.size());
+  for (std::size_t n = 0; n < opening_of.size(); ++n)
+    if (opening_of[n] >= 0)
+      nodes[opening_of[n]].push_back(lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx));
+  std::vector<InnerOpening> openings;
+  for (std::size_t o = 0; o < nodes.size(); ++o) {
+    const OpeningSection& section = scene.openings[o];
+    const Shape& shape = scene.geometry.shapes[section.shape];
+    if (nodes[o].empty())
+      throw InputError(
+          fmt::format("{}: the shape \"{}\" holds the centre of no cell that a later shape leaves to it; "
+                      "enlarge it or refine lattice.spacing",
+                      scene.path, shape.name));
+    const double dx = scene.lattice.spacing;
+    const auto normal = [&](double x, double y) {
+      return std::visit([&](const auto& form) { return normal_at(form, Point{x * dx, y * dx}); }, shape.form);
+    };
+    openings.push_back({"shape_" + shape.name, make_opening(lattice, nodes[o], normal), section.conditions});
+  }
+  return openings;
+}
+
+void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geometry& geometry) {
+  if (scene.reaction || scene.damage) return;  // fluid may reach it later
+  for (const InnerOpening& opening : geometry.openings) {
+    const bool flows = scene.flow && opening.conditions.flow.kind != FlowBoundaryKind::wall;
+    const bool dissolves = scene.solute && opening.conditions.solute.kind != SoluteBoundaryKind::no_flux;
+    if (!flows && !dissolves) continue;
+    if (find_opening_links(exec, geometry.fluid, opening.nodes, D2Q9::Q).count > 0) continue;
+    throw InputError(fmt::format("{}: boundary.shape.{}.{} has no effect: no fluid touches the shape", scene.path,
+                                 opening.name.substr(opening.name.find('_') + 1), flows ? "flow" : "solute"));
+  }
+}
 
 std::vector<bool> solid_mask(const Scene& scene) {
   const int nx = scene.lattice.nx, ny = scene.lattice.ny;
@@ -73,13 +173,7 @@ std::vector<bool> solid_mask(const Scene& scene) {
   std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,
                           geometry.kind == GeometryKind::shapes && geometry.background == "solid");
   if (geometry.kind != GeometryKind::shapes) return solid;
-  for (const Shape& shape : geometry.shapes)
-    for (int y = 0; y < ny; ++y)
-      for (int x = 0; x < nx; ++x) {
-        const Point centre{(x + 0.5) * scene.lattice.spacing, (y + 0.5) * scene.lattice.spacing};
-        if (std::visit([&](const auto& form) { return holds(form, centre); }, shape.form))
-          solid[static_cast<std::size_t>(y) * nx + x] = shape.solid;
-      }
+  for (const Shape& shape : geometry.shapes) draw(shape, scene.lattice, [&](std::size_t n) { solid[n] = shape.solid; });
   return solid;
 }
 

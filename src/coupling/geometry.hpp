@@ -2,10 +2,18 @@
 // What is rock and what is pore on the lattice, shared by all modules. Written by `build` and by births only.
 #include "io/scene.hpp"
 #include "kernels/fluid_nodes.hpp"
+#include "kernels/opening.hpp"
 
 #include <vector>
 
 namespace vug {
+
+/// An opening with its conditions.
+struct InnerOpening {
+  std::string name;  ///< for columns and states: "shape_" and the name of the shape
+  Opening nodes;
+  BoundarySection conditions;
+};
 
 /// The pixels: node types, the list of fluid nodes with its link tables, the wet surface of the rock.
 struct Geometry {
@@ -14,20 +22,34 @@ struct Geometry {
   Kokkos::View<NodeType*> type;  ///< (dense node)
   FluidNodes fluid;              ///< empty where the scene has neither flow nor solute
   Surface surface;
+  std::vector<InnerOpening> openings;
   ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty unless the rock can dissolve
   ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
 };
 
-/// Part of a side of the lattice with one set of boundary conditions.
+/// Part of a side of the lattice, or the surface of an opening, with one set of boundary conditions.
 struct Stretch {
-  std::string name;  ///< key in the case file: "left", "injection", ...
+  std::string name;  ///< "left", "injection", ... as in the case file, or that of the opening
   Side side;
   int first, last;  ///< node coordinates along the side, inclusive
   BoundarySection conditions;
+  const Opening* opening = nullptr;  ///< of the geometry; then side, first and last mean nothing
 };
 
 /// The four sides, cut where the injection lies.
 std::vector<Stretch> boundary_stretches(const Scene& scene);
+/// The same and after them the openings.
+std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geometry);
+
+/// The opening that each node lies in, as an index into scene.openings (row by row, without halo); -1 where there is
+/// none. Empty when the case has no openings.
+std::vector<int> opening_of_nodes(const Scene& scene);
+
+/// Throws InputError when an opening has no node.
+std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& lattice);
+
+/// Throws InputError when no fluid node touches an opening that has conditions on the fluid and never will.
+void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geometry& geometry);
 
 /// Joined pairs of sides {left-right, bottom-top} according to the flow or scalar boundaries.
 std::array<bool, 2> periodic_sides(const Scene& scene);

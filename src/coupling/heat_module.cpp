@@ -52,29 +52,41 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   fields_ = make_heat_fields<T>(
       exec, geometry.lattice,
       {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma, section_.velocity_set},
-      geometry.type, periodic_, initial_theta_);
+      geometry.type, periodic_, initial_theta_, !geometry.openings.empty());
   if (flow) carrier_ = &flow->carrier(exec, interval_, directions(), even_defect_weight(fields_));
   for (const Stretch& stretch : boundary_stretches(scene)) {
     const HeatBoundary& heat = stretch.conditions.heat;
     if (periodic_[stretch.side == Side::left || stretch.side == Side::right ? 0 : 1]) continue;
-    double value = 0;
-    if (heat.kind == HeatBoundaryKind::temperature) {
-      value = units.lattice_temperature(heat.temperature);
-      coldest_ = std::min(coldest_, heat.temperature);
-      hottest_ = std::max(hottest_, heat.temperature);
-    } else if (heat.kind == HeatBoundaryKind::flux) {
-      value = interval_ * heat.flux / (section_.fluid_density * section_.fluid_heat_capacity * units.velocity());
-      heated_ = heated_ || heat.flux != 0;
-    }
     stretches_.push_back(stretch);
-    sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value));
+    sides_.push_back(
+        make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value_of(heat)));
     entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
     sides_.back().energy_in = entered_.back().recent();
+  }
+  assign_corners(geometry.lattice, sides_);
+  for (const InnerOpening& opening : geometry.openings) {
+    const HeatBoundary& heat = opening.conditions.heat;
+    openings_.push_back(make_heat_opening(exec, fields_, geometry.type, periodic_, opening.nodes,
+                                          condition_of(heat.kind), value_of(heat)));
+    entered_.emplace_back("vug::heat::entered", openings_.back().energy_in.extent(0));
+    openings_.back().energy_in = entered_.back().recent();
   }
   if (carrier_) lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
   created_ = LongSum("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   initial_energy_ = energy();
+}
+
+template <class T>
+double HeatModule<T>::value_of(const HeatBoundary& heat) {
+  if (heat.kind == HeatBoundaryKind::temperature) {
+    coldest_ = std::min(coldest_, heat.temperature);
+    hottest_ = std::max(hottest_, heat.temperature);
+    return units_.lattice_temperature(heat.temperature);
+  }
+  if (heat.kind != HeatBoundaryKind::flux) return 0;
+  heated_ = heated_ || heat.flux != 0;
+  return interval_ * heat.flux / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
 }
 
 template <class T>
@@ -98,6 +110,7 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     created_.settle(exec);
     for (const LongSum& side : entered_) side.settle(exec);
   }
+  for (const HeatOpening& opening : openings_) fill_heat_opening(exec, fields_, opening);
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
@@ -133,7 +146,8 @@ void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
   table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
-  if (carrier_ && geometry_.surface.count > 0)  // without walls of rock there is no stair-step to feed the mode
+  // without walls of rock or openings there is no stair-step to feed the mode
+  if (carrier_ && (geometry_.surface.count > 0 || !geometry_.openings.empty()))
     table.push_back({"heat", "grid Peclet number at the largest speed",
                      fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
                      "lower the pressures or flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
@@ -153,6 +167,8 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
     (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();
   balance.gains.push_back({"injection", joule * injected});
   balance.gains.push_back({"sides", joule * sides});
+  for (std::size_t o = 0; o < openings_.size(); ++o)
+    balance.gains.push_back({geometry_.openings[o].name, joule * entered_[sides_.size() + o].total()});
   balance.gains.push_back({"births", joule * sum_in_order(born_)});
   balance.gains.push_back({"advective_form", joule * created_.total()});
 }
@@ -181,6 +197,8 @@ void HeatModule<T>::state(StateList& list) {
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)
     add_state(list, "heat/" + stretches_[s].name + "/" + std::to_string(stretches_[s].first), entered_[s]);
+  for (std::size_t o = 0; o < openings_.size(); ++o)
+    add_state(list, "heat/" + geometry_.openings[o].name, entered_[sides_.size() + o]);
   list.add_value("heat/initial_energy", initial_energy_);
 }
 

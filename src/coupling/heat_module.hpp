@@ -37,6 +37,8 @@ class HeatModule final : public Module {
 
  private:
   double energy() const;
+  /// What the kernels call the value of a condition; widens the range of temperatures that the case names.
+  double value_of(const HeatBoundary& heat);
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   HeatSection section_;
@@ -47,9 +49,10 @@ class HeatModule final : public Module {
   HeatFields<T> fields_;
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
+  std::vector<HeatOpening> openings_;  ///< those of the geometry, in the same order
   std::array<bool, 2> periodic_;
   ScalarField<T> lagged_;         ///< (fluid) state of the advective correction
-  std::vector<LongSum> entered_;  ///< energy that entered through each of sides_
+  std::vector<LongSum> entered_;  ///< energy that entered through each of sides_, then of openings_
   LongSum created_;               ///< (block) energy that the advective form added
   ScalarField<double> born_;      ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;

@@ -1,5 +1,6 @@
 #include "coupling/rock.hpp"
 
+#include "coupling/geometry.hpp"
 #include "coupling/initial_pathways.hpp"
 #include "dem/edges.hpp"
 #include "io/mesh_reader.hpp"
@@ -177,7 +178,10 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
                                : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
   const BondEdges bonds = bond_edges(rock.assembly);
   rock.bonds = static_cast<int>(bonds.vertices.size());
-  const RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);
+  RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);
+  const std::vector<int> openings = opening_of_nodes(scene);
+  for (std::size_t n = 0; n < openings.size(); ++n)
+    if (openings[n] >= 0) raster.owner[n] = raster.edge[n] = -1;
   const std::vector<int> bond_of_node = bond_of_nodes(rock.assembly, raster, bonds);
   const std::vector<double> closed = initial_apertures(scene, lattice, rock.assembly, bonds, raster);
 

@@ -40,7 +40,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     state.parameters =
         section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
     state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
-    for (const Stretch& stretch : boundary_stretches(scene)) {
+    for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
       const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
       if (kind == SoluteBoundaryKind::concentration || kind == SoluteBoundaryKind::outflow)
         state.boundaries.push_back({stretch, {}, {}, 0});
@@ -160,10 +160,14 @@ void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
     balance.initial = mol * s.initial;
     balance.stored = mol * total_solute<Set>(Exec{}, geometry_.fluid, s.fields);
     double injected = 0, left = 0;
-    for (const StretchLinks& boundary : s.boundaries)
+    for (const StretchLinks& boundary : s.boundaries) {
+      if (boundary.stretch.opening) continue;
       (boundary.stretch.conditions.solute.kind == SoluteBoundaryKind::outflow ? left : injected) += boundary.total();
+    }
     balance.gains.push_back({"injected", mol * injected});
     balance.gains.push_back({"outflow", mol * left});
+    for (const StretchLinks& boundary : s.boundaries)
+      if (boundary.stretch.opening) balance.gains.push_back({boundary.stretch.name, mol * boundary.total()});
     balance.gains.push_back({"births", mol * sum_in_order(s.created)});
     balance.gains.push_back({"advective_form", mol * s.correction.total()});
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The links of one stretch of boundary, and what has come in through them.
+// The links of one stretch of boundary or of an opening, and what has come in through them.
 #include "coupling/geometry.hpp"
 #include "kernels/long_sum.hpp"
 
@@ -12,12 +12,14 @@ namespace vug {
 struct StretchLinks {
   Stretch stretch;
   BoundaryLinks links;
-  LongSum gain;        ///< (link)
-  double entered = 0;  ///< sum over links of former times, lattice units
+  LongSum gain;                ///< (link)
+  double entered = 0;          ///< sum over links of former times, lattice units
+  ScalarField<double> area{};  ///< (link) surface it stands for, cells; of openings with a given speed only
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions) {
     entered = total();
-    links = find_boundary_links(exec, fluid, stretch.side, stretch.first, stretch.last, directions);
+    links = stretch.opening ? find_opening_links(exec, fluid, *stretch.opening, directions)
+                            : find_boundary_links(exec, fluid, stretch.side, stretch.first, stretch.last, directions);
     gain = LongSum("vug::boundary::gain", links.count);
   }
   /// Everything that has entered so far; waits for the device.

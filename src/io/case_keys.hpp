@@ -6,7 +6,7 @@
 namespace vug {
 
 struct KeyDescription {
-  std::string key;       ///< full path; elements of arrays as N, sides as <side>: "solute.species.N.diffusivity"
+  std::string key;       ///< full path; elements of arrays as N, sides as <side>, free names as <name>
   std::string type;      ///< "number", "whole number", "text", "word", "true or false", "table", ...
   std::string unit;      ///< SI, "1" where there is none, empty for what is no number
   std::string fallback;  ///< default, "required", or "-" where absence has a meaning of its own

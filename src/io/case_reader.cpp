@@ -34,6 +34,7 @@ void read_tables(const TomlCursor& root, Scene& scene) {
     scene.top = read_boundary(boundary.table("top", "<side>"));
   }
   if (const auto table = boundary.table("injection"); table.given()) scene.injection = read_injection(table);
+  scene.openings = read_openings(boundary, scene.geometry);
   if (const auto table = root.table("accuracy"); table.given()) scene.accuracy = read_accuracy(table);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }

@@ -1,11 +1,14 @@
-// [boundary.left|right|bottom|top] and [boundary.injection]: what holds on the sides of the lattice.
+// [boundary.left|right|bottom|top], [boundary.injection] and [boundary.shape.<name>]: what holds on the sides of the
+// lattice and on the openings inside it.
 #include "io/detail/case_tables.hpp"
 #include "kernels/side.hpp"
 
 namespace vug {
 namespace {
 
-FlowBoundary read_flow_boundary(const TomlCursor& table) {
+enum class Place { side, opening };
+
+FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {
   FlowBoundary boundary;
   using Kind = FlowBoundaryKind;
   table.need_choice("type", boundary.kind,
@@ -20,6 +23,17 @@ FlowBoundary read_flow_boundary(const TomlCursor& table) {
   } else {
     table.refuse("pressure", "is only for type = \"pressure\"");
     table.refuse("ramp_time", "is only for type = \"pressure\"");
+  }
+  if (place == Place::opening) {
+    if (boundary.kind == Kind::velocity || table.describing())
+      table.need("speed", boundary.speed, unit::metre_per_second);
+    else
+      table.refuse("speed", "is only for type = \"velocity\"");
+    if (boundary.kind == Kind::wall || table.describing())
+      table.read("velocity", boundary.velocity, unit::metre_per_second);
+    else
+      table.refuse("velocity", "is only for a moving wall; fluid crosses the surface of a shape at the given speed");
+    return boundary;
   }
   if (boundary.kind == Kind::velocity && !table.describing()) {
     table.need("velocity", boundary.velocity, unit::metre_per_second);
@@ -95,8 +109,8 @@ TractionBoundary read_traction_boundary(const TomlCursor& table) {
   return boundary;
 }
 
-void read_lattice_conditions(const TomlCursor& table, BoundarySection& section) {
-  if (const TomlCursor flow = table.table("flow"); flow.given()) section.flow = read_flow_boundary(flow);
+void read_lattice_conditions(const TomlCursor& table, BoundarySection& section, Place place = Place::side) {
+  if (const TomlCursor flow = table.table("flow"); flow.given()) section.flow = read_flow_boundary(flow, place);
   if (const TomlCursor heat = table.table("heat"); heat.given()) section.heat = read_heat_boundary(heat);
   if (const TomlCursor solute = table.table("solute"); solute.given()) section.solute = read_solute_boundary(solute);
 }
@@ -121,6 +135,19 @@ InjectionSection read_injection(const TomlCursor& table) {
   table.need("width", injection.width, unit::metre, range::positive);
   read_lattice_conditions(table, injection.conditions);
   return injection;
+}
+
+std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry) {
+  std::vector<OpeningSection> openings;
+  const TomlCursor shapes = boundary.table("shape");
+  for (std::size_t i = 0; i < geometry.shapes.size(); ++i) {
+    const std::string& name = geometry.shapes[i].name;
+    if (name.empty() && !boundary.describing()) continue;
+    const TomlCursor table = shapes.table(name, "<name>");
+    OpeningSection& opening = openings.emplace_back(OpeningSection{static_cast<int>(i), {}});
+    read_lattice_conditions(table, opening.conditions, Place::opening);
+  }
+  return openings;
 }
 
 }  // namespace vug

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug {
@@ -66,7 +67,31 @@ Shape read_shape(const TomlCursor& table) {
     table.refuse("points", "is only for type = \"polygon\"");
   }
   table.choose("material", shape.solid, {{"solid", true}, {"fluid", false}});
+  std::optional<std::string> name;
+  table.read("name", name);
+  if (!name) return shape;
+  if (!is_plain_name(*name)) table.fail("name", plain_name_rule);
+  table.refuse("material", "is of a shape without a name; one with a name is an opening, neither solid nor fluid");
+  shape.name = *name;
   return shape;
+}
+
+void read_shapes(const TomlCursor& table, GeometrySection& geometry) {
+  for (const TomlCursor& element : table.tables("shapes")) {
+    const Shape shape = read_shape(element);
+    const bool again = std::any_of(geometry.shapes.begin(), geometry.shapes.end(), [&](const Shape& earlier) {
+      return !shape.name.empty() && earlier.name == shape.name;
+    });
+    if (again) element.fail("name", "is the name of an earlier shape");
+    if (shape.name.empty() && geometry.kind != GeometryKind::shapes && !table.describing()) {
+      element.fail("name",
+                   "is missing; shapes of solid or fluid are only for geometry.type = \"shapes\", others "
+                   "need a name and are openings");
+    }
+    geometry.shapes.push_back(shape);
+  }
+  if (geometry.shapes.empty() && geometry.kind == GeometryKind::shapes)
+    table.fail("shapes", "is missing; type = \"shapes\" needs at least one [[geometry.shapes]]");
 }
 
 }  // namespace
@@ -115,13 +140,10 @@ GeometrySection read_geometry(const TomlCursor& table) {
   if (geometry.kind == GeometryKind::shapes || table.describing()) {
     table.choose("background", solid_background, {{"fluid", false}, {"solid", true}});
     geometry.background = solid_background ? "solid" : "fluid";
-    for (const TomlCursor& shape : table.tables("shapes")) geometry.shapes.push_back(read_shape(shape));
-    if (geometry.shapes.empty())
-      table.fail("shapes", "is missing; type = \"shapes\" needs at least one [[geometry.shapes]]");
   } else {
     table.refuse("background", "is only for geometry.type = \"shapes\"");
-    table.refuse("shapes", "are only for geometry.type = \"shapes\"");
   }
+  read_shapes(table, geometry);
   if (geometry.kind == GeometryKind::image || table.describing()) {
     table.need("file", geometry.image_file);
     table.read("threshold", geometry.image_threshold, unit::none, range::between(0, 1));

@@ -9,14 +9,14 @@
 #include <cmath>
 
 namespace vug {
-namespace {
 
-/// A name that can be part of a data set's name and of `--set`.
 bool is_plain_name(const std::string& name) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '+' || c == '-'; };
   return !name.empty() && name.size() <= 40 && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
          std::all_of(name.begin(), name.end(), plain);
 }
+
+namespace {
 
 /// k_r^0 as given, or from Da = k_r^0 l / D of the reactant (Eq. 13).
 void read_rate(const TomlCursor& table, const std::optional<SoluteSection>& solute, ReactionSection& reaction) {
@@ -92,7 +92,7 @@ SoluteSection read_solute(const TomlCursor& table) {
     solute.species.push_back(species);
     if (table.describing()) continue;
     if (!is_plain_name(species.name)) {
-      element.fail("name", "must begin with a letter and hold at most 40 letters, digits, '_', '+' or '-'");
+      element.fail("name", plain_name_rule);
     }
     for (std::size_t i = 0; i + 1 < solute.species.size(); ++i) {
       if (solute.species[i].name == species.name) element.fail("name", "is the name of an earlier species");

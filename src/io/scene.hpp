@@ -34,13 +34,14 @@ struct Polygon { std::vector<std::array<double, 2>> points; };
 struct Shape {
   std::variant<Rectangle, Disc, Polygon> form;
   bool solid = true;
+  std::string name;  ///< of an opening, with conditions on its surface instead of a material; empty: none
 };
 
 enum class GeometryKind { open, image, shapes, rock };
 struct GeometrySection {
   GeometryKind kind = GeometryKind::open;
   std::string background = "fluid";  ///< of "shapes": what is there before the first shape
-  std::vector<Shape> shapes;
+  std::vector<Shape> shapes;          ///< of all kinds but "shapes": openings only
   std::string image_file;             ///< path as resolved against the folder of the case
   double image_threshold = 0.5;       ///< fraction of the largest grey value; darker is solid
   bool image_invert = false;
@@ -159,6 +160,7 @@ struct FlowBoundary {
   double pressure = 0;                 ///< Pa, absolute
   std::array<double, 2> velocity{0, 0};  ///< m/s (wall: tangential speed of a moving wall)
   double ramp_time = 0;                ///< s, over which the pressure rises from the initial one
+  double speed = 0;                    ///< m/s, of fluid that leaves an opening across its surface
 };
 enum class HeatBoundaryKind { adiabatic, temperature, flux, outflow, periodic };
 struct HeatBoundary {
@@ -187,6 +189,12 @@ struct InjectionSection {
   std::string side = "left";
   double centre = 0;  ///< m along the side
   double width = 0;   ///< m
+  BoundarySection conditions;
+};
+
+/// The conditions on the surface of a shape that has a name.
+struct OpeningSection {
+  int shape = 0;  ///< index in GeometrySection::shapes
   BoundarySection conditions;
 };
 
@@ -238,6 +246,7 @@ struct Scene {
   std::optional<LaboratorySection> laboratory;  ///< then lattice, time and all other physics are absent
   BoundarySection left, right, bottom, top;
   std::optional<InjectionSection> injection;
+  std::vector<OpeningSection> openings;  ///< one per named shape, in the order of shapes
   AccuracySection accuracy;
   OutputSection output;
 };

@@ -60,7 +60,7 @@ struct BuildLinks {
       const int opposite = D2Q9::opposite(q);
       const int beyond = neighbour(lattice, periodic_x, periodic_y, node(i), q);
       const int upstream = neighbour(lattice, periodic_x, periodic_y, node(i), opposite);
-      if (beyond < 0)
+      if (beyond < 0 || index(beyond) == in_opening)
         side |= 1u << q;
       else if (index(beyond) < 0)
         solid |= 1u << q;
@@ -95,6 +95,13 @@ void allocate(const Exec& exec, FluidNodes& nodes, int capacity) {
 
 }  // namespace
 
+/// The index before any node is numbered.
+struct MarkOpenings {
+  Kokkos::View<const NodeType*> type;
+  IndexList index;
+  KOKKOS_FUNCTION void operator()(int n) const { index(n) = type(n) == NodeType::opening ? in_opening : -1; }
+};
+
 FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokkos::View<NodeType*>& type,
                             std::array<bool, 2> periodic) {
   FluidNodes nodes;
@@ -102,7 +109,7 @@ FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokk
   nodes.periodic = periodic;
   nodes.node = IndexList("vug::fluid_nodes::node", 0);
   nodes.index = IndexList("vug::fluid_nodes::index", lattice.size());
-  Kokkos::deep_copy(exec, nodes.index, -1);
+  for_each_node(exec, "vug::fluid_nodes::number_none", lattice.size(), MarkOpenings{type, nodes.index});
   append_births(exec, type, nodes);
   if (nodes.count == 0) allocate(exec, nodes, 16);
   return nodes;
@@ -125,6 +132,11 @@ int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNo
   return births;
 }
 
+struct ForgetNumbers {
+  IndexList index;
+  KOKKOS_FUNCTION void operator()(int n) const { index(n) = index(n) == in_opening ? in_opening : -1; }
+};
+
 struct IndexOfNode {
   IndexList node, index;
   KOKKOS_FUNCTION void operator()(int i) const { index(node(i)) = i; }
@@ -134,7 +146,7 @@ void set_fluid_nodes(const Exec& exec, const IndexList& node, int capacity, Flui
   nodes.count = static_cast<int>(node.extent(0));
   allocate(exec, nodes, capacity);
   Kokkos::deep_copy(exec, Kokkos::subview(nodes.node, std::pair(0, nodes.count)), node);
-  Kokkos::deep_copy(exec, nodes.index, -1);
+  for_each_node(exec, "vug::fluid_nodes::forget", nodes.lattice.size(), ForgetNumbers{nodes.index});
   for_each_node(exec, "vug::fluid_nodes::index", nodes.count, IndexOfNode{nodes.node, nodes.index});
   rebuild_links(exec, nodes);
 }

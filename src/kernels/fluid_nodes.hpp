@@ -4,7 +4,8 @@
 // Flow and solutes store populations direction-major over this list: the population of direction q at fluid node i is
 // entry q * capacity + i (a *slot*). A sweep pulls population q from slot source(q, i), and knows nothing else:
 //   - a link to a fluid neighbour points to the neighbour's slot of the same direction;
-//   - every other link (solid neighbour, edge of the lattice) points to the node's own opposite slot, which is halfway
+//   - every other link (solid neighbour, edge of the lattice, opening) points to the node's own opposite slot, which is
+//   halfway
 //     bounce-back.
 // All other boundary conditions *dress* that outgoing population before the sweep: a pressure opening, a moving or a
 // reactive wall overwrites slot (opposite(q), i), which nobody else reads, and the plain bounce-back brings it back.
@@ -18,7 +19,10 @@
 namespace vug {
 
 /// Kind of a node of the dense lattice.
-enum class NodeType : std::uint8_t { fluid = 0, solid = 1 };
+enum class NodeType : std::uint8_t { fluid = 0, solid = 1, opening = 2 };
+
+/// Number of a node in an opening (opening.hpp), where a solid node has -1.
+inline constexpr int in_opening = -2;
 
 /// The compact list of fluid nodes. Births append at the end, so an index never changes.
 struct FluidNodes {
@@ -28,12 +32,13 @@ struct FluidNodes {
   /// Opposite sides that are joined: {left-right, bottom-top}.
   std::array<bool, 2> periodic{false, false};
 
-  IndexList node;                            ///< (fluid) node of the dense lattice
-  IndexList index;                           ///< (dense node) fluid index, -1 in solid and halo
-  Kokkos::View<int*> source;                 ///< (q * capacity + fluid) slot that direction q is pulled from
+  IndexList node;             ///< (fluid) node of the dense lattice
+  IndexList index;            ///< (dense node) fluid index, -1 in solid and halo, in_opening in an opening
+  Kokkos::View<int*> source;  ///< (q * capacity + fluid) slot that direction q is pulled from
   Kokkos::View<std::uint16_t*> solid_links;  ///< (fluid) bit q: the neighbour along +q is solid
-  Kokkos::View<std::uint16_t*> side_links;   ///< (fluid) bit q: the neighbour along +q is outside the lattice
-  Kokkos::View<std::uint16_t*> open_links;   ///< (fluid) the side links through which fluid may flow (see mark_open)
+  Kokkos::View<std::uint16_t*>
+      side_links;  ///< (fluid) bit q: the neighbour along +q is outside the lattice or in an opening
+  Kokkos::View<std::uint16_t*> open_links;  ///< (fluid) the side links through which fluid may flow (see mark_open)
 };
 
 /// Numbers the fluid nodes of `type` (dense, Lattice numbering) row by row and builds the tables.
@@ -66,7 +71,7 @@ struct Surface {
 /// Finds the solid nodes with at least one fluid neighbour among the eight. Reuses the allocation when it fits.
 void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<NodeType*>& type, Surface& surface);
 
-/// The fluid nodes beside a stretch of one side of the lattice, for the boundary conditions set there.
+/// The fluid nodes beside a stretch of one side of the lattice or an opening, for the boundary conditions set there.
 struct BoundaryLinks {
   int count = 0;
   IndexList fluid;                        ///< (link) fluid index

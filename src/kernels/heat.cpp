@@ -49,7 +49,9 @@ struct CopySolid {
     if (x < -1 || x > lattice.nx) return;
     const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
     const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
-    solid(node) = outside && marked ? outside_lattice : static_cast<std::uint8_t>(type(from) == NodeType::solid);
+    solid(node) = outside && marked                 ? outside_lattice
+                  : type(from) == NodeType::opening ? inside_opening
+                                                    : static_cast<std::uint8_t>(type(from) == NodeType::solid);
   }
 };
 
@@ -83,17 +85,20 @@ void start_heat(const Exec& exec, HeatFields<T>& fields) {
 template <class T>
 struct FillTemperature {
   T value;
+  Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> theta;
-  KOKKOS_FUNCTION void operator()(int node) const { theta(node) = value; }
+  KOKKOS_FUNCTION void operator()(int node) const { theta(node) = solid(node) > 1 ? T(0) : value; }
 };
 
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
-                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta) {
+                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
+                               bool openings) {
   HeatFields<T> fields;
   fields.lattice = lattice;
   fields.rates = heat_rates<T>(parameters);
   fields.velocity_set = parameters.velocity_set;
+  fields.openings = openings;
   const std::size_t size = lattice.size();
   const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
   fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);
@@ -101,7 +106,8 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   fields.theta = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), size);
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   set_heat_geometry(exec, type, periodic, fields);
-  for_each_dense_node(exec, "vug::heat::fill", lattice, FillTemperature<T>{static_cast<T>(theta), fields.theta});
+  for_each_dense_node(exec, "vug::heat::fill", lattice,
+                      FillTemperature<T>{static_cast<T>(theta), fields.solid, fields.theta});
   start_heat(exec, fields);
   return fields;
 }
@@ -112,7 +118,8 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
 ///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
 /// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it to
 /// the last digit at any precision. Dense fields; lattice units. Reads Q populations and a byte, writes Q and theta.
-template <class T, class Set>
+/// With `Openings` it passes over the nodes inside them.
+template <class T, class Set, bool Openings>
 struct Conduct {
   int pitch, plane;
   T fluid_rate, rate_step, reflection;
@@ -123,10 +130,10 @@ struct Conduct {
   KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return Set::c(q, 1) * pitch + Set::c(q, 0); }
 
   KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(int beyond, T solid_here) const {
-    if constexpr (Set::Q == D2Q5::Q)
+    if constexpr (Set::Q == D2Q5::Q && !Openings)
       return static_cast<T>(solid(beyond));
     else
-      return solid(beyond) == outside_lattice ? solid_here : static_cast<T>(solid(beyond));
+      return solid(beyond) > 1 ? solid_here : static_cast<T>(solid(beyond));
   }
 
   KOKKOS_FORCEINLINE_FUNCTION T arriving(int node, int q, T solid_here) const {
@@ -136,6 +143,8 @@ struct Conduct {
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
+    if constexpr (Openings)
+      if (solid(node) > 1) return;
     const T solid_here = static_cast<T>(solid(node));
     T in[Set::Q];
     in[0] = g(node);
@@ -156,14 +165,26 @@ struct Conduct {
   }
 };
 
+namespace {
+
+template <class T, class Set, bool Openings>
+void launch_conduct(const Exec& exec, const HeatFields<T>& fields) {
+  const HeatRates<T>& rates = fields.rates;
+  for_each_dense_node(
+      exec, "vug::heat::conduct", fields.lattice,
+      Conduct<T, Set, Openings>{fields.lattice.pitch, fields.lattice.size(), rates.fluid, rates.solid - rates.fluid,
+                                rates.reflection, fields.g, fields.solid, fields.g_next, fields.theta});
+}
+
+}  // namespace
+
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields) {
-  const HeatRates<T>& rates = fields.rates;
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    for_each_dense_node(
-        exec, "vug::heat::conduct", fields.lattice,
-        Conduct<T, decltype(set)>{fields.lattice.pitch, fields.lattice.size(), rates.fluid, rates.solid - rates.fluid,
-                                  rates.reflection, fields.g, fields.solid, fields.g_next, fields.theta});
+    if (fields.openings)
+      launch_conduct<T, decltype(set), true>(exec, fields);
+    else
+      launch_conduct<T, decltype(set), false>(exec, fields);
   });
   std::swap(fields.g, fields.g_next);
 }
@@ -240,7 +261,7 @@ void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, 
 #define VUG_INSTANTIATE(T)                                                                                           \
   template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                        \
   template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                     \
-                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double);           \
+                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool);     \
   template void start_heat(const Exec&, HeatFields<T>&);                                                             \
   template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&); \
   template void conduct(const Exec&, HeatFields<T>&);                                                                \

@@ -29,14 +29,16 @@ struct HeatRates {
 template <class T>
 HeatRates<T> heat_rates(const HeatParameters& parameters);
 
-/// Entry of the mask of the solid beyond a side that is not joined to the opposite one (D2Q9; see HeatFields).
-inline constexpr std::uint8_t outside_lattice = 2;
+/// Entries of the mask of the solid where nothing is computed: beyond a side that is not joined to the opposite one
+/// (D2Q9; see HeatFields), and in an opening. All that is above 1 is such.
+inline constexpr std::uint8_t outside_lattice = 2, inside_opening = 3;
 
 template <class T>
 struct HeatFields {
   Lattice lattice;
   HeatRates<T> rates;
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
+  bool openings = false;     ///< some nodes are in openings (opening.hpp), where theta is 0 and g what was filled in
   ScalarField<T> g, g_next;  ///< (q * lattice.size() + node) post-collision populations, with halo
   ScalarField<T> theta;      ///< (node) temperature, deviation from the reference; 0 outside the lattice
   /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
@@ -44,10 +46,11 @@ struct HeatFields {
   Kokkos::View<std::uint8_t*> solid;
 };
 
-/// Allocates the fields; all nodes have temperature `theta`.
+/// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
-                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta);
+                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
+                               bool openings = false);
 
 /// Sets populations at rest from the temperatures in fields.theta.
 template <class T>

@@ -8,14 +8,44 @@ namespace vug {
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value) {
   if (first < 0 || last < first)
     throw InputError("heat: a stretch of a side from node " + std::to_string(first) + " to " + std::to_string(last));
-  HeatSide made{side, first, last, condition, value, {}};
+  HeatSide made{side, first, last, condition, value, {}, {}};
   made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(last - first + 1));
   return made;
 }
 
+namespace {
+
+bool is_upright(Side side) {
+  return side == Side::left || side == Side::right;
+}
+
+int side_length(const Lattice& lattice, Side side) {
+  return is_upright(side) ? lattice.ny : lattice.nx;
+}
+
+/// What a condition says: the more, the sooner it has a corner.
+int rank(const HeatSide& side) {
+  return side.condition == HeatCondition::adiabatic ? 0 : side.condition == HeatCondition::flux ? 1 : 2;
+}
+
+}  // namespace
+
+void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides) {
+  const auto at_end = [&](const HeatSide& side, int end) {
+    return end == 0 ? side.first == 0 : side.last == side_length(lattice, side.side) - 1;
+  };
+  for (HeatSide& upright : sides)
+    for (HeatSide& flat : sides) {
+      if (!is_upright(upright.side) || is_upright(flat.side)) continue;
+      const int on_flat = upright.side == Side::left ? 0 : 1, on_upright = flat.side == Side::bottom ? 0 : 1;
+      if (!at_end(upright, on_upright) || !at_end(flat, on_flat)) continue;
+      flat.corners[on_flat] = rank(flat) > rank(upright);
+      upright.corners[on_upright] = !flat.corners[on_flat];
+    }
+}
+
 HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value) {
-  const bool upright = side == Side::left || side == Side::right;
-  return make_heat_side(side, 0, (upright ? lattice.ny : lattice.nx) - 1, condition, value);
+  return make_heat_side(side, 0, side_length(lattice, side) - 1, condition, value);
 }
 
 namespace {
@@ -48,7 +78,7 @@ SideNodes side_nodes(const Lattice& lattice, Side side) {
 /// One link that crosses a side, as its law sees it.
 template <class T>
 struct SideLink {
-  T leaving;  ///< A, the population that leaves through it
+  T leaving;  ///< A, the population that leaves through it, or that a mirror sends back through it
   T inward;   ///< the node's own population of the opposite direction
   T weight;   ///< w of the velocity set
   T share;    ///< of what enters at the node
@@ -58,6 +88,7 @@ struct SideLink {
 /// in = A + share q / c.
 template <class T>
 struct FluxIn {
+  static constexpr bool mirrors = true;
   T fluid_flux, solid_flux;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
@@ -67,6 +98,7 @@ struct FluxIn {
 /// in = -A + 2 w theta_wall (half-way anti-bounce-back).
 template <class T>
 struct TemperatureIn {
+  static constexpr bool mirrors = false;
   T twice_wall_temperature;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     return link.weight * twice_wall_temperature - link.leaving;
@@ -76,6 +108,7 @@ struct TemperatureIn {
 /// in = the node's own inward population.
 template <class T>
 struct OutflowIn {
+  static constexpr bool mirrors = false;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const { return link.inward; }
 };
 
@@ -85,18 +118,37 @@ template <class T, class Set, class Law>
 struct FillSide {
   Law law;
   Lattice lattice;
-  int first, stride, outward;
+  int first, count, stride, outward;
+  bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
   double capacity_ratio;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
 
-  /// True where a diagonal link leaves through a corner, which belongs to the left or right side.
-  KOKKOS_FUNCTION bool through_corner(int node, int q) const {
-    return Set::c(outward, 0) == 0 && solid(node + Set::c(q, 0)) == outside_lattice;
+  KOKKOS_FORCEINLINE_FUNCTION static int along(int outward, int q) {
+    return Set::c(outward, 0) == 0 ? Set::c(q, 0) : Set::c(q, 1);
   }
-  KOKKOS_FUNCTION double fill(int node, int q, T share) const {
+  KOKKOS_FORCEINLINE_FUNCTION static bool crosses(int outward, int q) {
+    return Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) == 1;
+  }
+  /// True where a diagonal link leaves through a corner that is another side's.
+  KOKKOS_FUNCTION bool lost_corner(int node, int q) const {
+    const int step = along(outward, q);
+    return solid(node + step * stride) == outside_lattice && !(step < 0 ? lower_corner : upper_corner);
+  }
+  /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
+  /// same kind and of this stretch by the link that crosses q.
+  KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
+    const int step = along(outward, q), plane = lattice.size();
+    const int next = node + step * stride;
+    const bool beside = whole || (item + step >= 0 && item + step < count);
+    if (!Law::mirrors || step == 0 || !beside || solid(next) != solid(node)) return g(q * plane + node);
+    int crossing = 5;
+    while (crossing == q || !crosses(outward, crossing)) ++crossing;
+    return g(crossing * plane + next);
+  }
+  KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
     const int plane = lattice.size(), back = Set::opposite(q);
-    const SideLink<T> link{g(q * plane + node), g(back * plane + node), static_cast<T>(Set::w(q)), share,
+    const SideLink<T> link{leaving(item, node, q), g(back * plane + node), static_cast<T>(Set::w(q)), share,
                            solid(node) != 0};
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
@@ -104,45 +156,119 @@ struct FillSide {
   }
   KOKKOS_FUNCTION double operator()(int item) const {
     const int node = first + item * stride;
+    if (solid(node) > 1) return 0;
     double entered = 0;
     T straight_share = 1;
     for (int q = 5; q < Set::Q; ++q) {
-      if (Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) != 1 || through_corner(node, q))
-        continue;
+      if (!crosses(outward, q) || lost_corner(node, q)) continue;
       const T share = static_cast<T>(6 * Set::w(q));
       straight_share -= share;
-      entered += fill(node, q, share);
+      entered += fill(item, node, q, share);
     }
-    entered += fill(node, outward, straight_share);
+    entered += fill(item, node, outward, straight_share);
     return (solid(node) ? capacity_ratio : 1) * entered;
   }
 };
+
+/// As FillSide for one link into an opening, whose node there takes what arrives.
+template <class T, class Set, class Law>
+struct FillOpening {
+  Law law;
+  int plane;
+  double capacity_ratio;
+  Kokkos::View<const int*> node, beyond;
+  Kokkos::View<const std::uint8_t*> direction, solid;
+  Kokkos::View<const double*> area;
+  ScalarField<T> g;
+  KOKKOS_FUNCTION double operator()(int item) const {
+    const int n = node(item), q = direction(item), back = Set::opposite(q);
+    const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)), static_cast<T>(area(item)),
+                           solid(n) != 0};
+    const T arriving = law(link);
+    g(back * plane + beyond(item)) = arriving;
+    return (link.solid ? capacity_ratio : 1) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
+  }
+};
+
+namespace {
 
 template <class T, class Law>
 void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side, const Law& law) {
   const Lattice& lattice = fields.lattice;
   const auto [origin, stride] = side_nodes(lattice, side.side);
-  const int start = origin + side.first * stride, step = stride;
+  const int start = origin + side.first * stride, step = stride, count = side.last - side.first + 1;
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const FillSide<T, decltype(set), Law> body{
-        law, lattice, start, step, outward(side.side), fields.rates.capacity_ratio, fields.solid, fields.g};
-    add_per_block(exec, "vug::heat::fill_side", side.last - side.first + 1, body, side.energy_in);
+    const FillSide<T, decltype(set), Law> body{law,
+                                               lattice,
+                                               start,
+                                               count,
+                                               step,
+                                               outward(side.side),
+                                               count == side_length(lattice, side.side),
+                                               side.corners[0],
+                                               side.corners[1],
+                                               fields.rates.capacity_ratio,
+                                               fields.solid,
+                                               fields.g};
+    add_per_block(exec, "vug::heat::fill_side", count, body, side.energy_in);
   });
 }
 
+template <class T, class Law>
+void launch(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening, const Law& law) {
+  const DenseLinks& links = opening.links;
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const FillOpening<T, decltype(set), Law> body{law,
+                                                  fields.lattice.size(),
+                                                  fields.rates.capacity_ratio,
+                                                  links.node,
+                                                  links.beyond,
+                                                  links.direction,
+                                                  fields.solid,
+                                                  links.area,
+                                                  fields.g};
+    add_per_block(exec, "vug::heat::fill_opening", links.count, body, opening.energy_in);
+  });
+}
+
+/// Launches the law of a side's or an opening's condition.
+template <class T, class Boundary>
+void fill(const Exec& exec, const HeatFields<T>& fields, const Boundary& boundary) {
+  switch (boundary.condition) {
+    case HeatCondition::adiabatic:
+      return launch(exec, fields, boundary, FluxIn<T>{0, 0});
+    case HeatCondition::temperature:
+      return launch(exec, fields, boundary, TemperatureIn<T>{static_cast<T>(2 * boundary.value)});
+    case HeatCondition::flux:
+      return launch(
+          exec, fields, boundary,
+          FluxIn<T>{static_cast<T>(boundary.value), static_cast<T>(boundary.value / fields.rates.capacity_ratio)});
+    case HeatCondition::outflow:
+      return launch(exec, fields, boundary, OutflowIn<T>{});
+  }
+}
+
+}  // namespace
+
 template <class T>
 void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side) {
-  switch (side.condition) {
-    case HeatCondition::adiabatic:
-      return launch(exec, fields, side, FluxIn<T>{0, 0});
-    case HeatCondition::temperature:
-      return launch(exec, fields, side, TemperatureIn<T>{static_cast<T>(2 * side.value)});
-    case HeatCondition::flux:
-      return launch(exec, fields, side,
-                    FluxIn<T>{static_cast<T>(side.value), static_cast<T>(side.value / fields.rates.capacity_ratio)});
-    case HeatCondition::outflow:
-      return launch(exec, fields, side, OutflowIn<T>{});
-  }
+  fill(exec, fields, side);
+}
+
+template <class T>
+void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening) {
+  fill(exec, fields, opening);
+}
+
+template <class T>
+HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
+                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
+                              double value) {
+  const int directions = visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
+  HeatOpening made{
+      find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}};
+  made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(made.links.count));
+  return made;
 }
 
 /// Copies the populations that leave through one side to the halo beside the other.
@@ -176,8 +302,11 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
   });
 }
 
-#define VUG_INSTANTIATE(T)                                                          \
-  template void fill_heat_side(const Exec&, const HeatFields<T>&, const HeatSide&); \
+#define VUG_INSTANTIATE(T)                                                                                  \
+  template void fill_heat_side(const Exec&, const HeatFields<T>&, const HeatSide&);                         \
+  template void fill_heat_opening(const Exec&, const HeatFields<T>&, const HeatOpening&);                   \
+  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
+                                         std::array<bool, 2>, const Opening&, HeatCondition, double);       \
   template void join_heat_sides(const Exec&, const HeatFields<T>&, int)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

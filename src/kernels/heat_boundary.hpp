@@ -1,7 +1,9 @@
 #pragma once
-// Heat at the sides of the lattice: the populations that should come in are written to the halo before `conduct`
-// pulls them. Every wall plane lies half a node outside the first node.
+// Heat at the sides of the lattice and at openings in it: the populations that should come in are written to
+// the halo, or to the nodes of the opening, before `conduct` pulls them. Every wall plane lies half a node outside the
+// first node.
 #include "kernels/heat.hpp"
+#include "kernels/opening.hpp"
 
 namespace vug {
 
@@ -20,17 +22,45 @@ struct HeatSide {
   HeatCondition condition = HeatCondition::adiabatic;
   double value = 0;               ///< theta of the wall, or the flux in theta nodes per step, in fluid heat capacities
   ScalarField<double> energy_in;  ///< (block) heat that entered so far, in fluid heat capacities
+  /// D2Q9: whether the diagonal links through the corners at its lower and upper end are this side's.
+  std::array<bool, 2> corners{false, false};
 };
 
 /// A whole side, or a stretch of it. Stretches of one side must not overlap.
 HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value = 0);
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value = 0);
 
+/// Gives each corner where two of the sides meet to the one that says more there: a temperature or outflow before a
+/// flux before none; of equals, to the left or right side. A profile along an adiabatic side then stays
+/// one-dimensional up to its end.
+void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
+
 /// Fills the halo beside `side`, and books what enters in side.energy_in. On D2Q9 three links of a node cross the side,
-/// which share a flux as 1/6, 2/3, 1/6; the one through a corner of two sides that are not joined belongs to the left
-/// or right side, its share to the straight link. Sides that are joined come first.
+/// which share a flux as 1/6, 2/3, 1/6; where one through a corner is not this side's, its share goes to the straight
+/// link. An adiabatic side, and one with a flux, reflects what moves diagonally between like nodes as a mirror does:
+/// sent back the way it came it would hold back what flows along the side. Sides that are joined come first.
 template <class T>
 void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side);
+
+/// The surface of an opening with its condition. Its links are those of a geometry: births do not change them.
+struct HeatOpening {
+  DenseLinks links;
+  HeatCondition condition = HeatCondition::adiabatic;
+  double value = 0;               ///< as of a side
+  ScalarField<double> energy_in;  ///< (block of links) heat that entered so far, in fluid heat capacities
+};
+
+/// The links of `fields` into an opening; `type` and `periodic` as given to make_heat_fields.
+template <class T>
+HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
+                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
+                              double value = 0);
+
+/// Writes the populations that should come out of an opening into its nodes, as fill_heat_side does to the halo, and
+/// books what enters. A flux is per true area of the surface (link_areas). No mirror: on D2Q9
+/// what moves diagonally goes back the way it came. Before sides are joined.
+template <class T>
+void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening);
 
 /// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top), 0 before 1.
 template <class T>

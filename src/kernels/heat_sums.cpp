@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// Energy of one entry of the dense fields; outside the lattice theta is 0.
+/// Energy of one entry of the dense fields; outside the lattice and in openings theta is 0.
 template <class T>
 struct NodeEnergy {
   double capacity_ratio;
@@ -49,9 +49,12 @@ void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const Index
 template <class T>
 struct Extremes {
   Lattice lattice;
+  Kokkos::View<const std::uint8_t*> solid;
   Kokkos::View<const T*> theta;
   KOKKOS_FUNCTION void operator()(int item, double& lowest, double& highest, int& not_finite) const {
-    const double value = theta(lattice.node(item % lattice.nx, item / lattice.nx));
+    const int node = lattice.node(item % lattice.nx, item / lattice.nx);
+    if (solid(node) > 1) return;
+    const double value = theta(node);
     if (!Kokkos::isfinite(value)) {
       ++not_finite;
       return;
@@ -66,7 +69,7 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   const Lattice& lattice = fields.lattice;
   HeatExtremes found;
   Kokkos::parallel_reduce("vug::heat::extremes", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
-                          Extremes<T>{lattice, fields.theta}, Kokkos::Min<double>(found.lowest),
+                          Extremes<T>{lattice, fields.solid, fields.theta}, Kokkos::Min<double>(found.lowest),
                           Kokkos::Max<double>(found.highest), Kokkos::Sum<int>(found.not_finite));
   return found;
 }

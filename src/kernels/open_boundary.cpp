@@ -15,7 +15,7 @@ template <class T>
 struct PressureRule {
   T density;  ///< 3 p
   VectorField<T> u;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int i, int q, T outgoing) const {
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T outgoing) const {
     return anti_bounce_back(q, outgoing, density, u(i, 0), u(i, 1));
   }
 };
@@ -25,7 +25,7 @@ template <class T>
 struct OutflowRule {
   ScalarField<T> density;
   VectorField<T> u;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int i, int q, T outgoing) const {
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T outgoing) const {
     return anti_bounce_back(q, outgoing, density(i), u(i, 0), u(i, 1));
   }
 };
@@ -34,8 +34,18 @@ struct OutflowRule {
 template <class T>
 struct VelocityRule {
   T ux, uy;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int q, T outgoing) const {
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int, int q, T outgoing) const {
     return outgoing - T(6 * D2Q9::w(q)) * (T(D2Q9::c(q, 0)) * ux + T(D2Q9::c(q, 1)) * uy);
+  }
+};
+
+/// f_in = A + area speed.
+template <class T>
+struct NormalSpeedRule {
+  Kokkos::View<const double*> area;
+  double speed;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T outgoing) const {
+    return outgoing + T(area(link) * speed);
   }
 };
 
@@ -52,7 +62,7 @@ struct DressLinks {
   KOKKOS_FUNCTION void operator()(int link) const {
     const int i = fluid(link), q = direction(link);
     const T outgoing = f(q * capacity + i);
-    const T incoming = rule(i, q, outgoing);
+    const T incoming = rule(link, i, q, outgoing);
     f(q * capacity + i) = incoming;
     gain(link) += double(incoming) - double(outgoing);
   }
@@ -83,17 +93,26 @@ void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLin
 }
 
 template <class T>
+void dress_normal_speed(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                        const ScalarField<double>& area, double speed, const FlowFields<T>& fields,
+                        const ScalarField<double>& gain) {
+  dress(exec, "vug::open_boundary::normal_speed", nodes, links, fields, gain, NormalSpeedRule<T>{area, speed});
+}
+
+template <class T>
 void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
                    const ScalarField<double>& gain) {
   dress(exec, "vug::open_boundary::outflow", nodes, links, fields, gain, OutflowRule<T>{fields.density, fields.u});
 }
 
-#define VUG_INSTANTIATE(T)                                                                                         \
-  template void dress_pressure(const Exec&, const FluidNodes&, const BoundaryLinks&, double, const FlowFields<T>&, \
-                               const ScalarField<double>&);                                                        \
-  template void dress_velocity(const Exec&, const FluidNodes&, const BoundaryLinks&, std::array<double, 2>,        \
-                               const FlowFields<T>&, const ScalarField<double>&);                                  \
-  template void dress_outflow(const Exec&, const FluidNodes&, const BoundaryLinks&, const FlowFields<T>&,          \
+#define VUG_INSTANTIATE(T)                                                                                           \
+  template void dress_pressure(const Exec&, const FluidNodes&, const BoundaryLinks&, double, const FlowFields<T>&,   \
+                               const ScalarField<double>&);                                                          \
+  template void dress_velocity(const Exec&, const FluidNodes&, const BoundaryLinks&, std::array<double, 2>,          \
+                               const FlowFields<T>&, const ScalarField<double>&);                                    \
+  template void dress_normal_speed(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<double>&, \
+                                   double, const FlowFields<T>&, const ScalarField<double>&);                        \
+  template void dress_outflow(const Exec&, const FluidNodes&, const BoundaryLinks&, const FlowFields<T>&,            \
                               const ScalarField<double>&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

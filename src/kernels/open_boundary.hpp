@@ -19,6 +19,13 @@ template <class T>
 void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                     std::array<double, 2> velocity, const FlowFields<T>& fields, const ScalarField<double>& gain);
 
+/// Fluid that enters at `speed` (negative: leaves) normal to the surface of an opening, area (link) of which belongs to
+/// each link (link_areas in opening.hpp): f_in = A + area speed, which is the rule above with u_w = speed n.
+template <class T>
+void dress_normal_speed(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                        const ScalarField<double>& area, double speed, const FlowFields<T>& fields,
+                        const ScalarField<double>& gain);
+
 /// Outflow by zero gradient: the pressure rule with the pressure of the node itself. (Handing back the population that
 /// already moves inwards, the other common form, diverges where a sliding wall meets the outflow.) Only what enters
 /// elsewhere and the friction behind it fix the level of pressure.

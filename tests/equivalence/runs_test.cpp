@@ -16,8 +16,8 @@ using test::run_vug;
 using test::small_rock;
 using test::TemporaryFolder;
 
-void run(const std::string& folder, const std::string& more) {
-  const test::Outcome outcome = run_vug("run " + small_rock + " -o " + folder + " --quiet " + more);
+void run(const std::string& folder, const std::string& more, const std::string& text = small_rock) {
+  const test::Outcome outcome = run_vug("run " + text + " -o " + folder + " --quiet " + more);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
 }
 
@@ -47,6 +47,16 @@ void stop_and_resume(const std::string& choice, const std::vector<int>& stops) {
     run(parts, "--threads 2 --resume" + common);
     EXPECT_EQ(difference(folder / "whole", parts), "") << "restarted at step " << steps;
   }
+}
+
+TEST_P(SameBits, OfAWellInDissolvingRockWithThreadsAndAfterARestart) {
+  const TemporaryFolder folder;
+  const std::string well = VUG_SOURCE_DIR "/tests/cases/coupled/well.toml";
+  const std::string more = std::string(" --set output.checkpoint_interval=0.02 --set ") + GetParam();
+  run(folder / "whole", "--threads 1" + more, well);
+  run(folder / "parts", "--threads 2 --steps 200" + more, well);
+  run(folder / "parts", "--threads 1 --resume" + more, well);
+  EXPECT_EQ(difference(folder / "whole", folder / "parts"), "");
 }
 
 TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {

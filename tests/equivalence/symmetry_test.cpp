@@ -49,7 +49,7 @@ struct Scale {
 constexpr int nx = 30, ny = 22;
 
 /// Acid enters on the left under pressure and from below, leaves on the right, under a lid that slides; rock at the
-/// corners, where conditions meet, and in the middle, of no symmetry.
+/// corners, where conditions meet, and in the middle, of no symmetry; and a well, an opening beside rock.
 std::string case_text(const Turn& turn, const Scale& s, const std::string& set) {
   const double dx = 1e-3 * s.length, dt = 1e-3 * s.time, velocity = s.length / s.time;
   const Vector size{nx * dx, ny * dx};
@@ -72,6 +72,7 @@ std::string case_text(const Turn& turn, const Scale& s, const std::string& set) 
     shape(fmt::format("type = \"rectangle\"\nfrom = {}\nto = {}", at(x, y), at(x + 3, y + 3)));
   shape(fmt::format("type = \"disc\"\ncentre = {}\nradius = {:.17g}", at(9.3, 8.1), 4.25 * dx));
   shape(fmt::format("type = \"polygon\"\npoints = [{}, {}, {}]", at(14.1, 9.2), at(24.3, 13.4), at(16.2, 18.3)));
+  shape(fmt::format("type = \"disc\"\nname = \"well\"\ncentre = {}\nradius = {:.17g}", at(25.2, 6.4), 2.3 * dx));
   text += fmt::format(
       "[flow]\nviscosity = {:.17g}\ndensity = {:.17g}\ninitial_pressure = 0\n"
       "[heat]\nfluid_diffusivity = {:.17g}\nsolid_diffusivity = {:.17g}\nfluid_density = {:.17g}\n"
@@ -97,8 +98,11 @@ std::string case_text(const Turn& turn, const Scale& s, const std::string& set) 
   text += fmt::format("[boundary.{}]\nflow = {{ type = \"velocity\", velocity = {} }}\nsolute = {}\n", bottom,
                       moving(0, 5e-3), acid);
   text += fmt::format("[boundary.{}]\nflow = {{ type = \"wall\", velocity = {} }}\n", top, moving(-0.02, 0));
-  if (set == "d2q5")  // on D2Q9 a corner belongs to the left or right side, which is a direction
-    text += fmt::format("heat = {{ type = \"flux\", flux = {:.17g} }}\n", 4e5 * s.density * velocity);
+  text += fmt::format("heat = {{ type = \"flux\", flux = {:.17g} }}\n", 4e5 * s.density * velocity);
+  text += fmt::format(
+      "[boundary.shape.well]\nflow = {{ type = \"velocity\", speed = {:.17g} }}\n"
+      "heat = {{ type = \"flux\", flux = {:.17g} }}\nsolute = {}\n",
+      0.01 * velocity, -2e5 * s.density * velocity, acid);
   const Vector middle = turn.point({0, 9 * dx}, size);
   text += fmt::format(
       "[boundary.injection]\nside = \"{}\"\ncentre = {:.17g}\nwidth = {:.17g}\n"

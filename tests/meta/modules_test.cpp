@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -107,6 +108,28 @@ INSTANTIATE_TEST_SUITE_P(
             {"flow", "damage"},
             {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::particle_load", "vug::advective_form"}},
         Absence{{"damage"}, {"vug::pathways"}}));
+
+TEST(AbsentOpenings, AllocateNothingAndLaunchNothing) {
+  const Watch watch;
+  live(scene_without({}));
+  for (const char* label : {"vug::opening", "vug::heat::fill_opening", "vug::open_boundary::normal_speed"})
+    EXPECT_FALSE(watch.saw(label)) << label;
+}
+
+TEST(PresentOpenings, AreSeenByTheSameWatchAndStayOnTheDevice) {
+  std::optional<Watch> setup(std::in_place);
+  Simulation simulation(read_scene(VUG_SOURCE_DIR "/tests/cases/coupled/well.toml"));
+  EXPECT_TRUE(setup->saw("vug::opening"));
+  setup.reset();
+  simulation.begin();
+  for (int step = 0; step < 5; ++step) simulation.step();
+  const Watch watch;
+  for (int step = 0; step < 4; ++step) simulation.step();  // up to the next update of the pores
+  EXPECT_TRUE(watch.saw("vug::heat::fill_opening"));
+  EXPECT_TRUE(watch.saw("vug::open_boundary::normal_speed"));
+  EXPECT_TRUE(watch.allocations.empty()) << *watch.allocations.begin();
+  EXPECT_TRUE(watch.copies.empty()) << *watch.copies.begin();
+}
 
 TEST(PresentModules, AreSeenByTheSameWatch) {
   const Watch watch;

@@ -146,6 +146,49 @@ TEST(Divergence, IsAnnouncedAndThenNamesStepFieldAndNode) {
   }
 }
 
+/// A heated pipe across the flow, an opening without any rock beside it, is a stair-step as well.
+TEST(Divergence, OfHeatAroundAnOpeningIsAnnouncedToo) {
+  const auto pipe = [](double diffusivity) {
+    return Simulation(parse_scene(R"(
+[lattice]
+size = [60, 40]
+spacing = 1
+time_step = 1
+[time]
+steps = 100000
+[geometry]
+[[geometry.shapes]]
+type = "disc"
+name = "pipe"
+centre = [20.3, 19.7]
+radius = 7.4
+[flow]
+viscosity = 0.1
+density = 1
+initial_pressure = 0
+[heat]
+solid_diffusivity = 0.1
+initial_temperature = 300
+fluid_diffusivity = )" + std::to_string(diffusivity) +
+                                      R"(
+[boundary.shape.pipe]
+heat = { type = "temperature", temperature = 301 }
+[boundary.left]
+flow = { type = "velocity", velocity = [0.1, 0] }
+heat = { type = "temperature", temperature = 300 }
+[boundary.right]
+flow = { type = "pressure", pressure = 0 }
+heat = { type = "outflow" }
+)",
+                                  "pipe.toml"));
+  };
+  Simulation calm = pipe(0.04), wild = pipe(0.001);
+  EXPECT_THAT(warnings(calm), testing::IsEmpty());
+  EXPECT_EQ(divergence(calm, 3000), "");
+  EXPECT_THAT(warnings(wild), testing::ElementsAre("heat: grid Peclet number at the largest speed"));
+  EXPECT_THAT(divergence(wild, 6000), testing::StartsWith("heat diverged at step "));
+}
+
 TEST(Survival, OfTheOrdinaryCaseForAsLong) {
   Simulation simulation = simulation_of({});
   EXPECT_EQ(divergence(simulation, 4000), "");

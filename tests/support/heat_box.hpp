@@ -182,6 +182,7 @@ class HeatBox {
       if (!joined && std::find(given_.begin(), given_.end(), which) == given_.end())
         sides.push_back(make_heat_side(lattice, which, HeatCondition::adiabatic));
     }
+    assign_corners(lattice, sides);
   }
 };
 

@@ -41,6 +41,7 @@ std::string documented_table(const std::string& table) {
   std::istringstream stream(table);
   for (std::string name; std::getline(stream, name, '.');) {
     if (name.find_first_not_of("0123456789") == std::string::npos) name = "N";
+    if (result == "boundary.shape") name = "<name>";
     const bool side = name == "left" || name == "right" || name == "bottom" || name == "top";
     result += (result.empty() ? "" : ".") + (side ? "<side>" : name);
   }

@@ -2,6 +2,7 @@
 #include "kernels/fluid_nodes.hpp"
 
 #include "kernels/advective_form.hpp"
+#include "kernels/opening.hpp"
 
 #include <gmock/gmock.h>
 
@@ -122,6 +123,42 @@ TEST(BoundaryLinks, CornerDiagonalsBelongToOneSideOnly) {
   EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::left, 0, 2, 9).count, 9);
   EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::bottom, 0, 2, 9).count, 7);
   EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::top, 1, 1, 5).count, 1);
+}
+
+/// Two by two nodes in an opening, away from the edge and across joined sides.
+TEST(Opening, TakesLinksFromFluidAndSharesItsAreaAmongThem) {
+  const Lattice lattice(6, 5);
+  for (const bool across : {false, true}) {
+    const auto type = node_types(lattice, {"......", "......", "......", "......", "....#."});
+    std::vector<int> inside;
+    for (const int y : {1, 2})
+      for (const int x : {across ? 5 : 2, across ? 0 : 3}) inside.push_back(lattice.node(x, y));
+    const auto host = on_host(type);
+    for (const int n : inside) host(n) = NodeType::opening;
+    Kokkos::deep_copy(type, host);
+    const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type, {across, false});
+    EXPECT_EQ(nodes.count, 6 * 5 - 4 - 1);
+    // the surface is the square: a link across its left or right face has a horizontal normal
+    const Opening opening = make_opening(lattice, inside, [](double, double y) {
+      return y > 1 && y < 3 ? std::array<double, 2>{1, 0} : std::array<double, 2>{0, 1};
+    });
+    for (const int directions : {5, 9}) {
+      const BoundaryLinks links = find_opening_links(Exec{}, nodes, opening, directions);
+      EXPECT_EQ(links.count, directions == 5 ? 8 : 8 + 12 - 1);  // two a face; the solid node has one of 12 diagonals
+      const auto area = on_host(link_areas(Exec{}, nodes, opening, directions));
+      double total = 0;
+      for (int l = 0; l < links.count; ++l) total += area(l);
+      EXPECT_NEAR(total, 8, 1e-14) << directions;
+      const auto fluid = on_host(links.fluid);
+      const auto direction = on_host(links.direction);
+      const auto side_links = on_host(nodes.side_links);
+      const auto solid_links = on_host(nodes.solid_links);
+      for (int l = 0; l < links.count; ++l) {
+        EXPECT_TRUE(side_links(fluid(l)) >> direction(l) & 1);
+        EXPECT_FALSE(solid_links(fluid(l)) >> direction(l) & 1);
+      }
+    }
+  }
 }
 
 TEST(AdvectiveDefect, SumsToZeroOverAClosedDomain) {

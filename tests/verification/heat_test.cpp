@@ -108,6 +108,51 @@ TEST(HeatedSide, GivesItsFluxToEveryNodeAndNothingElse) {
     }
 }
 
+/// Nothing changes along an adiabatic side that a profile does not bring: corners, both sets, every side.
+TEST(AdiabaticSide, LeavesAProfileAlongItOneDimensional) {
+  constexpr int length = 16, width = 7;
+  for (const ScalarVelocitySet set : velocity_sets)
+    for (const HeatCondition end : {HeatCondition::temperature, HeatCondition::flux})
+      for (const bool upright : {false, true}) {
+        const auto profile = [](int k) { return std::sin(0.4 * k) + 0.1 * k; };
+        HeatBox<double> box(
+            upright ? width : length, upright ? length : width, {0.12, 0.12, 1, set}, [](int, int) { return false; },
+            [&](int x, int y) { return profile(upright ? y : x); });
+        box.side(upright ? Side::bottom : Side::left, end, 0.7);
+        box.side(upright ? Side::top : Side::right, HeatCondition::temperature, 0);
+        double across = 0, largest = 0;
+        for (const int steps : {40, 8000}) {  // on the way and at rest
+          box.run(steps);
+          const std::vector<double> theta = box.theta();
+          const auto at = [&](int k, int j) { return theta[upright ? k * width + j : j * length + k]; };
+          for (int k = 0; k < length; ++k)
+            for (int j = 1; j < width; ++j) {
+              across = std::max(across, std::abs(at(k, j) - at(k, 0)));
+              largest = std::max(largest, std::abs(at(k, j)));
+            }
+        }
+        EXPECT_LE(across, 1e-13 * largest) << test::name_of(set) << " " << upright;
+        record("heat_adiabatic_side", {{"set", test::name_of(set)},
+                                       {"end", end == HeatCondition::flux ? "flux" : "temperature"},
+                                       {"across", across / largest}});
+      }
+}
+
+/// A box whose sides are all adiabatic keeps its energy and, when it is uniform, its temperature, whatever rock stands
+/// beside them.
+TEST(AdiabaticSide, KeepsEnergyAndUniformity) {
+  const auto rock = [](int x, int y) { return (3 * x + 5 * y + x * y) % 4 == 0; };
+  for (const ScalarVelocitySet set : velocity_sets) {
+    HeatBox<double> uniform(13, 9, {0.05, 0.3, 2.5, set}, rock, [](int, int) { return 0.7; });
+    uniform.run(2000);
+    for (const double theta : uniform.theta()) EXPECT_NEAR(theta, 0.7, 1e-13) << test::name_of(set);
+    HeatBox<double> rough(13, 9, {0.05, 0.3, 2.5, set}, rock, [](int x, int y) { return std::sin(3 * x + y * y); });
+    const double before = rough.energy();
+    rough.run(5000);
+    EXPECT_NEAR(rough.energy(), before, 1e-12 * 13 * 9 * 2.5) << test::name_of(set);
+  }
+}
+
 /// Slowest decaying mode of two insulated layers of width 1/2, fluid left: cosines of equal decay rate on both sides.
 struct TwoLayerMode {
   double d_f, d_s, sigma, rate, k_f, k_s, ratio;

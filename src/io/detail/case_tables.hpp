@@ -23,8 +23,16 @@ DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
 LaboratorySection read_laboratory(const TomlCursor& table, bool meshed);
 BoundarySection read_boundary(const TomlCursor& table);
 InjectionSection read_injection(const TomlCursor& table);
+/// The tables [boundary.shape.<name>] of the shapes that have a name.
+std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry);
 AccuracySection read_accuracy(const TomlCursor& table);
 OutputSection read_output(const TomlCursor& table);
+
+/// Whether a name can be part of a data set's name and of `--set`.
+bool is_plain_name(const std::string& name);
+/// What is_plain_name asks for, for messages.
+inline constexpr const char* plain_name_rule =
+    "must begin with a letter and hold at most 40 letters, digits, '_', '+' or '-'";
 
 /// All tables of a case, in the order of docs/case-file.md.
 void read_tables(const TomlCursor& root, Scene& scene);

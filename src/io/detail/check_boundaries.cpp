@@ -110,15 +110,41 @@ void check_injection(const TomlDocument& document, const Scene& scene) {
     if (periodic)
       document.fail("boundary.injection.side", "is periodic; a stretch of it cannot have conditions of its own");
   }
-  const BoundarySection& own = injection.conditions;
+}
+
+/// What is not a whole side has no opposite.
+void check_not_periodic(const TomlDocument& document, const std::string& name, const BoundarySection& own) {
   const auto refuse = [&](const char* physics, bool periodic) {
-    if (periodic)
-      document.fail(fmt::format("boundary.injection.{}.type", physics),
-                    "is a condition of a whole side, not of a stretch");
+    if (periodic) document.fail(fmt::format("boundary.{}.{}.type", name, physics), "is a condition of a whole side");
   };
   refuse("flow", own.flow.kind == FlowBoundaryKind::periodic);
   refuse("heat", own.heat.kind == HeatBoundaryKind::periodic);
   refuse("solute", own.solute.kind == SoluteBoundaryKind::periodic);
+}
+
+/// Every shape with a name has its table and every such table its shape.
+void check_openings(const TomlDocument& document, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const OpeningSection& opening : scene.openings) {
+    const std::string& name = scene.geometry.shapes[opening.shape].name;
+    const std::string table = "shape." + name;
+    names.push_back(name);
+    if (document.find("boundary." + table) == nullptr)
+      document.fail(fmt::format("geometry.shapes.{}.name", opening.shape),
+                    fmt::format("needs the table [boundary.{}]; it may be empty", table));
+    check_modules_of(document, scene, table);
+    check_concentrations(document, scene, table, opening.conditions.solute);
+    check_not_periodic(document, table, opening.conditions);
+  }
+  const toml::node* tables = document.find("boundary.shape");
+  if (tables == nullptr) return;
+  for (const auto& [key, value] : *tables->as_table()) {
+    const std::string name(key.str());
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    document.fail_at("boundary.shape." + name,
+                     fmt::format("[boundary.shape.{}] is for no shape of that name among [[geometry.shapes]]{}", name,
+                                 names.empty() ? "" : suggestion(name, names)));
+  }
 }
 
 /// A wall only moves along itself.
@@ -143,10 +169,12 @@ void check_boundaries(const TomlDocument& document, Scene& scene) {
   }
   check_periodic(document, scene, "left", scene.left, "right", scene.right);
   check_periodic(document, scene, "bottom", scene.bottom, "top", scene.top);
+  check_openings(document, scene);
   if (!scene.injection) return;
   check_modules_of(document, scene, "injection");
   check_concentrations(document, scene, "injection", scene.injection->conditions.solute);
   check_injection(document, scene);
+  check_not_periodic(document, "injection", scene.injection->conditions);
 }
 
 }  // namespace vug
