@@ -99,7 +99,7 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
         const BondCounts bonds = rock.bond_counts();
         curve.write(std::vector<double>{strain, stress, static_cast<double>(parameters.bond.seed),
                                         static_cast<double>(bonds.failed_in_tension),
-                                        static_cast<double>(bonds.failed_in_shear)});
+                                        static_cast<double>(bonds.failed_in_shear), so_far.confinement.back()});
         if (number == 0) pictures.look(rock, last);
         if (last) loaded.along_load = share_along_load(rock.bonds());
         if (progress && (last || strain >= next_line)) {
@@ -119,7 +119,7 @@ std::string line(const char* what, const Spread& s, double unit, const char* nam
 std::string load_all(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
                      const std::string& directory, Results& results) {
   HistoryWriter curve(directory + "/stress_strain.csv",
-                      {"strain_1", "stress_Pa", "seed_1", "failed_in_tension_1", "failed_in_shear_1"});
+                      {"strain_1", "stress_Pa", "seed_1", "failed_in_tension_1", "failed_in_shear_1", "confinement_Pa"});
   std::vector<LoadedSpecimen> specimens;
   for (int s = 0; s < options.seeds; ++s)
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
@@ -207,14 +207,15 @@ Assembly build_specimen(const Scene& scene) {
 PlatenTest platen_test(const Scene& scene) {
   const LaboratorySection& laboratory = *scene.laboratory;
   PlatenTest test;
-  const bool compression = laboratory.test == LaboratoryTest::compression;
-  test.speed = laboratory.platen_speed.value_or(compression ? 0.5 : 0.1);
+  test.speed = platen_speed(laboratory);
   if (laboratory.test == LaboratoryTest::tension) test.speed = -test.speed;
   if (laboratory.test == LaboratoryTest::brazilian) test.specimen = Specimen::disc;
   test.largest_strain = laboratory.largest_strain;
   test.step_fraction = scene.mechanics->critical_fraction;
   test.confinement = laboratory.confinement;
+  test.flanks = laboratory.flanks;
   test.confining_time = scene.mechanics->preload_time;
+  test.confining_damping = scene.mechanics->preload_damping;
   test.chemical_damage = laboratory.chemical_damage;
   if (laboratory.test == LaboratoryTest::heating) {
     test.speed = 0;
@@ -249,6 +250,8 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_run_record(directory, record);
   };
+  if (options.progress)
+    for (const std::string& warning : scene.warnings) *options.progress << "warning: " << warning << '\n';
   try {
     const std::string found = options.fit_strength ? fit(scene, options, specimen, record.results)
                               : scene.laboratory->test == LaboratoryTest::quench

@@ -77,7 +77,7 @@ void MechanicsModule<T>::choose_substeps() {
 
 template <class T>
 void MechanicsModule<T>::begin(const Exec& exec) {
-  mechanics_.preload(exec, section_.preload_time);
+  mechanics_.preload(exec, section_.preload_time, section_.preload_damping);
 }
 
 template <class T>

@@ -9,10 +9,11 @@ namespace vug {
 struct NoAccounts {
   static constexpr bool kept = false;
   KOKKOS_FORCEINLINE_FUNCTION void add_bond(int, double, double, double) const {}
-  KOKKOS_FORCEINLINE_FUNCTION void add_pair(int, double, double) const {}
+  KOKKOS_FORCEINLINE_FUNCTION void add_pair_friction(int, double) const {}
   KOKKOS_FORCEINLINE_FUNCTION void add_particle(int, double, double) const {}
   KOKKOS_FORCEINLINE_FUNCTION double drag_before(int, int, int) const { return 0; }
   KOKKOS_FORCEINLINE_FUNCTION void keep_drag(int, int, double, double) const {}
+  KOKKOS_FORCEINLINE_FUNCTION void keep_pair_drag(int, double, double, double, double) const {}
 };
 
 /// Sums since the last reset, J per m of thickness.
@@ -21,15 +22,19 @@ struct NoAccounts {
 /// k x(t) (x(t+dt) - x(t-dt)) / 2, which is exactly the change of k x(t) x(t+dt) / 2: that product is the elastic energy
 /// the scheme keeps (k x^2 / 2 is off by (omega dt)^2 / 8 of it, several per cent for the fastest waves of a breaking
 /// bond). The losses follow from the same sum: damage dd releases dd k x(t) x(t-dt) / 2, a slider that moves by ds in a
-/// spring of stretch e takes k (e(t) + e(t-dt)) ds / 2, and a dashpot half a step of work on either side of its force.
+/// spring of stretch e takes k (e(t) + e(t-dt)) ds / 2, and a dashpot half a step of work on either side of its force:
+/// those of contacts are booked by the integrator, which knows both velocities.
 struct Accounts {
   static constexpr bool kept = true;
   /// (bond, 2 point + normal or tangential) dashpot stress of the last step, Pa: its later half is not yet in the sums
   Kokkos::View<double* [4], Kokkos::LayoutLeft> bond_drag;
   ScalarField<double> bond_fracture, bond_friction, bond_damping;  ///< (bond)
-  ScalarField<double> pair_friction, pair_damping;                 ///< (lower particle of contact pairs)
+  ScalarField<double> pair_friction;                               ///< (lower particle of contact pairs)
+  /// (pair, component) share of the dashpots in Contacts::load, and (particle, component) in Contacts::push
+  Kokkos::View<double* [4], Kokkos::LayoutLeft> pair_drag;
+  Kokkos::View<double* [3], Kokkos::LayoutLeft> particle_drag;
   ScalarField<double> particle_work;                               ///< (particle) by loads, fluid, gravity and platens
-  ScalarField<double> particle_damping;                            ///< (particle) local damping
+  ScalarField<double> particle_damping;                            ///< (particle) local damping, dashpots of contacts
 
   KOKKOS_FORCEINLINE_FUNCTION void add_bond(int k, double fracture, double friction, double damping) const {
     bond_fracture(k) += fracture;
@@ -43,9 +48,13 @@ struct Accounts {
     bond_drag(k, 2 * point) = normal;
     bond_drag(k, 2 * point + 1) = tangential;
   }
-  KOKKOS_FORCEINLINE_FUNCTION void add_pair(int i, double friction, double damping) const {
-    pair_friction(i) += friction;
-    pair_damping(i) += damping;
+  KOKKOS_FORCEINLINE_FUNCTION void add_pair_friction(int i, double friction) const { pair_friction(i) += friction; }
+  KOKKOS_FORCEINLINE_FUNCTION void keep_pair_drag(int pair, double x, double y, double torque_low,
+                                                  double torque_high) const {
+    pair_drag(pair, 0) = x;
+    pair_drag(pair, 1) = y;
+    pair_drag(pair, 2) = torque_low;
+    pair_drag(pair, 3) = torque_high;
   }
   KOKKOS_FORCEINLINE_FUNCTION void add_particle(int i, double work, double damping) const {
     particle_work(i) += work;

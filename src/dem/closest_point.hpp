@@ -8,22 +8,20 @@ namespace vug {
 struct ClosestPoint {
   double distance = 0;  ///< negative inside
   Vec2 normal;          ///< from the outline towards the point, outwards when inside
-  int corner = -1;      ///< the corner that is closest, -1 when it is the inside of an edge
 };
 
-/// Closest point on the edge p -> q of a counter-clockwise triangle; `corners` are the numbers of p and q.
-KOKKOS_FUNCTION inline ClosestPoint closest_on_edge(Vec2 p, Vec2 q, const int (&corners)[2], Vec2 point) {
+/// Closest point on the edge p -> q of a counter-clockwise triangle.
+KOKKOS_FUNCTION inline ClosestPoint closest_on_edge(Vec2 p, Vec2 q, Vec2 point) {
   const Vec2 edge = q - p, from_p = point - p;
   const double length2 = dot(edge, edge), along = dot(from_p, edge);
   const Vec2 outward = (1 / Kokkos::sqrt(length2)) * Vec2{edge.y, -edge.x};
   if (along > 0 && along < length2) {
     const double height = dot(from_p, outward);
-    return {height, outward, -1};
+    return {height, outward};
   }
-  const int end = along > 0 ? 1 : 0;
-  const Vec2 gap = point - (end == 0 ? p : q);
+  const Vec2 gap = point - (along > 0 ? q : p);
   const double distance = norm(gap);
-  return {distance, distance > 0 ? (1 / distance) * gap : outward, corners[end]};
+  return {distance, distance > 0 ? (1 / distance) * gap : outward};
 }
 
 /// Closest point on the outline of a counter-clockwise triangle. A point inside is closest to the edge it is least
@@ -32,9 +30,9 @@ KOKKOS_FUNCTION inline ClosestPoint closest_on_triangle(const Triangle& t, Vec2 
   ClosestPoint best[3];
   bool inside = true;
   for (int k = 0; k < 3; ++k) {
-    const int ends[2] = {k, (k + 1) % 3};
-    best[k] = closest_on_edge(t.corner[ends[0]], t.corner[ends[1]], ends, point);
-    inside = inside && cross(t.corner[ends[1]] - t.corner[ends[0]], point - t.corner[ends[0]]) > 0;
+    const Vec2 p = t.corner[k], q = t.corner[(k + 1) % 3];
+    best[k] = closest_on_edge(p, q, point);
+    inside = inside && cross(q - p, point - p) > 0;
   }
   int chosen = 0;
   for (int k = 1; k < 3; ++k) {

@@ -17,15 +17,33 @@ struct Body {
   double spin = 0;
 };
 
-/// What a pair's springs hold and what it has lost in this step.
+/// What the pairs of a particle hold in their springs and have lost to friction in this step.
 struct PairEnergy {
-  double stored = 0, friction = 0, damping = 0;
+  double stored = 0, friction = 0;
 };
+
+/// What a pair's contacts do to its two particles, a and b: the force on a, the opposite one on b.
+struct PairLoad {
+  Vec2 force;
+  double torque_a = 0, torque_b = 0;
+
+  KOKKOS_FORCEINLINE_FUNCTION void add(Vec2 f, Vec2 arm_a, Vec2 arm_b) {
+    force = force + f;
+    torque_a += cross(arm_a, f);
+    torque_b -= cross(arm_b, f);
+  }
+};
+
+/// Both kinds of contacts of a pair, `other` with the roles of the two particles exchanged.
+KOKKOS_FORCEINLINE_FUNCTION PairLoad difference(const PairLoad& load, const PairLoad& other) {
+  return {load.force - other.force, load.torque_a + other.torque_b, load.torque_b + other.torque_a};
+}
 
 /// One pair: corners of each against the outline of the other. n points from the outline's body to the corner's one;
 /// overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 at the contact point
-/// half-way. A corner whose closest point is a corner counts only if the two are each other's closest, and once: the
-/// force is continuous when a corner slides round another. Forces cancel exactly and act on one line.
+/// half-way. Every corner counts with its own closest point, be it inside an edge or a corner: distances are
+/// continuous, and with them forces and the energy, however the two slide round each other. Two corners that meet count
+/// twice, each for the other. Forces cancel exactly and act on one line.
 template <class Keeper>
 struct ContactForces {
   ContactParameters law;
@@ -49,76 +67,69 @@ struct ContactForces {
     return out;
   }
 
-  /// Adds what corner c of `a` feels at `where` on the outline of b: forces and torques on a and b.
+  /// Adds what corner c of `a` feels at `where` on the outline of b: the whole load, and the share of the dashpots.
   KOKKOS_FUNCTION void add_corner(const Body& a, const Body& b, int c, const ClosestPoint& where, double& stretch,
-                                  Vec2& force_on_a, double& torque_a, double& torque_b, PairEnergy& energy) const {
+                                  PairLoad& load, PairLoad& drag, PairEnergy& energy) const {
     const Vec2 n = where.normal, t{-n.y, n.x};
-    const Vec2 at = a.outline.corner[c] - (0.5 * where.distance) * n;
-    const Vec2 rate = a.v + spin_times(a.spin, at - a.centre) - b.v - spin_times(b.spin, at - b.centre);
+    const Vec2 at = a.outline.corner[c] - (0.5 * where.distance) * n, arm_a = at - a.centre, arm_b = at - b.centre;
+    const Vec2 rate = a.v + spin_times(a.spin, arm_a) - b.v - spin_times(b.spin, arm_b);
     const ContactPoint point{law.normal_stiffness, law.tangential_stiffness, law.normal_damping, law.tangential_damping,
                              law.friction};
     const double rate_t = dot(rate, t), before = stretch, offset = before + dt * rate_t;
     const double overlap = 2 * particles.radius - where.distance;
     const ContactReaction reaction = contact_reaction(point, overlap, -dot(rate, n), offset, rate_t, 0);
     stretch = offset - reaction.slip;
+    load.add(reaction.normal * n + reaction.tangential * t, arm_a, arm_b);
     // in the leapfrog's form (accounts.hpp), the next overlap and stretch by the present rates
     energy.stored += 0.5 * (law.normal_stiffness * overlap * (overlap - dt * dot(rate, n)) +
                             law.tangential_stiffness * stretch * (stretch + dt * rate_t));
-    energy.friction += 0.5 * law.tangential_stiffness * (before + stretch) * reaction.slip;
-    energy.damping -= dt * (reaction.normal - law.normal_stiffness * overlap) * dot(rate, n);
-    const Vec2 f = reaction.normal * n + reaction.tangential * t;
-    force_on_a = force_on_a + f;
-    torque_a += cross(at - a.centre, f);
-    torque_b -= cross(at - b.centre, f);
+    if constexpr (Keeper::kept) {
+      energy.friction += 0.5 * law.tangential_stiffness * (before + stretch) * reaction.slip;
+      drag.add((reaction.normal - law.normal_stiffness * overlap) * n +
+                   (reaction.tangential + law.tangential_stiffness * stretch) * t,
+               arm_a, arm_b);
+    }
   }
 
-  /// A pair that does not touch forgets its friction.
-  KOKKOS_FUNCTION void release(int pair, int generation, PairEnergy& energy) const {
-    for (int f = 0; f < pair_features; ++f) {
-      double& stretch = contacts.stretch(pair, generation, f);
-      energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
-      stretch = 0;
+  /// Writes the load of a pair and the share of its dashpots.
+  KOKKOS_FUNCTION void leave(int pair, const PairLoad& load, const PairLoad& drag) const {
+    contacts.load(pair, 0) = load.force.x;
+    contacts.load(pair, 1) = load.force.y;
+    contacts.load(pair, 2) = load.torque_a;
+    contacts.load(pair, 3) = load.torque_b;
+    accounts.keep_pair_drag(pair, drag.force.x, drag.force.y, drag.torque_a, drag.torque_b);
+  }
+
+  /// A corner that does not touch forgets its friction.
+  KOKKOS_FUNCTION void forget(double& stretch, PairEnergy& energy) const {
+    energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
+    stretch = 0;
+  }
+
+  KOKKOS_FUNCTION void push_corner(const Body& a, const Body& b, int c, double& stretch, PairLoad& load, PairLoad& drag,
+                                   PairEnergy& energy) const {
+    const ClosestPoint where = closest_on_triangle(b.outline, a.outline.corner[c]);
+    if (where.distance < 2 * particles.radius) {
+      add_corner(a, b, c, where, stretch, load, drag, energy);
+    } else {
+      forget(stretch, energy);
     }
-    for (int k = 0; k < 4; ++k) contacts.load(pair, k) = 0;
   }
 
   KOKKOS_FUNCTION void push_pair(const Body& a, Vec2 origin, int pair, int generation, PairEnergy& energy) const {
     const Body b = body(contacts.other(pair, generation), origin);
     const double gap = 2 * particles.radius * (1 + 1e-9);  // beyond rounding
     if (keeps_clear(a.outline, b.outline, gap) || keeps_clear(b.outline, a.outline, gap)) {
-      release(pair, generation, energy);
+      for (int f = 0; f < pair_features; ++f) forget(contacts.stretch(pair, generation, f), energy);
+      leave(pair, {}, {});
       return;
     }
-    ClosestPoint of_a[3], of_b[3];
+    PairLoad by_a, by_b, drag_a, drag_b;  // of the corners of a on b, and of b on a: there the roles are exchanged
     for (int c = 0; c < 3; ++c) {
-      of_a[c] = closest_on_triangle(b.outline, a.outline.corner[c]);
-      of_b[c] = closest_on_triangle(a.outline, b.outline.corner[c]);
+      push_corner(a, b, c, contacts.stretch(pair, generation, c), by_a, drag_a, energy);
+      push_corner(b, a, c, contacts.stretch(pair, generation, 3 + c), by_b, drag_b, energy);
     }
-    Vec2 on_a, on_b;
-    double torque_a = 0, torque_b = 0;
-    for (int c = 0; c < 3; ++c) {
-      const bool counts = of_a[c].corner < 0 || of_b[of_a[c].corner].corner == c;
-      double& stretch = contacts.stretch(pair, generation, c);
-      if (counts && of_a[c].distance < 2 * particles.radius) {
-        add_corner(a, b, c, of_a[c], stretch, on_a, torque_a, torque_b, energy);
-      } else {
-        energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
-        stretch = 0;
-      }
-    }
-    for (int c = 0; c < 3; ++c) {
-      double& stretch = contacts.stretch(pair, generation, 3 + c);
-      if (of_b[c].corner < 0 && of_b[c].distance < 2 * particles.radius) {
-        add_corner(b, a, c, of_b[c], stretch, on_b, torque_b, torque_a, energy);
-      } else {
-        energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
-        stretch = 0;
-      }
-    }
-    contacts.load(pair, 0) = on_a.x - on_b.x;
-    contacts.load(pair, 1) = on_a.y - on_b.y;
-    contacts.load(pair, 2) = torque_a;
-    contacts.load(pair, 3) = torque_b;
+    leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
   }
 
   /// All pairs of which particle `low` is the lower one.
@@ -133,27 +144,29 @@ struct ContactForces {
       for (int pair = first; pair < last; ++pair) push_pair(a, origin, pair, generation, energy);
     }
     contacts.energy(low) = energy.stored;
-    accounts.add_pair(low, energy.friction, energy.damping);
+    accounts.add_pair_friction(low, energy.friction);
   }
 };
 
-/// Sum of a particle's contacts, in the order of its row.
+/// Sum of a particle's contacts, in the order of its row, of loads or of the dashpots in them.
 struct GatherContacts {
   Bonds bonds;
   Contacts contacts;
+  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
+  Kokkos::View<double* [3], Kokkos::LayoutLeft> push;
   KOKKOS_FUNCTION void operator()(int i) const {
     if (bonds.events(bond_has_failed) == 0) return;
     double x = 0, y = 0, torque = 0;
     for (int e = contacts.row(i); e < contacts.row(i + 1); ++e) {
       const int k = contacts.entry(e) / 2, end = contacts.entry(e) % 2;
       const double sign = end == 0 ? 1 : -1;
-      x += sign * contacts.load(k, 0);
-      y += sign * contacts.load(k, 1);
-      torque += contacts.load(k, 2 + end);
+      x += sign * load(k, 0);
+      y += sign * load(k, 1);
+      torque += load(k, 2 + end);
     }
-    contacts.push(i, 0) = x;
-    contacts.push(i, 1) = y;
-    contacts.push(i, 2) = torque;
+    push(i, 0) = x;
+    push(i, 1) = y;
+    push(i, 2) = torque;
   }
 };
 
@@ -166,7 +179,12 @@ void compute_contact_forces(const Exec& exec, const MechanicsParameters& paramet
   for_each_node(exec, "vug::dem::contact_forces", particles.count,
                 ContactForces<Keeper>{parameters.contact, parameters.thermal_expansion, dt, particles, bonds, contacts,
                                       accounts});
-  for_each_node(exec, "vug::dem::gather_contacts", particles.count, GatherContacts{bonds, contacts});
+  for_each_node(exec, "vug::dem::gather_contacts", particles.count,
+                GatherContacts{bonds, contacts, contacts.load, contacts.push});
+  if constexpr (Keeper::kept) {
+    for_each_node(exec, "vug::dem::gather_drag", particles.count,
+                  GatherContacts{bonds, contacts, accounts.pair_drag, accounts.particle_drag});
+  }
 }
 
 template void compute_contact_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,

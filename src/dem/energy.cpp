@@ -87,7 +87,7 @@ double total(const Exec& exec, const ScalarField<double>& values) {
 
 }  // namespace
 
-Accounts make_accounts(const Particles& particles, const Bonds& bonds) {
+Accounts make_accounts(const Particles& particles, const Bonds& bonds, const Contacts& contacts) {
   const auto fresh = [](const char* label, int n) {
     return ScalarField<double>(std::string("vug::dem::account_") + label, static_cast<std::size_t>(n));
   };
@@ -97,14 +97,17 @@ Accounts make_accounts(const Particles& particles, const Bonds& bonds) {
       fresh("friction", bonds.count),
       fresh("damping", bonds.count),
       fresh("pair_friction", particles.count),
-      fresh("pair_damping", particles.count),
+      Kokkos::View<double* [4], Kokkos::LayoutLeft>("vug::dem::account_pair_drag",
+                                                    static_cast<std::size_t>(contacts.capacity)),
+      Kokkos::View<double* [3], Kokkos::LayoutLeft>("vug::dem::account_particle_drag",
+                                                    static_cast<std::size_t>(particles.count)),
       fresh("work", particles.count),
       fresh("local_damping", particles.count)};
 }
 
 void reset(const Exec& exec, const Accounts& a) {
-  for (const auto& account : {a.bond_fracture, a.bond_friction, a.bond_damping, a.pair_friction, a.pair_damping,
-                              a.particle_work, a.particle_damping}) {
+  for (const auto& account : {a.bond_fracture, a.bond_friction, a.bond_damping, a.pair_friction, a.particle_work,
+                              a.particle_damping}) {
     Kokkos::deep_copy(exec, account, 0.0);
   }
   Kokkos::deep_copy(exec, a.bond_drag, 0.0);
@@ -124,8 +127,7 @@ Energies measure_energies(const Exec& exec, const MechanicsParameters& parameter
     e.work = total(exec, accounts->particle_work);
     e.fracture = total(exec, accounts->bond_fracture);
     e.friction = total(exec, accounts->bond_friction) + total(exec, accounts->pair_friction);
-    e.damping = total(exec, accounts->bond_damping) + total(exec, accounts->pair_damping) +
-                total(exec, accounts->particle_damping) +
+    e.damping = total(exec, accounts->bond_damping) + total(exec, accounts->particle_damping) +
                 total(exec, "vug::dem::pending_drag", bonds.count,
                       PendingDrag{parameters.thermal_expansion, dt, particles, bonds, *accounts});
   }

@@ -25,7 +25,7 @@ struct Energies {
 };
 
 /// Empty accounts.
-Accounts make_accounts(const Particles& particles, const Bonds& bonds);
+Accounts make_accounts(const Particles& particles, const Bonds& bonds, const Contacts& contacts);
 void reset(const Exec& exec, const Accounts& accounts);
 
 /// Adds everything up half a step before the displacements, where the velocities are, dt being the last step: not for

@@ -56,6 +56,11 @@ struct Integrate {
     return control.dt * control.local_damping * Kokkos::abs(force) * along * 0.5 * (v + w);
   }
 
+  /// What the dashpots of its contacts take from one degree of freedom.
+  KOKKOS_FORCEINLINE_FUNCTION double dragged(int i, int component, double v, double w) const {
+    return -control.dt * accounts.particle_drag(i, component) * 0.5 * (v + w);
+  }
+
   /// Moves one degree of freedom; work of `given` forces and of the platen, and damping, go to the accounts.
   KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double force, double given, double inverse_mass) const {
     const bool held = (p.held(i) & (axis == 0 ? 1 : 2)) != 0;
@@ -67,7 +72,7 @@ struct Integrate {
       const double jerk = 0.5 * (w * w - v * v) / inverse_mass;  // of a platen that changes its speed
       accounts.add_particle(
           i, held ? control.dt * (given - force) * 0.5 * (v + w) + jerk : control.dt * given * 0.5 * (v + w),
-          held ? 0 : damped(v, w, force));
+          (held ? 0 : damped(v, w, force)) + dragged(i, axis, v, w));
     }
   }
 
@@ -81,7 +86,8 @@ struct Integrate {
     p.rotation(i, 0) = rotation.cos_minus_1;
     p.rotation(i, 1) = rotation.sin;
     if constexpr (Keeper::kept) {
-      accounts.add_particle(i, held ? 0 : control.dt * given * 0.5 * (v + w), held ? 0 : damped(v, w, torque));
+      accounts.add_particle(i, held ? 0 : control.dt * given * 0.5 * (v + w),
+                            (held ? 0 : damped(v, w, torque)) + dragged(i, 2, v, w));
     }
   }
 

@@ -89,8 +89,11 @@ Loads press(const PlatenTest& test) {
   Loads loads;
   loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
   loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.traction[static_cast<std::size_t>(RockSide::right)] = {-test.confinement, 0};
-  loads.traction[static_cast<std::size_t>(RockSide::left)] = {test.confinement, 0};
+  for (const RockSide flank : {RockSide::right, RockSide::left}) {
+    loads.traction[static_cast<std::size_t>(flank)] = {flank == RockSide::right ? -test.confinement : test.confinement,
+                                                       0};
+    loads.support[static_cast<std::size_t>(flank)] = test.flanks;
+  }
   return loads;
 }
 
@@ -105,8 +108,12 @@ void start_uniform_straining(const Particles& p, double low, double high, double
 void require_consistent(const PlatenTest& test) {
   if ((test.speed == 0) == (test.heating_rate == 0))
     throw InputError("laboratory: a specimen is strained either by the platens' speed or by its heating rate");
+  if (test.flanks != Support::free && test.flanks != Support::servo)
+    throw InputError("laboratory: flanks are confined by a membrane (free) or by servo platens");
   if (test.specimen == Specimen::disc && (test.confinement != 0 || test.heating_rate != 0 || test.speed < 0))
     throw InputError("laboratory: a disc is compressed, without confinement or heating");
+  if (test.flanks == Support::servo && !(test.confinement > 0))
+    throw InputError("laboratory: servo platens need a confinement to hold");
 }
 
 /// Slope of y over x by least squares on samples whose stress lies between 20 and 50 % of the peak before it.
@@ -129,7 +136,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   const Extent extent = extent_of(specimen);
   Mechanics rock(specimen, parameters, press(test));
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
-  if (test.confinement != 0) rock.preload(exec, test.confining_time);
+  if (test.confinement != 0) rock.preload(exec, test.confining_time, test.confining_damping);
   const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);
   const double sign = test.speed < 0 ? -1 : 1;
   const double rate = std::abs(test.speed) / (high - low) + std::abs(parameters.thermal_expansion * test.heating_rate);
@@ -154,6 +161,8 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
     const double force = 0.5 * (rock.reaction(RockSide::bottom).y - rock.reaction(RockSide::top).y);
     result.strain.push_back(rate * rock.time());
     result.stress.push_back(sign * force / area);
+    const double push = 0.5 * (rock.reaction(RockSide::left).x - rock.reaction(RockSide::right).x);
+    result.confinement.push_back(test.flanks == Support::servo ? push / extent.height() : test.confinement);
     axial_strain.push_back(-sign * (axial.strain(rock.particles()) - axial_start));
     lateral_strain.push_back(sign * (lateral.strain(rock.particles()) - lateral_start));
     const BondCounts bonds = rock.bond_counts();

@@ -19,10 +19,13 @@ struct PlatenTest {
   Specimen specimen = Specimen::block;
   double speed = 0.5;       ///< of the upper platen, m/s; positive compresses, negative pulls
   double heating_rate = 0;  ///< of the whole specimen, K/s; needs speed = 0
-  /// Pressure on the flanks of a block, Pa: the dead load of a membrane, put on before the test with the platens
-  /// standing still, and then constant to the bit.
+  /// Pressure on the flanks of a block, Pa, put on before the test with the platens standing still.
   double confinement = 0;
+  /// Support::free: the pressure is the dead load of a membrane, constant to the bit; Support::servo: that of rigid
+  /// frictionless platens which follow it (servo.hpp).
+  Support flanks = Support::free;
   double confining_time = 150e-6;  ///< s over which it is raised
+  double confining_damping = default_preload_damping;  ///< Cundall's alpha meanwhile
   double largest_strain = 0.02;    ///< where the test ends at the latest
   double stop_below = 0.6;         ///< ends when the stress has fallen to this share of its peak
   double step_fraction = 0.3;      ///< time step over the critical one
@@ -35,6 +38,7 @@ struct PlatenTest {
 struct PlatenResult {
   std::vector<double> strain;  ///< of the platens over the distance of the held centroids, or alpha dT
   std::vector<double> stress;  ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
+  std::vector<double> confinement;  ///< mean pressure of servo platens on the flanks, or the membrane's, Pa
   double modulus = 0;          ///< of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa
   double poisson = 0;          ///< from gauges at the flanks, the same chord
   double strength = 0;         ///< largest stress, Pa

@@ -79,7 +79,8 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
     const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
     const double length = norm({q[0] - p[0], q[1] - p[1]});
-    const Vec2 f{length * loads.traction[side][0], length * loads.traction[side][1]};
+    Vec2 f{length * loads.traction[side][0], length * loads.traction[side][1]};
+    if (loads.support[side] == Support::servo) (side % 2 == 0 ? f.x : f.y) = 0;  // its platen sees to it
     const Vec2 r{0.5 * (p[0] + q[0]) - x0(i, 0), 0.5 * (p[1] + q[1]) - x0(i, 1)};
     force(i, 0) += f.x;
     force(i, 1) += f.y;

@@ -14,7 +14,8 @@ inline constexpr int rock_side_count = 4;
 
 /// Loads of the four sides in the order of RockSide.
 struct Loads {
-  std::array<std::array<double, 2>, 4> traction{};  ///< force on the rock per area, Pa: {-5e6, 0} on the right presses
+  /// Force on the rock per area, Pa: {-5e6, 0} on the right presses. Of a servo side the normal part is the one wanted.
+  std::array<std::array<double, 2>, 4> traction{};
   std::array<Support, 4> support{Support::free, Support::free, Support::free, Support::free};
   std::array<std::array<double, 2>, 4> velocity{};  ///< of the platen of a held side, m/s
   /// Of the rock beyond a free side: stress that it adds per distance that the side moves outwards after the preload,

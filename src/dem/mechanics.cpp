@@ -13,7 +13,6 @@ namespace vug {
 
 namespace {
 
-constexpr double preload_damping = 0.7;
 constexpr double at_rest = 1e-9;            // kinetic over elastic energy: the stress oscillates by its square root
 constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apart: no turning point of an oscillation
 constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
@@ -33,8 +32,9 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       bonds_(make_bonds(assembly, particles_, parameters)),
       contacts_(make_contacts(particles_, bonds_)),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
-      loads_(apply_loads(assembly, boundary_, loads, particles_)) {
-  if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_);
+      loads_(apply_loads(assembly, boundary_, loads, particles_)),
+      servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)) {
+  if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_, contacts_);
 }
 
 double Mechanics::critical_step() const {
@@ -47,6 +47,7 @@ void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper&
   compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, accounts);
   compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts);
   integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts);
+  for (const ServoPlaten& servo : servos_) follow_pressure(exec, servo, control.dt, control.load_factor, particles_);
 }
 
 void Mechanics::step(const Exec& exec, const StepControl& control) {
@@ -69,20 +70,20 @@ double Mechanics::kinetic_over_elastic(const Exec& exec) const {
   return e.kinetic == 0 ? 0 : e.kinetic / e.elastic;
 }
 
-long Mechanics::ramp(const Exec& exec, double dt, double ramp_time) {
+long Mechanics::ramp(const Exec& exec, double dt, double ramp_time, double damping) {
   const long steps = std::max(1L, std::lround(ramp_time / dt));
   for (long s = 0; s < steps; ++s) {
     step(exec,
-         {dt, preload_damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
+         {dt, damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
   }
   return steps;
 }
 
-PreloadReport Mechanics::preload(const Exec& exec, double ramp_time) {
+PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damping) {
   const double dt = 0.3 * critical_step();
-  const StepControl settle{dt, preload_damping, parameters_.mass_scaling, 1, 0};
+  const StepControl settle{dt, damping, parameters_.mass_scaling, 1, 0};
   PreloadReport report;
-  report.steps = ramp(exec, dt, ramp_time);
+  report.steps = ramp(exec, dt, ramp_time, damping);
   const long look = std::max(1L, report.steps / 5), last = report.steps * (1 + longest_settling);
   int rested = 0;
   while (rested < looks_at_rest && report.steps < last) {

@@ -6,11 +6,15 @@
 #include "dem/loads.hpp"
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
+#include "dem/servo.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace vug {
+
+/// Cundall's alpha while the preload comes to rest: 0.5 to 0.9 need about the same number of steps.
+inline constexpr double default_preload_damping = 0.7;
 
 /// How the preload ended.
 struct PreloadReport {
@@ -34,9 +38,9 @@ class Mechanics {
   /// every 50 steps; no fence, no allocation, no host copy.
   void advance(const Exec& exec, double dt, int substeps);
 
-  /// Puts boundary loads and gravity on the rock in a ramp, with local damping 0.7, and waits until it is at rest.
+  /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at rest.
   /// Velocities are then zero and u_reference holds the displacements reached.
-  PreloadReport preload(const Exec& exec, double ramp_time);
+  PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
   /// Velocity of the platen of a held side from now on, m/s.
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
@@ -55,6 +59,7 @@ class Mechanics {
   const Contacts& contacts() const { return contacts_; }
   const MechanicsParameters& parameters() const { return parameters_; }
   const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
+  const std::vector<ServoPlaten>& servos() const { return servos_; }
   /// Calls visit(name, View) for everything that a resumed run must find again, to the bit; with time() and steps().
   template <class Visit>
   void visit_state(const Visit& visit) const;
@@ -70,7 +75,7 @@ class Mechanics {
   void step(const Exec& exec, const StepControl& control);
   template <class Keeper>
   void step(const Exec& exec, const StepControl& control, const Keeper& accounts);
-  long ramp(const Exec& exec, double dt, double ramp_time);
+  long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
 
   MechanicsParameters parameters_;
@@ -80,6 +85,7 @@ class Mechanics {
   Contacts contacts_;
   NeighbourGrid grid_;
   BoundaryLoads loads_;
+  std::vector<ServoPlaten> servos_;
   std::optional<Accounts> accounts_;
   double initial_energy_ = 0;
   double last_dt_ = 0;
@@ -94,6 +100,7 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("v", particles_.v);
   visit("angle", particles_.angle);
   visit("spin", particles_.spin);
+  if (!servos_.empty()) visit("drive", particles_.drive);
   visit("rotation", particles_.rotation);
   visit("solid_fraction", particles_.solid_fraction);
   visit("temperature_change", particles_.temperature_change);

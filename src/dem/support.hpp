@@ -8,6 +8,7 @@ enum class Support {
   free,    ///< not at all
   roller,  ///< a frictionless rigid platen: normal motion and rotation are held
   fixed,   ///< a glued rigid platen: all motion is held
+  servo,   ///< a roller whose platen moves so that it presses with the wanted stress
 };
 
 }  // namespace vug

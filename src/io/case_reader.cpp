@@ -62,6 +62,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
     if (!scene.mechanics) scene.mechanics.emplace();
     check_laboratory(document, scene);
     check_files(document, scene);
+    collect_warnings(scene);
     return scene;
   }
   check_modules(document, scene);

@@ -92,12 +92,15 @@ SoluteBoundary read_solute_boundary(const TomlCursor& table) {
 
 TractionBoundary read_traction_boundary(const TomlCursor& table) {
   TractionBoundary boundary;
-  table.choose("support", boundary.support,
-               {{"free", Support::free}, {"roller", Support::roller}, {"fixed", Support::fixed}});
+  table.choose(
+      "support", boundary.support,
+      {{"free", Support::free}, {"roller", Support::roller}, {"fixed", Support::fixed}, {"servo", Support::servo}});
   table.read("normal_stress", boundary.normal_stress, unit::pascal);
   table.read("stiffness", boundary.stiffness, unit::pascal_per_metre, range::not_negative);
-  if (boundary.support != Support::free && boundary.normal_stress != 0) {
-    table.fail("normal_stress", "acts on a side that its support holds still; use support = \"free\" or leave it out");
+  const bool still = boundary.support == Support::roller || boundary.support == Support::fixed;
+  if (still && boundary.normal_stress != 0) {
+    table.fail("normal_stress",
+               "acts on a side that its support holds still; use support = \"free\" or \"servo\", or leave it out");
   }
   if (boundary.support != Support::free && boundary.stiffness != 0) {
     table.fail("stiffness",

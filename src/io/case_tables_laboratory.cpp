@@ -55,6 +55,11 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
           unit::metre_per_second, range::positive);
   read_if(pressed, table, "confinement", "is only for test = \"compression\"", laboratory.confinement, unit::pascal,
           range::not_negative);
+  if (laboratory.confinement > 0 || table.describing()) {
+    table.choose("confinement_by", laboratory.flanks, {{"membrane", Support::free}, {"servo", Support::servo}});
+  } else {
+    table.refuse("confinement_by", "is of a test with laboratory.confinement");
+  }
   table.read("chemical_damage", laboratory.chemical_damage, unit::none, {.low = 0, .high = 1, .high_open = true});
   need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change, unit::kelvin,
           range::positive);

@@ -124,6 +124,7 @@ struct MechanicsSection {
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
   bool force_unstable = false;         ///< accept a sub-step above the critical one
   double preload_time = 150e-6;        ///< s over which the outer stress is ramped before the run
+  double preload_damping = 0.7;        ///< Cundall's alpha until the rock is at rest
 };
 
 struct DamageSection {
@@ -140,12 +141,18 @@ struct LaboratorySection {
   double flat_width = 0.174;           ///< of the disc's flats under the platens, over the diameter (20 degrees of arc)
   std::optional<double> platen_speed;  ///< m/s; absent: 0.5 in compression, 0.1 in tension and splitting
   double confinement = 0;              ///< Pa
+  Support flanks = Support::free;      ///< free: the confinement is a membrane's dead load; servo: that of platens
   double chemical_damage = 0;          ///< d_c of all bonds
   double temperature_change = 0;       ///< K: rise at the end of heating, or fall of the quenched face
   double duration = 1e-3;              ///< s in which it is heated or the cold has come down by the diffusion length
   double diffusion_length = 0.01;      ///< 2 sqrt(kappa t) at the end of a quench, m
   double largest_strain = 0.02;        ///< where a loading test ends at the latest
 };
+
+/// Of the moving platen, m/s; when it is not given, so slow that strengths are within 4 % of those at a quarter of it.
+inline double platen_speed(const LaboratorySection& laboratory) {
+  return laboratory.platen_speed.value_or(laboratory.test == LaboratoryTest::compression ? 0.5 : 0.1);
+}
 
 enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
 struct FlowBoundary {

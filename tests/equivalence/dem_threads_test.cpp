@@ -23,15 +23,21 @@ void append(std::vector<std::uint64_t>& bits, const V& view) {
   }
 }
 
+/// Platens that crush a block, a servo platen on its right flank.
+Loads confined_press() {
+  Loads loads;
+  loads.support = {Support::servo, Support::roller, Support::roller, Support::roller};
+  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -20};
+  loads.traction[static_cast<std::size_t>(RockSide::right)] = {-5e6, 0};
+  return loads;
+}
+
 /// State of a crushed block after many failures and contacts, and its energies.
 std::vector<std::uint64_t> crushed(const Exec& exec) {
   MechanicsParameters parameters;
   parameters.bond.cohesion = 20e6;
   parameters.energy_ledger = true;
-  Loads loads;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
-  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -20};
+  const Loads loads = confined_press();
   Mechanics rock(test::block(0.04, 0.04, 2e-3, 0.25), parameters, loads);
   rock.advance(exec, 0.3 * rock.critical_step(), 1500);
   exec.fence();
@@ -63,10 +69,7 @@ TEST(MechanicsOfThreads, GivesTheSameBitsOnOneTwoAndFour) {
 TEST(MechanicsResumed, GoesOnWithTheSameBits) {
   MechanicsParameters parameters;
   parameters.bond.cohesion = 20e6;
-  Loads loads;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
-  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -20};
+  const Loads loads = confined_press();
   const Assembly assembly = test::block(0.02, 0.02, 2e-3, 0.25);
   const Exec exec;
   Mechanics whole(assembly, parameters, loads), resumed(assembly, parameters, loads);

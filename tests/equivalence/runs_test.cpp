@@ -65,7 +65,8 @@ TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
 
 INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                          testing::Values("accuracy.precision=double", "accuracy.precision=single",
-                                         "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10"));
+                                         "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10",
+                                         "boundary.top.traction.support=servo"));
 
 TEST(SameBitsLong, AfterRestartsAtTwentySteps) {
   std::vector<int> updates(39), stops(20);

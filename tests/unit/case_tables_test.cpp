@@ -52,7 +52,7 @@ TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 20e6);
   EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
   EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
-  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 60e6);
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 58e6);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.normal_modulus, 24.03e9);
   EXPECT_EQ(scene.left.traction.support, Support::roller);
   EXPECT_DOUBLE_EQ(scene.right.traction.normal_stress, 5e6);
@@ -168,6 +168,14 @@ TEST(CaseTables, MechanicsProfilesDifferInCohesionOnly) {
 TEST(CaseTables, LowReferenceTemperatureIsRemarkedNotRefused) {
   const Scene scene = shipped("quickstart.toml", {"reaction.reference_temperature=237.15"});
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("reaction.reference_temperature = 237.15 K is below 250 K")));
+}
+
+TEST(CaseTables, InertiaThatStrengthensTheRockIsRemarked) {
+  EXPECT_TRUE(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=4"}).warnings.empty());
+  EXPECT_THAT(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=16"}).warnings,
+              ElementsAre(HasSubstr("act like 2 m/s")));
+  EXPECT_THAT(shipped("quickstart.toml", {"mechanics.mass_scaling=100"}).warnings,
+              ElementsAre(HasSubstr("waves 10 times slower")));
 }
 
 TEST(CaseOverrides, ReachTablesElementsAndThingsNotThereYet) {

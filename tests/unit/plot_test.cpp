@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 
 namespace vug {
@@ -119,6 +120,40 @@ TEST(Plot, DrawsEverySnapshotOfASceneWithPressureOnly) {
   ASSERT_EQ(plot(folder.path(), "--all"), 0);
   for (const char* name : {"pressure", "pressure_000000000000", "pressure_000000000800", "overview"})
     EXPECT_TRUE(is_picture(folder / ("figures/" + std::string(name) + ".png"))) << name;
+}
+
+TEST(Plot, DrawsTheCurvesAndTheCracksOfALaboratoryTest) {
+  const test::TemporaryFolder temporary;
+  const char* keep = std::getenv("VUG_KEEP_PLOTS");
+  const std::string folder = keep ? std::string(keep) + "/lab" : temporary / "lab";
+  std::filesystem::create_directories(folder);
+  HistoryWriter curve(folder + "/stress_strain.csv", {"strain_1", "stress_Pa", "seed_1"});
+  for (const int seed : {1, 2, 3}) {
+    for (int i = 0; i <= 60; ++i) {
+      const double strain = 7e-5 * i, elastic = 28e9 * strain;
+      curve.write(std::vector<double>{strain, i < 45 + 3 * seed ? elastic : 0.5 * elastic, 1.0 * seed});
+    }
+  }
+  auto rock = generated_rock();
+  FieldList fields;
+  const auto bonds = rock.bonds;
+  const auto assembly = rock.assembly;
+  fields.bonds.push_back({"state", "1", 1, [bonds, assembly](std::span<double> out) {
+                            for (std::size_t i = 0; i < out.size(); ++i) {
+                              const auto& p = assembly.vertices[bonds[i].vertices[0]];
+                              const double off = std::abs(p[0] - 0.02 - 0.8 * p[1]);
+                              out[i] = off < 0.002 ? 4 : off < 0.004 ? 3 : off < 0.008 ? 1 : 0;
+                            }
+                          }});
+  SnapshotWriter writer(folder, fields, {}, rock);
+  writer.write(0, 0);
+  writer.write(1e-3, 20000);
+  ASSERT_EQ(plot(folder), 0);
+  for (const char* name : {"stress_strain", "crack_pattern"})
+    EXPECT_TRUE(is_picture(folder + "/figures/" + name + ".png")) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder + "/figures/crack_pattern_000000000000.png"));
+  ASSERT_EQ(plot(folder, "--all"), 0);
+  EXPECT_TRUE(is_picture(folder + "/figures/crack_pattern_000000000000.png"));
 }
 
 TEST(Plot, SaysWhatIsMissing) {

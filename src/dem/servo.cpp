@@ -1,0 +1,80 @@
+#include "dem/servo.hpp"
+
+#include "kernels/launch.hpp"
+
+#include <set>
+
+namespace vug {
+
+namespace {
+
+/// One platen, by one thread: some tens of particles.
+struct FollowPressure {
+  ServoPlaten platen;
+  double speed_per_stress;  ///< G, m/(s Pa)
+  double wanted;            ///< Pa
+  Particles p;
+
+  KOKKOS_FUNCTION void operator()(int) const {
+    const auto count = static_cast<int>(platen.held.extent(0));
+    double force = 0;
+    for (int k = 0; k < count; ++k) force += p.reaction(platen.held(k), platen.axis);
+    const double pressure = -platen.outward * force / platen.length;
+    const double velocity = platen.outward * speed_per_stress * (pressure - wanted);
+    for (int k = 0; k < count; ++k) p.drive(platen.held(k), platen.axis) = velocity;
+  }
+};
+
+/// Stiffness of the bonds that join the particles in `held` to others, along the axis, N/m per m of thickness.
+double stiffness_behind(const std::set<int>& held, int axis, const BondParameters& law, const Bonds& bonds) {
+  const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.length);
+  const auto spacing = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.spacing);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.normal);
+  double sum = 0;
+  for (int k = 0; k < bonds.count; ++k) {
+    if (held.contains(pair(k, 0)) == held.contains(pair(k, 1))) continue;
+    const double n2 = normal(k, axis) * normal(k, axis);
+    sum += length(k) / (law.length_factor * spacing(k)) * (law.normal_modulus * n2 + law.tangential_modulus * (1 - n2));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& boundary, const Assembly& assembly,
+                                            const Loads& loads, const BondParameters& law, const Bonds& bonds) {
+  std::vector<ServoPlaten> platens;
+  for (int side = 0; side < rock_side_count; ++side) {
+    if (loads.support[static_cast<std::size_t>(side)] != Support::servo) continue;
+    ServoPlaten platen;
+    platen.axis = side % 2;
+    platen.outward = side < 2 ? 1 : -1;
+    platen.pressure =
+        -platen.outward * loads.traction[static_cast<std::size_t>(side)][static_cast<std::size_t>(platen.axis)];
+    std::set<int> held;  // a corner's triangle may have two edges on one side
+    for (const BoundaryEdge& edge : boundary) {
+      if (edge.side != side) continue;
+      const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
+      const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
+      platen.length += norm({q[0] - p[0], q[1] - p[1]});
+      held.insert(edge.particle);
+    }
+    platen.compliance = servo_gain * platen.length / stiffness_behind(held, platen.axis, law, bonds);
+    platen.held = IndexList("vug::dem::servo_held", held.size());
+    const auto list = Kokkos::create_mirror_view(platen.held);
+    int k = 0;
+    for (const int i : held) list(k++) = i;
+    Kokkos::deep_copy(platen.held, list);
+    platens.push_back(platen);
+  }
+  return platens;
+}
+
+void follow_pressure(const Exec& exec, const ServoPlaten& platen, double dt, double load_factor,
+                     const Particles& particles) {
+  for_each_node(exec, "vug::dem::follow_pressure", 1,
+                FollowPressure{platen, platen.compliance / dt, load_factor * platen.pressure, particles});
+}
+
+}  // namespace vug
