@@ -10,7 +10,7 @@ TITLES = {
                 "relative L2 error of the velocity, at the paper's relaxation time 0.764"),
     "cooling": ("Rock cooled from one side", "largest error of the temperature over its step, 400 cells"),
     "rock": ("The paper's rock",
-             "coarse, 30 MPa, Da = 1.5e-3, first 20 ms, against `preset = \"reference\"` with a third of the mechanical "
+             "coarse, 30 MPa, Da = 1.5e-3, first 12 ms, against `preset = \"reference\"` with a third of the mechanical "
              "sub-step. Errors of the dissolved volume, the acid in place, the temperature (largest, over 200 K) and the "
              "length of the cracks"),
 }

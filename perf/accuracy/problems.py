@@ -130,12 +130,12 @@ class Cooling:
 
 
 class Rock:
-    """The paper's rock, coarse, at 30 MPa and Da = 1.5e-3, its first 20 ms, against `preset = "reference"` with small
+    """The paper's rock, coarse, at 30 MPa and Da = 1.5e-3, its first 12 ms, against `preset = "reference"` with small
     mechanical sub-steps: the dissolved volume, the acid in place, the temperature, the length of the cracks."""
 
     name = "rock"
     case = "cases/acid_fracturing/coarse/p30_da1.5e-3.toml"
-    common = {"time.end": 0.02, "output.interval": 0.02, "output.checkpoint_interval": 0.02}
+    common = {"time.end": 0.012, "output.interval": 0.012, "output.checkpoint_interval": 0.012}
     choices = [
         Choice("default", "preset = balanced", {}),
         Choice("preset", "preset = fast", {"accuracy.preset": "fast"}),
