@@ -1,4 +1,4 @@
-"""The problems on which choices are measured: three with a solution on paper, and the paper's rock against itself."""
+"""The problems on which choices are measured: four with a solution on paper, and the paper's rock against itself."""
 import dataclasses
 import math
 
@@ -129,6 +129,34 @@ class Cooling:
         return {"temperature": float(np.abs(snapshot.field["temperature"] - exact).max() / 200)}
 
 
+class Receding:
+    """A wall that recedes slowly. Error of the recession against the limit of slow dissolution, in which diffusion is
+    steady at every moment: (L + D/k) x + x^2/2 = M C D t."""
+
+    name = "receding"
+    case = "perf/accuracy/receding.toml"
+    common = {}
+    choices = [
+        Choice("default", "as it is", {}),
+        Choice("dissolution", "dissolution_factor = 2", {"accuracy.dissolution_factor": 2, "time.end": 100}),
+        Choice("dissolution", "dissolution_factor = 5", {"accuracy.dissolution_factor": 5, "time.end": 40}),
+        Choice("dissolution", "dissolution_factor = 10", {"accuracy.dissolution_factor": 10, "time.end": 20}),
+        Choice("dissolution", "dissolution_factor = 50", {"accuracy.dissolution_factor": 50, "time.end": 4}),
+        Choice("precision", "precision = single", {"accuracy.precision": "single"}),
+        Choice("interval", "update_interval = 100", {"accuracy.update_interval": 100}),
+    ]
+
+    def prepare(self, _):
+        """Nothing: the solution is on paper."""
+
+    def errors(self, directory, choice):
+        history = Run(directory).history()
+        time = history["time_s"][-1] * choice.overrides.get("accuracy.dissolution_factor", 1)
+        layer = 0.010 + 1e-4 / 0.01
+        exact = math.sqrt(layer**2 + 2 * 1.2e-5 * 1000 * 1e-4 * time) - layer
+        return {"recession": abs(history["dissolved_volume_m3_per_m"][-1] / 3e-3 / exact - 1)}
+
+
 class Rock:
     """The paper's rock, coarse, at 30 MPa and Da = 1.5e-3, its first 12 ms, against `preset = "reference"` with small
     mechanical sub-steps: the dissolved volume, the acid in place, the temperature, the length of the cracks."""
@@ -161,7 +189,6 @@ class Rock:
         Choice("scalar velocities", "solute.velocity_set = d2q9", {"solute.velocity_set": "d2q9"}),
         Choice("scalar velocities", "heat.velocity_set = d2q9", {"heat.velocity_set": "d2q9"}),
         Choice("scalar velocities", "solute.advective_form = false", {"solute.advective_form": "false"}),
-        Choice("dissolution", "dissolution_factor = 2", {"accuracy.dissolution_factor": 2}),
     ]
 
     def prepare(self, once):
@@ -186,4 +213,4 @@ class Rock:
                 "crack length": abs(found["cracks"] - exact["cracks"]) / max(exact["cracks"], 1e-3)}
 
 
-ALL = [Wall(), Channel(), Cooling(), Rock()]
+ALL = [Wall(), Channel(), Cooling(), Receding(), Rock()]
