@@ -1,5 +1,6 @@
 #include "coupling/run.hpp"
 
+#include "coupling/events.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/simulation.hpp"
@@ -91,11 +92,14 @@ class RunFiles {
         history_(directory + "/history.csv", names(row()),
                  resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
 
-  void write() {
+  /// Writes both, and returns the row of the history.
+  std::vector<HistoryValue> write() {
     snapshots_.write(simulation_.clock().time(), simulation_.clock().step);
+    const std::vector<HistoryValue> written = row();
     std::vector<double> values;
-    for (const HistoryValue& value : row()) values.push_back(value.value);
+    for (const HistoryValue& value : written) values.push_back(value.value);
     history_.write(values);
+    return written;
   }
 
  private:
@@ -183,6 +187,11 @@ class Run {
       simulation_.begin();
       files.write();
     }
+    Events events(simulation_);
+    const auto tell = [&](const std::vector<std::string>& news) {
+      for (const std::string& line : news) progress.note(line);
+      record_.events.insert(record_.events.end(), news.begin(), news.end());
+    };
     const std::int64_t output = output_interval(scene_), checkpoint = checkpoint_interval(scene_);
     while (simulation_.clock().step < last_) {
       simulation_.step();
@@ -190,8 +199,11 @@ class Run {
       const bool write_now = step % output == 0 || step == last_;
       const bool stop = options_.interrupted && *options_.interrupted && simulation_.may_checkpoint();
       const bool save = simulation_.may_checkpoint() && (stop || step % checkpoint == 0 || step == last_);
-      if (write_now || save || step % scene_.accuracy.guard_interval == 0) simulation_.guard();
-      if (write_now) files.write();
+      if (write_now || save || step % scene_.accuracy.guard_interval == 0) {
+        simulation_.guard();
+        tell(events.look(simulation_));
+      }
+      if (write_now) tell(events.look_at_row(simulation_, files.write()));
       if (save) {
         write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), hash_);
         last_checkpoint_ = step;

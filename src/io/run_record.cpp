@@ -62,8 +62,11 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   const auto put = [&text](const char* key, const std::string& value) {
     text += fmt::format("{}  \"{}\": {}", text.size() > 2 ? ",\n" : "", key, value);
   };
-  std::vector<std::string> overrides;
-  for (const auto& entry : r.overrides) overrides.push_back(quoted(entry));
+  const auto list = [](const std::vector<std::string>& entries) {
+    std::vector<std::string> all;
+    for (const auto& entry : entries) all.push_back(quoted(entry));
+    return fmt::format("[{}]", fmt::join(all, ", "));
+  };
   put("status", quoted(r.status));
   put("exit_reason", quoted(r.exit_reason));
   put("exit_code", fmt::format("{}", r.exit_code));
@@ -74,6 +77,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("steps", fmt::format("{}", r.steps));
   put("simulated_time_s", number(r.simulated_time));
   put("mlups", number(r.mlups));
+  if (!r.events.empty()) put("events", list(r.events));
   if (!r.results.empty()) {
     std::vector<std::string> results;
     for (const auto& [name, value] : r.results) results.push_back(quoted(name) + ": " + number(value));
@@ -89,7 +93,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("threads", fmt::format("{}", r.threads));
   put("case_path", quoted(r.case_path));
   put("case_hash", quoted(case_hash(r.case_text, r.overrides)));
-  put("overrides", fmt::format("[{}]", fmt::join(overrides, ", ")));
+  put("overrides", list(r.overrides));
   put("case_text", quoted(r.case_text));
   detail::replace_file(directory + "/run.json", text + "\n}\n", true);
 }

@@ -22,6 +22,7 @@ struct RunRecord {
   double simulated_time = 0;    ///< s reached
   double wall_time = 0;         ///< s
   double mlups = 0;             ///< million lattice-node updates per second of wall time
+  std::vector<std::string> events;  ///< one line each: first failed bond, breakthrough, ...; since first_step
   /// What a laboratory test found, names with their units; absent from the file when empty.
   std::vector<std::pair<std::string, double>> results;
 };

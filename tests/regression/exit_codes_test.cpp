@@ -107,6 +107,23 @@ TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
   EXPECT_EQ(run_vug("run " + small_rock + more + " --resume").exit_code, 0);
 }
 
+TEST(Events, AreToldInTheLogAndInTheRecord) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_vug("run " + small_rock + " --threads 1 -o " + (folder / "out"));
+  ASSERT_EQ(outcome.exit_code, 0);
+  const std::string record = test::contents((folder / "out") + "/run.json");
+  for (const char* news : {"bonds have failed", "nodes have dissolved", "nodes have been opened by damage"}) {
+    EXPECT_THAT(outcome.output, HasSubstr(news));
+    EXPECT_THAT(record, HasSubstr(news));
+  }
+  // of what there was before a restart nothing is told again
+  const Outcome first = run_vug("run " + small_rock + " --threads 1 --steps 390 -o " + (folder / "parts"));
+  EXPECT_THAT(first.output, HasSubstr(" bonds have failed"));
+  const Outcome rest = run_vug("run " + small_rock + " --threads 1 --resume -o " + (folder / "parts"));
+  EXPECT_EQ(rest.exit_code, 0);
+  EXPECT_THAT(rest.output, testing::Not(HasSubstr(": 1 bonds have failed")));
+}
+
 TEST(Check, ReportsWithoutWriting) {
   const TemporaryFolder folder;
   const Outcome outcome = run_command("root=$PWD; cd " + folder.path() +

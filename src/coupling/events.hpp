@@ -1,0 +1,28 @@
+#pragma once
+// What has happened in the rock: lines for the log and for run.json.
+#include "coupling/simulation.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// Watches counts that only grow and tells when each reaches 1, 10, 100, ...: failed bonds, dissolved nodes, nodes that
+/// damage has opened; and breakthrough, when a species leaves through an outflow with 1 % of what was injected of it.
+class Events {
+ public:
+  /// What has happened before is no news.
+  explicit Events(const Simulation& simulation);
+
+  /// News of the counts, one line each; copies the states of the bonds to the host.
+  std::vector<std::string> look(const Simulation& simulation);
+  /// News of a row of the history, which is dear to compute: breakthrough.
+  std::vector<std::string> look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row);
+
+ private:
+  std::map<std::string, std::int64_t> next_;  ///< count at which each thing is told next
+  bool begun_ = false;
+};
+
+}  // namespace vug
