@@ -6,11 +6,12 @@ The paper tells the types by eye, "according to the dissolution morphology". Her
                    pathways wide has room (the morphological opening of the pores by that disc): rock that is gone
                    wholesale. A pathway that acid has widened a little, or rock that is eaten at everywhere and still
                    stands, is none.
-  fractured share  the share of the dissolved volume on failed bonds (within a pathway's width) away from the cavities:
-                   what the new fractures carry into the rock.
+  fractured share  the share of the dissolved volume on failed bonds (within two and a half pathways' widths) and farther
+                   from the hole than twice the distance to which the same volume would reach if it went evenly: what the
+                   fractures carry into the rock.
 
   permeation         cavity share below 1/2: the rock dissolves where it still stands
-  permeation-cavity  cavity share of 1/2 and more, but at least 1/20 of the volume dissolves on fractures
+  permeation-cavity  cavity share of 1/2 and more, but at least 1/20 of the volume dissolves on far fractures
   cavity             the rest
 """
 import dataclasses
@@ -27,7 +28,8 @@ class Morphology:
 
     dissolved_volume: float  # m3 per m
     cavity_share: float  # of the dissolved volume, in cavities
-    fractured_share: float  # of the dissolved volume, on failed bonds away from the cavities
+    fractured_share: float  # of the dissolved volume, on failed bonds far from the hole
+    even_distance: float  # m, to which the same volume would reach if it went evenly
     cavity_area: float  # m2, less what was wide before (the hole)
     mean_distance: float  # m, of the dissolved volume from the hole
     acid_reach: float  # m, farthest from the hole with ACID_FRONT of the inlet's concentration
@@ -80,6 +82,12 @@ def cavities(solid, diameter):
     return dilate(~dilate(solid, diameter / 2), diameter / 2) & ~solid
 
 
+def even_reach(distances, volume):
+    """Distance within which there are `volume` nodes, from the distances of all."""
+    number = min(round(volume), len(distances)) - 1
+    return float(np.partition(distances, number)[number]) if number >= 0 else 0.0
+
+
 def reached_area(solid, acid, dx):
     """Surface of the rock that acid has reached, m2 per m: the pixel faces between solid and a TOUCHED node."""
     reached = ~solid & (acid > TOUCHED)
@@ -113,14 +121,15 @@ def measure(solid, dissolved, acid, failed, hole, dx, pathway):
         return float(dissolved[where].sum()) / total if total > 0 else 0.0
 
     cavity = cavities(solid, 3 * pathway)
-    # the nodes of the strip, and those that it has dissolved beside it
-    on_fracture = near_segments(x, y, failed, (pathway / 2 + 2) * dx) & ~dilate(cavity, 2 * pathway)
+    even_distance = even_reach(distance[distance > 0], total)
+    on_fracture = near_segments(x, y, failed, 2.5 * pathway * dx) & (distance > 2 * even_distance)
     reached = distance[acid > ACID_FRONT]
     middle = failed.mean(axis=1) if len(failed) else np.empty((0, 2))
     return Morphology(
         dissolved_volume=total * dx**2,
         cavity_share=share(cavity),
         fractured_share=share(on_fracture),
+        even_distance=even_distance,
         cavity_area=float((cavity & (distance > 0)).sum()) * dx**2,
         mean_distance=float((dissolved * distance).sum()) / total if total > 0 else 0.0,
         acid_reach=float(reached.max()) if reached.size else 0.0,

@@ -95,6 +95,8 @@ class Regimes(unittest.TestCase):
         self.assertAlmostEqual(found.dissolved_volume, np.pi * 0.003**2, delta=0.02 * np.pi * 0.003**2)
         self.assertAlmostEqual(found.acid_reach, 0.003, delta=2 * DX)
         self.assertGreater(found.cavity_share, 0.95)
+        # 12 mm of outline and two quarters of a disc: 12 mm d + pi d^2 / 2
+        self.assertAlmostEqual(found.even_distance, 1.88e-3, delta=DX)
         beyond_the_hole = np.pi * 0.003**2 / 2 + 2 * (np.pi * 0.003**2 / 4 - 0.002 * 0.003 * 0.75)
         self.assertLess(found.cavity_area, np.pi * 0.003**2)
         self.assertGreater(found.cavity_area, 0.5 * beyond_the_hole)
