@@ -44,8 +44,11 @@ def table(rows):
 
 def draw(results, path):
     problems = [name for name in TITLES if any(row["problem"] == name for row in results["rows"])]
-    figure, axes = plt.subplots(1, len(problems), figsize=(4.6 * len(problems), 4.6), squeeze=False, layout="constrained")
-    for axis, name in zip(axes[0], problems):
+    rows = -(-len(problems) // 3)
+    figure, axes = plt.subplots(rows, 3, figsize=(13, 4 * rows), squeeze=False, layout="constrained")
+    for axis in axes.flat[len(problems):]:
+        axis.set_axis_off()
+    for axis, name in zip(axes.flat, problems):
         rows = [row for row in results["rows"] if row["problem"] == name]
         first = next(iter(rows[0]["errors"]))
         groups = list(dict.fromkeys(row["group"] for row in rows))
@@ -61,7 +64,7 @@ def draw(results, path):
         axis.set_title(TITLES[name][0], fontsize=10)
         axis.legend(fontsize=7)
         axis.grid(alpha=0.3, which="both")
-    figure.savefig(path, dpi=90)
+    figure.savefig(path, dpi=90, metadata={"Software": None})
     plt.close(figure)
 
 

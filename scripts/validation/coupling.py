@@ -39,7 +39,7 @@ def arrows(records, figures):
     worst = max(abs(r["flux"] / r["exact"] - 1) for r in rate)
     off = max(abs(r["stress"] - r["exact"]) for r in stress) / (27.8e9 * 8e-6 * 100)
     rows = [
-        ["flow → rock: force of the fluid", "`HydrodynamicForce`, `HydrostaticForce`, `SettlingDisc`", "below; momentum to 1e-14"],
+        ["flow → rock: force of the fluid", "`HydrodynamicForce`, `HydrostaticForce`, `SettlingDisc`", "above; momentum to 1e-14"],
         ["flow → heat, flow → solutes", "`ConvectedTwoLayers`, `CarriedWave`", "above"],
         ["rock ↔ fluid: conjugate heat", "`TwoLayerEigenmode`, `TwoHalfSpaces`", "above"],
         ["heat → rock: thermal strain", "`CooledSlab`", f"{100 * off:.1f} % of E α ΔT"],

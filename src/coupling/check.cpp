@@ -1,5 +1,6 @@
 #include "coupling/check.hpp"
 
+#include "coupling/choices.hpp"
 #include "coupling/run.hpp"
 #include "coupling/simulation.hpp"
 #include "kernels/memory.hpp"
@@ -54,6 +55,7 @@ CheckReport check_case(const Scene& scene) {
   const Parts& parts = simulation.parts();
   report.limits = simulation.limits();
   report.warnings = scene.warnings;
+  report.choices = choice_notes(scene);
   report.nx = scene.lattice.nx;
   report.ny = scene.lattice.ny;
   report.fluid_nodes = parts.geometry.fluid.count;
@@ -89,6 +91,7 @@ std::string to_text(const CheckReport& report) {
   for (const Limit& limit : report.limits)
     fmt::format_to(out, "{:<10} {:<42} {:>12.5g} {:<9} {}\n", limit.module, limit.name, limit.value, limit.unit,
                    range_of(limit));
+  for (const std::string& choice : report.choices) fmt::format_to(out, "choice: {}\n", choice);
   for (const Limit& limit : report.limits)
     if (!limit.inside())
       fmt::format_to(out, "warning: {}: {} = {:.5g} is outside {}: {}\n", limit.module, limit.name, limit.value,
@@ -116,9 +119,13 @@ std::string to_json(const CheckReport& report) {
                    json_string(limit.unit), json_number(limit.low), json_number(limit.high), limit.inside(),
                    json_string(limit.advice));
   }
-  fmt::format_to(out, "\n  ],\n  \"warnings\": [");
-  for (std::size_t i = 0; i < report.warnings.size(); ++i)
-    fmt::format_to(out, "{}\n    {}", i ? "," : "", json_string(report.warnings[i]));
+  const auto list = [&](const char* name, const std::vector<std::string>& lines) {
+    fmt::format_to(out, "\n  ],\n  \"{}\": [", name);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      fmt::format_to(out, "{}\n    {}", i ? "," : "", json_string(lines[i]));
+  };
+  list("choices", report.choices);
+  list("warnings", report.warnings);
   fmt::format_to(out, "\n  ]\n}}\n");
   return text;
 }

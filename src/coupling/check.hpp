@@ -13,6 +13,7 @@ namespace vug {
 struct CheckReport {
   LimitTable limits;
   std::vector<std::string> warnings;
+  std::vector<std::string> choices;  ///< what those of the case gain and cost, as measured
   int nx = 0, ny = 0, fluid_nodes = 0, particles = 0, bonds = 0;
   double porosity = 0;  ///< fluid share of the lattice at the start
   double bytes = 0;     ///< held in Views

@@ -1,9 +1,12 @@
 // Choices of speed against accuracy that change what is computed: a held flow, and rock that ages faster.
+#include "coupling/choices.hpp"
 #include "support/coupled_run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace vug {
@@ -44,6 +47,30 @@ solute = { type = "outflow" }
 [accuracy]
 guard_interval = 20
 )";
+
+TEST(MeasuredChoices, AreThoseOfThePage) {
+  std::ifstream page(VUG_SOURCE_DIR "/docs/accuracy.md");
+  std::string text((std::istreambuf_iterator<char>(page)), {});
+  text = text.substr(text.find("## The paper's rock"));
+  for (const MeasuredChoice& choice : measured_choices()) {
+    const auto row = text.find(std::string("| ") + choice.name + " | " + choice.cost + " | ");
+    ASSERT_NE(row, std::string::npos) << choice.name;
+    const std::string line = text.substr(row, text.find('\n', row) - row);
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, '|');) cells.push_back(cell);
+    EXPECT_EQ(cells.at(4), std::string(" ") + choice.error + " ") << line;
+  }
+}
+
+TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
+  EXPECT_TRUE(choice_notes(parse_scene(channel, "case.toml")).empty());
+  const auto notes = choice_notes(parse_scene(channel, "case.toml", {"accuracy.precision=single", "reaction.wall=paper"}));
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].rfind("precision = single: ", 0), 0u);
+  EXPECT_EQ(notes[1].rfind("reaction.wall = paper: ", 0), 0u);
+  EXPECT_EQ(choice_notes(parse_scene(channel, "case.toml", {"accuracy.preset=fast"})).size(), 1u);
+}
 
 /// Runs n steps with the checks that `vug run` makes.
 void steps(test::CoupledRun& run, int n) {

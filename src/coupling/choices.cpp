@@ -1,0 +1,53 @@
+#include "coupling/choices.hpp"
+
+#include <fmt/format.h>
+
+namespace vug {
+
+const std::vector<MeasuredChoice>& measured_choices() {
+  using S = const Scene&;
+  static const std::vector<MeasuredChoice> choices = {
+      {"preset = fast", "0.65", "5.8e-05", [](S s) { return s.accuracy.preset == "fast"; }},
+      {"preset = reference", "1.59", "5.5e-04", [](S s) { return s.accuracy.preset == "reference"; }},
+      {"precision = single", "0.78", "7.6e-06",
+       [](S s) { return s.accuracy.preset != "fast" && s.accuracy.precision == Precision::single_precision; }},
+      {"update_interval = 50", "0.95", "3.2e-03", [](S s) { return s.accuracy.update_interval >= 50; }},
+      {"heat_interval = 2", "0.89", "1.6e-04",
+       [](S s) { return s.accuracy.preset != "fast" && s.heat && s.accuracy.heat_interval == 2; }},
+      {"heat_interval = 4", "0.80", "1.2e-04", [](S s) { return s.heat && s.accuracy.heat_interval >= 4; }},
+      {"solute_interval = 2", "0.92", "2.1e-04",
+       [](S s) { return s.accuracy.preset != "fast" && s.solute && s.accuracy.solute_interval == 2; }},
+      {"solute_interval = 4", "0.91", "8.9e-04", [](S s) { return s.solute && s.accuracy.solute_interval >= 4; }},
+      {"mass_scaling = 4", "0.84", "4.6e-05",
+       [](S s) {
+         return s.mechanics && s.mechanics->parameters.mass_scaling > 1 && s.mechanics->parameters.mass_scaling < 16;
+       }},
+      {"mass_scaling = 16", "0.64", "1.6e-04",
+       [](S s) {
+         return s.mechanics && s.mechanics->parameters.mass_scaling >= 16 && s.mechanics->parameters.mass_scaling < 64;
+       }},
+      {"mass_scaling = 64", "0.64", "1.2e-04",
+       [](S s) { return s.mechanics && s.mechanics->parameters.mass_scaling >= 64; }},
+      {"reaction.wall = paper", "1.01", "2.5e-02",
+       [](S s) { return s.reaction && s.reaction->wall == ReactiveWallLaw::paper; }},
+      {"reaction.surface_normal = false", "0.93", "6.8e-02",
+       [](S s) { return s.reaction && !s.reaction->surface_normal; }},
+      {"solute.velocity_set = d2q9", "1.24", "9.2e-03",
+       [](S s) { return s.solute && s.solute->velocity_set == ScalarVelocitySet::d2q9; }},
+      {"heat.velocity_set = d2q9", "1.71", "8.4e-03",
+       [](S s) { return s.heat && s.heat->velocity_set == ScalarVelocitySet::d2q9; }},
+      {"solute.advective_form = false", "1.01", "1.9e-01", [](S s) { return s.solute && !s.solute->advective_form; }},
+  };
+  return choices;
+}
+
+std::vector<std::string> choice_notes(const Scene& scene) {
+  std::vector<std::string> notes;
+  for (const MeasuredChoice& choice : measured_choices())
+    if (choice.made(scene))
+      notes.push_back(fmt::format("{}: {} of the default's time, dissolved volume within {} of its, on the paper's rock",
+                                  choice.name, choice.cost, choice.error));
+  return notes;
+}
+
+}  // namespace vug
