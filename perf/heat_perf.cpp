@@ -53,6 +53,26 @@ void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVeloc
     measure<T, D2Q9::Q>(state, nodes.count, bytes, step);
 }
 
+/// A whole step where fluid flows: what `conduct_all` moves, and the velocity, defect, its lag, row and links of the fluid.
+template <class T>
+void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
+  HeatSetting<T> s(*geometry, set);
+  const FluidNodes nodes = make_fluid_nodes(s.exec, s.lattice, s.type);
+  const FluidRows rows = fluid_rows(s.exec, nodes);
+  const VectorField<T> u("u", nodes.capacity);
+  const ScalarField<T> defect("defect", nodes.capacity), lagged("lagged", nodes.capacity);
+  const ScalarField<double> created("created", std::max(block_count(s.lattice.size()), ny));
+  Kokkos::deep_copy(u, T(1e-4));
+  const double fluid = static_cast<double>(nodes.count) / (nx * ny);
+  const double bytes = (2 * directions_of(set) + 1) * sizeof(T) + 1 +
+                       fluid * (5 * sizeof(T) + 2 * sizeof(int) + 3 * sizeof(std::uint16_t));
+  const auto step = [&] { conduct_and_advect(s.exec, nodes, rows, u, defect, lagged, s.fields, created); };
+  if (set == ScalarVelocitySet::d2q5)
+    measure<T, D2Q5::Q>(state, nx * ny, bytes, step);
+  else
+    measure<T, D2Q9::Q>(state, nx * ny, bytes, step);
+}
+
 template <class Function>
 void add(const std::string& name, Function function, const Geometry& geometry, ScalarVelocitySet set) {
   benchmark::RegisterBenchmark((name + "/" + geometry.name).c_str(), function, &geometry, set)
@@ -67,6 +87,8 @@ void add(const std::string& name, Function function, const Geometry& geometry, S
       const std::string name = set == ScalarVelocitySet::d2q5 ? "D2Q5" : "D2Q9";
       add("heat/conduct_" + name + "/double", conduct_all<double>, geometry, set);
       add("heat/conduct_" + name + "/float", conduct_all<float>, geometry, set);
+      add("heat/step_" + name + "/double", step_of_rows<double>, geometry, set);
+      add("heat/step_" + name + "/float", step_of_rows<float>, geometry, set);
       add("heat/advect_" + name + "/double", advect_fluid<double>, geometry, set);
       add("heat/advect_" + name + "/float", advect_fluid<float>, geometry, set);
     }

@@ -71,8 +71,12 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     entered_.emplace_back("vug::heat::entered", openings_.back().energy_in.extent(0));
     openings_.back().energy_in = entered_.back().recent();
   }
-  if (carrier_) lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
-  created_ = LongSum("vug::heat::created", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  if (carrier_) {
+    lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
+    rows_ = fluid_rows(exec, geometry.fluid);
+  }
+  const int sums = std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // per block or per row
+  created_ = LongSum("vug::heat::created", carrier_ ? sums : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   initial_energy_ = energy();
 }
@@ -114,14 +118,19 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
-  conduct(exec, fields_);
-  if (carrier_) advect(exec, geometry_.fluid, carrier_->u, carrier_->e, lagged_, fields_, created_.recent());
+  if (carrier_)
+    conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->u, carrier_->e, lagged_, fields_, created_.recent());
+  else
+    conduct(exec, fields_);
 }
 
 template <class T>
 void HeatModule<T>::births(const Exec& exec, const Births& births) {
   add_birth_energy(exec, fields_, geometry_.fluid.node, births.first, births.last, born_);
-  if (carrier_) Kokkos::resize(exec, lagged_, geometry_.fluid.capacity);
+  if (carrier_) {
+    Kokkos::resize(exec, lagged_, geometry_.fluid.capacity);
+    rows_ = fluid_rows(exec, geometry_.fluid);
+  }
   set_heat_geometry(exec, geometry_.type, periodic_, fields_);
 }
 

@@ -52,6 +52,7 @@ class HeatModule final : public Module {
   std::vector<HeatOpening> openings_;  ///< those of the geometry, in the same order
   std::array<bool, 2> periodic_;
   ScalarField<T> lagged_;         ///< (fluid) state of the advective correction
+  FluidRows rows_;                ///< empty without flow
   std::vector<LongSum> entered_;  ///< energy that entered through each of sides_, then of openings_
   LongSum created_;               ///< (block) energy that the advective form added
   ScalarField<double> born_;      ///< (block) energy that births added

@@ -96,7 +96,8 @@ class HeatBox {
       host(i, 1) = static_cast<T>(v[1]);
     }
     Kokkos::deep_copy(u, host);
-    created = ScalarField<double>("created", (lattice.nx * lattice.ny) / 512 + 1);
+    created = ScalarField<double>("created", std::max((lattice.nx * lattice.ny) / 512 + 1, lattice.ny));
+    rows = fluid_rows(exec, nodes);
   }
 
   /// Opens a side for the flow (its velocity passes).
@@ -115,9 +116,16 @@ class HeatBox {
         p.g = fields.g;
         for_each_node(exec, "profile", static_cast<int>(p.profile.extent(0)) / 2, p);
       }
-      conduct(exec, fields);
-      if (nodes.count == 0) continue;
-      advect(exec, nodes, u, defect, lagged, fields, created);
+      if (nodes.count == 0) {
+        conduct(exec, fields);
+        continue;
+      }
+      if (by_rows) {
+        conduct_and_advect(exec, nodes, rows, u, defect, lagged, fields, created);
+      } else {
+        conduct(exec, fields);
+        advect(exec, nodes, u, defect, lagged, fields, created);
+      }
       // of the velocity that the next step streams with
       if (directions() == D2Q5::Q)
         advective_defect<D2Q5>(exec, nodes, u, defect);
@@ -166,6 +174,8 @@ class HeatBox {
   VectorField<T> u;
   ScalarField<T> defect, lagged;
   ScalarField<double> created;
+  FluidRows rows;
+  bool by_rows = true;  ///< as a run does; or all conduct, then all convect
   std::vector<HeatSide> sides;
 
  private:
