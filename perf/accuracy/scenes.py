@@ -16,7 +16,7 @@ SCENES = [
     ("heat alone", ("flow", "solute", "reaction", "mechanics", "damage"), ("flow", "solute", "traction")),
     ("mechanics alone", ("flow", "heat", "solute", "reaction", "damage"), ("flow", "heat", "solute")),
 ]
-STEPS = 400
+STEPS = 2000
 
 
 def without(text, tables, conditions):
