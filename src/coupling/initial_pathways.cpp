@@ -38,7 +38,8 @@ struct Nearest {
   std::vector<double> distance;
 };
 
-/// Dijkstra's algorithm from several places at once; ties go to the lower number. No way is longer than its reach.
+/// Dijkstra's algorithm from several places at once; the order of the places decides ties, so the result is the same on
+/// every machine.
 Nearest nearest_start(const Graph& graph, const std::vector<int>& starts) {
   const std::size_t count = graph.ways.size();
   Nearest found{std::vector<int>(count, nobody), std::vector<int>(count, nobody), std::vector<int>(count, nobody),
@@ -123,7 +124,8 @@ class Blocks {
     std::vector<bool> open = fixed_;
     for (std::size_t b = 0; b < open.size(); ++b)
       if (block.start[sides_[b][0]] != block.start[sides_[b][1]]) open[b] = true;
-    while (connect(open)) continue;
+    while (connect(open)) {
+    }
     return open;
   }
 
