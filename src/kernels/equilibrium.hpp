@@ -24,11 +24,17 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr T along(T x, T y) {
 /// On a lambda inside a kernel: a call left standing in a loop over nodes keeps the loop from vectorising.
 #define VUG_INLINED __attribute__((always_inline))
 
-/// Calls body(integral_constant<int, k>) for k = 0 .. N-1 in order, so that tables indexed by k fold to constants.
+/// A number that the type carries: std::integral_constant, whose conversion is not for the device.
+template <int k>
+struct Constant {
+  KOKKOS_FORCEINLINE_FUNCTION constexpr operator int() const { return k; }
+};
+
+/// Calls body(Constant<k>) for k = 0 .. N-1 in order, so that tables indexed by k fold to constants.
 template <int N, class Body>
 KOKKOS_FORCEINLINE_FUNCTION constexpr void unroll(const Body& body) {
   [&]<int... k>(std::integer_sequence<int, k...>) VUG_INLINED {
-    (body(std::integral_constant<int, k>{}), ...);
+    (body(Constant<k>{}), ...);
   }
   (std::make_integer_sequence<int, N>{});
 }
