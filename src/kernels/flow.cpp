@@ -100,12 +100,12 @@ struct CollideAndStream {
 template <class T, class Node>
 struct EightFromHome {
   Node node;
-  FluidNodes nodes;
+  Kokkos::View<const SourceWindow*> windows;
   ScalarField<double> limited;
   void operator()(int first, int last) const {
     const detail::LocalBody<Node> copy(node);
     const Node& local = copy.body;
-    const EightNodes<T, D2Q9> eight{nodes.windows.data(), nodes.source.data(), nodes.capacity};
+    const EightNodes<T, D2Q9> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
     T* const f = local.f_next.data();
     int uses = 0, i = first;
     for (; i + nodes_per_window <= last; i += nodes_per_window) {
@@ -167,7 +167,7 @@ struct Sweep {
     };
     constexpr bool by_eights = has_source_windows && std::is_same_v<Slots, InPlaceFromHome>;
     const auto eights = [&](const auto& node, const ScalarField<double>& uses) {
-      return EightFromHome<T, std::decay_t<decltype(node)>>{node, nodes, uses};
+      return EightFromHome<T, std::decay_t<decltype(node)>>{node, nodes.windows, uses};
     };
     if (step.speed_limit > T(0)) {
       assert(static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));

@@ -86,33 +86,23 @@ struct Advect {
       return rate * odd + (2 - rate) * (scalar_equilibrium<Set, T>(q, ux, uy) - 1 - odd);
   }
 
-  /// What fluid node i adds to its population q, over w_q, and to that at rest; `temperature` becomes the new one.
-  /// Returns the energy added.
-  KOKKOS_FORCEINLINE_FUNCTION T changes(int i, T& temperature, T (&change)[Set::Q]) const {
+  KOKKOS_FUNCTION double operator()(int i) const {
+    const int n = node(i);
     const T excess = lagged(i) + rate * (defect(i) - lagged(i));
-    const T added = -temperature * excess / (1 + excess);
-    temperature += added;
+    const T added = -theta(n) * excess / (1 + excess);
+    const T temperature = theta(n) + added;
     const unsigned walls = solid_links(i) | (side_links(i) & ~open_links(i));
     T rest = added;
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const T along = (walls >> q & 1u) ? T(0) : temperature * carried(q, u(i, 0), u(i, 1));
-      change[q] = (2 - rate) * added + along;
-      rest -= T(Set::w(q)) * change[q];
+      const T change = T(Set::w(q)) * ((2 - rate) * added + along);
+      g(q * plane + n) += change;
+      rest -= change;
     }
-    change[0] = rest;
-    lagged(i) = excess;
-    return added;
-  }
-
-  KOKKOS_FUNCTION double operator()(int i) const {
-    const int n = node(i);
-    T temperature = theta(n), change[Set::Q];
-    const T added = changes(i, temperature, change);
-    g(n) += change[0];
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) g(q * plane + n) += T(Set::w(q)) * change[q];
+    g(n) += rest;
     theta(n) = temperature;
+    lagged(i) = excess;
     return static_cast<double>(added);
   }
 };

@@ -32,56 +32,19 @@ FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes) {
   return rows;
 }
 
-/// The convection of up to `most` fluid nodes with consecutive numbers: the arithmetic in one loop that vectorises, then
-/// what it adds to nodes that lie apart.
-template <class T, class Set>
-struct ConvectRun {
-  static constexpr int most = 64;
-  const Advect<T, Set>& advect;
-
-  /// Sums up the energy added in the order of the nodes.
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(int first, int count, double& sum) const {
-    T temperature[most], added[most], change[Set::Q][most];
-    for (int l = 0; l < count; ++l) temperature[l] = advect.theta(advect.node(first + l));
-    VUG_VECTORISE
-    for (int l = 0; l < count; ++l) {
-      T own[Set::Q], t = temperature[l];
-      added[l] = advect.changes(first + l, t, own);
-      temperature[l] = t;
-      VUG_UNROLL
-      for (int q = 0; q < Set::Q; ++q) change[q][l] = own[q];
-    }
-    for (int l = 0; l < count; ++l) {
-      const int n = advect.node(first + l);
-      advect.g(n) += change[0][l];
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) advect.g(q * advect.plane + n) += T(Set::w(q)) * change[q][l];
-      advect.theta(n) = temperature[l];
-      sum += static_cast<double>(added[l]);
-    }
-  }
-};
-
 /// One row: all its nodes conduct, then its fluid nodes convect.
-template <class T, class Set, class Conduction>
+template <class Conduction, class Convection>
 struct HeatRow {
   detail::RowOfNodes<Conduction> conduct;
-  Advect<T, Set> advect;
+  Convection advect;
   FluidRows rows;
   ScalarField<double> created;
   KOKKOS_FUNCTION void operator()(int y) const {
     conduct(y);
-    const detail::LocalBody<Advect<T, Set>> copy(advect);
-    const ConvectRun<T, Set> convect{copy.body};
+    const detail::LocalBody<Convection> copy(advect);
+    const Convection& local = copy.body;
     double sum = 0;
-    const int last = rows.first(y + 1);
-    for (int k = rows.first(y); k < last;) {
-      const int first = rows.fluid(k);
-      int count = 1;
-      while (count < convect.most && k + count < last && rows.fluid(k + count) == first + count) ++count;
-      convect(first, count, sum);
-      k += count;
-    }
+    for (int k = rows.first(y); k < rows.first(y + 1); ++k) sum += local(rows.fluid(k));
     created(y) += sum;
   }
 };
@@ -95,7 +58,7 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
       using Set = decltype(set);
       const auto convection = advect_body<T, Set>(nodes, u, defect, lagged, fields, fields.g_next);
       const auto launch = [&](const auto& conduction) {
-        const HeatRow<T, Set, std::decay_t<decltype(conduction)>> row{
+        const HeatRow<std::decay_t<decltype(conduction)>, Advect<T, Set>> row{
             {conduction, fields.lattice}, convection, rows, created};
         Kokkos::parallel_for("vug::heat::rows", Kokkos::RangePolicy<Exec>(exec, 0, fields.lattice.ny), row);
       };

@@ -113,12 +113,12 @@ struct SoluteSweep {
 template <class T, class Set, class Flow>
 struct EightSweeps {
   SoluteSweep<T, Set, Flow> sweep;
-  FluidNodes nodes;
+  Kokkos::View<const SourceWindow*> windows;
   ScalarField<double> correction;
   void operator()(int first, int last) const {
     const detail::LocalBody<SoluteSweep<T, Set, Flow>> copy(sweep);
     const SoluteSweep<T, Set, Flow>& local = copy.body;
-    const EightNodes<T, Set> eight{nodes.windows.data(), nodes.source.data(), nodes.capacity};
+    const EightNodes<T, Set> eight{windows.data(), local.source.data(), local.capacity};
     const T* const h = local.h.data();
     double sum[nodes_per_window] = {};
     int i = first;
@@ -172,7 +172,7 @@ void advance(const Exec& exec, const char* label, const FluidNodes& nodes, const
              SoluteFields<T>& s, const Flow& flow, const ScalarField<double>& correction = {}) {
   const auto sweep = make_sweep<Set>(nodes, p, s, flow);
   if constexpr (has_source_windows)
-    for_each_block(exec, label, nodes.count, EightSweeps<T, Set, Flow>{sweep, nodes, correction},
+    for_each_block(exec, label, nodes.count, EightSweeps<T, Set, Flow>{sweep, nodes.windows, correction},
                    Flow::advective_form ? nodes_per_block : block_of_list(nodes.count));
   else if constexpr (Flow::advective_form)
     add_per_block(exec, label, nodes.count, sweep, correction);
