@@ -7,8 +7,8 @@
 namespace vug::perf {
 namespace {
 
-/// What a sweep moves per node: 18 populations, 3 stored moments, indices (in place by windows, and in every second step
-/// only); write-allocation not counted.
+/// What a sweep moves per node: 18 populations, 3 stored moments, indices (in place by windows, and in every second
+/// step only); write-allocation not counted.
 template <class T>
 constexpr double sweep_bytes(Streaming streaming) {
   return 21 * sizeof(T) + (streaming == Streaming::in_place ? index_bytes(8) / 2 : 8 * sizeof(int));
@@ -80,9 +80,9 @@ void two_lattices(benchmark::State& state, const Case& c) {
   Kokkos::deep_copy(other.f, s.fields.f);
   const TwoRelaxationTimes<T> relax(s.step.rates);
   const auto hand_written = [&] {
-    for_each_node(s.exec, "vug::perf::two_lattices", s.nodes.count,
-                  HandWrittenTwoLattices<T>{other.f.data(), other.f_next.data(), s.nodes.source.data(),
-                                            s.nodes.capacity, relax});
+    for_each_node(
+        s.exec, "vug::perf::two_lattices", s.nodes.count,
+        HandWrittenTwoLattices<T>{other.f.data(), other.f_next.data(), s.nodes.source.data(), s.nodes.capacity, relax});
     std::swap(other.f, other.f_next);
   };
   measure<T, D2Q9::Q>(

@@ -53,7 +53,8 @@ void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVeloc
     measure<T, D2Q9::Q>(state, nodes.count, bytes, step);
 }
 
-/// A whole step where fluid flows: what `conduct_all` moves, and the velocity, defect, its lag, row and links of the fluid.
+/// A whole step where fluid flows: what `conduct_all` moves, and the velocity, defect, its lag, row and links of the
+/// fluid.
 template <class T>
 void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
   HeatSetting<T> s(*geometry, set);

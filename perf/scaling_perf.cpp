@@ -12,9 +12,9 @@
 namespace vug::perf {
 namespace {
 
-/// A back end's instance of one thread; the back end itself where that is no choice.
+/// One thread of the host; the whole device on a GPU.
 Exec one_thread() {
-#if defined(KOKKOS_ENABLE_OPENMP)
+#if defined(KOKKOS_ENABLE_OPENMP) && !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP)
   return Kokkos::OpenMP(1);
 #else
   return Exec{};

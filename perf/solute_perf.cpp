@@ -83,7 +83,14 @@ int wall_links(const FluidNodes& nodes) {
   return links;
 }
 
-struct UniformTemperature {
+struct SolidVolume {
+  Kokkos::View<const NodeType*> type;
+  ScalarField<double> V;
+  KOKKOS_FUNCTION void operator()(int n) const { V(n) = type(n) == NodeType::solid; }
+};
+
+/// At the middle of a link.
+struct FaceTemperature {
   ScalarField<double> T;
   KOKKOS_FUNCTION double operator()(int solid, int fluid) const { return 0.5 * (T(solid) + T(fluid)); }
 };
@@ -96,9 +103,7 @@ template <class T, class Set>
 void react(benchmark::State& state, const Geometry* geometry, RateLaw law) {
   SoluteSetting<T, Set> s(*geometry);
   const ScalarField<double> V("V", s.lattice.size());
-  const auto type = s.type;
-  Kokkos::parallel_for(
-      "vug::perf::volume", s.lattice.size(), KOKKOS_LAMBDA(int n) { V(n) = type(n) == NodeType::solid; });
+  for_each_node(s.exec, "vug::perf::volume", s.lattice.size(), SolidVolume{s.type, V});
   Surface surface;
   find_surface(s.exec, s.nodes, s.type, surface);
   VectorField<double> normal;
@@ -112,11 +117,11 @@ void react(benchmark::State& state, const Geometry* geometry, RateLaw law) {
                               {}};
   const ScalarField<double> temperature("T", s.lattice.size()), k("k", s.lattice.size());
   Kokkos::deep_copy(temperature, 350.0);
-  const ArrheniusRate<UniformTemperature> hot{1e-9, 7553, 273.15, {temperature}};
+  const ArrheniusRate<FaceTemperature> hot{1e-9, 7553, 273.15, {temperature}};
   store_rates(s.exec, s.nodes, surface, hot, k);
   const int links = wall_links<Set>(s.nodes);
-  const double bytes = 4 * sizeof(T) + 2 * sizeof(int) +
-                       static_cast<double>(surface.count) / links * (sizeof(int) + 6 * sizeof(double));
+  const double bytes =
+      4 * sizeof(T) + 2 * sizeof(int) + static_cast<double>(surface.count) / links * (sizeof(int) + 6 * sizeof(double));
   const auto with = [&](const auto& rate) {
     measure<T, 2>(state, links, bytes, [&] {
       react_at_wall<Set>(s.exec, s.nodes, surface, wall, rate, normal, s.acid, &s.product, ledger);

@@ -36,7 +36,8 @@ struct FluidNodes {
   IndexList node;             ///< (fluid) node of the dense lattice
   IndexList index;            ///< (dense node) fluid index, -1 in solid and halo, in_opening in an opening
   Kokkos::View<int*> source;  ///< (q * capacity + fluid) slot that direction q is pulled from
-  Kokkos::View<SourceWindow*> windows;  ///< (eight nodes, direction 1-8) the same by eights, where the host has use for it
+  Kokkos::View<SourceWindow*>
+      windows;  ///< (eight nodes, direction 1-8) the same by eights, where the host has use for it
   Kokkos::View<std::uint16_t*> solid_links;  ///< (fluid) bit q: the neighbour along +q is solid
   Kokkos::View<std::uint16_t*>
       side_links;  ///< (fluid) bit q: the neighbour along +q is outside the lattice or in an opening

@@ -45,7 +45,8 @@ struct AdvectiveForm {
 ///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
 /// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h; with the
 /// advective form it returns what it adds to it, -C e with C (1 + e) = sum of the pulled populations. Bytes per node,
-/// size of T = s: 2 Q s + 4 (Q - 1) + s, + 2 s with advection, + s with the advective form.
+/// size of T = s: 2 Q s + 4 (Q - 1) + s (by eights 2.5 (Q - 1) instead), + 2 s with advection, + s with the advective
+/// form.
 template <class T, class Set, class Flow>
 struct SoluteSweep {
   Kokkos::View<const int*> source;
@@ -135,7 +136,8 @@ struct EightSweeps {
     }
     for (int l = 0; i < last; ++i, ++l) sum[l] += local(i);
     if constexpr (Flow::advective_form)
-      correction(first / nodes_per_block) += ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+      correction(first / nodes_per_block) +=
+          ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
 };
 

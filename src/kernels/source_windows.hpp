@@ -28,10 +28,10 @@ inline constexpr int nodes_per_window = 8;
 /// once more, in 20 bytes instead of 32.
 struct SourceWindow {
   static constexpr int slots = 16;
-  int first = -1;              ///< first slot of the window; -1: the slots lie too far apart for one
-  std::uint32_t from = 0;      ///< 4 bits per node: its slot, counted from the first
-  std::uint32_t to[2] = {};    ///< per half of the window: 3 bits per slot, its node; bit 24 + slot: has one
-  std::uint32_t bounced = 0;   ///< bit per node: pulls from its own opposite slot instead
+  int first = -1;             ///< first slot of the window; -1: the slots lie too far apart for one
+  std::uint32_t from = 0;     ///< 4 bits per node: its slot, counted from the first
+  std::uint32_t to[2] = {};   ///< per half of the window: 3 bits per slot, its node; bit 24 + slot: has one
+  std::uint32_t bounced = 0;  ///< bit per node: pulls from its own opposite slot instead
 
   static constexpr int owned_from = 24;
 };
@@ -78,7 +78,9 @@ struct Eight<double> {
     return _mm512_permutex2var_pd(a, fields(order, 4), b);
   }
   /// Lane l: number (order >> 3 l) % 8 of `a`.
-  static Register pick(std::uint32_t order, Register a) { return _mm512_maskz_permutexvar_pd(all, fields(order, 3), a); }
+  static Register pick(std::uint32_t order, Register a) {
+    return _mm512_maskz_permutexvar_pd(all, fields(order, 3), a);
+  }
 
  private:
   static constexpr __mmask8 all = 0xff;  // the forms with a mask: the others draw a false warning from GCC 12

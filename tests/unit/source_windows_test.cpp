@@ -53,7 +53,7 @@ void expect_as_the_table() {
       eight.push(turned.data(), i, g);
     }
     EXPECT_EQ(turned, expected);
-    EXPECT_GT(irregular, 0);             // both ways are taken
+    EXPECT_GT(irregular, 0);  // both ways are taken
     EXPECT_LT(irregular, windows / 2);
   } else {
     GTEST_SKIP() << "this host has no registers of eight numbers with masks";
