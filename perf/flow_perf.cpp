@@ -7,11 +7,11 @@
 namespace vug::perf {
 namespace {
 
-/// What a sweep moves per node: 18 populations, stored moments, indices (8, in place in every second step only);
-/// write-allocation not counted.
+/// What a sweep moves per node: 18 populations, 3 stored moments, indices (in place by windows, and in every second
+/// step only); write-allocation not counted.
 template <class T>
-constexpr double sweep_bytes(int moments, Streaming streaming) {
-  return (18 + moments) * sizeof(T) + (streaming == Streaming::in_place ? 4 : 8) * sizeof(int);
+constexpr double sweep_bytes(Streaming streaming) {
+  return 21 * sizeof(T) + (streaming == Streaming::in_place ? index_bytes(8) / 2 : 8 * sizeof(int));
 }
 
 struct Case {
@@ -46,29 +46,20 @@ void sweep(benchmark::State& state, const Case& c, Streaming streaming, Collisio
     s.step.speed_limit = T(0.2);
     s.step.limited = ScalarField<double>("limited", block_count(s.nodes.count));
   }
-  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(3, streaming),
+  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(streaming),
                       [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); });
 }
 
+/// Each in turn with the sweep written by hand over the same list (hand_written_flow.hpp).
 template <class T>
-void hand_written_two_lattices(benchmark::State& state, const Case& c) {
-  Setting<T> s(c, Streaming::two_lattices);
-  const TwoRelaxationTimes<T> relax(s.step.rates);
-  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(0, Streaming::two_lattices), [&] {
-    for_each_node(s.exec, "vug::perf::two_lattices", s.nodes.count,
-                  HandWrittenTwoLattices<T>{s.fields.f.data(), s.fields.f_next.data(), s.nodes.source.data(),
-                                            s.nodes.capacity, relax});
-    std::swap(s.fields.f, s.fields.f_next);
-  });
-}
-
-template <class T>
-void hand_written_in_place(benchmark::State& state, const Case& c) {
+void in_place(benchmark::State& state, const Case& c) {
   Setting<T> s(c);
+  FlowFields<T> other = make_flow_fields<T>(s.exec, s.nodes, Streaming::in_place);
+  Kokkos::deep_copy(other.f, s.fields.f);
   const TwoRelaxationTimes<T> relax(s.step.rates);
-  T* f = s.fields.f.data();
+  T* f = other.f.data();
   bool at_home = true;
-  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(0, Streaming::in_place), [&] {
+  const auto hand_written = [&] {
     if (at_home)
       for_each_node(s.exec, "vug::perf::in_place_from_home", s.nodes.count,
                     HandWrittenInPlace<T, true>{f, s.nodes.source.data(), s.nodes.capacity, relax});
@@ -76,34 +67,40 @@ void hand_written_in_place(benchmark::State& state, const Case& c) {
       for_each_node(s.exec, "vug::perf::in_place_from_turned", s.nodes.count,
                     HandWrittenInPlace<T, false>{f, s.nodes.source.data(), s.nodes.capacity, relax});
     at_home = !at_home;
-  });
+  };
+  measure<T, D2Q9::Q>(
+      state, s.nodes.count, sweep_bytes<T>(Streaming::in_place),
+      [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); }, hand_written);
 }
 
-template <class Function, class... Arguments>
-void add(const std::string& name, Function function, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
-      ->UseManualTime()
-      ->Iterations(7)
-      ->Unit(benchmark::kMillisecond);
+template <class T>
+void two_lattices(benchmark::State& state, const Case& c) {
+  Setting<T> s(c, Streaming::two_lattices);
+  FlowFields<T> other = make_flow_fields<T>(s.exec, s.nodes, Streaming::two_lattices);
+  Kokkos::deep_copy(other.f, s.fields.f);
+  const TwoRelaxationTimes<T> relax(s.step.rates);
+  const auto hand_written = [&] {
+    for_each_node(
+        s.exec, "vug::perf::two_lattices", s.nodes.count,
+        HandWrittenTwoLattices<T>{other.f.data(), other.f_next.data(), s.nodes.source.data(), s.nodes.capacity, relax});
+    std::swap(other.f, other.f_next);
+  };
+  measure<T, D2Q9::Q>(
+      state, s.nodes.count, sweep_bytes<T>(Streaming::two_lattices),
+      [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); }, hand_written);
 }
 
 template <class T>
 void add_precision(const std::string& precision) {
-  constexpr Streaming in_place = Streaming::in_place, two_lattices = Streaming::two_lattices;
   for (const Geometry& geometry : geometries) {
     const Case c{&geometry, 2000, 1400};
     const std::string suffix = "/" + precision + "/" + geometry.name;
-    add("flow/in_place" + suffix, sweep<T>, c, in_place, Collision::trt, false);
-    add("flow/two_lattices" + suffix, sweep<T>, c, two_lattices, Collision::trt, false);
-    add("flow/in_place_limited" + suffix, sweep<T>, c, in_place, Collision::trt, true);
-    add("flow/in_place_lallemand_luo" + suffix, sweep<T>, c, in_place, Collision::lallemand_luo, false);
-    add("flow/in_place_regularised" + suffix, sweep<T>, c, in_place, Collision::regularised, false);
-    add("flow/hand_written_in_place" + suffix, hand_written_in_place<T>, c);
-    add("flow/hand_written_two_lattices" + suffix, hand_written_two_lattices<T>, c);
+    add("flow/in_place" + suffix, in_place<T>, c);
+    add("flow/two_lattices" + suffix, two_lattices<T>, c);
+    add("flow/in_place_limited" + suffix, sweep<T>, c, Streaming::in_place, Collision::trt, true);
+    add("flow/in_place_lallemand_luo" + suffix, sweep<T>, c, Streaming::in_place, Collision::lallemand_luo, false);
+    add("flow/in_place_regularised" + suffix, sweep<T>, c, Streaming::in_place, Collision::regularised, false);
   }
-  for (const int n : {128, 512, 1024, 2048})
-    add("flow/in_place_square_box/" + precision + "/" + std::to_string(n), sweep<T>, Case{&geometries[2], n, n},
-        in_place, Collision::trt, false);
 }
 
 [[maybe_unused]] const bool registered = [] {

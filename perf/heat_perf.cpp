@@ -53,7 +53,8 @@ void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVeloc
     measure<T, D2Q9::Q>(state, nodes.count, bytes, step);
 }
 
-/// A whole step where fluid flows: what `conduct_all` moves, and the velocity, defect, its lag, row and links of the fluid.
+/// A whole step where fluid flows: what `conduct_all` moves, and the velocity, defect, its lag, row and links of the
+/// fluid.
 template <class T>
 void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
   HeatSetting<T> s(*geometry, set);
@@ -73,24 +74,16 @@ void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVeloc
     measure<T, D2Q9::Q>(state, nx * ny, bytes, step);
 }
 
-template <class Function>
-void add(const std::string& name, Function function, const Geometry& geometry, ScalarVelocitySet set) {
-  benchmark::RegisterBenchmark((name + "/" + geometry.name).c_str(), function, &geometry, set)
-      ->UseManualTime()
-      ->Iterations(7)
-      ->Unit(benchmark::kMillisecond);
-}
-
 [[maybe_unused]] const bool registered = [] {
   for (const Geometry& geometry : geometries)
     for (const ScalarVelocitySet set : {ScalarVelocitySet::d2q5, ScalarVelocitySet::d2q9}) {
       const std::string name = set == ScalarVelocitySet::d2q5 ? "D2Q5" : "D2Q9";
-      add("heat/conduct_" + name + "/double", conduct_all<double>, geometry, set);
-      add("heat/conduct_" + name + "/float", conduct_all<float>, geometry, set);
-      add("heat/step_" + name + "/double", step_of_rows<double>, geometry, set);
-      add("heat/step_" + name + "/float", step_of_rows<float>, geometry, set);
-      add("heat/advect_" + name + "/double", advect_fluid<double>, geometry, set);
-      add("heat/advect_" + name + "/float", advect_fluid<float>, geometry, set);
+      add("heat/conduct_" + name + "/double/" + geometry.name, conduct_all<double>, &geometry, set);
+      add("heat/conduct_" + name + "/float/" + geometry.name, conduct_all<float>, &geometry, set);
+      add("heat/step_" + name + "/double/" + geometry.name, step_of_rows<double>, &geometry, set);
+      add("heat/step_" + name + "/float/" + geometry.name, step_of_rows<float>, &geometry, set);
+      add("heat/advect_" + name + "/double/" + geometry.name, advect_fluid<double>, &geometry, set);
+      add("heat/advect_" + name + "/float/" + geometry.name, advect_fluid<float>, &geometry, set);
     }
   return true;
 }();

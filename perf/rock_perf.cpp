@@ -93,7 +93,7 @@ BENCHMARK(large_rock)->Arg(6250)->Arg(25000)->Arg(110000)->Iterations(1)->UseMan
 
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard kokkos(argc, argv);
-  count_allocations();
+  watch_allocations();
   benchmark::Initialize(&argc, argv);
   benchmark::AddCustomContext("execution space", Exec::name());
   benchmark::AddCustomContext("concurrency", std::to_string(Exec().concurrency()));

@@ -1,197 +1,162 @@
-// Speed of the solute kernels in rock of the paper's kind (pathways three nodes wide along the edges of triangles, 15 %
-// fluid) and in an open box: million node updates a second and bytes per node.
+// The solute kernels and the reactive wall: velocity sets, precisions, geometries.
 #include "kernels/advective_form.hpp"
-#include "kernels/launch.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
 #include "kernels/solute.hpp"
 #include "kernels/surface_normal.hpp"
+#include "measure.hpp"
 #include "rock_geometry.hpp"
 
-#include <benchmark/benchmark.h>
-
+namespace vug::perf {
 namespace {
 
-using namespace vug;
-
-enum Where : int { open_box = 0, paper_rock = 1 };
-
+/// Two solutes at rest in a uniform flow over a geometry.
 template <class T, class Set>
-struct Case {
+struct SoluteSetting {
   Exec exec;
   Lattice lattice{2000, 1400};
   Kokkos::View<NodeType*> type;
-  ScalarField<double> V{"V", static_cast<std::size_t>(lattice.size())};
   FluidNodes nodes;
   SoluteFields<T> acid, product;
   VectorField<T> u;
   ScalarField<T> e;
   SoluteParameters parameters = solute_parameters(0.02);
 
-  explicit Case(int geometry) {
-    type =
-        geometry == paper_rock ? perf::node_types(perf::geometries[0], lattice) : perf::node_types({"box", 0}, lattice);
-    const auto type_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, type);
-    const auto V_host = Kokkos::create_mirror_view(V);
-    for (int n = 0; n < lattice.size(); ++n) V_host(n) = type_host(n) == NodeType::solid;
-    Kokkos::deep_copy(V, V_host);
-    nodes = make_fluid_nodes(exec, lattice, type);
-    acid = make_solute_fields<T, Set>(exec, nodes, 0.5);
-    product = make_solute_fields<T, Set>(exec, nodes, 0.1);
-    u = VectorField<T>("u", nodes.capacity);
+  explicit SoluteSetting(const Geometry& geometry)
+      : type(node_types(geometry, lattice)),
+        nodes(make_fluid_nodes(exec, lattice, type)),
+        acid(make_solute_fields<T, Set>(exec, nodes, 0.5)),
+        product(make_solute_fields<T, Set>(exec, nodes, 0.1)),
+        u("u", nodes.capacity),
+        e("e", nodes.capacity) {
     Kokkos::deep_copy(u, T(0.001));
-    e = ScalarField<T>("e", nodes.capacity);
     advective_defect<Set>(exec, nodes, u, e);
   }
 };
 
-void report(benchmark::State& state, double nodes, double bytes) {
-  state.counters["MLUPS"] = benchmark::Counter(nodes * 1e-6, benchmark::Counter::kIsIterationInvariantRate);
-  state.counters["bytes_per_node"] = bytes;
-  state.counters["GB/s"] = benchmark::Counter(nodes * bytes * 1e-9, benchmark::Counter::kIsIterationInvariantRate);
+/// Populations read and written, indices, concentration written.
+template <class T, class Set>
+constexpr double sweep_bytes = (2 * Set::Q + 1) * sizeof(T) + index_bytes(Set::Q - 1);
+
+template <class T, class Set>
+void diffuse(benchmark::State& state, const Geometry* geometry) {
+  SoluteSetting<T, Set> s(*geometry);
+  measure<T, Set::Q>(state, s.nodes.count, sweep_bytes<T, Set>,
+                     [&] { advance_solute<Set>(s.exec, s.nodes, s.parameters, s.acid); });
 }
 
 template <class T, class Set>
-constexpr double sweep_bytes = 2.0 * Set::Q * sizeof(T) + 4.0 * (Set::Q - 1) + sizeof(T);
+void advect(benchmark::State& state, const Geometry* geometry) {
+  SoluteSetting<T, Set> s(*geometry);
+  measure<T, Set::Q>(state, s.nodes.count, sweep_bytes<T, Set> + 2 * sizeof(T),
+                     [&] { advance_solute<Set>(s.exec, s.nodes, s.parameters, s.u, s.acid); });
+}
 
 template <class T, class Set>
-void diffuse(benchmark::State& state) {
-  Case<T, Set> c(static_cast<int>(state.range(0)));
-  for (auto _ : state) {
-    advance_solute<Set>(c.exec, c.nodes, c.parameters, c.acid);
-    c.exec.fence();
+void advect_in_advective_form(benchmark::State& state, const Geometry* geometry) {
+  SoluteSetting<T, Set> s(*geometry);
+  const ScalarField<double> correction("correction", block_count(s.nodes.count));
+  measure<T, Set::Q>(state, s.nodes.count, sweep_bytes<T, Set> + 3 * sizeof(T),
+                     [&] { advance_solute<Set>(s.exec, s.nodes, s.parameters, s.u, s.e, s.acid, correction); });
+}
+
+/// Velocity read, defect written, indices and three sets of link bits.
+template <class T, class Set>
+void find_defect(benchmark::State& state, const Geometry* geometry) {
+  SoluteSetting<T, Set> s(*geometry);
+  measure<T, 2>(state, s.nodes.count, 3 * sizeof(T) + 4 * (Set::Q - 1) + 3 * sizeof(std::uint16_t),
+                [&] { advective_defect<Set>(s.exec, s.nodes, s.u, s.e); });
+}
+
+/// Links between fluid and solid of the velocity set.
+template <class Set>
+struct CountWallLinks {
+  Kokkos::View<const std::uint16_t*> solid_links;
+  KOKKOS_FUNCTION void operator()(int i, int& links) const {
+    for (int q = 1; q < Set::Q; ++q) links += solid_links(i) >> q & 1;
   }
-  report(state, c.nodes.count, sweep_bytes<T, Set>);
+};
+
+template <class Set>
+int wall_links(const FluidNodes& nodes) {
+  int links = 0;
+  Kokkos::parallel_reduce("vug::perf::wall_links", nodes.count, CountWallLinks<Set>{nodes.solid_links}, links);
+  return links;
 }
 
-template <class T, class Set>
-void advect(benchmark::State& state) {
-  Case<T, Set> c(static_cast<int>(state.range(0)));
-  for (auto _ : state) {
-    advance_solute<Set>(c.exec, c.nodes, c.parameters, c.u, c.acid);
-    c.exec.fence();
-  }
-  report(state, c.nodes.count, sweep_bytes<T, Set> + 2 * sizeof(T));
-}
+struct SolidVolume {
+  Kokkos::View<const NodeType*> type;
+  ScalarField<double> V;
+  KOKKOS_FUNCTION void operator()(int n) const { V(n) = type(n) == NodeType::solid; }
+};
 
-template <class T, class Set>
-void advect_in_advective_form(benchmark::State& state) {
-  Case<T, Set> c(static_cast<int>(state.range(0)));
-  const ScalarField<double> correction("correction", block_count(c.nodes.count));
-  for (auto _ : state) {
-    advance_solute<Set>(c.exec, c.nodes, c.parameters, c.u, c.e, c.acid, correction);
-    c.exec.fence();
-  }
-  report(state, c.nodes.count, sweep_bytes<T, Set> + 3 * sizeof(T));
-}
-
-template <class T, class Set>
-void find_defect(benchmark::State& state) {
-  Case<T, Set> c(static_cast<int>(state.range(0)));
-  for (auto _ : state) {
-    advective_defect<Set>(c.exec, c.nodes, c.u, c.e);
-    c.exec.fence();
-  }
-  report(state, c.nodes.count, 3.0 * sizeof(T) + 4.0 * (Set::Q - 1) + 6);
-}
-
-enum RateLaw : int { uniform = 0, by_arrhenius = 1, stored = 2 };
-
-struct UniformTemperature {
+/// At the middle of a link.
+struct FaceTemperature {
   ScalarField<double> T;
   KOKKOS_FUNCTION double operator()(int solid, int fluid) const { return 0.5 * (T(solid) + T(fluid)); }
 };
 
-/// Per fluid node, so that it compares with the sweeps: the wall's kernel runs on the surface nodes only.
+enum class RateLaw { uniform, arrhenius, stored };
+
+/// Updates are wall links: two populations read and written, an index and the node of the fluid; and per node of the
+/// surface its number, normal, volume and what has dissolved of it. Copied are two streams over as many links.
 template <class T, class Set>
-void react(benchmark::State& state) {
-  Case<T, Set> c(paper_rock);
-  const auto rate_law = static_cast<RateLaw>(state.range(0));
+void react(benchmark::State& state, const Geometry* geometry, RateLaw law) {
+  SoluteSetting<T, Set> s(*geometry);
+  const ScalarField<double> V("V", s.lattice.size());
+  for_each_node(s.exec, "vug::perf::volume", s.lattice.size(), SolidVolume{s.type, V});
   Surface surface;
-  find_surface(c.exec, c.nodes, c.type, surface);
+  find_surface(s.exec, s.nodes, s.type, surface);
   VectorField<double> normal;
-  find_normals(c.exec, c.nodes, surface, c.V, normal);
+  find_normals(s.exec, s.nodes, surface, V, normal);
   ReactiveWall wall;
   wall.molar_volume = 1e-6;
   wall.inverse_equilibrium = 1e-3;
-  const ReactionLedger ledger{c.V,
-                              ScalarField<double>("dissolved", c.lattice.size()),
-                              ScalarField<double>("consumed", block_count(c.lattice.size())),
+  const ReactionLedger ledger{V,
+                              ScalarField<double>("dissolved", s.lattice.size()),
+                              ScalarField<double>("consumed", block_count(s.lattice.size())),
                               {}};
-  ScalarField<double> temperature("T", c.lattice.size());
+  const ScalarField<double> temperature("T", s.lattice.size()), k("k", s.lattice.size());
   Kokkos::deep_copy(temperature, 350.0);
-  const ArrheniusRate<UniformTemperature> hot{1e-9, 7553, 273.15, {temperature}};
-  const ScalarField<double> k("k", c.lattice.size());
-  store_rates(c.exec, c.nodes, surface, hot, k);
-  for (auto _ : state) {
-    if (rate_law == stored)
-      react_at_wall<Set>(c.exec, c.nodes, surface, wall, StoredRate{k}, normal, c.acid, &c.product, ledger);
-    else if (rate_law == by_arrhenius)
-      react_at_wall<Set>(c.exec, c.nodes, surface, wall, hot, normal, c.acid, &c.product, ledger);
-    else
-      react_at_wall<Set>(c.exec, c.nodes, surface, wall, UniformRate{1e-9}, normal, c.acid, &c.product, ledger);
-    c.exec.fence();
-  }
-  state.counters["surface_nodes_per_fluid_node"] = double(surface.count) / c.nodes.count;
-  state.counters["fluid_MLUPS"] =
-      benchmark::Counter(c.nodes.count * 1e-6, benchmark::Counter::kIsIterationInvariantRate);
+  const ArrheniusRate<FaceTemperature> hot{1e-9, 7553, 273.15, {temperature}};
+  store_rates(s.exec, s.nodes, surface, hot, k);
+  const int links = wall_links<Set>(s.nodes);
+  const double bytes =
+      4 * sizeof(T) + 2 * sizeof(int) + static_cast<double>(surface.count) / links * (sizeof(int) + 6 * sizeof(double));
+  const auto with = [&](const auto& rate) {
+    measure<T, 2>(state, links, bytes, [&] {
+      react_at_wall<Set>(s.exec, s.nodes, surface, wall, rate, normal, s.acid, &s.product, ledger);
+    });
+  };
+  if (law == RateLaw::stored)
+    with(StoredRate{k});
+  else if (law == RateLaw::arrhenius)
+    with(hot);
+  else
+    with(UniformRate{1e-9});
 }
 
-#define VUG_SWEEP(body)                  \
-  BENCHMARK_TEMPLATE(body, double, D2Q5) \
-      ->ArgName("rock")                  \
-      ->Arg(open_box)                    \
-      ->Arg(paper_rock)                  \
-      ->Unit(benchmark::kMillisecond)    \
-      ->UseRealTime();                   \
-  BENCHMARK_TEMPLATE(body, float, D2Q5)  \
-      ->ArgName("rock")                  \
-      ->Arg(open_box)                    \
-      ->Arg(paper_rock)                  \
-      ->Unit(benchmark::kMillisecond)    \
-      ->UseRealTime();                   \
-  BENCHMARK_TEMPLATE(body, double, D2Q9) \
-      ->ArgName("rock")                  \
-      ->Arg(open_box)                    \
-      ->Arg(paper_rock)                  \
-      ->Unit(benchmark::kMillisecond)    \
-      ->UseRealTime();                   \
-  BENCHMARK_TEMPLATE(body, float, D2Q9)  \
-      ->ArgName("rock")                  \
-      ->Arg(open_box)                    \
-      ->Arg(paper_rock)                  \
-      ->Unit(benchmark::kMillisecond)    \
-      ->UseRealTime()
-VUG_SWEEP(diffuse);
-VUG_SWEEP(advect);
-VUG_SWEEP(advect_in_advective_form);
-VUG_SWEEP(find_defect);
-BENCHMARK_TEMPLATE(react, double, D2Q5)
-    ->ArgName("rate")
-    ->Arg(uniform)
-    ->Arg(by_arrhenius)
-    ->Arg(stored)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_TEMPLATE(react, float, D2Q5)
-    ->ArgName("rate")
-    ->Arg(uniform)
-    ->Arg(by_arrhenius)
-    ->Arg(stored)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_TEMPLATE(react, double, D2Q9)
-    ->ArgName("rate")
-    ->Arg(uniform)
-    ->Arg(by_arrhenius)
-    ->Arg(stored)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+template <class T, class Set>
+void add_set(const std::string& suffix) {
+  for (const Geometry& geometry : geometries) {
+    const std::string end = suffix + geometry.name;
+    add("solute/diffuse" + end, diffuse<T, Set>, &geometry);
+    add("solute/advect" + end, advect<T, Set>, &geometry);
+    add("solute/advective_form" + end, advect_in_advective_form<T, Set>, &geometry);
+    add("solute/defect" + end, find_defect<T, Set>, &geometry);
+    if (geometry.share_of_edges == 0) continue;  // no walls
+    add("wall/uniform_rate" + end, react<T, Set>, &geometry, RateLaw::uniform);
+    add("wall/arrhenius_rate" + end, react<T, Set>, &geometry, RateLaw::arrhenius);
+    add("wall/stored_rate" + end, react<T, Set>, &geometry, RateLaw::stored);
+  }
+}
+
+[[maybe_unused]] const bool registered = [] {
+  add_set<double, D2Q5>("_D2Q5/double/");
+  add_set<float, D2Q5>("_D2Q5/float/");
+  add_set<double, D2Q9>("_D2Q9/double/");
+  add_set<float, D2Q9>("_D2Q9/float/");
+  return true;
+}();
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  Kokkos::ScopeGuard kokkos(argc, argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-}
+}  // namespace vug::perf

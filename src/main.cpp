@@ -156,7 +156,7 @@ int dispatch(const CommandLine& line) {
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     if (line.threads > 0) settings.set_num_threads(line.threads);
-    vug::count_allocations();
+    vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);
     flush_subnormals();
     if (*line.info) return info(line);

@@ -3,6 +3,7 @@
 #include "kernels/launch.hpp"
 
 #include <cassert>
+#include <type_traits>
 
 namespace vug {
 
@@ -76,21 +77,52 @@ struct CollideAndStream {
     }
     return m;
   }
-  KOKKOS_FORCEINLINE_FUNCTION void store(int i, const T (&g)[9], const Macroscopic<T>& m) const {
-    f_next(i) = g[0];
-    for (int q = 1; q < D2Q9::Q; ++q) f_next(slots.leaving(q, i)) = g[q];
+  KOKKOS_FORCEINLINE_FUNCTION int collide(int i, T (&g)[9]) const {
+    Macroscopic<T> m = moments(g);
+    const int limited = limit(g, m);
+    relax(g, m, force);
     density(i) = m.rho;
     u(i, 0) = m.ux;
     u(i, 1) = m.uy;
+    return limited;
   }
   KOKKOS_FORCEINLINE_FUNCTION int operator()(int i) const {
     T g[9];
     pull(i, g);
-    Macroscopic<T> m = moments(g);
-    const int limited = limit(g, m);
-    relax(g, m, force);
-    store(i, g, m);
+    const int limited = collide(i, g);
+    f_next(i) = g[0];
+    for (int q = 1; q < D2Q9::Q; ++q) f_next(slots.leaving(q, i)) = g[q];
     return limited;
+  }
+};
+
+/// The same from home for a block of nodes, eight at a time: the indices are 20 bytes per node instead of 32 (178 and
+/// 94 bytes per node). `limited`, where there are any, gains the uses of the limiter.
+template <class T, class Node>
+struct EightFromHome {
+  Node node;
+  Kokkos::View<const SourceWindow*> windows;
+  ScalarField<double> limited;
+  void operator()(int first, int last) const {
+    const detail::LocalBody<Node> copy(node);
+    const Node& local = copy.body;
+    const EightNodes<T, D2Q9> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
+    T* const f = local.f_next.data();
+    int uses = 0, i = first;
+    for (; i + nodes_per_window <= last; i += nodes_per_window) {
+      alignas(64) T g[D2Q9::Q][nodes_per_window];
+      eight.pull(f, i, g);
+      VUG_VECTORISE
+      for (int l = 0; l < nodes_per_window; ++l) {
+        T own[D2Q9::Q];
+        for (int q = 0; q < D2Q9::Q; ++q) own[q] = g[q][l];
+        uses += local.collide(i + l, own);
+        for (int q = 0; q < D2Q9::Q; ++q) g[q][l] = own[q];
+      }
+      eight.push(f, i, g);
+    }
+    for (; i < last; ++i) uses += local(i);
+    if (limited.extent(0) > 0) limited(first / nodes_per_block) += uses;
   }
 };
 
@@ -134,11 +166,23 @@ struct Sweep {
       return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{
           fields.f, target, fields.density, fields.u, slots, relax, force, limiter};
     };
+    constexpr bool by_eights = has_source_windows && std::is_same_v<Slots, InPlaceFromHome>;
+    const auto eights = [&](const auto& node, const ScalarField<double>& uses) {
+      return EightFromHome<T, std::decay_t<decltype(node)>>{node, nodes.windows, uses};
+    };
     if (step.speed_limit > T(0)) {
       assert(static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));
-      add_per_block(exec, label, nodes.count, body(SpeedLimiter<T>{step.speed_limit}), step.limited);
+      const auto node = body(SpeedLimiter<T>{step.speed_limit});
+      if constexpr (by_eights)
+        for_each_block(exec, label, nodes.count, eights(node, step.limited), nodes_per_block);
+      else
+        add_per_block(exec, label, nodes.count, node, step.limited);
     } else {
-      for_each_node(exec, label, nodes.count, body(NoLimiter<T>{}));
+      const auto node = body(NoLimiter<T>{});
+      if constexpr (by_eights)
+        for_each_block(exec, label, nodes.count, eights(node, {}), block_of_list(nodes.count));
+      else
+        for_each_node(exec, label, nodes.count, node);
     }
   }
 };

@@ -7,6 +7,7 @@ namespace vug {
 namespace {
 
 constexpr int Q = D2Q9::Q;
+static_assert(Q - 1 == nodes_per_window, "as many windows as nodes");
 
 int round_capacity(int count) {
   return (count + 15) / 16 * 16;
@@ -73,10 +74,25 @@ struct BuildLinks {
   }
 };
 
+/// The windows of eight nodes in all directions.
+struct BuildWindows {
+  int capacity;
+  IndexList source;
+  Kokkos::View<SourceWindow*> windows;
+  KOKKOS_FUNCTION void operator()(int eight) const {
+    for (int q = 1; q < Q; ++q)
+      windows(eight * nodes_per_window + q - 1) =
+          source_window(&source(q * capacity + eight * nodes_per_window), q * capacity, capacity);
+  }
+};
+
 void rebuild_links(const Exec& exec, FluidNodes& nodes) {
   for_each_node(exec, "vug::fluid_nodes::build_links", nodes.count,
                 BuildLinks{nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.capacity, nodes.node, nodes.index,
                            nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links});
+  if constexpr (has_source_windows)
+    for_each_node(exec, "vug::fluid_nodes::build_windows", nodes.count / nodes_per_window,
+                  BuildWindows{nodes.capacity, nodes.source, nodes.windows});
 }
 
 namespace {
@@ -88,6 +104,7 @@ void allocate(const Exec& exec, FluidNodes& nodes, int capacity) {
     return Kokkos::view_alloc(exec, std::string("vug::fluid_nodes::") + name);
   };
   nodes.source = IndexList(fresh("source"), static_cast<std::size_t>(Q) * nodes.capacity);
+  if constexpr (has_source_windows) nodes.windows = Kokkos::View<SourceWindow*>(fresh("windows"), nodes.capacity);
   nodes.solid_links = Kokkos::View<std::uint16_t*>(fresh("solid_links"), nodes.capacity);
   nodes.side_links = Kokkos::View<std::uint16_t*>(fresh("side_links"), nodes.capacity);
   nodes.open_links = Kokkos::View<std::uint16_t*>(fresh("open_links"), nodes.capacity);

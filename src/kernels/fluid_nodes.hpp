@@ -12,6 +12,7 @@
 #include "kernels/base.hpp"
 #include "kernels/lattice.hpp"
 #include "kernels/side.hpp"
+#include "kernels/source_windows.hpp"
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,8 @@ struct FluidNodes {
   IndexList node;             ///< (fluid) node of the dense lattice
   IndexList index;            ///< (dense node) fluid index, -1 in solid and halo, in_opening in an opening
   Kokkos::View<int*> source;  ///< (q * capacity + fluid) slot that direction q is pulled from
+  Kokkos::View<SourceWindow*>
+      windows;  ///< (eight nodes, direction 1-8) the same by eights, where the host has use for it
   Kokkos::View<std::uint16_t*> solid_links;  ///< (fluid) bit q: the neighbour along +q is solid
   Kokkos::View<std::uint16_t*>
       side_links;  ///< (fluid) bit q: the neighbour along +q is outside the lattice or in an opening
@@ -53,7 +56,7 @@ int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNo
 /// Replaces the list by `node` (fluid), which a checkpoint has kept, with the capacity it had then.
 void set_fluid_nodes(const Exec& exec, const IndexList& node, int capacity, FluidNodes& nodes);
 
-/// Rebuilds source, solid_links, side_links and open_links of all nodes from node and index.
+/// Rebuilds source, windows, solid_links, side_links and open_links of all nodes from node and index.
 void rebuild_links(const Exec& exec, FluidNodes& nodes);
 
 /// A copy of direction-major populations with a new distance between directions.

@@ -15,7 +15,7 @@ namespace vug {
 #define VUG_VECTORISE _Pragma("GCC ivdep")
 #endif
 
-inline constexpr int nodes_per_block = 512;
+inline constexpr int nodes_per_block = 512, shortest_block = 32;
 
 KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
   return (n + nodes_per_block - 1) / nodes_per_block;
@@ -37,17 +37,23 @@ union LocalBody {
 
 /// Runs a block's nodes in one loop.
 template <class Body>
-struct BlockOfNodes {
+struct NodeLoop {
   Body body;
-  int n;
-  int size = nodes_per_block;
-  KOKKOS_FUNCTION void operator()(int block) const {
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
     const LocalBody<Body> copy(body);
     const Body& local = copy.body;
-    const int first = block * size;
-    const int last = first + size < n ? first + size : n;
     VUG_VECTORISE
     for (int i = first; i < last; ++i) local(i);
+  }
+};
+
+template <class Body>
+struct Block {
+  Body body;
+  int n, size;
+  KOKKOS_FUNCTION void operator()(int block) const {
+    const int first = block * size;
+    body(first, first + size < n ? first + size : n);
   }
 };
 
@@ -93,21 +99,33 @@ struct TeamSum {
 
 }  // namespace detail
 
+/// Nodes per block of a list: short lists (the bonds of a small rock, the links of an opening) in shorter blocks, so
+/// that several threads have a share, whatever their number: where blocks end decides which nodes are rounded by the
+/// loop's vectorised part.
+inline int block_of_list(int n) {
+  constexpr int shares = 4;
+  const int share = ((n + shares - 1) / shares + shortest_block - 1) / shortest_block * shortest_block;
+  return share < nodes_per_block ? share : nodes_per_block;
+}
+
+/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of [0, n), which must be independent; the
+/// shortest lists without waking other threads, which takes longer than the work.
+template <class Body>
+void for_each_block(const Exec& exec, const std::string& label, int n, const Body& body, int size) {
+  if (n <= 0) return;
+  const detail::Block<Body> blocks{body, n, size};
+  if (n <= shortest_block)
+    blocks(0);
+  else
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
+}
+
 /// Runs body(i) for i in [0, n). Iterations must be independent. Nothing is fenced.
 template <class Body>
 void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
-    // Short lists (the bonds of a small rock, the links of an opening) in shorter blocks, so that several threads have
-    // a share, whatever their number: where blocks end decides which nodes are rounded by the loop's vectorised part.
-    // The shortest without waking other threads, which takes longer than the work.
-    constexpr int shortest = 32, shares = 4;
-    const int share = ((n + shares - 1) / shares + shortest - 1) / shortest * shortest;
-    const detail::BlockOfNodes<Body> blocks{body, n, share < nodes_per_block ? share : nodes_per_block};
-    if (n <= shortest)
-      blocks(0);
-    else
-      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + blocks.size - 1) / blocks.size), blocks);
+    for_each_block(exec, label, n, detail::NodeLoop<Body>{body}, block_of_list(n));
   } else {
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
   }

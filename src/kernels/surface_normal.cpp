@@ -3,6 +3,7 @@
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/link_area.hpp"
+#include "kernels/unroll.hpp"
 
 namespace vug {
 
@@ -39,15 +40,27 @@ struct SurfaceNormal {
     const double m4 = 2 * weight(1) + 32 * weight(4);
     const double spread = m2 / m0, variance = m0 * (m4 - m2 * spread);
     Fit f;
-    for (int dy = -2; dy <= 2; ++dy)
+    const Lattice& l = lattice.lattice;
+    const int x = l.x(n), y = l.y(n);
+    const bool far_from_sides = x >= 2 && y >= 2 && x < l.nx - 2 && y < l.ny - 2;
+    VUG_UNROLL
+    for (int dy = -2; dy <= 2; ++dy) {
+      VUG_UNROLL
       for (int dx = -2; dx <= 2; ++dx) {
-        const double wV = weight(dx * dx + dy * dy) * V(lattice.nearest(n, dx, dy));
-        f.x += wV * dx / (m0 * m2);
-        f.y += wV * dy / (m0 * m2);
-        f.xx += wV * (dx * dx - spread) * 2 / variance;
-        f.yy += wV * (dy * dy - spread) * 2 / variance;
-        f.xy += wV * dx * dy / (m2 * m2);
+        const int there = far_from_sides ? n + dy * l.pitch + dx : lattice.nearest(n, dx, dy);
+        const double wV = weight(dx * dx + dy * dy) * V(there);
+        f.x += wV * dx;
+        f.y += wV * dy;
+        f.xx += wV * (dx * dx - spread);
+        f.yy += wV * (dy * dy - spread);
+        f.xy += wV * dx * dy;
       }
+    }
+    f.x /= m0 * m2;
+    f.y /= m0 * m2;
+    f.xx *= 2 / variance;
+    f.yy *= 2 / variance;
+    f.xy /= m2 * m2;
     return f;
   }
   KOKKOS_FUNCTION void operator()(int s) const {
