@@ -2,6 +2,7 @@
 
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/prefetch.hpp"
 
 namespace vug {
 
@@ -88,7 +89,7 @@ struct ExchangeMomentum {
   Kokkos::View<const int*> first, link;
   Kokkos::View<const double*> arm;
   Kokkos::View<const T*> f;
-  int capacity, last;
+  int capacity, size;
   double force_scale, torque_scale;
   VectorField<double> force;
   ScalarField<double> torque;
@@ -103,13 +104,11 @@ struct ExchangeMomentum {
     force(g, 1) = force_scale * sum.y;
     torque(g) = torque_scale * sum.torque;
   }
-  /// The populations of a particle's links lie in no order that a processor foresees, so it is told of them ahead.
+  /// The populations of a particle's links lie in no order that a processor foresees.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
-#if defined(__GNUC__) && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
     constexpr int ahead = 64;
-    const int later = link(k + ahead < last ? k + ahead : last - 1);
-    __builtin_prefetch(&f(((later & 7) + 1) * capacity + (later >> 3)));
-#endif
+    const int later = link(k + ahead < size ? k + ahead : size - 1);
+    prefetch(&f(((later & 7) + 1) * capacity + (later >> 3)));
   }
   KOKKOS_FUNCTION void operator()(int g) const {
     Wrench sum;
