@@ -64,8 +64,8 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   // normals from eight volumes and rates from the temperatures of both sides
   const double refresh = s.surface * (4 + 8 * 8 + 16 + 8) + s.links5 * 2 * T;
   bytes[reaction] = react / solute_every + refresh / every;
-  // population and index of each link; node, force out and in again and its place; force and torque of the particles
-  bytes[fluid_force] = s.links9 * (T + 4) + s.surface * (4 + 16 + 16 + 8) + s.particles * (24 + 16 + 8);
+  // of each link its population, number and lever arm; force and torque of the particles
+  bytes[fluid_force] = s.links9 * (T + 4 + 8) + s.particles * (24 + 4);
   // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage
   // (8); read and write: damage of its points (32); write: d_m, stress, forces, which its particles read (8 + 16 + 64).
   // A particle: motion for its bonds (64); bonds (12), mass, inertia, solid share, temperature, outside and boundary
@@ -84,7 +84,7 @@ class Copy {
     seconds_per_byte();
   }
   double seconds_per_byte() const {
-    constexpr int repeats = 3;
+    constexpr int repeats = 2;
     const double time = seconds([&] {
       for (int k = 0; k < repeats; ++k) for_each_node(Exec{}, "vug::perf::copy", capacity_, copy_);
     });
@@ -117,19 +117,18 @@ void step(benchmark::State& state, const char* path, const Choice& choice) {
   simulation.begin();
   const Sizes sizes = sizes_of(simulation);
   const Copy copy(held);
-  const int batch = scene.accuracy.update_interval * (sizes.nodes > 1e6 ? 1 : 10);  // whole intervals between updates
+  const int batch = sizes.nodes > 1e6 ? 20 : 100;  // whole intervals between updates of the pores
   for (int k = 0; k < 20; ++k) simulation.step();
   std::vector<double> whole, per_byte;
   std::array<std::vector<double>, part_count> parts;
   std::array<double, part_count> launches{};
   for (auto _ : state) {
     per_byte.push_back(copy.seconds_per_byte());
+    const PartClock clock;  // some ten nanoseconds per kernel
     whole.push_back(seconds([&] {
                       for (int k = 0; k < batch; ++k) simulation.step();
                     }) /
                     batch);
-    const PartClock clock;
-    for (int k = 0; k < batch; ++k) simulation.step();
     for (std::size_t p = 0; p < part_count; ++p) {
       parts[p].push_back(clock[static_cast<int>(p)].seconds / batch);
       launches[p] = clock[static_cast<int>(p)].launches / batch;
@@ -153,16 +152,19 @@ void step(benchmark::State& state, const char* path, const Choice& choice) {
   state.counters["limit_ms"] = 1e3 * limit;
   state.counters["of_limit"] = limit / shortest(whole);
   state.counters["copy_GB_per_s"] = 1e-9 / byte_time;
+  state.counters["host_threads"] = Exec().concurrency();
   state.counters["nodes"] = sizes.nodes;
   state.counters["fluid_nodes"] = sizes.fluid;
   state.counters["particles"] = sizes.particles;
+  state.counters["surface_nodes"] = sizes.surface;
+  state.counters["wall_links"] = sizes.links9;
   state.counters["bonds"] = sizes.bonds;
   state.counters["substeps"] = sizes.substeps;
   state.counters["steps_of_condition"] = *scene.time.end / scene.lattice.time_step;
   state.counters["held_MiB"] = held / 1048576;
 }
 
-constexpr int repetitions = 15;
+constexpr int repetitions = 9;
 const char* const full = "cases/acid_fracturing/p20_da1.5e-3.toml";
 const char* const coarse = "cases/acid_fracturing/coarse/p20_da1.5e-3.toml";
 const Choice choices[] = {

@@ -178,7 +178,7 @@ class Rock:
         Choice("steady flow", "flow_tolerance = 1e-3", {"accuracy.flow_tolerance": 1e-3}),
         Choice("steady flow", "flow_tolerance = 1e-2", {"accuracy.flow_tolerance": 1e-2}),
         Choice("mechanics", "critical_fraction = 0.1", {"mechanics.critical_fraction": 0.1}),
-        Choice("mechanics", "critical_fraction = 0.5", {"mechanics.critical_fraction": 0.5}),
+        Choice("mechanics", "critical_fraction = 0.3", {"mechanics.critical_fraction": 0.3}),
         Choice("mechanics", "mass_scaling = 4", {"mechanics.mass_scaling": 4}),
         Choice("mechanics", "mass_scaling = 16", {"mechanics.mass_scaling": 16}),
         Choice("mechanics", "mass_scaling = 64", {"mechanics.mass_scaling": 64}),

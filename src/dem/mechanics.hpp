@@ -34,7 +34,7 @@ class Mechanics {
   /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
   double critical_step() const;
 
-  /// Takes `substeps` steps of dt with outside forces and temperatures held. Four to five kernels each and two more
+  /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each, one more per servo platen, and two more
   /// every 50 steps; no fence, no allocation, no host copy.
   void advance(const Exec& exec, double dt, int substeps);
 
