@@ -169,8 +169,9 @@ const char* const full = "cases/acid_fracturing/p20_da1.5e-3.toml";
 const char* const coarse = "cases/acid_fracturing/coarse/p20_da1.5e-3.toml";
 const Choice choices[] = {
     {"reference", {"accuracy.preset=reference"}},
-    {"balanced", {}},
-    {"balanced_single", {"accuracy.precision=single"}},
+    {"careful", {"accuracy.preset=careful"}},
+    {"balanced", {"accuracy.preset=balanced"}},
+    {"balanced_single", {"accuracy.preset=balanced", "accuracy.precision=single"}},
     {"fast", {"accuracy.preset=fast"}},
 };
 

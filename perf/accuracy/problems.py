@@ -162,9 +162,13 @@ class Rock:
 
     name = "rock"
     case = "cases/acid_fracturing/coarse/p30_da1.5e-3.toml"
-    common = {"time.end": 0.012, "output.interval": 0.012, "output.checkpoint_interval": 0.012}
+    common = {"accuracy.preset": "careful", "time.end": 0.012, "output.interval": 0.012,
+              "output.checkpoint_interval": 0.012}
     choices = [
-        Choice("default", "preset = balanced", {}),
+        Choice("default", "preset = careful", {}),
+        Choice("preset", "preset = balanced", {"accuracy.preset": "balanced"}),
+        Choice("preset", "preset = balanced, precision = single",
+               {"accuracy.preset": "balanced", "accuracy.precision": "single"}),
         Choice("preset", "preset = fast", {"accuracy.preset": "fast"}),
         Choice("preset", "preset = reference", {"accuracy.preset": "reference"}),
         Choice("precision", "precision = single", {"accuracy.precision": "single"}),
@@ -178,7 +182,7 @@ class Rock:
         Choice("steady flow", "flow_tolerance = 1e-3", {"accuracy.flow_tolerance": 1e-3}),
         Choice("steady flow", "flow_tolerance = 1e-2", {"accuracy.flow_tolerance": 1e-2}),
         Choice("mechanics", "critical_fraction = 0.1", {"mechanics.critical_fraction": 0.1}),
-        Choice("mechanics", "critical_fraction = 0.3", {"mechanics.critical_fraction": 0.3}),
+        Choice("mechanics", "critical_fraction = 0.5", {"mechanics.critical_fraction": 0.5}),
         Choice("mechanics", "mass_scaling = 4", {"mechanics.mass_scaling": 4}),
         Choice("mechanics", "mass_scaling = 16", {"mechanics.mass_scaling": 16}),
         Choice("mechanics", "mass_scaling = 64", {"mechanics.mass_scaling": 64}),

@@ -27,6 +27,7 @@ bool mass_scaled(const Scene& scene, double low, double high) {
 const std::vector<MeasuredChoice>& measured_choices() {
   using S = const Scene&;
   static const std::vector<MeasuredChoice> choices = {
+      {"preset = balanced", "0.55", "5.0e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
       {"preset = fast", "0.65", "5.8e-05", [](S s) { return s.accuracy.preset == "fast"; }},
       {"preset = reference", "1.59", "5.5e-04", [](S s) { return s.accuracy.preset == "reference"; }},
       {"precision = single", "0.78", "7.6e-06",
@@ -62,7 +63,7 @@ std::vector<std::string> choice_notes(const Scene& scene) {
   std::vector<std::string> notes;
   for (const MeasuredChoice& choice : measured_choices())
     if (choice.made(scene))
-      notes.push_back(fmt::format("{}: {} of the default's time, dissolved volume within {} of its, on the paper's rock",
+      notes.push_back(fmt::format("{}: {} of the time of preset = careful, dissolved volume within {} of its, on the paper's rock",
                                   choice.name, choice.cost, choice.error));
   return notes;
 }

@@ -21,10 +21,9 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("solute"); table.given()) scene.solute = read_solute(table);
   if (const auto table = root.table("reaction"); table.given()) scene.reaction = read_reaction(table, scene.solute);
   const auto accuracy = root.table("accuracy");
-  const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::balanced;
+  const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::careful;
   if (const auto table = root.table("mechanics"); table.given())
-    scene.mechanics =
-        read_mechanics(table, laboratory.given() && !root.describing() ? MechanicsSection{} : mechanics_of(preset));
+    scene.mechanics = read_mechanics(table, mechanics_of(preset));
   if (const auto table = root.table("damage"); table.given()) {
     ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
     scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);

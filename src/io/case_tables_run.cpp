@@ -8,9 +8,12 @@
 namespace vug {
 
 Preset read_preset(const TomlCursor& table) {
-  Preset preset = Preset::balanced;
+  Preset preset = Preset::careful;
   table.choose("preset", preset,
-               {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"reference", Preset::reference}});
+               {{"fast", Preset::fast},
+                {"balanced", Preset::balanced},
+                {"careful", Preset::careful},
+                {"reference", Preset::reference}});
   return preset;
 }
 

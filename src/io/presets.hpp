@@ -5,36 +5,47 @@
 
 namespace vug {
 
-enum class Preset { fast, balanced, reference };
-
-/// By its name in the case file.
-inline Preset preset_of(const std::string& name) {
-  return name == "fast" ? Preset::fast : name == "reference" ? Preset::reference : Preset::balanced;
-}
+/// `careful` is what a case without a preset gets: the defaults of the sections themselves.
+enum class Preset { fast, balanced, careful, reference };
 
 /// How the lattice is computed.
 inline AccuracySection accuracy_of(Preset preset) {
-  AccuracySection accuracy;  // balanced
-  if (preset == Preset::reference) {
-    accuracy.preset = "reference";
-    accuracy.update_interval = 1;
-  }
-  if (preset == Preset::fast) {
-    accuracy.preset = "fast";
-    accuracy.precision = Precision::single_precision;
-    accuracy.heat_interval = 4;
-    accuracy.solute_interval = 2;
+  AccuracySection accuracy;
+  switch (preset) {
+    case Preset::fast:
+      accuracy.preset = "fast";
+      accuracy.precision = Precision::single_precision;
+      accuracy.heat_interval = 4;
+      accuracy.solute_interval = 2;
+      break;
+    case Preset::balanced:
+      accuracy.preset = "balanced";
+      accuracy.heat_interval = 2;
+      accuracy.solute_interval = 2;
+      break;
+    case Preset::careful:
+      break;
+    case Preset::reference:
+      accuracy.preset = "reference";
+      accuracy.update_interval = 1;
+      break;
   }
   return accuracy;
 }
 
-/// How the rock moves under a lattice. A laboratory test has no preset: its strengths were measured with the sub-steps
-/// of MechanicsSection itself.
+/// How the rock moves.
 inline MechanicsSection mechanics_of(Preset preset) {
-  MechanicsSection mechanics;  // reference
-  if (preset != Preset::reference) mechanics.critical_fraction = 0.5;
+  MechanicsSection mechanics;
+  if (preset == Preset::fast || preset == Preset::balanced) mechanics.critical_fraction = 0.5;
   if (preset == Preset::fast) mechanics.parameters.mass_scaling = 16;
   return mechanics;
+}
+
+/// By its name in the case file.
+inline Preset preset_of(const std::string& name) {
+  for (const Preset preset : {Preset::fast, Preset::balanced, Preset::reference})
+    if (name == accuracy_of(preset).preset) return preset;
+  return Preset::careful;
 }
 
 }  // namespace vug

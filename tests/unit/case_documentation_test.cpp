@@ -88,7 +88,7 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
 }
 
 TEST(CaseDocumentation, EveryPresetWithWhatItSets) {
-  for (const Preset preset : {Preset::reference, Preset::balanced, Preset::fast}) {
+  for (const Preset preset : {Preset::reference, Preset::careful, Preset::balanced, Preset::fast}) {
     const AccuracySection a = accuracy_of(preset);
     const MechanicsSection m = mechanics_of(preset);
     EXPECT_THAT(lines(), testing::Contains(fmt::format(

@@ -91,7 +91,7 @@ TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
   EXPECT_FALSE(scene.heat || scene.solute || scene.reaction || scene.rock || scene.mechanics || scene.damage);
   EXPECT_FALSE(scene.injection.has_value());
   EXPECT_EQ(scene.geometry.kind, GeometryKind::open);
-  EXPECT_EQ(scene.accuracy.preset, "balanced");
+  EXPECT_EQ(scene.accuracy.preset, "careful");
   EXPECT_EQ(scene.left.flow.kind, FlowBoundaryKind::wall);
 }
 
@@ -159,8 +159,8 @@ TEST(CaseTables, PresetsAreOverriddenBySingleKeys) {
   EXPECT_EQ(reference.accuracy.update_interval, 1);
 }
 
-TEST(CaseTables, APresetReachesTheMechanicsUnlessTheyAreOfALaboratoryTest) {
-  for (const Preset preset : {Preset::fast, Preset::balanced, Preset::reference}) {
+TEST(CaseTables, APresetReachesTheMechanics) {
+  for (const Preset preset : {Preset::fast, Preset::balanced, Preset::careful, Preset::reference}) {
     const std::string name = accuracy_of(preset).preset;
     EXPECT_EQ(preset_of(name), preset);
     const Scene scene = shipped("quickstart.toml", {"accuracy.preset=" + name});
@@ -171,7 +171,6 @@ TEST(CaseTables, APresetReachesTheMechanicsUnlessTheyAreOfALaboratoryTest) {
     EXPECT_EQ(own.mechanics->parameters.mass_scaling, 2) << name;
     EXPECT_EQ(own.mechanics->critical_fraction, 0.2) << name;
   }
-  EXPECT_EQ(shipped("laboratory/tension.toml").mechanics->critical_fraction, MechanicsSection{}.critical_fraction);
 }
 
 TEST(CaseTables, MechanicsProfilesDifferInCohesionOnly) {
