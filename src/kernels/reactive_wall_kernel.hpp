@@ -4,6 +4,7 @@
 #include "kernels/launch.hpp"
 #include "kernels/reactive_wall.hpp"
 #include "kernels/require.hpp"
+#include "kernels/unroll.hpp"
 
 namespace vug {
 
@@ -82,6 +83,7 @@ struct ReactAtWall {
   KOKKOS_FUNCTION double operator()(int s) const {
     const int solid = node(s);
     LinkTurnover sum;
+    VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const int fluid = lattice.fluid_along(index, solid, q);
       if (fluid < 0) continue;
