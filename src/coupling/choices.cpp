@@ -27,9 +27,9 @@ bool mass_scaled(const Scene& scene, double low, double high) {
 const std::vector<MeasuredChoice>& measured_choices() {
   using S = const Scene&;
   static const std::vector<MeasuredChoice> choices = {
-      {"preset = balanced", "0.55", "5.0e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
-      {"preset = fast", "0.65", "5.8e-05", [](S s) { return s.accuracy.preset == "fast"; }},
-      {"preset = reference", "1.59", "5.5e-04", [](S s) { return s.accuracy.preset == "reference"; }},
+      {"preset = balanced", "0.68", "4.9e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
+      {"preset = fast", "0.27", "2.5e-04", [](S s) { return s.accuracy.preset == "fast"; }},
+      {"preset = reference", "1.34", "5.5e-04", [](S s) { return s.accuracy.preset == "reference"; }},
       {"precision = single", "0.78", "7.6e-06",
        [](S s) {
          return s.accuracy.precision == Precision::single_precision && given(s, &AccuracySection::precision);
