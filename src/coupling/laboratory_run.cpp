@@ -229,6 +229,7 @@ QuenchTest quench_test(const Scene& scene) {
   QuenchTest test;
   test.drop = scene.laboratory->temperature_change;
   test.final_length = scene.laboratory->diffusion_length;
+  test.biot = scene.laboratory->biot;
   test.duration = scene.laboratory->duration;
   test.chemical_damage = scene.laboratory->chemical_damage;
   test.step_fraction = scene.mechanics->critical_fraction;

@@ -22,16 +22,16 @@ Loads roller_at_the_mid_plane() {
 }
 
 /// Mean over the corners and the centroid, weights 1/12 and 3/4: exact for a quadratic field.
-void cool(const Assembly& slab, double top, double height, double drop, double length, const Particles& p) {
+void cool(const Assembly& slab, double top, const SlabCooling& cooling, double length, const Particles& p) {
   const auto change = Kokkos::create_mirror_view(p.temperature_change);
   for (int i = 0; i < p.count; ++i) {
     double centroid = 0, sum = 0;
     for (const int v : slab.triangles[static_cast<std::size_t>(i)]) {
       const double depth = top - slab.vertices[static_cast<std::size_t>(v)][1];
       centroid += depth / 3;
-      sum += quenched_temperature(drop, depth, height, length) / 12;
+      sum += cooling.change(depth, length) / 12;
     }
-    change(i) = sum + 0.75 * quenched_temperature(drop, centroid, height, length);
+    change(i) = sum + 0.75 * cooling.change(centroid, length);
   }
   Kokkos::deep_copy(p.temperature_change, change);
 }
@@ -69,21 +69,6 @@ int cracks_at(double level, double apart, const std::vector<std::array<std::arra
 
 }  // namespace
 
-double quenched_temperature(double drop, double depth, double height, double length) {
-  double sum = 0, sign = 1;
-  for (double image = 0; image < 6 * length; image += 2 * height, sign = -sign)  // erfc(6) = 2e-17
-    sum += sign * (std::erfc((image + depth) / length) + std::erfc((image + 2 * height - depth) / length));
-  return -drop * sum;
-}
-
-double quenched_stress(double modulus, double expansion, double drop, double depth, double height, double length) {
-  constexpr int samples = 2000;
-  double mean = 0;
-  for (int k = 0; k < samples; ++k)
-    mean += quenched_temperature(drop, height * (k + 0.5) / samples, height, length) / samples;
-  return -modulus * expansion * (quenched_temperature(drop, depth, height, length) - mean);
-}
-
 QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters parameters, const QuenchTest& test,
                     const QuenchWatch& watch) {
   parameters.local_damping = test.local_damping;
@@ -94,12 +79,13 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
     left = std::min(left, x), right = std::max(right, x);
     bottom = std::min(bottom, y), top = std::max(top, y);
   }
+  const SlabCooling cooling(test.drop, top - bottom, test.biot);
   QuenchResult result;
   result.time_step = test.step_fraction * rock.critical_step();
   const int stride = std::max(1, static_cast<int>(test.duration / (result.time_step * test.samples)));
   for (int sample = 1; sample <= test.samples; ++sample) {
     const double length = test.final_length * std::sqrt((sample - 0.5) / test.samples);
-    cool(slab, top, top - bottom, test.drop, length, rock.particles());
+    cool(slab, top, cooling, length, rock.particles());
     rock.advance(exec, result.time_step, stride);
     require_sound(exec, rock);
     result.steps += stride;

@@ -1,17 +1,19 @@
 #pragma once
 // Thermal shock: a hot slab whose upper face is suddenly cold (water quench), and the cracks that grow down from it.
 #include "dem/laboratory.hpp"
+#include "dem/slab_cooling.hpp"
 
 #include <vector>
 
 namespace vug {
 
 /// The upper half of a slab: its bottom is the mid-plane (a roller, no heat flux), its flanks are free, the temperature
-/// of its upper face falls by `drop` at time zero. Heat diffuses over seconds, stress equilibrates in microseconds: the
-/// cracks depend on the diffusion length alone, so that time runs faster here, and local damping takes out what still
-/// oscillates.
+/// outside its upper face falls by `drop` at time zero. Heat diffuses over seconds, stress equilibrates in
+/// microseconds: the cracks depend on the diffusion length alone, so that time runs faster here, and local damping
+/// takes out what still oscillates.
 struct QuenchTest {
-  double drop = 100;  ///< K
+  double drop = 100;                                      ///< K
+  double biot = std::numeric_limits<double>::infinity();  ///< heat transfer coefficient x height / conductivity
   double final_length =
       10e-3;               ///< diffusion length 2 sqrt(kappa t) at the end, m; the slab is cold at thrice its height
   double duration = 1e-3;  ///< mechanical time in which it is reached, s; long against height / sound speed
@@ -32,15 +34,6 @@ struct QuenchResult {
   double time_step = 0;  ///< s
   long steps = 0;
 };
-
-/// Change of temperature at depth z below the cold face of a slab of half thickness H, length = 2 sqrt(kappa t):
-/// -drop sum over n of (-1)^n [erfc((2 n H + z) / length) + erfc((2 (n + 1) H - z) / length)] (Carslaw and Jaeger
-/// 1959, 3.3).
-double quenched_temperature(double drop, double depth, double height, double length);
-
-/// Lateral stress there before it cracks, far from the flanks, tension positive: -E alpha (dT - mean of dT over the
-/// height), plane stress, no bending.
-double quenched_stress(double modulus, double expansion, double drop, double depth, double height, double length);
 
 /// Called after every new temperature with the rock, the diffusion length and whether it is the last time.
 using QuenchWatch = std::function<void(const Mechanics&, double length, bool last)>;

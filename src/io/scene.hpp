@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -146,6 +147,8 @@ struct LaboratorySection {
   double temperature_change = 0;       ///< K: rise at the end of heating, or fall of the quenched face
   double duration = 1e-3;              ///< s in which it is heated or the cold has come down by the diffusion length
   double diffusion_length = 0.01;      ///< 2 sqrt(kappa t) at the end of a quench, m
+  /// Of the quenched face: heat transfer coefficient x height / conductivity.
+  double biot = std::numeric_limits<double>::infinity();
   double largest_strain = 0.02;        ///< where a loading test ends at the latest
 };
 

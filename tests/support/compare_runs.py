@@ -6,11 +6,17 @@ import h5py
 import numpy
 
 
-def datasets(path):
+def datasets(group, prefix=""):
+    """Every dataset below `group`, with its path; through links to other files, which visititems() passes over."""
     found = {}
-    with h5py.File(path, "r") as file:
-        file.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+    for name, item in group.items():
+        found |= {prefix + name: item[()]} if isinstance(item, h5py.Dataset) else datasets(item, f"{prefix}{name}/")
     return found
+
+
+def read(path):
+    with h5py.File(path, "r") as file:
+        return datasets(file)
 
 
 def main(first, second):
@@ -18,7 +24,7 @@ def main(first, second):
     for name in ("fields.h5", "particles.h5"):
         if name == "particles.h5" and not (first / name).exists() and not (second / name).exists():
             continue  # a case without mechanics
-        a, b = datasets(first / name), datasets(second / name)
+        a, b = read(first / name), read(second / name)
         if not a or sorted(a) != sorted(b):
             differences.append(f"{name}: not the same datasets")
             continue

@@ -77,14 +77,20 @@ void dissolve_all(Simulation& simulation, int most_steps) {
   EXPECT_EQ(geometry.surface.count, 0);
 }
 
-class AwkwardBirths : public testing::TestWithParam<std::pair<const char*, std::string>> {};
+struct Place {
+  const char* name;
+  std::string shapes;
+  friend void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
+};
+
+class AwkwardBirths : public testing::TestWithParam<Place> {};
 
 TEST_P(AwkwardBirths, LoseNothing) {
   for (const std::string fill : {"mean", "split"})
     for (const std::string set : {"d2q5", "d2q9"}) {
       SCOPED_TRACE(fill + " " + set);
       const Scene scene =
-          parse_scene(awkward_rock(GetParam().second, ""), "case.toml",
+          parse_scene(awkward_rock(GetParam().shapes, ""), "case.toml",
                       {"reaction.birth_fill=" + fill, "solute.velocity_set=" + set, "heat.velocity_set=" + set});
       Simulation simulation(scene);
       dissolve_all(simulation, 6000);
@@ -107,14 +113,13 @@ TEST_P(AwkwardBirths, LoseNothing) {
 
 INSTANTIATE_TEST_SUITE_P(
     Places, AwkwardBirths,
-    testing::Values(std::pair{"at the inlet", rectangle(0, 3, 2, 5)},
-                    std::pair{"at the outlet", rectangle(10, 2, 12, 5)},
-                    std::pair{"in all corners", rectangle(0, 0, 2, 2) + rectangle(10, 0, 12, 2) +
-                                                    rectangle(0, 6, 2, 8) + rectangle(10, 6, 12, 8)},
-                    std::pair{"lone pixels", rectangle(3, 3, 4, 4) + rectangle(6, 0, 7, 1) + rectangle(8, 5, 9, 6)},
-                    std::pair{"around a closed pore",
-                              rectangle(3, 2, 8, 6) + rectangle(5, 3, 6, 4) + "material = \"fluid\"\n"},
-                    std::pair{"a thin wall across, many at once", rectangle(5, 0, 6, 8)}));
+    testing::Values(Place{"at the inlet", rectangle(0, 3, 2, 5)}, Place{"at the outlet", rectangle(10, 2, 12, 5)},
+                    Place{"in all corners", rectangle(0, 0, 2, 2) + rectangle(10, 0, 12, 2) + rectangle(0, 6, 2, 8) +
+                                                rectangle(10, 6, 12, 8)},
+                    Place{"lone pixels", rectangle(3, 3, 4, 4) + rectangle(6, 0, 7, 1) + rectangle(8, 5, 9, 6)},
+                    Place{"around a closed pore",
+                          rectangle(3, 2, 8, 6) + rectangle(5, 3, 6, 4) + "material = \"fluid\"\n"},
+                    Place{"a thin wall across, many at once", rectangle(5, 0, 6, 8)}));
 
 }  // namespace
 }  // namespace vug

@@ -88,6 +88,10 @@ bool refused_in_child(const std::function<void()>& action, const std::string& re
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+int files_in(const std::string& folder) {
+  return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
 // How many snapshots a user finds, every one read to its end; -1 when that fails.
 int read_groups(const std::string& path) {
   const std::string script =
@@ -104,17 +108,18 @@ TEST(FullDisk, StopsSnapshotsWithTheReasonAndKeepsTheOnesBefore) {
     writer.write(0, 0);
     writer.write(1, 1);
   }
-  const auto size = std::filesystem::file_size(folder / "fields.h5");
   for (const int room : {0, 1, 100, 2000, 8000, 30000}) {  // fails at different places
     EXPECT_TRUE(refused_in_child(
         [&] {
-          const SmallDisk disk(size + room);
-          noise_writer(folder.path(), 1).write(2, 2);
+          auto writer = noise_writer(folder.path(), 1);
+          const SmallDisk disk(room);
+          writer.write(2, 2);
         },
-        folder / "fields.h5: cannot write: File too large"))
+        folder / "fields/step_000000000002.h5: cannot write: File too large"))
         << room;
     EXPECT_EQ(read_groups(folder / "fields.h5"), 2) << room;
   }
+  EXPECT_EQ(files_in(folder / "fields"), 2) << "nothing half-written is left";
   noise_writer(folder.path(), 1).write(2, 2);  // space has been made: the run goes on
   EXPECT_EQ(read_groups(folder / "fields.h5"), 3);
 }
@@ -130,7 +135,7 @@ TEST(FullDisk, StopsCheckpointsWithTheReasonAndKeepsTheOneBefore) {
                       "File too large");
   }
   EXPECT_EQ(Checkpoint::latest(folder.path(), "abc").step(), 1);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing half-written is left";
+  EXPECT_EQ(files_in(folder.path()), 1) << "nothing half-written is left";
 }
 
 TEST(FullDisk, StopsTheHistoryAndTheRecordWithTheReason) {
@@ -174,43 +179,51 @@ TEST(ForbiddenFolder, IsRefusedWithTheReason) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
-// A run that is killed while it writes snapshots, again and again, and resumed each time: every group that the XDMF
-// names is whole.
+std::string group_name(std::int64_t step) {
+  char name[32];
+  std::snprintf(name, sizeof(name), "step_%012lld", static_cast<long long>(step));
+  return name;
+}
+
+int occurrences(const std::string& text, const std::string& word) {
+  int count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// A run that is killed while it writes snapshots, again and again, and resumed each time from the last: whoever reads
+// the files then finds all of them whole, and no snapshot that was named is ever lost.
 TEST(KilledRun, LeavesReadableSnapshots) {
   const test::TemporaryFolder folder;
   noise_writer(folder.path()).write(0, 0);
   std::mt19937 random(1);
   std::int64_t last = 0;
-  for (int kill = 0; kill < 40; ++kill) {
+  for (int kill = 0; kill < 50; ++kill) {
     const pid_t child = fork();
     if (child == 0) {
       auto writer = noise_writer(folder.path(), last);
       for (std::int64_t step = last + 1;; ++step) writer.write(static_cast<double>(step), step);
     }
     // wait for the first new snapshot, however busy the machine; then a moment of chance
-    const auto before = test::contents(folder / "fields.xdmf");
-    for (int wait = 0; wait < 20000 && test::contents(folder / "fields.xdmf").size() <= before.size(); ++wait)
-      usleep(1000);
-    usleep(random() % 20000);
+    const auto first = folder / "fields" + "/" + group_name(last + 1) + ".h5";
+    for (int wait = 0; wait < 20000 && !std::filesystem::exists(first); ++wait) usleep(1000);
+    usleep(random() % 40000);
     ::kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     const auto xdmf = test::contents(folder / "fields.xdmf");
-    const auto file = detail::Hdf5File::open(folder / "fields.h5");
-    const auto groups = file.groups();
-    ASSERT_FALSE(groups.empty());
-    std::size_t named = 0;
-    for (const auto& group : groups) {
-      ASSERT_EQ(file.datasets(group).size(), 1u) << group;
-      named += xdmf.find("fields.h5:/" + group + "/noise") != std::string::npos;
+    const auto index = detail::Hdf5File::open(folder / "fields.h5");
+    const int named = occurrences(xdmf, "<Time");
+    EXPECT_GE(named, last + 1) << "a snapshot is lost";
+    for (std::int64_t step = 0; step < named; ++step) {
+      ASSERT_NE(xdmf.find("fields/" + group_name(step) + ".h5:/noise"), std::string::npos) << step;
+      ASSERT_EQ(index.datasets(group_name(step)).size(), 1u) << step;
     }
-    std::size_t grids = 0;
-    for (auto at = xdmf.find("<Time"); at != std::string::npos; at = xdmf.find("<Time", at + 1)) ++grids;
-    EXPECT_EQ(named, grids) << "every grid of the XDMF is in the file";
-    EXPECT_GE(named + 1, groups.size()) << "at most the last one is not named yet";
-    last = std::stoll(groups.back().substr(5));
+    last = named - 1;
   }
-  EXPECT_GT(last, 40);
-  EXPECT_GT(read_groups(folder / "fields.h5"), 40);
+  EXPECT_GE(last, 20) << "too few for the kills to have met anything";
+  noise_writer(folder.path(), last);
+  EXPECT_EQ(read_groups(folder / "fields.h5"), std::min<std::int64_t>(last + 1, 100));
+  EXPECT_EQ(files_in(folder / "fields"), last + 1) << "what was not complete is gone";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(CooledSlab, HasTheStressOfTheErrorFunction) {
     for (int i = 0; i < particles.count; ++i) {
       if (std::abs(height - x0(i, 1) - depth) > 1e-3 || std::abs(x0(i, 0) - 0.04) > 0.015) continue;
       layer.push_back(i);
-      exact += quenched_stress(modulus, expansion, drop, height - x0(i, 1), height, length);
+      exact += SlabCooling(drop, height).stress(modulus, expansion, height - x0(i, 1), length);
     }
     exact /= static_cast<double>(layer.size());
     const double stress = mean_stress(particles, run.rock().bonds(), layer).xx;

@@ -23,10 +23,39 @@ Assembly slab(double width, double height, double element) {
   return generate_rock(width, height, rock);
 }
 
+// Heat that has left by a time is what has passed the face until then: the two sides of an energy balance, of which one
+// knows the roots only through the mean, the other through the face. A large Biot number is a face that is cold at
+// once.
+TEST(SlabCooling, LosesThroughItsFaceWhatItsMeanTemperatureSays) {
+  const double drop = 100, height = 0.02;
+  for (const double biot : {0.1, 1.5, 5.0, 40.0}) {
+    const SlabCooling cooling(drop, height, biot);
+    double lost =
+        0;  // per area and heat capacity: integral of kappa biot / H (face + drop) dt, with length = 2 sqrt(kappa t)
+    const int steps = 4000;
+    const double from = 0.01 * height, to = 1.5 * height;
+    const auto mean = [&](double length) {
+      double sum = 0;
+      for (int k = 0; k < 4000; ++k) sum += cooling.change(height * (k + 0.5) / 4000, length) / 4000;
+      return sum;
+    };
+    for (int k = 0; k < steps; ++k) {
+      const double length = from + (to - from) * (k + 0.5) / steps;
+      lost += biot / height * (cooling.change(0, length) + drop) * 0.5 * length * (to - from) / steps;
+    }
+    EXPECT_NEAR(lost / height, mean(from) - mean(to), 1e-5 * drop) << biot;
+  }
+  const SlabCooling film(drop, height, 1e7), cold(drop, height);
+  for (const double length : {0.3 * height, height})
+    for (const double depth : {0.0, 0.2 * height, height})
+      EXPECT_NEAR(film.change(depth, length), cold.change(depth, length), 1e-4 * drop);
+}
+
 TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
   const double height = 0.015, drop = 100, length = 0.006, modulus = 27.8e9;
   MechanicsParameters parameters;
   parameters.bond.normal_strength = parameters.bond.cohesion = 1e15;
+  const SlabCooling cooling(drop, height);
   QuenchTest test;
   test.drop = drop;
   test.final_length = length;
@@ -41,7 +70,7 @@ TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
       for (int i = 0; i < rock.particles().count; ++i) {
         if (std::abs(height - x0(i, 1) - depth) > 1e-3 || std::abs(x0(i, 0) - 0.04) > 0.015) continue;
         layer.push_back(i);
-        mean_exact += quenched_stress(modulus, parameters.thermal_expansion, drop, height - x0(i, 1), height, now);
+        mean_exact += cooling.stress(modulus, parameters.thermal_expansion, height - x0(i, 1), now);
       }
       mean_exact /= static_cast<double>(layer.size());
       const double stress = mean_stress(rock.particles(), rock.bonds(), layer).xx;

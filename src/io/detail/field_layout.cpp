@@ -15,7 +15,7 @@ std::vector<double> values_of(const Field& field, std::size_t items) {
   return values;
 }
 
-void FieldLayout::write(Hdf5File::Group& group, const std::string& name, const Field& field,
+void FieldLayout::write(Hdf5File& file, const std::string& name, const Field& field,
                         std::vector<Attribute> attributes) const {
   const auto count = std::accumulate(items.begin(), items.end(), std::size_t{1}, std::multiplies<>());
   auto values = values_of(field, count);
@@ -29,7 +29,7 @@ void FieldLayout::write(Hdf5File::Group& group, const std::string& name, const F
     shape.push_back(static_cast<std::size_t>(field.components));
   }
   attributes.push_back({"units", field.unit});
-  group.write(name, shape, values, type, compress, attributes);
+  file.write(name, shape, values, type, compress, attributes);
 }
 
 std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<std::string>& names) {
@@ -40,12 +40,12 @@ std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<
   return out;
 }
 
-std::string xdmf_attributes(const Hdf5File& file, const std::string& h5_name, const std::string& group,
+std::string xdmf_attributes(const Hdf5File& file, const std::string& file_name, const std::string& group,
                             XdmfCentre centre, int bytes) {
   std::string text;
+  const auto prefix = file_name + ":/" + (group.empty() ? "" : group + "/");
   for (const auto& [name, shape] : file.datasets(group))
-    if (name != "vertices")
-      text += xdmf_attribute(name, {fmt::format("{}:/{}/{}", h5_name, group, name), shape, false, bytes}, centre);
+    if (name != "vertices") text += xdmf_attribute(name, {prefix + name, shape, false, bytes}, centre);
   return text;
 }
 

@@ -18,16 +18,15 @@ struct FieldLayout {
   StoredAs type = StoredAs::float32;
   bool compress = true;
 
-  void write(Hdf5File::Group& group, const std::string& name, const Field& field,
-             std::vector<Attribute> attributes) const;
+  void write(Hdf5File& file, const std::string& name, const Field& field, std::vector<Attribute> attributes) const;
   int bytes() const { return type == StoredAs::float64 ? 8 : 4; }
 };
 
 /// Those of `fields` that `names` has; all when it is empty.
 std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<std::string>& names);
 
-/// XDMF attributes for all fields of a group that a file holds.
-std::string xdmf_attributes(const Hdf5File& file, const std::string& h5_name, const std::string& group,
+/// XDMF attributes for all fields of a group ("" is the root) of the file that XDMF calls `file_name`.
+std::string xdmf_attributes(const Hdf5File& file, const std::string& file_name, const std::string& group,
                             XdmfCentre centre, int bytes);
 
 }  // namespace vug::detail

@@ -17,6 +17,8 @@ class NewFile {
   NewFile& operator=(const NewFile&) = delete;
   ~NewFile();
   void write(std::string_view data);
+  /// The name until then, for a library that writes by itself.
+  const std::string& temporary() const { return temporary_; }
   /// Renames. With `sync` the data and the new name have reached the disk before it returns.
   void commit(bool sync);
 

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 namespace vug::detail {
 
@@ -121,113 +119,66 @@ void for_each_link(hid_t group, const std::string& path, Visit visit) {
 
 }  // namespace
 
-Hdf5Rollback::Hdf5Rollback(const std::string& path) : path_(path), superblock_(96, '\0') {
-  std::error_code error;
-  size_ = std::filesystem::file_size(path, error);
-  std::ifstream file(path, std::ios::binary);
-  if (error || !file.read(superblock_.data(), static_cast<std::streamsize>(superblock_.size())))
-    throw FileError(path + ": cannot read the beginning of the file");
-}
+Hdf5File::Hdf5File(std::string path, Hdf5Id file, std::unique_ptr<NewFile> unfinished)
+    : path_(std::move(path)), unfinished_(std::move(unfinished)), file_(file) {}
 
-void Hdf5Rollback::restore() const noexcept {
-  {
-    std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
-    file.write(superblock_.data(), static_cast<std::streamsize>(superblock_.size()));
-  }
-  std::error_code ignored;  // a failure is being reported already
-  std::filesystem::resize_file(path_, size_, ignored);
-}
-
-Hdf5File Hdf5File::create(const std::string& path) {
-  const Handle access(access_properties(path), H5Pclose, path, "open");
-  return {path, check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id), path, "create")};
-}
-
-Hdf5File Hdf5File::open(const std::string& path) {
-  const Handle access(access_properties(path), H5Pclose, path, "open");
-  return {path, check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id), path, "open")};
-}
+Hdf5File::Hdf5File(Hdf5File&& other) noexcept
+    : path_(std::move(other.path_)), unfinished_(std::move(other.unfinished_)), file_(std::exchange(other.file_, -1)) {}
 
 Hdf5File::~Hdf5File() {
   if (file_ >= 0) H5Fclose(file_);
 }
 
-void Hdf5File::close() {
-  make_room();
+Hdf5File Hdf5File::create(const std::string& path) {
+  auto unfinished = std::make_unique<NewFile>(path);
+  const Handle access(access_properties(path), H5Pclose, path, "open");
+  const hid_t file = H5Fcreate(unfinished->temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
+  return {path, check(file, path, "write"), std::move(unfinished)};
+}
+
+Hdf5File Hdf5File::open(const std::string& path) {
+  const Handle access(access_properties(path), H5Pclose, path, "open");
+  return {path, check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id), path, "open"), nullptr};
+}
+
+void Hdf5File::commit(bool sync) {
   check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_, "write");
-  hsize_t size = 0;
-  check(H5Fget_filesize(file_, &size), path_, "write");
   check(H5Fclose(std::exchange(file_, -1)), path_, "write");
-  std::error_code error;  // what make_room added and the library did not cut off
-  if (std::filesystem::file_size(path_, error) > size) std::filesystem::resize_file(path_, size, error);
-  if (error) throw FileError(path_ + ": cannot write: " + error.message());
+  unfinished_->commit(sync);
 }
 
-Hdf5File::Group::Group(Hdf5File& file, std::string name, const std::vector<Attribute>& attributes)
-    : file_(file),
-      name_(std::move(name)),
-      group_(check(H5Gcreate_anon(file.file_, H5P_DEFAULT, H5P_DEFAULT), file.path_, "write")) {
-  for (const auto& attribute : attributes) write_attribute(group_, attribute, file_.path_);
+void Hdf5File::write(const Attribute& attribute) {
+  const Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, path_, "write");
+  write_attribute(root.id, attribute, path_);
 }
 
-Hdf5File::Group::~Group() {
-  if (group_ >= 0) H5Gclose(group_);
-}
-
-void Hdf5File::Group::write(const std::string& name, const std::vector<std::size_t>& shape,
-                            std::span<const double> values, StoredAs type, bool compress,
-                            const std::vector<Attribute>& attributes) {
-  const auto& path = file_.path_;
+void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const double> values,
+                     StoredAs type, bool compress, const std::vector<Attribute>& attributes) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
   const int rank = static_cast<int>(extent.size());
-  const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, path, "write");
-  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "write");
+  const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, path_, "write");
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path_, "write");
   if (compress && !values.empty()) {
-    check(H5Pset_chunk(layout.id, rank, chunk_of(extent).data()), path, "write");
-    check(H5Pset_shuffle(layout.id), path, "write");
-    check(H5Pset_deflate(layout.id, 4), path, "write");
+    check(H5Pset_chunk(layout.id, rank, chunk_of(extent).data()), path_, "write");
+    check(H5Pset_shuffle(layout.id), path_, "write");
+    check(H5Pset_deflate(layout.id, 4), path_, "write");
   }
-  const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path, "write");
-  check(H5Pset_create_intermediate_group(link.id, 1), path, "write");  // of names like "bonds/d_m"
-  const Handle data(H5Dcreate2(group_, name.c_str(), file_type(type), space.id, link.id, layout.id, H5P_DEFAULT),
-                    H5Dclose, path, "write");
+  const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path_, "write");
+  check(H5Pset_create_intermediate_group(link.id, 1), path_, "write");
+  const Handle data(H5Dcreate2(file_, name.c_str(), file_type(type), space.id, link.id, layout.id, H5P_DEFAULT),
+                    H5Dclose, path_, "write");
   if (!values.empty())
-    check(H5Dwrite(data.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path, "write");
-  for (const auto& attribute : attributes) write_attribute(data.id, attribute, path);
+    check(H5Dwrite(data.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_, "write");
+  for (const auto& attribute : attributes) write_attribute(data.id, attribute, path_);
 }
 
-void Hdf5File::Group::flush() {
-  file_.make_room();
-  check(H5Fflush(file_.file_, H5F_SCOPE_LOCAL), file_.path_, "write");
-}
-
-void Hdf5File::Group::publish() {
-  flush();
-  check(H5Olink(group_, file_.file_, name_.c_str(), H5P_DEFAULT, H5P_DEFAULT), file_.path_, "write");
-  flush();
-  check(H5Gclose(std::exchange(group_, -1)), file_.path_, "write");
-}
-
-// The library writes the new end into the superblock before the file is that long; a kill in between would make it
-// unreadable. So the file is made longer first (a hole, which takes no space); close() cuts it to length again.
-void Hdf5File::make_room() const {
-  constexpr hsize_t room = 1 << 20;
-  hsize_t size = 0;
-  check(H5Fget_filesize(file_, &size), path_, "write");
-  std::error_code ignored;  // a limit on the size of files: then without
-  std::filesystem::resize_file(path_, size + room, ignored);
-}
-
-std::vector<std::string> Hdf5File::groups() const {
-  std::vector<std::string> names;
-  const Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, path_, "read");
-  for_each_link(root.id, path_, [&names](const std::string& name) { names.push_back(name); });
-  return names;
+void Hdf5File::link(const std::string& name, const std::string& file) {
+  check(H5Lcreate_external(file.c_str(), "/", file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_, "write");
 }
 
 std::vector<std::pair<std::string, std::vector<std::size_t>>> Hdf5File::datasets(const std::string& group) const {
   std::vector<std::pair<std::string, std::vector<std::size_t>>> found;
-  const Handle parent(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, path_, "read");
+  const Handle parent(H5Gopen2(file_, ("/" + group).c_str(), H5P_DEFAULT), H5Gclose, path_, "read");
   for_each_link(parent.id, path_, [&](const std::string& name) {
     const Handle data(H5Dopen2(parent.id, name.c_str(), H5P_DEFAULT), H5Dclose, path_, "read");
     const Handle space(H5Dget_space(data.id), H5Sclose, path_, "read");
@@ -238,17 +189,11 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> Hdf5File::datasets
   return found;
 }
 
-double Hdf5File::attribute(const std::string& object, const std::string& name) const {
-  const Handle handle(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, path_,
-                      "read");
+double Hdf5File::attribute(const std::string& name) const {
+  const Handle handle(H5Aopen_by_name(file_, "/", name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, path_, "read");
   double value = 0;
   check(H5Aread(handle.id, H5T_NATIVE_DOUBLE, &value), path_, "read");
   return value;
-}
-
-void Hdf5File::remove(const std::string& group) {
-  check(H5Ldelete(file_, group.c_str(), H5P_DEFAULT), path_, "write");
-  check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_, "write");
 }
 
 }  // namespace vug::detail

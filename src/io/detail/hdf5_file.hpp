@@ -1,6 +1,9 @@
 #pragma once
 // The little of HDF5 that snapshots need, every call checked. No header of the library is seen outside hdf5_file.cpp.
+#include "io/detail/files.hpp"
+
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,63 +22,38 @@ struct Attribute {
 
 enum class StoredAs { float32, float64, int32 };
 
-/// The end and the superblock (the first bytes, which say where the end is) of a file as they are now. After a failure
-/// between opening the file and publishing a group, `restore` makes the file what it was: until then nothing else of it
-/// has been overwritten. A full disk would otherwise leave an end that lies beyond the file, and nothing could be read.
-class Hdf5Rollback {
- public:
-  explicit Hdf5Rollback(const std::string& path);
-  void restore() const noexcept;
-
- private:
-  std::string path_;
-  std::string superblock_;
-  std::uint64_t size_ = 0;
-};
-
-/// An open file that grows by groups. A group is filled without a name and *published* when it is complete, by one
-/// small write: whoever reads the file, also after a kill, finds whole groups only.
+/// A new file that takes its name when it is complete (detail/files.hpp), or one that is read. HDF5 changes a file in
+/// several places at once, and a kill in between makes all of it unreadable: so no file is ever changed.
 class Hdf5File {
  public:
+  /// A new file, written under a temporary name beside `path` until commit(); dropped before that, it leaves nothing.
   static Hdf5File create(const std::string& path);
+  /// An existing one, to be read.
   static Hdf5File open(const std::string& path);
-  Hdf5File(Hdf5File&& other) noexcept : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+  Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
   ~Hdf5File();
-  /// Writes what is still in memory; throws FileError when that fails.
-  void close();
 
-  /// A group without a name, and the step that gives it one.
-  class Group {
-   public:
-    Group(Hdf5File& file, std::string name, const std::vector<Attribute>& attributes);
-    Group(const Group&) = delete;
-    Group& operator=(const Group&) = delete;
-    ~Group();
-    void write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const double> values,
-               StoredAs type, bool compress, const std::vector<Attribute>& attributes);
-    /// Brings everything written so far to the file, where nothing refers to it yet.
-    void flush();
-    void publish();
+  /// An attribute of the root.
+  void write(const Attribute& attribute);
+  /// A data set with the attributes; groups in its name ("bonds/d_m") are made.
+  void write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const double> values,
+             StoredAs type, bool compress, const std::vector<Attribute>& attributes);
+  /// The root of `file`, a path relative to this one, under a name in this one.
+  void link(const std::string& name, const std::string& file);
+  /// Writes what is still in memory and takes the name; with `sync` all of it has reached the disk before it returns.
+  void commit(bool sync);
 
-   private:
-    Hdf5File& file_;
-    std::string name_;
-    Hdf5Id group_;
-  };
-
-  /// Names of the groups in the root, sorted.
-  std::vector<std::string> groups() const;
-  /// Names and shapes of the data sets of a group, sorted.
+  /// Names and shapes of the data sets of a group ("" is the root), sorted.
   std::vector<std::pair<std::string, std::vector<std::size_t>>> datasets(const std::string& group) const;
-  double attribute(const std::string& object, const std::string& name) const;
-  void remove(const std::string& group);
+  /// A number that is an attribute of the root.
+  double attribute(const std::string& name) const;
 
  private:
-  void make_room() const;
-  Hdf5File(std::string path, Hdf5Id file) : path_(std::move(path)), file_(file) {}
+  Hdf5File(std::string path, Hdf5Id file, std::unique_ptr<NewFile> unfinished);
   std::string path_;
+  std::unique_ptr<NewFile> unfinished_;
   Hdf5Id file_;
 };
 

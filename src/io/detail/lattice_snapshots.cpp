@@ -10,21 +10,21 @@ LatticeSnapshots::LatticeSnapshots(const std::string& directory, const Lattice& 
       fields_(std::move(fields)),
       layout_(std::move(layout)),
       series_(directory, "fields",
-              [this](const Hdf5File& file, const std::string& group, double time) { return grid(file, group, time); }) {
+              [this](const Hdf5File& file, const std::string& name, double time) { return grid(file, name, time); }) {
   layout_.items = {static_cast<std::size_t>(lattice.ny), static_cast<std::size_t>(lattice.nx)};
 }
 
 void LatticeSnapshots::write(double time, std::int64_t step) {
-  series_.append(time, step, [&](Hdf5File::Group& group) {
+  series_.append(time, step, [&](Hdf5File& file) {
     for (const auto& field : fields_)
-      layout_.write(group, field.name, field,
+      layout_.write(file, field.name, field,
                     {{"time", time}, {"step", step}, {"dx", spacing_}, {"origin", std::vector<double>{0, 0}}});
   });
 }
 
 // Lattice nodes as points of a flat three-dimensional image: a two-dimensional one comes out of ParaView's reader in
 // the plane of y and z, where neither vectors nor the particles lie.
-std::string LatticeSnapshots::grid(const Hdf5File& file, const std::string& group, double time) const {
+std::string LatticeSnapshots::grid(const Hdf5File& file, const std::string& name, double time) const {
   return fmt::format(
       "<Grid Name=\"lattice\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n"
       "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"1 {} {}\"/>\n<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
@@ -33,7 +33,7 @@ std::string LatticeSnapshots::grid(const Hdf5File& file, const std::string& grou
       "{}</DataItem>\n</Geometry>\n"
       "{}</Grid>\n",
       time, layout_.items[0], layout_.items[1], spacing_ / 2, spacing_ / 2, spacing_, spacing_, spacing_,
-      xdmf_attributes(file, series_.h5_name(), group, XdmfCentre::node, layout_.bytes()));
+      xdmf_attributes(file, name, "", XdmfCentre::node, layout_.bytes()));
 }
 
 }  // namespace vug::detail

@@ -1,5 +1,5 @@
 #pragma once
-// fields.h5 with fields.xdmf: the cells of the lattice.
+// fields.h5 with fields.xdmf and the folder fields: the cells of the lattice.
 #include "io/detail/field_layout.hpp"
 #include "io/detail/snapshot_series.hpp"
 #include "kernels/lattice.hpp"
@@ -18,7 +18,7 @@ class LatticeSnapshots {
   void write(double time, std::int64_t step);
 
  private:
-  std::string grid(const Hdf5File& file, const std::string& group, double time) const;
+  std::string grid(const Hdf5File& file, const std::string& name, double time) const;
 
   double spacing_;
   std::vector<Field> fields_;

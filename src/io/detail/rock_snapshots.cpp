@@ -16,7 +16,7 @@ RockSnapshots::RockSnapshots(const std::string& directory, const FieldList& fiel
       bond_fields_(selected(fields.bonds, names)),
       layout_(std::move(layout)),
       series_(directory, "particles",
-              [this](const Hdf5File& file, const std::string& group, double time) { return grid(file, group, time); }) {
+              [this](const Hdf5File& file, const std::string& name, double time) { return grid(file, name, time); }) {
   for (const auto& field : fields.particles) {
     if (field.name == "displacement" && field.components == 2) displacement_ = field;
     if (field.name == "rotation" && field.components == 1) rotation_ = field;
@@ -25,13 +25,15 @@ RockSnapshots::RockSnapshots(const std::string& directory, const FieldList& fiel
 
 void RockSnapshots::create() {
   series_.create();
-  auto file = series_.open();
-  Hdf5File::Group group(file, "rock", {});
+  series_.add_part("rock", [this](Hdf5File& file) { write_connectivity(file); });
+}
+
+void RockSnapshots::write_connectivity(Hdf5File& file) const {
   const auto put = [&](const std::string& name, std::size_t rows, std::size_t columns, auto value) {
     std::vector<double> values;
     for (std::size_t i = 0; i < rows; ++i)
       for (std::size_t k = 0; k < columns; ++k) values.push_back(value(i, k));
-    group.write(name, {rows, columns}, values, StoredAs::int32, layout_.compress, {});
+    file.write(name, {rows, columns}, values, StoredAs::int32, layout_.compress, {});
   };
   const auto& triangles = shape_.assembly.triangles;
   const auto& bonds = shape_.bonds;
@@ -40,22 +42,20 @@ void RockSnapshots::create() {
   put("triangle_vertex_numbers", triangles.size(), 3, [&](std::size_t i, std::size_t k) { return triangles[i][k]; });
   put("bond_vertex_numbers", bonds.size(), 2, [&](std::size_t i, std::size_t k) { return bonds[i].vertices[k]; });
   put("bond_triangles", bonds.size(), 2, [&](std::size_t i, std::size_t k) { return bonds[i].particles[k]; });
-  group.publish();
-  file.close();
 }
 
 void RockSnapshots::write(double time, std::int64_t step) {
   const std::vector<Attribute> common{{"time", time}, {"step", step}};
-  series_.append(time, step, [&](Hdf5File::Group& group) {
+  series_.append(time, step, [&](Hdf5File& file) {
     const auto triangles = moved_vertices();
     const auto bonds = bond_ends(triangles);
-    write_vertices(group, "triangles/vertices", triangles, common);
-    write_vertices(group, "bonds/vertices", bonds, common);
+    write_vertices(file, "triangles/vertices", triangles, common);
+    write_vertices(file, "bonds/vertices", bonds, common);
     auto layout = layout_;
     layout.items = {shape_.assembly.triangles.size()};
-    for (const auto& field : triangle_fields_) layout.write(group, "triangles/" + field.name, field, common);
+    for (const auto& field : triangle_fields_) layout.write(file, "triangles/" + field.name, field, common);
     layout.items = {shape_.bonds.size()};
-    for (const auto& field : bond_fields_) layout.write(group, "bonds/" + field.name, field, common);
+    for (const auto& field : bond_fields_) layout.write(file, "bonds/" + field.name, field, common);
   });
 }
 
@@ -98,32 +98,31 @@ RockSnapshots::Points RockSnapshots::bond_ends(const Points& moved) const {
   return out;
 }
 
-void RockSnapshots::write_vertices(Hdf5File::Group& group, const std::string& name, const Points& points,
+void RockSnapshots::write_vertices(Hdf5File& file, const std::string& name, const Points& points,
                                    std::vector<Attribute> attributes) const {
   std::vector<double> values;
   values.reserve(3 * points.size());
   for (const auto& p : points) values.insert(values.end(), {p[0], p[1], 0.0});
   attributes.push_back({"units", std::string("m")});
-  group.write(name, {points.size(), 3}, values, layout_.type, layout_.compress, attributes);
+  file.write(name, {points.size(), 3}, values, layout_.type, layout_.compress, attributes);
 }
 
-std::string RockSnapshots::part(const Hdf5File& file, const std::string& group, const std::string& items,
+std::string RockSnapshots::part(const Hdf5File& file, const std::string& name, const std::string& items,
                                 const std::string& topology, std::size_t count, std::size_t corners) const {
-  const auto& h5 = series_.h5_name();
   const int bytes = layout_.bytes();
-  const XdmfArray connectivity{h5 + ":/rock/" + items, {count, corners}, true, 4};
-  const XdmfArray vertices{fmt::format("{}:/{}/{}/vertices", h5, group, items), {corners * count, 3}, false, bytes};
+  const XdmfArray connectivity{series_.file_name("rock") + ":/" + items, {count, corners}, true, 4};
+  const XdmfArray vertices{fmt::format("{}:/{}/vertices", name, items), {corners * count, 3}, false, bytes};
   return fmt::format(
       "<Grid Name=\"{}\" GridType=\"Uniform\">\n<Topology {} NumberOfElements=\"{}\">\n{}</Topology>\n"
       "<Geometry GeometryType=\"XYZ\">\n{}</Geometry>\n{}</Grid>\n",
       items, topology, count, xdmf_item(connectivity), xdmf_item(vertices),
-      xdmf_attributes(file, h5, group + "/" + items, XdmfCentre::cell, bytes));
+      xdmf_attributes(file, name, items, XdmfCentre::cell, bytes));
 }
 
-std::string RockSnapshots::grid(const Hdf5File& file, const std::string& group, double time) const {
-  auto parts = part(file, group, "triangles", "TopologyType=\"Triangle\"", shape_.assembly.triangles.size(), 3);
+std::string RockSnapshots::grid(const Hdf5File& file, const std::string& name, double time) const {
+  auto parts = part(file, name, "triangles", "TopologyType=\"Triangle\"", shape_.assembly.triangles.size(), 3);
   if (!shape_.bonds.empty())
-    parts += part(file, group, "bonds", "TopologyType=\"Polyline\" NodesPerElement=\"2\"", shape_.bonds.size(), 2);
+    parts += part(file, name, "bonds", "TopologyType=\"Polyline\" NodesPerElement=\"2\"", shape_.bonds.size(), 2);
   return fmt::format(
       "<Grid Name=\"rock\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"{}\"/>\n{}</Grid>\n",
       time, parts);

@@ -1,5 +1,6 @@
 #pragma once
-// particles.h5 with particles.xdmf: triangles, each with vertices of its own, and bonds as lines.
+// particles.h5 with particles.xdmf and the folder particles: triangles, each with vertices of its own, and bonds as
+// lines.
 #include "io/detail/field_layout.hpp"
 #include "io/detail/snapshot_series.hpp"
 #include "io/snapshot_writer.hpp"
@@ -15,20 +16,21 @@ class RockSnapshots {
   RockSnapshots(const RockSnapshots&) = delete;  // the series keeps a pointer to this
   RockSnapshots& operator=(const RockSnapshots&) = delete;
 
-  /// Begins anew, with the part that never changes: group `rock`, which vertices make a triangle or a bond.
+  /// Begins anew, with the part that never changes, `rock`: which vertices make a triangle or a bond.
   void create();
   void resume(std::int64_t step) { series_.resume(step); }
   void write(double time, std::int64_t step);
 
  private:
   using Points = std::vector<std::array<double, 2>>;
+  void write_connectivity(Hdf5File& file) const;
   Points moved_vertices() const;
   Points bond_ends(const Points& moved) const;
-  void write_vertices(Hdf5File::Group& group, const std::string& name, const Points& points,
+  void write_vertices(Hdf5File& file, const std::string& name, const Points& points,
                       std::vector<Attribute> attributes) const;
-  std::string part(const Hdf5File& file, const std::string& group, const std::string& items,
-                   const std::string& topology, std::size_t count, std::size_t corners) const;
-  std::string grid(const Hdf5File& file, const std::string& group, double time) const;
+  std::string part(const Hdf5File& file, const std::string& name, const std::string& items, const std::string& topology,
+                   std::size_t count, std::size_t corners) const;
+  std::string grid(const Hdf5File& file, const std::string& name, double time) const;
 
   RockShape shape_;
   std::vector<Field> triangle_fields_, bond_fields_;

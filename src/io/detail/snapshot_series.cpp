@@ -1,73 +1,93 @@
 #include "io/detail/snapshot_series.hpp"
 
-#include "io/detail/files.hpp"
 #include "io/detail/xdmf.hpp"
+#include "kernels/require.hpp"
 
 #include <fmt/format.h>
+
+#include <filesystem>
 
 namespace vug::detail {
 
 namespace {
-std::string group_name(std::int64_t step) {
+
+std::string snapshot_name(std::int64_t step) {
   return fmt::format("step_{:012d}", step);
 }
+
+bool is_snapshot(const std::string& part) {
+  return part.starts_with("step_");
+}
+
 }  // namespace
 
-SnapshotSeries::SnapshotSeries(const std::string& directory, const std::string& stem, Grid grid)
-    : directory_(directory),
-      h5_name_(stem + ".h5"),
-      xdmf_path_(directory + "/" + stem + ".xdmf"),
-      grid_(std::move(grid)) {}
+SnapshotSeries::SnapshotSeries(std::string directory, std::string stem, Grid grid)
+    : directory_(std::move(directory)), stem_(std::move(stem)), grid_(std::move(grid)) {}
 
 void SnapshotSeries::create() {
-  Hdf5File::create(directory_ + "/" + h5_name_).close();
-  write_xdmf();
+  const auto folder = directory_ + "/" + stem_;
+  std::error_code error;
+  std::filesystem::remove_all(folder, error);
+  if (!error) std::filesystem::create_directory(folder, error);
+  if (error) throw FileError(folder + ": cannot create: " + error.message());
+  parts_.clear();
+  write_index();
 }
 
 void SnapshotSeries::resume(std::int64_t step) {
-  auto file = open();
-  grids_.clear();
-  for (const auto& group : file.groups()) {
-    if (!group.starts_with("step_")) continue;
-    if (group > group_name(step))
-      file.remove(group);
-    else
-      grids_.push_back(grid_(file, group, file.attribute(group, "time")));
+  const auto folder = directory_ + "/" + stem_;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const auto part = entry.path().stem().string(), extension = entry.path().extension().string();
+    const bool later = is_snapshot(part) && part > snapshot_name(step), unfinished = extension == ".tmp";
+    if (unfinished || (extension == ".h5" && later))
+      std::filesystem::remove(entry.path(), error);
+    else if (extension == ".h5" && is_snapshot(part))
+      name_grid(part);
+    else if (extension == ".h5")
+      parts_[part];
   }
-  file.close();
-  write_xdmf();
+  if (error) throw FileError(folder + ": cannot continue: " + error.message());
+  write_index();
 }
 
-void SnapshotSeries::append(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill) {
-  const Hdf5Rollback rollback(directory_ + "/" + h5_name_);
-  bool all_written = false;
-  try {
-    add_group(time, step, [&](Hdf5File::Group& group) {
-      fill(group);
-      group.flush();
-      all_written = true;
-    });
-  } catch (...) {
-    if (!all_written) rollback.restore();
-    throw;
-  }
-  write_xdmf();
+void SnapshotSeries::add_part(const std::string& name, const Fill& fill) {
+  write_file(name, fill);
+  parts_[name];
+  write_index();
 }
 
-void SnapshotSeries::add_group(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill) {
-  const auto name = group_name(step);
-  auto file = open();
-  {
-    Hdf5File::Group group(file, name, {{"time", time}, {"step", step}});
-    fill(group);
-    group.publish();
-  }
-  grids_.push_back(grid_(file, name, time));
-  file.close();
+void SnapshotSeries::append(double time, std::int64_t step, const Fill& fill) {
+  const auto name = snapshot_name(step);
+  write_file(name, [&](Hdf5File& file) {
+    file.write(Attribute{"time", time});
+    file.write(Attribute{"step", step});
+    fill(file);
+  });
+  name_grid(name);
+  write_index();
 }
 
-void SnapshotSeries::write_xdmf() const {
-  replace_file(xdmf_path_, xdmf_document(grids_), false);
+void SnapshotSeries::write_file(const std::string& part, const Fill& fill) const {
+  auto file = Hdf5File::create(path_of(part));
+  fill(file);
+  file.commit(true);
+}
+
+void SnapshotSeries::name_grid(const std::string& snapshot) {
+  const auto file = Hdf5File::open(path_of(snapshot));
+  parts_[snapshot] = grid_(file, file_name(snapshot), file.attribute("time"));
+}
+
+void SnapshotSeries::write_index() const {
+  std::vector<std::string> grids;
+  auto index = Hdf5File::create(directory_ + "/" + stem_ + ".h5");
+  for (const auto& [part, grid] : parts_) {
+    index.link(part, file_name(part));
+    if (!grid.empty()) grids.push_back(grid);
+  }
+  index.commit(false);
+  replace_file(directory_ + "/" + stem_ + ".xdmf", xdmf_document(grids), false);
 }
 
 }  // namespace vug::detail

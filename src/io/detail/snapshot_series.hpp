@@ -1,35 +1,42 @@
 #pragma once
-// A series of snapshots in one HDF5 file, with the XDMF file that names them.
+// A series of snapshots, one HDF5 file each, with an HDF5 file that links to all of them and the XDMF file that names
+// their data.
 #include "io/detail/hdf5_file.hpp"
 
 #include <functional>
-#include <optional>
+#include <map>
 
 namespace vug::detail {
 
-/// The files `<stem>.h5` and `<stem>.xdmf` of a folder.
+/// The files `<stem>.h5`, `<stem>.xdmf` and `<stem>/*.h5` of a folder. Each is written under a temporary name and
+/// renamed, a snapshot before the two that refer to it: at any moment all of them are whole.
 class SnapshotSeries {
  public:
-  /// Turns a published snapshot into a <Grid> of the XDMF file.
-  using Grid = std::function<std::string(const Hdf5File&, const std::string& group, double time)>;
+  /// Turns a snapshot into a <Grid> of the XDMF file; `name` is its file, relative to that.
+  using Grid = std::function<std::string(const Hdf5File&, const std::string& name, double time)>;
+  using Fill = std::function<void(Hdf5File&)>;
 
-  SnapshotSeries(const std::string& directory, const std::string& stem, Grid grid);
+  SnapshotSeries(std::string directory, std::string stem, Grid grid);
   /// Begins anew.
   void create();
   /// Continues the files, without the snapshots after `step`.
   void resume(std::int64_t step);
-  /// Adds a snapshot that `fill` writes into its group.
-  void append(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill);
-  Hdf5File open() const { return Hdf5File::open(directory_ + "/" + h5_name_); }
-  const std::string& h5_name() const { return h5_name_; }
+  /// Adds a part that has no time.
+  void add_part(const std::string& name, const Fill& fill);
+  /// Adds a snapshot.
+  void append(double time, std::int64_t step, const Fill& fill);
+  /// The file of a part, relative to the folder.
+  std::string file_name(const std::string& part) const { return stem_ + "/" + part + ".h5"; }
 
  private:
-  void add_group(double time, std::int64_t step, const std::function<void(Hdf5File::Group&)>& fill);
-  void write_xdmf() const;
+  std::string path_of(const std::string& part) const { return directory_ + "/" + file_name(part); }
+  void write_file(const std::string& part, const Fill& fill) const;
+  void name_grid(const std::string& snapshot);
+  void write_index() const;
 
-  std::string directory_, h5_name_, xdmf_path_;
+  std::string directory_, stem_;
   Grid grid_;
-  std::vector<std::string> grids_;
+  std::map<std::string, std::string> parts_;  // name of each file: its <Grid>, empty without a time
 };
 
 }  // namespace vug::detail
