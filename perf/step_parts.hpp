@@ -9,8 +9,8 @@
 namespace vug::perf {
 
 enum Part : int { flow, heat, carried, solutes, reaction, fluid_force, mechanics, pores, part_count };
-inline constexpr std::array<const char*, part_count> part_names{
-    "flow", "heat", "advective_form", "solutes", "reaction", "fluid_force", "mechanics", "pores"};
+inline constexpr std::array<const char*, part_count> part_names{"flow",     "heat",        "advective_form", "solutes",
+                                                                "reaction", "fluid_force", "mechanics",      "pores"};
 
 /// Seconds and launches of the kernels that run while one exists; kernels of no part are left out.
 class PartClock {
@@ -51,13 +51,21 @@ class PartClock {
       const char* text;
       int part;
     };
-    static constexpr Prefix prefixes[] = {
-        {"vug::flow", flow},           {"vug::open_boundary", flow}, {"vug::heat", heat},
-        {"vug::advective_form", carried}, {"vug::solute", solutes},  {"vug::reacti", reaction},
-        {"vug::surface_normal", reaction}, {"vug::momentum_exchange", fluid_force},
-        {"vug::particle_load", fluid_force}, {"vug::dem", mechanics}, {"vug::thermal_exchange", mechanics},
-        {"vug::chemical_damage", mechanics}, {"vug::dissolution", pores}, {"vug::pathways", pores},
-        {"vug::fluid_nodes", pores}};
+    static constexpr Prefix prefixes[] = {{"vug::flow", flow},
+                                          {"vug::open_boundary", flow},
+                                          {"vug::heat", heat},
+                                          {"vug::advective_form", carried},
+                                          {"vug::solute", solutes},
+                                          {"vug::reacti", reaction},
+                                          {"vug::surface_normal", reaction},
+                                          {"vug::momentum_exchange", fluid_force},
+                                          {"vug::particle_load", fluid_force},
+                                          {"vug::dem", mechanics},
+                                          {"vug::thermal_exchange", mechanics},
+                                          {"vug::chemical_damage", mechanics},
+                                          {"vug::dissolution", pores},
+                                          {"vug::pathways", pores},
+                                          {"vug::fluid_nodes", pores}};
     for (const Prefix& prefix : prefixes)
       if (std::strncmp(label, prefix.text, std::strlen(prefix.text)) == 0) return prefix.part;
     return part_count;

@@ -1,6 +1,6 @@
 // The whole coupled step of the paper's rock, by its parts, each beside the time that its bytes take in a copy. Every
-// step of a cycle (of looks for new pores, of longer steps of heat) is timed by itself and its shortest time counts, the
-// copy's likewise: other work on the machine disturbs those least.
+// step of a cycle (of looks for new pores, of longer steps of heat) is timed by itself and its shortest time counts,
+// the copy's likewise: other work on the machine disturbs those least.
 #include "coupling/simulation.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/subnormals.hpp"
@@ -40,9 +40,13 @@ Sizes sizes_of(const Simulation& simulation) {
   for (const Limit& limit : simulation.limits())
     if (limit.name == "sub-steps per lattice step") substeps = limit.value;
   const Lattice& lattice = parts.geometry.lattice;
-  return {static_cast<double>(lattice.nx) * lattice.ny, static_cast<double>(fluid.count),
-          static_cast<double>(parts.geometry.surface.count), links9, links5,
-          static_cast<double>(parts.mechanics->particles().count), static_cast<double>(parts.mechanics->bonds().count),
+  return {static_cast<double>(lattice.nx) * lattice.ny,
+          static_cast<double>(fluid.count),
+          static_cast<double>(parts.geometry.surface.count),
+          links9,
+          links5,
+          static_cast<double>(parts.mechanics->particles().count),
+          static_cast<double>(parts.mechanics->bonds().count),
           substeps};
 }
 
@@ -72,7 +76,8 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage
   // (8); read and write: damage of its points (32); write: d_m, stress, forces, which its particles read (8 + 16 + 64).
   // A particle: motion for its bonds (64); bonds (12), mass, inertia, solid share, temperature, outside and boundary
-  // forces, stiffness, reference, supports (32 + 24 + 32 + 32 + 17); u, v, angle, spin and rotation both ways, reaction.
+  // forces, stiffness, reference, supports (32 + 24 + 32 + 32 + 17); u, v, angle, spin and rotation both ways,
+  // reaction.
   const double bond = 264, particle = 64 + 12 + 137 + 2 * 64 + 16;
   bytes[mechanics] = s.substeps * (s.bonds * bond + s.particles * particle) +
                      (s.nodes * (T + 4) + 2 * s.surface * 12) / every;  // temperatures, dissolved shares
@@ -83,9 +88,7 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
 /// Seconds for a byte in a copy as large as the case, so that both have the same caches.
 class Copy {
  public:
-  explicit Copy(double bytes) : capacity_(static_cast<int>(bytes / (streams * sizeof(double)))) {
-    seconds_per_byte();
-  }
+  explicit Copy(double bytes) : capacity_(static_cast<int>(bytes / (streams * sizeof(double)))) { seconds_per_byte(); }
   double seconds_per_byte() const {
     constexpr int repeats = 1;
     const double time = seconds([&] {
@@ -118,7 +121,9 @@ class Cycle {
     ++steps_;
   }
   /// Means over the cycle, s.
-  double whole() const { return std::accumulate(whole_.begin(), whole_.end(), 0.0) / static_cast<double>(whole_.size()); }
+  double whole() const {
+    return std::accumulate(whole_.begin(), whole_.end(), 0.0) / static_cast<double>(whole_.size());
+  }
   double part(std::size_t p) const {
     double sum = 0;
     for (const auto& parts : parts_) sum += parts[p];

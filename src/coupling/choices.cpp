@@ -63,8 +63,9 @@ std::vector<std::string> choice_notes(const Scene& scene) {
   std::vector<std::string> notes;
   for (const MeasuredChoice& choice : measured_choices())
     if (choice.made(scene))
-      notes.push_back(fmt::format("{}: {} of the time of preset = careful, dissolved volume within {} of its, on the paper's rock",
-                                  choice.name, choice.cost, choice.error));
+      notes.push_back(
+          fmt::format("{}: {} of the time of preset = careful, dissolved volume within {} of its, on the paper's rock",
+                      choice.name, choice.cost, choice.error));
   return notes;
 }
 

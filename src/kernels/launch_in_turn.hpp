@@ -40,9 +40,11 @@ struct NodesInTurn {
 }  // namespace detail
 
 /// Runs first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what
-/// first(i) wrote, but not what other iterations did. The bits are those of two calls of for_each_node. Nothing is fenced.
+/// first(i) wrote, but not what other iterations did. The bits are those of two calls of for_each_node. Nothing is
+/// fenced.
 template <class First, class Second>
-void for_each_node_in_turn(const Exec& exec, const std::string& label, int n, const First& first, const Second& second) {
+void for_each_node_in_turn(const Exec& exec, const std::string& label, int n, const First& first,
+                           const Second& second) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
     constexpr int shortest = 32, shares = 4;  // as for_each_node, for the same reasons

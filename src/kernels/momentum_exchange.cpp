@@ -133,12 +133,15 @@ void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, int capaci
                        double force_scale, double torque_scale, const VectorField<double>& force,
                        const ScalarField<double>& torque) {
   if (links.groups() <= 0) return;
-  const ExchangeMomentum<T> exchange{links.first, links.link,  links.arm,    fields.f, capacity,
-                                     static_cast<int>(links.link.extent(0)), force_scale, torque_scale, force, torque};
+  const ExchangeMomentum<T> exchange{
+      links.first, links.link,   links.arm, fields.f, capacity, static_cast<int>(links.link.extent(0)),
+      force_scale, torque_scale, force,     torque};
   if constexpr (runs_on_host)
-    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, links.groups()), exchange);
+    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, links.groups()),
+                         exchange);
   else
-    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::TeamPolicy<Exec>(exec, links.groups(), 32), exchange);
+    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::TeamPolicy<Exec>(exec, links.groups(), 32),
+                         exchange);
 }
 
 template void exchange_momentum(const Exec&, const FlowFields<float>&, int, const WallLinks&, double, double,

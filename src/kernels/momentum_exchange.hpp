@@ -20,10 +20,10 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
 
 /// force(g, :) and torque(g) = what the fluid gives to group g in one step, lattice units (times rho0 dx^3/dt^2: N per
 /// metre of depth; the torque times a node more), by momentum exchange: sum over its links of c 2A, A the population
-/// about to leave along c into the solid and to return. It is the gauge force, relative to the reference pressure, exact
-/// for fluid at rest beside any staircase. Each link's force lies along the link through the centre of its solid node,
-/// so the torque about that is zero and the force may be taken to act there. force_scale and torque_scale multiply.
-/// Double whatever T is; 12 bytes of table and a population per link.
+/// about to leave along c into the solid and to return. It is the gauge force, relative to the reference pressure,
+/// exact for fluid at rest beside any staircase. Each link's force lies along the link through the centre of its solid
+/// node, so the torque about that is zero and the force may be taken to act there. force_scale and torque_scale
+/// multiply. Double whatever T is; 12 bytes of table and a population per link.
 ///
 /// Valid between sweeps, before or after the sides are dressed. Where links to solid nodes themselves are dressed (a
 /// moving wall) it is the mean of a call before and a call after.

@@ -12,7 +12,8 @@ struct D2Q9 {
 
   /// Component `axis` (0 = x, 1 = y) of velocity q, in nodes per step.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int c(int q, int axis) {
-    constexpr unsigned x = 0x20919, y = 0x2865;  // c + 1 in two bits: x = 0 1 0 -1 0 1 -1 -1 1, y = 0 0 1 0 -1 1 1 -1 -1
+    // c + 1 in two bits each: x = 0 1 0 -1 0 1 -1 -1 1, y = 0 0 1 0 -1 1 1 -1 -1
+    constexpr unsigned x = 0x20919, y = 0x2865;
     return static_cast<int>((axis == 0 ? x : y) >> (2 * q) & 3U) - 1;
   }
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int opposite(int q) {
