@@ -6,6 +6,7 @@
 #include "io/run_record.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/require.hpp"
+#include "kernels/subnormals.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -20,9 +21,6 @@
 #include <string>
 #include <unistd.h>
 #include <vector>
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 namespace {
 
@@ -79,17 +77,6 @@ void describe(CLI::App& app, CommandLine& line) {
   line.lab->add_flag("--quiet", line.quiet, "No progress");
   line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
   line.info->add_flag("--json", line.json, "Machine-readable");
-}
-
-/// Subnormal numbers cost a hundred times a normal one and carry nothing here: flushed to zero on every thread.
-void flush_subnormals() {
-#if defined(__SSE2__)
-  Kokkos::parallel_for(
-      "vug::main::flush_subnormals",
-      Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, Kokkos::DefaultHostExecutionSpace().concurrency()),
-      [](int) { _mm_setcsr(_mm_getcsr() | 0x8040); });
-  _mm_setcsr(_mm_getcsr() | 0x8040);
-#endif
 }
 
 int info(const CommandLine& line) {
@@ -158,7 +145,7 @@ int dispatch(const CommandLine& line) {
     if (line.threads > 0) settings.set_num_threads(line.threads);
     vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);
-    flush_subnormals();
+    vug::flush_subnormals();
     if (*line.info) return info(line);
     if (*line.check) return check(line);
     if (*line.lab) return lab(line);

@@ -162,9 +162,13 @@ class Rock:
 
     name = "rock"
     case = "cases/acid_fracturing/coarse/p30_da1.5e-3.toml"
-    common = {"time.end": 0.012, "output.interval": 0.012, "output.checkpoint_interval": 0.012}
+    common = {"accuracy.preset": "careful", "time.end": 0.012, "output.interval": 0.012,
+              "output.checkpoint_interval": 0.012}
     choices = [
-        Choice("default", "preset = balanced", {}),
+        Choice("default", "preset = careful", {}),
+        Choice("preset", "preset = balanced", {"accuracy.preset": "balanced"}),
+        Choice("preset", "preset = balanced, precision = single",
+               {"accuracy.preset": "balanced", "accuracy.precision": "single"}),
         Choice("preset", "preset = fast", {"accuracy.preset": "fast"}),
         Choice("preset", "preset = reference", {"accuracy.preset": "reference"}),
         Choice("precision", "precision = single", {"accuracy.precision": "single"}),

@@ -10,8 +10,8 @@ namespace vug {
 /// A choice of the page docs/accuracy.md, measured on the paper's rock (perf/accuracy_cost).
 struct MeasuredChoice {
   const char* name;   ///< as in the page's table: "precision = single"
-  const char* cost;   ///< processor time over the default's
-  const char* error;  ///< of the dissolved volume against the default's
+  const char* cost;   ///< processor time over that of preset = careful
+  const char* error;  ///< of the dissolved volume against that preset's
   bool (*made)(const Scene&);
 };
 

@@ -4,7 +4,6 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
-#include "kernels/momentum_exchange.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -46,9 +45,8 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)) {
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
   if (flow_) {
-    wet_.emplace(geometry.lattice, rock.nodes_of_particle);
-    wet_->rebuild(exec, geometry.surface);
-    Kokkos::resize(exec, node_force_, geometry.surface.node.extent(0));
+    load_.emplace(geometry.lattice, geometry.spacing, rock.nodes_of_particle, mechanics_.particles().x0);
+    load_->rebuild(exec, geometry.fluid, geometry.surface);
   }
   if (geometry.volume.extent(0) > 0) {
     particle_volume_ = ScalarField<double>("vug::mechanics::particle_volume", nodes_of_particle_.count());
@@ -91,9 +89,8 @@ template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
   if (flow_) {
-    exchange_momentum(exec, geometry_.fluid, geometry_.surface, flow_->flow(), node_force_);
-    load_particles(exec, geometry_.lattice, geometry_.spacing, units_.force(), geometry_.surface, *wet_, node_force_,
-                   particles.x0, particles.force, particles.torque);
+    exchange_momentum(exec, flow_->flow(), geometry_.fluid.capacity, load_->links(), units_.force(),
+                      units_.force() * geometry_.spacing, particles.force, particles.torque);
   }
   if (clock.step % update_interval_ == 0) {
     if (heat_)
@@ -106,10 +103,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
 
 template <class T>
 void MechanicsModule<T>::births(const Exec& exec, const Births&) {
-  if (!flow_) return;
-  if (node_force_.extent(0) < geometry_.surface.node.extent(0))
-    node_force_ = VectorField<double>("vug::mechanics::node_force", geometry_.surface.node.extent(0));
-  wet_->rebuild(exec, geometry_.surface);
+  if (flow_) load_->rebuild(exec, geometry_.fluid, geometry_.surface);
 }
 
 template <class T>

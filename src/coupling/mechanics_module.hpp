@@ -46,8 +46,7 @@ class MechanicsModule final : public Module {
   int update_interval_;
   Groups nodes_of_particle_, nodes_of_bond_;
   Mechanics mechanics_;
-  std::optional<WetSurface> wet_;           ///< with flow only
-  VectorField<double> node_force_;          ///< (surface, axis) lattice units
+  std::optional<ParticleLoad> load_;        ///< with flow only
   ScalarField<double> particle_volume_;     ///< (particle) initial solid volume, pixels
   ScalarField<double> bond_volume_;         ///< (bond) likewise of its region
   ScalarField<double> particle_dissolved_;  ///< (particle) share dissolved

@@ -3,7 +3,7 @@
 #include "dem/bond_kinematics.hpp"
 #include "dem/bond_law.hpp"
 #include "dem/contact_law.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch_in_turn.hpp"
 
 namespace vug {
 
@@ -242,17 +242,6 @@ struct BondFailure {
   }
 };
 
-/// Both in one launch, for devices on which a launch costs more than a branch.
-template <class Keeper>
-struct BondForces {
-  BondModel model;
-  Keeper accounts;
-  KOKKOS_FUNCTION void operator()(int k) const {
-    CohesiveForces<Keeper>{model, accounts}(k);
-    BondFailure<Keeper>{model, accounts}(k);
-  }
-};
-
 }  // namespace
 
 template <class Keeper>
@@ -260,12 +249,8 @@ void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters
                          const Bonds& bonds, const Keeper& accounts) {
   const BondModel model{
       parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds};
-  if constexpr (runs_on_host) {
-    for_each_node(exec, "vug::dem::cohesive_forces", bonds.count, CohesiveForces<Keeper>{model, accounts});
-    for_each_node(exec, "vug::dem::bond_failure", bonds.count, BondFailure<Keeper>{model, accounts});
-  } else {
-    for_each_node(exec, "vug::dem::bond_forces", bonds.count, BondForces<Keeper>{model, accounts});
-  }
+  for_each_node_in_turn(exec, "vug::dem::bond_forces", bonds.count, CohesiveForces<Keeper>{model, accounts},
+                        BondFailure<Keeper>{model, accounts});
 }
 
 template void compute_bond_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,

@@ -3,6 +3,7 @@
 #include "dem/bond_kinematics.hpp"
 #include "dem/closest_point.hpp"
 #include "dem/contact_law.hpp"
+#include "dem/gather_contacts.hpp"
 #include "kernels/launch.hpp"
 
 namespace vug {
@@ -148,28 +149,6 @@ struct ContactForces {
   }
 };
 
-/// Sum of a particle's contacts, in the order of its row, of loads or of the dashpots in them.
-struct GatherContacts {
-  Bonds bonds;
-  Contacts contacts;
-  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
-  Kokkos::View<double* [3], Kokkos::LayoutLeft> push;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    if (bonds.events(bond_has_failed) == 0) return;
-    double x = 0, y = 0, torque = 0;
-    for (int e = contacts.row(i); e < contacts.row(i + 1); ++e) {
-      const int k = contacts.entry(e) / 2, end = contacts.entry(e) % 2;
-      const double sign = end == 0 ? 1 : -1;
-      x += sign * load(k, 0);
-      y += sign * load(k, 1);
-      torque += load(k, 2 + end);
-    }
-    push(i, 0) = x;
-    push(i, 1) = y;
-    push(i, 2) = torque;
-  }
-};
-
 }  // namespace
 
 template <class Keeper>
@@ -179,8 +158,6 @@ void compute_contact_forces(const Exec& exec, const MechanicsParameters& paramet
   for_each_node(exec, "vug::dem::contact_forces", particles.count,
                 ContactForces<Keeper>{parameters.contact, parameters.thermal_expansion, dt, particles, bonds, contacts,
                                       accounts});
-  for_each_node(exec, "vug::dem::gather_contacts", particles.count,
-                GatherContacts{bonds, contacts, contacts.load, contacts.push});
   if constexpr (Keeper::kept) {
     for_each_node(exec, "vug::dem::gather_drag", particles.count,
                   GatherContacts{bonds, contacts, accounts.pair_drag, accounts.particle_drag});

@@ -1,6 +1,7 @@
 #include "dem/integrate.hpp"
 
-#include "kernels/launch.hpp"
+#include "dem/gather_contacts.hpp"
+#include "kernels/launch_in_turn.hpp"
 
 namespace vug {
 
@@ -109,8 +110,9 @@ struct Integrate {
 template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts) {
-  for_each_node(exec, "vug::dem::integrate", particles.count,
-                Integrate<Keeper>{control, bonds, contacts, loads, particles, accounts});
+  for_each_node_in_turn(exec, "vug::dem::integrate", particles.count,
+                        GatherContacts{bonds, contacts, contacts.load, contacts.push},
+                        Integrate<Keeper>{control, bonds, contacts, loads, particles, accounts});
 }
 
 template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,

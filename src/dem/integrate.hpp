@@ -15,7 +15,8 @@ struct StepControl {
   double surroundings = 1;   ///< scales the springs of the rock beyond: 0 in a preload, which they would resist
 };
 
-/// Gathers the forces on each particle in fixed order and moves it: v(t + dt/2) = v(t - dt/2) + dt F / m,
+/// Gathers the forces on each particle in fixed order, those of its contacts into Contacts::push, and moves it:
+/// v(t + dt/2) = v(t - dt/2) + dt F / m,
 /// u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
 template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,

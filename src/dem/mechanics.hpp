@@ -34,8 +34,8 @@ class Mechanics {
   /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
   double critical_step() const;
 
-  /// Takes `substeps` steps of dt with outside forces and temperatures held. Four to five kernels each and two more
-  /// every 50 steps; no fence, no allocation, no host copy.
+  /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each, one more per servo
+  /// platen, and two more every 50 steps; no fence, no allocation, no host copy.
   void advance(const Exec& exec, double dt, int substeps);
 
   /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at rest.

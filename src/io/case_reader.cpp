@@ -20,7 +20,10 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("heat"); table.given()) scene.heat = read_heat(table);
   if (const auto table = root.table("solute"); table.given()) scene.solute = read_solute(table);
   if (const auto table = root.table("reaction"); table.given()) scene.reaction = read_reaction(table, scene.solute);
-  if (const auto table = root.table("mechanics"); table.given()) scene.mechanics = read_mechanics(table);
+  const auto accuracy = root.table("accuracy");
+  const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::careful;
+  if (const auto table = root.table("mechanics"); table.given())
+    scene.mechanics = read_mechanics(table, mechanics_of(preset));
   if (const auto table = root.table("damage"); table.given()) {
     ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
     scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
@@ -35,7 +38,7 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   }
   if (const auto table = boundary.table("injection"); table.given()) scene.injection = read_injection(table);
   scene.openings = read_openings(boundary, scene.geometry);
-  if (const auto table = root.table("accuracy"); table.given()) scene.accuracy = read_accuracy(table);
+  if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }
 

@@ -66,7 +66,8 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
   read_if(thermal, table, "duration", "is of heating and quench", laboratory.duration, unit::second, range::positive);
   read_if(quenched, table, "diffusion_length", "is only for test = \"quench\"", laboratory.diffusion_length,
           unit::metre, range::positive);
-  read_if(quenched, table, "biot", "is only for test = \"quench\"", laboratory.biot, unit::none, range::positive);
+  read_if(quenched, table, "biot", "is only for test = \"quench\"", laboratory.biot, unit::none,
+          Range{.low = 0, .low_open = true, .infinity_allowed = true});
   read_if(!thermal, table, "largest_strain", "is of a test between moving platens", laboratory.largest_strain,
           unit::none, range::positive_to(1));
   return laboratory;

@@ -79,8 +79,8 @@ RockSection read_rock(const TomlCursor& table) {
   return rock;
 }
 
-MechanicsSection read_mechanics(const TomlCursor& table) {
-  MechanicsSection mechanics;
+MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback) {
+  MechanicsSection mechanics = fallback;
   MechanicsParameters& parameters = mechanics.parameters;
   enum class Profile { paper_literal, calibrated, weibull_scale };
   Profile profile = Profile::paper_literal;

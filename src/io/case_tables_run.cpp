@@ -6,32 +6,18 @@
 #include <set>
 
 namespace vug {
-namespace {
 
-enum class Preset { fast, balanced, reference };
-
-/// What a preset stands for; single keys in the case override it.
-AccuracySection accuracy_of(Preset preset) {
-  AccuracySection accuracy;
-  if (preset == Preset::reference) {
-    accuracy.preset = "reference";
-    accuracy.update_interval = 1;
-  }
-  if (preset == Preset::fast) {
-    accuracy.preset = "fast";
-    accuracy.precision = Precision::single_precision;
-    accuracy.heat_interval = 2;
-    accuracy.solute_interval = 2;
-  }
-  return accuracy;
+Preset read_preset(const TomlCursor& table) {
+  Preset preset = Preset::careful;
+  table.choose("preset", preset,
+               {{"fast", Preset::fast},
+                {"balanced", Preset::balanced},
+                {"careful", Preset::careful},
+                {"reference", Preset::reference}});
+  return preset;
 }
 
-}  // namespace
-
-AccuracySection read_accuracy(const TomlCursor& table) {
-  Preset preset = Preset::balanced;
-  table.choose("preset", preset,
-               {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"reference", Preset::reference}});
+AccuracySection read_accuracy(const TomlCursor& table, Preset preset) {
   AccuracySection accuracy = accuracy_of(preset);
   table.choose("precision", accuracy.precision,
                {{"single", Precision::single_precision}, {"double", Precision::double_precision}});

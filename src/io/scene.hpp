@@ -203,7 +203,7 @@ struct OpeningSection {
 
 enum class Precision { single_precision, double_precision };
 struct AccuracySection {
-  std::string preset = "balanced";
+  std::string preset = "careful";
   Precision precision = Precision::double_precision;
   int update_interval = 10;  ///< lattice steps between births, pathway openings and chemical-damage updates
   int heat_interval = 1;     ///< lattice steps per heat step

@@ -1,5 +1,6 @@
 #include "kernels/fluid_nodes.hpp"
 
+#include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
 
 namespace vug {
@@ -194,19 +195,16 @@ template ScalarField<double> restride(const Exec&, const ScalarField<double>&, i
 
 /// Numbers the solid nodes that have a fluid node among their eight neighbours.
 struct NumberSurface {
-  Lattice lattice;
-  bool periodic_x, periodic_y;
+  DenseNeighbour around;
   Kokkos::View<const NodeType*> type;
   IndexList index, surface;
   KOKKOS_FUNCTION bool touches_fluid(int node) const {
-    for (int q = 1; q < Q; ++q) {
-      const int n = neighbour(lattice, periodic_x, periodic_y, node, q);
-      if (n >= 0 && index(n) >= 0) return true;
-    }
+    for (int q = 1; q < Q; ++q)
+      if (around.fluid_along(index, node, q) >= 0) return true;
     return false;
   }
   KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
-    const int n = interior_node(lattice, item);
+    const int n = interior_node(around.lattice, item);
     if (type(n) != NodeType::solid || !touches_fluid(n)) return;
     if (last && running < static_cast<int>(surface.extent(0))) surface(running) = n;
     ++running;
@@ -218,7 +216,7 @@ void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<
   const auto number = [&] {
     Kokkos::parallel_scan(
         "vug::fluid_nodes::number_surface", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
-        NumberSurface{lattice, nodes.periodic[0], nodes.periodic[1], type, nodes.index, surface.node}, surface.count);
+        NumberSurface{DenseNeighbour(nodes), type, nodes.index, surface.node}, surface.count);
   };
   number();
   if (surface.count > static_cast<int>(surface.node.extent(0))) {

@@ -4,16 +4,32 @@
 
 namespace vug {
 
-/// force(s, :) = what the fluid gives to surface node s in one step, lattice units (times rho0 dx^3/dt^2: N per metre
-/// of depth), by momentum exchange over its fluid links: sum of c 2A, A the population about to leave along c into
-/// the solid and to return. It is the gauge force, relative to the reference pressure, exact for fluid at rest beside
-/// any staircase. Each link's force lies along the link through the node's centre, so the torque about the centre is
-/// zero and the force may be taken to act there. Overwrites `force`; double whatever T is.
+/// The links between the fluid and groups of solid nodes, such as the nodes of a particle: found anew when the pores
+/// change, so that a step reads the populations of these links and nothing else of the lattice.
+struct WallLinks {
+  IndexList first;          ///< (group + 1) links of group g: [first(g), first(g + 1)), node by node in the order of q
+  IndexList link;           ///< 8 * fluid index + q - 1; q leads from the fluid into the solid
+  ScalarField<double> arm;  ///< (link) torque per momentum about the centre of the group, nodes
+  int groups() const { return static_cast<int>(first.extent(0)) - 1; }
+};
+
+/// Finds the links of groups of solid nodes: group g holds node(k) (dense) for k in [offset(g), offset(g + 1)).
+/// centre: (group, axis), in units of `spacing` nodes from the lattice's corner. Reuses the allocations that fit.
+void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList& offset, const IndexList& node,
+                     const VectorField<double>& centre, double spacing, WallLinks& links);
+
+/// force(g, :) and torque(g) = what the fluid gives to group g in one step, lattice units (times rho0 dx^3/dt^2: N per
+/// metre of depth; the torque times a node more), by momentum exchange: sum over its links of c 2A, A the population
+/// about to leave along c into the solid and to return. It is the gauge force, relative to the reference pressure,
+/// exact for fluid at rest beside any staircase. Each link's force lies along the link through the centre of its solid
+/// node, so the torque about that is zero and the force may be taken to act there. force_scale and torque_scale
+/// multiply. Double whatever T is; 12 bytes of table and a population per link.
 ///
 /// Valid between sweeps, before or after the sides are dressed. Where links to solid nodes themselves are dressed (a
 /// moving wall) it is the mean of a call before and a call after.
 template <class T>
-void exchange_momentum(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const FlowFields<T>& fields,
-                       const VectorField<double>& force);
+void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, int capacity, const WallLinks& links,
+                       double force_scale, double torque_scale, const VectorField<double>& force,
+                       const ScalarField<double>& torque);
 
 }  // namespace vug

@@ -27,44 +27,47 @@ struct SurfaceNormal {
     double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
   };
 
-  KOKKOS_FORCEINLINE_FUNCTION static double weight(int distance2) {
-    constexpr double gaussian[9] = {
-        1, 0.77880078307140488, 0.60653065971263342, 0, 0.36787944117144233, 0.28650479686019009, 0,
-        0, 0.1353352832366127};
-    return gaussian[distance2];
+  /// One axis' factor of the weights.
+  KOKKOS_FORCEINLINE_FUNCTION static double weight(int distance) {
+    constexpr double gaussian[3] = {1, 0.77880078307140488, 0.36787944117144233};
+    return gaussian[distance < 0 ? -distance : distance];
   }
-  KOKKOS_FUNCTION Fit fit(int n) const {
-    // moments of the weights along one axis; the weights are a product, so that the terms decouple
-    const double m0 = 1 + 2 * weight(1) + 2 * weight(4);
-    const double m2 = 2 * weight(1) + 8 * weight(4);
-    const double m4 = 2 * weight(1) + 32 * weight(4);
+  /// `volume(dx, dy)` is V that far away. The weights are a product, so that sums along rows serve all terms.
+  template <class Volume>
+  KOKKOS_FORCEINLINE_FUNCTION static Fit fit(const Volume& volume) {
+    const double m0 = 1 + 2 * weight(1) + 2 * weight(2);
+    const double m2 = 2 * weight(1) + 8 * weight(2);
+    const double m4 = 2 * weight(1) + 32 * weight(2);
     const double spread = m2 / m0, variance = m0 * (m4 - m2 * spread);
     Fit f;
-    const Lattice& l = lattice.lattice;
-    const int x = l.x(n), y = l.y(n);
-    const bool far_from_sides = x >= 2 && y >= 2 && x < l.nx - 2 && y < l.ny - 2;
     VUG_UNROLL
     for (int dy = -2; dy <= 2; ++dy) {
+      double sum = 0, first = 0, second = 0;  // of the row: V, dx V, (dx^2 - spread) V
       VUG_UNROLL
       for (int dx = -2; dx <= 2; ++dx) {
-        const int there = far_from_sides ? n + dy * l.pitch + dx : lattice.nearest(n, dx, dy);
-        const double wV = weight(dx * dx + dy * dy) * V(there);
-        f.x += wV * dx;
-        f.y += wV * dy;
-        f.xx += wV * (dx * dx - spread);
-        f.yy += wV * (dy * dy - spread);
-        f.xy += wV * dx * dy;
+        const double wV = weight(dx) * volume(dx, dy);
+        sum += wV;
+        first += dx * wV;
+        second += (dx * dx - spread) * wV;
       }
+      f.x += weight(dy) * first;
+      f.y += weight(dy) * dy * sum;
+      f.xx += weight(dy) * second;
+      f.yy += weight(dy) * (dy * dy - spread) * sum;
+      f.xy += weight(dy) * dy * first;
     }
-    f.x /= m0 * m2;
-    f.y /= m0 * m2;
-    f.xx *= 2 / variance;
-    f.yy *= 2 / variance;
-    f.xy /= m2 * m2;
-    return f;
+    return {f.x / (m0 * m2), f.y / (m0 * m2), f.xx * 2 / variance, f.yy * 2 / variance, f.xy / (m2 * m2)};
+  }
+  /// Most nodes have all their neighbours inside, which spares the search for each.
+  KOKKOS_FUNCTION Fit fit_around(int n) const {
+    const Lattice& l = lattice.lattice;
+    const int x = l.x(n), y = l.y(n);
+    if (x >= 2 && y >= 2 && x < l.nx - 2 && y < l.ny - 2)
+      return fit([&](int dx, int dy) { return V(n + dy * l.pitch + dx); });
+    return fit([&](int dx, int dy) { return V(lattice.nearest(n, dx, dy)); });
   }
   KOKKOS_FUNCTION void operator()(int s) const {
-    const Fit f = fit(node(s));
+    const Fit f = fit_around(node(s));
     const double length = Kokkos::sqrt(f.x * f.x + f.y * f.y);
     constexpr double least = 0.1;
     if (!(length > least)) {

@@ -8,15 +8,17 @@ namespace vug {
 /// Nine velocities in two dimensions (paper Eqs. 16, 17): rest, four along the axes, four diagonal.
 struct D2Q9 {
   static constexpr int Q = 9;
+  // Packed into numbers: where q is known only as the program runs, tables would be written to the stack at every call.
+
   /// Component `axis` (0 = x, 1 = y) of velocity q, in nodes per step.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int c(int q, int axis) {
-    constexpr int x[9] = {0, 1, 0, -1, 0, 1, -1, -1, 1};
-    constexpr int y[9] = {0, 0, 1, 0, -1, 1, 1, -1, -1};
-    return axis == 0 ? x[q] : y[q];
+    // c + 1 in two bits each: x = 0 1 0 -1 0 1 -1 -1 1, y = 0 0 1 0 -1 1 1 -1 -1
+    constexpr unsigned x = 0x20919, y = 0x2865;
+    return static_cast<int>((axis == 0 ? x : y) >> (2 * q) & 3U) - 1;
   }
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int opposite(int q) {
-    constexpr int opp[9] = {0, 3, 4, 1, 2, 7, 8, 5, 6};
-    return opp[q];
+    constexpr unsigned long long digits = 0x658721430;  // 0 3 4 1 2 7 8 5 6, last digit first
+    return static_cast<int>(digits >> (4 * q) & 15U);
   }
   /// Weight of velocity q: 4/9, 1/9, 1/36.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr double w(int q) {

@@ -2,6 +2,7 @@
 #include "io/case_keys.hpp"
 #include "io/detail/case_checks.hpp"
 #include "io/detail/quantity.hpp"
+#include "io/presets.hpp"
 #include "unit/case_files.hpp"
 
 #include <fmt/format.h>
@@ -84,6 +85,17 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
     checked.insert(std::string(unit.symbol));
   }
   for (const KeyDescription& key : case_keys()) EXPECT_TRUE(checked.contains(key.unit)) << key.key << ": " << key.unit;
+}
+
+TEST(CaseDocumentation, EveryPresetWithWhatItSets) {
+  for (const Preset preset : {Preset::reference, Preset::careful, Preset::balanced, Preset::fast}) {
+    const AccuracySection a = accuracy_of(preset);
+    const MechanicsSection m = mechanics_of(preset);
+    EXPECT_THAT(lines(), testing::Contains(fmt::format(
+                             "| {} | {} | {} | {} | {} | {:g} | {:g} |", a.preset,
+                             a.precision == Precision::double_precision ? "double" : "single", a.update_interval,
+                             a.heat_interval, a.solute_interval, m.critical_fraction, m.parameters.mass_scaling)));
+  }
 }
 
 TEST(CaseDocumentation, ExamplesUseKeysThatExist) {

@@ -1,5 +1,6 @@
 // Tables of a case become sections of a Scene, in SI and with the documented defaults.
 #include "io/case_keys.hpp"
+#include "io/presets.hpp"
 #include "io/scene.hpp"
 #include "kernels/require.hpp"
 
@@ -90,7 +91,7 @@ TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
   EXPECT_FALSE(scene.heat || scene.solute || scene.reaction || scene.rock || scene.mechanics || scene.damage);
   EXPECT_FALSE(scene.injection.has_value());
   EXPECT_EQ(scene.geometry.kind, GeometryKind::open);
-  EXPECT_EQ(scene.accuracy.preset, "balanced");
+  EXPECT_EQ(scene.accuracy.preset, "careful");
   EXPECT_EQ(scene.left.flow.kind, FlowBoundaryKind::wall);
 }
 
@@ -149,12 +150,27 @@ to = [0.001, 0.001]
 }
 
 TEST(CaseTables, PresetsAreOverriddenBySingleKeys) {
-  const Scene fast = parsed("[accuracy]\npreset = \"fast\"\nheat_interval = 4\n");
+  const Scene fast = parsed("[accuracy]\npreset = \"fast\"\nheat_interval = 8\n");
   EXPECT_EQ(fast.accuracy.precision, Precision::single_precision);
-  EXPECT_EQ(fast.accuracy.heat_interval, 4);
+  EXPECT_EQ(fast.accuracy.heat_interval, 8);
+  EXPECT_EQ(fast.accuracy.solute_interval, accuracy_of(Preset::fast).solute_interval);
   const Scene reference = parsed("[accuracy]\npreset = \"reference\"\n");
   EXPECT_EQ(reference.accuracy.precision, Precision::double_precision);
   EXPECT_EQ(reference.accuracy.update_interval, 1);
+}
+
+TEST(CaseTables, APresetReachesTheMechanics) {
+  for (const Preset preset : {Preset::fast, Preset::balanced, Preset::careful, Preset::reference}) {
+    const std::string name = accuracy_of(preset).preset;
+    EXPECT_EQ(preset_of(name), preset);
+    const Scene scene = shipped("quickstart.toml", {"accuracy.preset=" + name});
+    EXPECT_EQ(scene.mechanics->critical_fraction, mechanics_of(preset).critical_fraction) << name;
+    EXPECT_EQ(scene.mechanics->parameters.mass_scaling, mechanics_of(preset).parameters.mass_scaling) << name;
+    const Scene own = shipped("quickstart.toml", {"accuracy.preset=" + name, "mechanics.mass_scaling=2",
+                                                  "mechanics.critical_fraction=0.2"});
+    EXPECT_EQ(own.mechanics->parameters.mass_scaling, 2) << name;
+    EXPECT_EQ(own.mechanics->critical_fraction, 0.2) << name;
+  }
 }
 
 TEST(CaseTables, MechanicsProfilesDifferInCohesionOnly) {

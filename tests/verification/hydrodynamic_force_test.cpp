@@ -1,7 +1,7 @@
 // Forces of the fluid on the rock by momentum exchange.
-#include "kernels/momentum_exchange.hpp"
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/node_force.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,7 @@ template <class T, class Where>
 Force force_on(const Flow<T>& flow, const Where& where) {
   Surface surface;
   find_surface(flow.exec, flow.nodes, flow.type, surface);
-  const VectorField<double> force("force", surface.count);
-  exchange_momentum(flow.exec, flow.nodes, surface, flow.fields, force);
-  const auto values = test::on_host(force);
+  const auto values = test::NodeForce<T>(flow, surface)(flow);
   const auto node = test::on_host(surface.node);
   Force total;
   for (int s = 0; s < surface.count; ++s) {
@@ -62,6 +60,37 @@ TEST(HydrostaticForce, VanishesOnASubmergedBody) {
   const Force total = force_on(flow, everywhere);
   EXPECT_NEAR(total.x, 0, 1e-6);  // float round-off of some 150 links of size 0.01
   EXPECT_NEAR(total.y, 0, 1e-6);
+}
+
+TEST(HydrostaticForce, TurnsABankByTheLeverArmsOfItsNodes) {
+  const Lattice lattice(12, 12);
+  const auto type = test::shape(lattice, [](int x, int y) { return y < (x < 5 ? 2 : 5); });
+  Flow<double> flow(lattice, type, {false, false});
+  const double p = 0.07, spacing = 0.5;
+  flow.set([&](int, int) { return Macroscopic<double>{3 * p, 0, 0}; });
+  Surface surface;
+  find_surface(flow.exec, flow.nodes, flow.type, surface);
+  const IndexList all("all", 2);
+  Kokkos::deep_copy(Kokkos::subview(all, 1), surface.count);
+  const VectorField<double> centre("centre", 1), force("force", 1);
+  const ScalarField<double> torque("torque", 1);
+  Kokkos::deep_copy(Kokkos::subview(centre, 0, 0), spacing * 3.25);
+  Kokkos::deep_copy(Kokkos::subview(centre, 0, 1), spacing * 1.5);
+  WallLinks links;
+  find_wall_links(flow.exec, flow.nodes, all, surface.node, centre, spacing, links);
+  exchange_momentum(flow.exec, flow.fields, flow.nodes.capacity, links, 2, 3, force, torque);
+  double x = 0, y = 0, turning = 0;  // node by node, from the forces on single nodes
+  const auto single = test::NodeForce<double>(flow, surface)(flow);
+  const auto node = test::on_host(surface.node);
+  for (int s = 0; s < surface.count; ++s) {
+    x += single(s, 0);
+    y += single(s, 1);
+    turning += (lattice.x(node(s)) + 0.5 - 3.25) * single(s, 1) - (lattice.y(node(s)) + 0.5 - 1.5) * single(s, 0);
+  }
+  EXPECT_GT(std::abs(turning), p);
+  EXPECT_NEAR(test::on_host(force)(0, 0), 2 * x, 1e-13);
+  EXPECT_NEAR(test::on_host(force)(0, 1), 2 * y, 1e-13);
+  EXPECT_NEAR(test::on_host(torque)(0), 3 * turning, 1e-13);
 }
 
 TEST(HydrodynamicForce, BalancesTheMomentumOfTheFluidAtEveryStep) {

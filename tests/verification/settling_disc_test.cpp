@@ -2,15 +2,15 @@
 //
 // vug draws the rock on the lattice once, so the disc keeps its place and the channel moves: seen from the disc the
 // walls slide upwards and the fluid comes from below, both at the speed at which the disc sinks.
-#include "kernels/momentum_exchange.hpp"
 #include "kernels/open_boundary.hpp"
-#include "support/flow_setup.hpp"
+#include "support/node_force.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace vug {
 namespace {
@@ -21,7 +21,7 @@ struct SettlingDisc {
   test::Flow<double> flow;
   BoundaryLinks below, above, left, right;
   Surface surface;
-  VectorField<double> force;
+  std::optional<test::NodeForce<double>> force;
   double speed = 0;
 
   SettlingDisc(int diameter, double nu)
@@ -32,7 +32,7 @@ struct SettlingDisc {
         left(flow.side(Side::left)),
         right(flow.side(Side::right)) {
     find_surface(flow.exec, flow.nodes, flow.type, surface);
-    force = VectorField<double>("force", surface.count);
+    force.emplace(flow, surface);
   }
   static Kokkos::View<NodeType*> disc(int d) {
     return test::shape(Lattice(8 * d, 15 * d),
@@ -44,9 +44,7 @@ struct SettlingDisc {
       dress_velocity(flow.exec, flow.nodes, *moving, {0, speed}, flow.fields, flow.gain);
     dress_pressure(flow.exec, flow.nodes, above, 0, flow.fields, flow.gain);
     flow.sweep();
-    Kokkos::deep_copy(force, 0);
-    exchange_momentum(flow.exec, flow.nodes, surface, flow.fields, force);
-    const auto parts = test::on_host(force);
+    const auto parts = (*force)(flow);
     double drag = 0;
     for (int s = 0; s < surface.count; ++s) drag += parts(s, 1);
     return drag;

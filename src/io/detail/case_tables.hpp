@@ -2,6 +2,7 @@
 // One function per table of the case file: keys to struct. Each is called with the table's cursor only when the table
 // is there (or when the keys are being described); what tables demand of each other is in case_checks.hpp.
 #include "io/detail/toml_cursor.hpp"
+#include "io/presets.hpp"
 #include "io/scene.hpp"
 
 namespace vug {
@@ -16,7 +17,8 @@ HeatSection read_heat(const TomlCursor& table);
 SoluteSection read_solute(const TomlCursor& table);
 /// Needs the solutes for the diffusivity in the Damkohler number.
 ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute);
-MechanicsSection read_mechanics(const TomlCursor& table);
+/// `fallback` gives what the preset of the case chooses.
+MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback);
 /// Also fills the chemical law of the mechanics.
 DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
 /// `meshed`: the rock's mesh says how large the specimen is.
@@ -25,7 +27,8 @@ BoundarySection read_boundary(const TomlCursor& table);
 InjectionSection read_injection(const TomlCursor& table);
 /// The tables [boundary.shape.<name>] of the shapes that have a name.
 std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry);
-AccuracySection read_accuracy(const TomlCursor& table);
+Preset read_preset(const TomlCursor& table);
+AccuracySection read_accuracy(const TomlCursor& table, Preset preset);
 OutputSection read_output(const TomlCursor& table);
 
 /// Whether a name can be part of a data set's name and of `--set`.

@@ -1,0 +1,226 @@
+// The whole coupled step of the paper's rock, by its parts, each beside the time that its bytes take in a copy. Every
+// step of a cycle (of looks for new pores, of longer steps of heat) is timed by itself and its shortest time counts,
+// the copy's likewise: other work on the machine disturbs those least.
+#include "coupling/simulation.hpp"
+#include "kernels/memory.hpp"
+#include "kernels/subnormals.hpp"
+#include "measure.hpp"
+#include "step_parts.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace vug;
+using namespace vug::perf;
+
+/// How often a rock's nodes and links occur.
+struct Sizes {
+  double nodes, fluid, surface, links9, links5, particles, bonds, substeps;
+};
+
+Sizes sizes_of(const Simulation& simulation) {
+  const Parts& parts = simulation.parts();
+  const FluidNodes& fluid = parts.geometry.fluid;
+  const auto links = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fluid.solid_links);
+  double links9 = 0, links5 = 0;
+  for (int i = 0; i < fluid.count; ++i)
+    for (int q = 1; q < D2Q9::Q; ++q)
+      if ((links(i) >> q & 1) != 0) {
+        links9 += 1;
+        if (D2Q9::c(q, 0) == 0 || D2Q9::c(q, 1) == 0) links5 += 1;
+      }
+  double substeps = 0;
+  for (const Limit& limit : simulation.limits())
+    if (limit.name == "sub-steps per lattice step") substeps = limit.value;
+  const Lattice& lattice = parts.geometry.lattice;
+  return {static_cast<double>(lattice.nx) * lattice.ny,
+          static_cast<double>(fluid.count),
+          static_cast<double>(parts.geometry.surface.count),
+          links9,
+          links5,
+          static_cast<double>(parts.mechanics->particles().count),
+          static_cast<double>(parts.mechanics->bonds().count),
+          substeps};
+}
+
+/// Bytes that each part must move in one lattice step: every number once, what is written without its allocation. `T`
+/// is the size of a lattice number, 8 and 4 are those of a double and an index.
+std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
+  const double T = scene.accuracy.precision == Precision::single_precision ? 4 : 8;
+  const double every = scene.accuracy.update_interval, species = static_cast<double>(scene.solute->species.size());
+  const double heat_every = scene.accuracy.heat_interval, solute_every = scene.accuracy.solute_interval;
+  const double carriers = heat_every == solute_every ? 1 / heat_every : 1 / heat_every + 1 / solute_every;
+  std::array<double, part_count> bytes{};
+  // nine populations both ways, three moments, eight indices in every second step
+  bytes[flow] = s.fluid * (21 * T + 16);
+  // five populations both ways, temperature, link mask; of the fluid velocity, defect and its lag, places, links
+  bytes[heat] = (s.nodes * (11 * T + 1) + s.fluid * (5 * T + 14)) / heat_every;
+  // velocity in, defect out, four indices, links; a velocity of its own where scalars take longer steps
+  bytes[carried] = s.fluid * carriers * (3 * T + 22) + (carriers < 1 ? s.fluid * 4 * T * carriers : 0);
+  // five populations both ways, concentration out, velocity and defect in, four indices
+  bytes[solutes] = species * s.fluid * (14 * T + 16) / solute_every;
+  // node, rate, normal, solid volume and what has dissolved both ways; of each link the populations of both, its node
+  const double react = s.surface * (4 + 8 + 16 + 32) + s.links5 * (4 * T + 4);
+  // normals from eight volumes and rates from the temperatures of both sides
+  const double refresh = s.surface * (4 + 8 * 8 + 16 + 8) + s.links5 * 2 * T;
+  bytes[reaction] = react / solute_every + refresh / every;
+  // of each link its population, number and lever arm; force and torque of the particles
+  bytes[fluid_force] = s.links9 * (T + 4 + 8) + s.particles * (24 + 4);
+  // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage
+  // (8); read and write: damage of its points (32); write: d_m, stress, forces, which its particles read (8 + 16 + 64).
+  // A particle: motion for its bonds (64); bonds (12), mass, inertia, solid share, temperature, outside and boundary
+  // forces, stiffness, reference, supports (32 + 24 + 32 + 32 + 17); u, v, angle, spin and rotation both ways,
+  // reaction.
+  const double bond = 264, particle = 64 + 12 + 137 + 2 * 64 + 16;
+  bytes[mechanics] = s.substeps * (s.bonds * bond + s.particles * particle) +
+                     (s.nodes * (T + 4) + 2 * s.surface * 12) / every;  // temperatures, dissolved shares
+  bytes[pores] = s.surface * (4 + 8) / every;
+  return bytes;
+}
+
+/// Seconds for a byte in a copy as large as the case, so that both have the same caches.
+class Copy {
+ public:
+  explicit Copy(double bytes) : capacity_(static_cast<int>(bytes / (streams * sizeof(double)))) { seconds_per_byte(); }
+  double seconds_per_byte() const {
+    constexpr int repeats = 1;
+    const double time = seconds([&] {
+      for (int k = 0; k < repeats; ++k) for_each_node(Exec{}, "vug::perf::copy", capacity_, copy_);
+    });
+    return time / (repeats * 2.0 * streams * sizeof(double) * capacity_);
+  }
+
+ private:
+  static constexpr int streams = 9;
+  int capacity_;
+  InPlaceCopy<double, streams> copy_{ScalarField<double>("copy", static_cast<std::size_t>(streams) * capacity_),
+                                     capacity_};
+};
+
+/// The shortest times of every step of a cycle, whole and by parts.
+class Cycle {
+ public:
+  explicit Cycle(int length) : whole_(length, longest), parts_(length) {
+    for (auto& part : parts_) part.fill(longest);
+  }
+  void time(Simulation& simulation) {
+    const auto at = static_cast<std::size_t>(simulation.clock().step) % whole_.size();
+    const PartClock clock;  // some ten nanoseconds per kernel
+    whole_[at] = std::min(whole_[at], seconds([&] { simulation.step(); }));
+    for (std::size_t p = 0; p < part_count; ++p) {
+      parts_[at][p] = std::min(parts_[at][p], clock[static_cast<int>(p)].seconds);
+      launches_[p] += clock[static_cast<int>(p)].launches;
+    }
+    ++steps_;
+  }
+  /// Means over the cycle, s.
+  double whole() const {
+    return std::accumulate(whole_.begin(), whole_.end(), 0.0) / static_cast<double>(whole_.size());
+  }
+  double part(std::size_t p) const {
+    double sum = 0;
+    for (const auto& parts : parts_) sum += parts[p];
+    return sum / static_cast<double>(parts_.size());
+  }
+  double launches(std::size_t p) const { return launches_[p] / steps_; }
+
+ private:
+  static constexpr double longest = std::numeric_limits<double>::infinity();
+  std::vector<double> whole_;
+  std::vector<std::array<double, part_count>> parts_;
+  std::array<double, part_count> launches_{};
+  double steps_ = 0;
+};
+
+struct Choice {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+
+void step(benchmark::State& state, const char* path, const Choice& choice) {
+  std::vector<std::string> overrides = choice.overrides;
+  overrides.push_back("mechanics.preload_time=1e-6");  // a step takes as long in rock that is not yet at rest
+  const Scene scene = read_scene(path, overrides);
+  const double before = allocated_bytes();
+  Simulation simulation(scene);
+  const double held = allocated_bytes() - before;
+  simulation.begin();
+  const Sizes sizes = sizes_of(simulation);
+  const Copy copy(held);
+  const AccuracySection& accuracy = scene.accuracy;
+  const int length = std::lcm(std::lcm(accuracy.update_interval, accuracy.heat_interval), accuracy.solute_interval);
+  const int batch = (sizes.nodes > 1e6 ? 20 : 100) / length * length;
+  for (int k = 0; k < 20; ++k) simulation.step();
+  Cycle cycle(length);
+  double byte_time = std::numeric_limits<double>::infinity();
+  for (auto _ : state) {
+    for (int k = 0; k < batch; ++k) {
+      if (k % 4 == 0) byte_time = std::min(byte_time, copy.seconds_per_byte());
+      cycle.time(simulation);
+    }
+    state.SetIterationTime(cycle.whole());
+  }
+  const auto bytes = bytes_of(scene, sizes);
+  double limit = 0, known = 0;
+  for (std::size_t p = 0; p < part_count; ++p) {
+    const std::string name = part_names[p];
+    const double time = cycle.part(p);
+    state.counters[name + "_ms"] = 1e3 * time;
+    state.counters[name + "_limit_ms"] = 1e3 * bytes[p] * byte_time;
+    state.counters[name + "_launches"] = cycle.launches(p);
+    limit += bytes[p] * byte_time;
+    known += time;
+  }
+  state.counters["step_ms"] = 1e3 * cycle.whole();
+  state.counters["parts_ms"] = 1e3 * known;
+  state.counters["limit_ms"] = 1e3 * limit;
+  state.counters["of_limit"] = limit / cycle.whole();
+  state.counters["copy_GB_per_s"] = 1e-9 / byte_time;
+  state.counters["host_threads"] = Exec().concurrency();
+  state.counters["nodes"] = sizes.nodes;
+  state.counters["fluid_nodes"] = sizes.fluid;
+  state.counters["particles"] = sizes.particles;
+  state.counters["surface_nodes"] = sizes.surface;
+  state.counters["wall_links"] = sizes.links9;
+  state.counters["bonds"] = sizes.bonds;
+  state.counters["substeps"] = sizes.substeps;
+  state.counters["steps_of_condition"] = *scene.time.end / scene.lattice.time_step;
+  state.counters["held_MiB"] = held / 1048576;
+}
+
+constexpr int repetitions = 9;
+const char* const full = "cases/acid_fracturing/p20_da1.5e-3.toml";
+const char* const coarse = "cases/acid_fracturing/coarse/p20_da1.5e-3.toml";
+const Choice choices[] = {
+    {"reference", {"accuracy.preset=reference"}},
+    {"careful", {"accuracy.preset=careful"}},
+    {"balanced", {"accuracy.preset=balanced"}},
+    {"balanced_single", {"accuracy.preset=balanced", "accuracy.precision=single"}},
+    {"fast", {"accuracy.preset=fast"}},
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  vug::watch_allocations();
+  Kokkos::ScopeGuard kokkos(argc, argv);
+  vug::flush_subnormals();
+  for (const Choice& choice : choices) {
+    for (const auto& [lattice, path] : {std::pair{"coarse", coarse}, {"full", full}})
+      benchmark::RegisterBenchmark((std::string(lattice) + "/" + choice.name).c_str(), step, path, choice)
+          ->UseManualTime()
+          ->Iterations(repetitions)
+          ->Unit(benchmark::kMillisecond);
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("back end", Exec::name());
+  benchmark::AddCustomContext("concurrency", std::to_string(Exec().concurrency()));
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,29 @@
+#pragma once
+// What the contacts of a particle add up to.
+#include "dem/contacts.hpp"
+
+namespace vug {
+
+/// Sum of a particle's contacts, in the order of its row, of loads or of the dashpots in them.
+struct GatherContacts {
+  Bonds bonds;
+  Contacts contacts;
+  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
+  Kokkos::View<double* [3], Kokkos::LayoutLeft> push;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if (bonds.events(bond_has_failed) == 0) return;
+    double x = 0, y = 0, torque = 0;
+    for (int e = contacts.row(i); e < contacts.row(i + 1); ++e) {
+      const int k = contacts.entry(e) / 2, end = contacts.entry(e) % 2;
+      const double sign = end == 0 ? 1 : -1;
+      x += sign * load(k, 0);
+      y += sign * load(k, 1);
+      torque += load(k, 2 + end);
+    }
+    push(i, 0) = x;
+    push(i, 1) = y;
+    push(i, 2) = torque;
+  }
+};
+
+}  // namespace vug

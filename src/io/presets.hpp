@@ -1,0 +1,51 @@
+#pragma once
+// What the presets of a case stand for: the only place that says so. A key that the case gives wins over its preset.
+// Why these choices: docs/accuracy.md measures them, docs/case-file.md ("Presets") explains them.
+#include "io/scene.hpp"
+
+namespace vug {
+
+/// `careful` is what a case without a preset gets: the defaults of the sections themselves.
+enum class Preset { fast, balanced, careful, reference };
+
+/// How the lattice is computed.
+inline AccuracySection accuracy_of(Preset preset) {
+  AccuracySection accuracy;
+  switch (preset) {
+    case Preset::fast:
+      accuracy.preset = "fast";
+      accuracy.precision = Precision::single_precision;
+      accuracy.heat_interval = 4;
+      accuracy.solute_interval = 2;
+      break;
+    case Preset::balanced:
+      accuracy.preset = "balanced";
+      accuracy.heat_interval = 2;
+      accuracy.solute_interval = 2;
+      break;
+    case Preset::careful:
+      break;
+    case Preset::reference:
+      accuracy.preset = "reference";
+      accuracy.update_interval = 1;
+      break;
+  }
+  return accuracy;
+}
+
+/// How the rock moves.
+inline MechanicsSection mechanics_of(Preset preset) {
+  MechanicsSection mechanics;
+  if (preset == Preset::fast || preset == Preset::balanced) mechanics.critical_fraction = 0.5;
+  if (preset == Preset::fast) mechanics.parameters.mass_scaling = 16;
+  return mechanics;
+}
+
+/// By its name in the case file.
+inline Preset preset_of(const std::string& name) {
+  for (const Preset preset : {Preset::fast, Preset::balanced, Preset::reference})
+    if (name == accuracy_of(preset).preset) return preset;
+  return Preset::careful;
+}
+
+}  // namespace vug

@@ -1,0 +1,14 @@
+#pragma once
+// Telling a processor ahead what it will read in an order that it cannot foresee.
+#include "kernels/base.hpp"
+
+namespace vug {
+
+/// Asks for the cache line of an address; does nothing on a GPU, where other threads fill the wait.
+KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
+  __builtin_prefetch(address);
+#endif
+}
+
+}  // namespace vug
