@@ -8,22 +8,12 @@ namespace detail {
 
 /// A block of the first body, then the same block of the second.
 template <class First, class Second>
-struct BlocksInTurn {
-  First first;
-  Second second;
-  int n, size;
-
-  template <class Body>
-  KOKKOS_FORCEINLINE_FUNCTION static void run(const Body& body, int begin, int end) {
-    const LocalBody<Body> copy(body);
-    const Body& local = copy.body;
-    VUG_VECTORISE
-    for (int i = begin; i < end; ++i) local(i);
-  }
-  KOKKOS_FUNCTION void operator()(int block) const {
-    const int begin = block * size, end = begin + size < n ? begin + size : n;
-    run(first, begin, end);
-    run(second, begin, end);
+struct LoopsInTurn {
+  NodeLoop<First> first;
+  NodeLoop<Second> second;
+  KOKKOS_FUNCTION void operator()(int begin, int end) const {
+    first(begin, end);
+    second(begin, end);
   }
 };
 
@@ -46,19 +36,11 @@ template <class First, class Second>
 void for_each_node_in_turn(const Exec& exec, const std::string& label, int n, const First& first,
                            const Second& second) {
   if (n <= 0) return;
-  if constexpr (runs_on_host) {
-    constexpr int shortest = 32, shares = 4;  // as for_each_node, for the same reasons
-    const int share = ((n + shares - 1) / shares + shortest - 1) / shortest * shortest;
-    const int size = share < nodes_per_block ? share : nodes_per_block;
-    const detail::BlocksInTurn<First, Second> blocks{first, second, n, size};
-    if (n <= shortest)
-      blocks(0);
-    else
-      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
-  } else {
+  if constexpr (runs_on_host)
+    for_each_block(exec, label, n, detail::LoopsInTurn<First, Second>{{first}, {second}}, block_of_list(n));
+  else
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n),
                          detail::NodesInTurn<First, Second>{first, second});
-  }
 }
 
 }  // namespace vug
