@@ -1,8 +1,13 @@
 #pragma once
-// Neighbours on the dense lattice across joined sides.
+// Nodes of the dense lattice by number, and their neighbours across joined sides.
 #include "kernels/fluid_nodes.hpp"
 
 namespace vug {
+
+/// Interior node number `item` of the lattice counted row by row without halo.
+KOKKOS_INLINE_FUNCTION int interior_node(const Lattice& lattice, int item) {
+  return lattice.node(item % lattice.nx, item / lattice.nx);
+}
 
 /// Steps on the dense lattice with joined sides folded back.
 struct DenseNeighbour {

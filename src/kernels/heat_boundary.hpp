@@ -26,6 +26,9 @@ struct HeatSide {
   std::array<bool, 2> corners{false, false};
 };
 
+/// Nodes along a side.
+int side_length(const Lattice& lattice, Side side);
+
 /// A whole side, or a stretch of it. Stretches of one side must not overlap.
 HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value = 0);
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value = 0);

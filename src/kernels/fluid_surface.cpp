@@ -1,0 +1,120 @@
+// The boundary of a list of fluid nodes: the surface of the rock, and the links through the sides of the lattice.
+#include "kernels/dense_neighbour.hpp"
+#include "kernels/fluid_nodes.hpp"
+#include "kernels/launch.hpp"
+
+namespace vug {
+
+/// Numbers the solid nodes that have a fluid node among their eight neighbours.
+struct NumberSurface {
+  DenseNeighbour around;
+  Kokkos::View<const NodeType*> type;
+  IndexList index, surface;
+  KOKKOS_FUNCTION bool touches_fluid(int node) const {
+    for (int q = 1; q < D2Q9::Q; ++q)
+      if (around.fluid_along(index, node, q) >= 0) return true;
+    return false;
+  }
+  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
+    const int n = interior_node(around.lattice, item);
+    if (type(n) != NodeType::solid || !touches_fluid(n)) return;
+    if (last && running < static_cast<int>(surface.extent(0))) surface(running) = n;
+    ++running;
+  }
+};
+
+void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<NodeType*>& type, Surface& surface) {
+  const Lattice& lattice = nodes.lattice;
+  const auto number = [&] {
+    Kokkos::parallel_scan(
+        "vug::fluid_nodes::number_surface", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
+        NumberSurface{DenseNeighbour(nodes), type, nodes.index, surface.node}, surface.count);
+  };
+  number();
+  if (surface.count > static_cast<int>(surface.node.extent(0))) {
+    surface.node = IndexList("vug::fluid_nodes::surface", surface.count + surface.count / 2);
+    number();
+  }
+}
+
+/// Collects the links out of one stretch of a side.
+struct CollectLinks {
+  Lattice lattice;
+  bool periodic_x, periodic_y;
+  Side side;
+  int first, directions;
+  IndexList index, fluid;
+  Kokkos::View<std::uint8_t*> direction;
+
+  /// True when velocity q leaves through `s` from node (x, y).
+  KOKKOS_FUNCTION bool leaves(Side s, int x, int y, int q) const {
+    switch (s) {
+      case Side::left:
+        return !periodic_x && x + D2Q9::c(q, 0) < 0;
+      case Side::right:
+        return !periodic_x && x + D2Q9::c(q, 0) >= lattice.nx;
+      case Side::bottom:
+        return !periodic_y && y + D2Q9::c(q, 1) < 0;
+      default:
+        return !periodic_y && y + D2Q9::c(q, 1) >= lattice.ny;
+    }
+  }
+  KOKKOS_FUNCTION bool belongs(int x, int y, int q) const {
+    if (!leaves(side, x, y, q)) return false;
+    constexpr Side order[4] = {Side::left, Side::right, Side::bottom, Side::top};
+    for (const Side s : order) {
+      if (s == side) return true;
+      if (leaves(s, x, y, q)) return false;
+    }
+    return false;
+  }
+  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
+    const int along = first + item;
+    const bool upright = side == Side::left || side == Side::right;
+    const int x = side == Side::left ? 0 : side == Side::right ? lattice.nx - 1 : along;
+    const int y = upright ? along : side == Side::bottom ? 0 : lattice.ny - 1;
+    const int i = index(lattice.node(x, y));
+    if (i < 0) return;
+    for (int q = 1; q < directions; ++q) {
+      if (!belongs(x, y, q)) continue;
+      if (last) {
+        fluid(running) = i;
+        direction(running) = static_cast<std::uint8_t>(q);
+      }
+      ++running;
+    }
+  }
+};
+
+BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
+                                  int directions) {
+  BoundaryLinks links;
+  const int length = last - first + 1;
+  if (length <= 0) return links;
+  links.fluid = IndexList("vug::fluid_nodes::boundary_fluid", 3 * length);
+  links.direction = Kokkos::View<std::uint8_t*>("vug::fluid_nodes::boundary_direction", 3 * length);
+  Kokkos::parallel_scan("vug::fluid_nodes::collect_links", Kokkos::RangePolicy<Exec>(exec, 0, length),
+                        CollectLinks{nodes.lattice, nodes.periodic[0], nodes.periodic[1], side, first, directions,
+                                     nodes.index, links.fluid, links.direction},
+                        links.count);
+  return links;
+}
+
+/// One thread: two links may share a node, and there are few.
+struct MarkOpen {
+  int count;
+  IndexList fluid;
+  Kokkos::View<std::uint8_t*> direction;
+  Kokkos::View<std::uint16_t*> open_links;
+  KOKKOS_FUNCTION void operator()(int) const {
+    for (int l = 0; l < count; ++l)
+      open_links(fluid(l)) = static_cast<std::uint16_t>(open_links(fluid(l)) | (1u << direction(l)));
+  }
+};
+
+void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links) {
+  Kokkos::parallel_for("vug::fluid_nodes::mark_open", Kokkos::RangePolicy<Exec>(exec, 0, 1),
+                       MarkOpen{links.count, links.fluid, links.direction, nodes.open_links});
+}
+
+}  // namespace vug
