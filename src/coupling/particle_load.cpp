@@ -1,6 +1,7 @@
 #include "coupling/particle_load.hpp"
 
 #include "kernels/launch.hpp"
+#include "kernels/offsets.hpp"
 
 namespace vug {
 
@@ -26,14 +27,6 @@ struct ListWetNodes {
   }
 };
 
-struct Accumulate {
-  IndexList offset;
-  KOKKOS_FUNCTION void operator()(int p, int& sum, bool last) const {
-    sum += offset(p);
-    if (last) offset(p) = sum;
-  }
-};
-
 ParticleLoad::ParticleLoad(const Lattice& lattice, double spacing, const Groups& nodes_of_particle,
                            const VectorField<double>& centroid)
     : spacing_(spacing),
@@ -50,8 +43,7 @@ void ParticleLoad::rebuild(const Exec& exec, const FluidNodes& fluid, const Surf
   if (static_cast<int>(wet_.item.extent(0)) < surface.count)
     wet_.item = IndexList("vug::particle_load::item", surface.count + surface.count / 2);
   for_each_node(exec, "vug::particle_load::count", particles, ListWetNodes{nodes_of_particle_, place_, wet_, false});
-  Kokkos::parallel_scan("vug::particle_load::offsets", Kokkos::RangePolicy<Exec>(exec, 0, particles + 1),
-                        Accumulate{wet_.offset});
+  accumulate_counts(exec, "vug::particle_load::offsets", wet_.offset);
   for_each_node(exec, "vug::particle_load::list", particles, ListWetNodes{nodes_of_particle_, place_, wet_, true});
   find_wall_links(exec, fluid, wet_.offset, wet_.item, centroid_, spacing_, links_);
 }

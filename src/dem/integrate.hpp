@@ -16,8 +16,7 @@ struct StepControl {
 };
 
 /// Gathers the forces on each particle in fixed order, those of its contacts into Contacts::push, and moves it:
-/// v(t + dt/2) = v(t - dt/2) + dt F / m,
-/// u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
+/// v(t + dt/2) = v(t - dt/2) + dt F / m, u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
 template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts);

@@ -2,6 +2,7 @@
 
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/offsets.hpp"
 #include "kernels/prefetch.hpp"
 
 namespace vug {
@@ -35,15 +36,6 @@ struct ListWallLinks {
   }
 };
 
-/// Counts become places, in place.
-struct AccumulateLinks {
-  IndexList first;
-  KOKKOS_FUNCTION void operator()(int g, int& sum, bool last) const {
-    sum += first(g);
-    if (last) first(g) = sum;
-  }
-};
-
 void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList& offset, const IndexList& node,
                      const VectorField<double>& centre, double spacing, WallLinks& links) {
   const int groups = static_cast<int>(offset.extent(0)) - 1;
@@ -51,9 +43,7 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
   const DenseNeighbour lattice(nodes);
   for_each_node(exec, "vug::momentum_exchange::count", groups,
                 ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, links, false});
-  int count = 0;
-  Kokkos::parallel_scan("vug::momentum_exchange::places", Kokkos::RangePolicy<Exec>(exec, 0, groups + 1),
-                        AccumulateLinks{links.first}, count);
+  const int count = accumulate_counts(exec, "vug::momentum_exchange::places", links.first);
   if (static_cast<int>(links.link.extent(0)) < count) {
     links.link = IndexList("vug::momentum_exchange::link", count + count / 2);
     links.arm = ScalarField<double>("vug::momentum_exchange::arm", count + count / 2);

@@ -36,18 +36,20 @@ void SnapshotSeries::create() {
 
 void SnapshotSeries::resume(std::int64_t step) {
   const auto folder = directory_ + "/" + stem_;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const auto part = entry.path().stem().string(), extension = entry.path().extension().string();
-    const bool later = is_snapshot(part) && part > snapshot_name(step), unfinished = extension == ".tmp";
-    if (unfinished || (extension == ".h5" && later))
-      std::filesystem::remove(entry.path(), error);
-    else if (extension == ".h5" && is_snapshot(part))
-      name_grid(part);
-    else if (extension == ".h5")
-      parts_[part];
+  try {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const auto part = entry.path().stem().string(), extension = entry.path().extension().string();
+      const bool later = is_snapshot(part) && part > snapshot_name(step), unfinished = extension == ".tmp";
+      if (unfinished || (extension == ".h5" && later))
+        std::filesystem::remove(entry.path());
+      else if (extension == ".h5" && is_snapshot(part))
+        name_grid(part);
+      else if (extension == ".h5")
+        parts_[part];
+    }
+  } catch (const std::filesystem::filesystem_error& e) {
+    throw FileError(folder + ": cannot continue: " + e.code().message());
   }
-  if (error) throw FileError(folder + ": cannot continue: " + error.message());
   write_index();
 }
 
