@@ -1,16 +1,25 @@
 #include "kernels/heat.hpp"
 
-#include "kernels/heat_kernels.hpp"
+#include "kernels/heat_bands.hpp"
 #include "kernels/require.hpp"
 #include "kernels/row_launch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace vug {
 
 namespace {
+
+/// Rows of a band at most: one in sixteen more is copied for it.
+constexpr int rows_per_band = 32;
+
+/// Bands of equal height for a number of threads; no bit depends on them.
+int band_count(const Exec& exec, const Lattice& lattice) {
+  const int threads = exec.concurrency(), bands = (lattice.ny + rows_per_band - 1) / rows_per_band;
+  return std::min(lattice.ny, (bands + threads - 1) / threads * threads);
+}
 
 void require_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value))
@@ -100,7 +109,15 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   const std::size_t size = lattice.size();
   const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
   fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);
-  fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
+  if constexpr (runs_on_host) {
+    fields.bands = band_count(exec, lattice);
+    const int lines =
+        visit_velocity_set(fields.velocity_set, [](auto set) { return BandLines<T, decltype(set)>::count; });
+    fields.lines = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::lines"),
+                                  static_cast<std::size_t>(fields.bands) * lines * lattice.pitch);
+  } else {
+    fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
+  }
   fields.theta = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), size);
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   set_heat_geometry(exec, type, periodic, fields);
@@ -110,39 +127,12 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   return fields;
 }
 
-template <class T>
-void conduct(const Exec& exec, HeatFields<T>& fields) {
-  visit_velocity_set(fields.velocity_set, [&](auto set) {
-    using Set = decltype(set);
-    if (fields.openings)
-      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice, conduct_body<T, Set, true>(fields));
-    else
-      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice, conduct_body<T, Set, false>(fields));
-  });
-  std::swap(fields.g, fields.g_next);
-}
-
-template <class T>
-void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
-            const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created) {
-  visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields, fields.g);
-    if (created.extent(0) > 0)
-      add_per_block(exec, "vug::heat::advect", nodes.count, body, created);
-    else
-      for_each_node(exec, "vug::heat::advect", nodes.count, body);
-  });
-}
-
-#define VUG_INSTANTIATE(T)                                                                                           \
-  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                        \
-  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                     \
-                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool);     \
-  template void start_heat(const Exec&, HeatFields<T>&);                                                             \
-  template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&); \
-  template void conduct(const Exec&, HeatFields<T>&);                                                                \
-  template void advect(const Exec&, const FluidNodes&, const VectorField<T>&, const ScalarField<T>&,                 \
-                       const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&)
+#define VUG_INSTANTIATE(T)                                                                                       \
+  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                    \
+  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                 \
+                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool); \
+  template void start_heat(const Exec&, HeatFields<T>&);                                                         \
+  template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);
 #undef VUG_INSTANTIATE

@@ -38,12 +38,15 @@ struct HeatFields {
   Lattice lattice;
   HeatRates<T> rates;
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
-  bool openings = false;     ///< some nodes are in openings (opening.hpp), where theta is 0 and g what was filled in
-  ScalarField<T> g, g_next;  ///< (q * lattice.size() + node) post-collision populations, with halo
-  ScalarField<T> theta;      ///< (node) temperature, deviation from the reference; 0 outside the lattice
+  bool openings = false;  ///< some nodes are in openings (opening.hpp), where theta is 0 and g what was filled in
+  ScalarField<T> g;       ///< (q * lattice.size() + node) post-collision populations, with halo
+  ScalarField<T> g_next;  ///< of a step with two lattices, exchanged with g; empty on a host, which steps in place
+  ScalarField<T> theta;   ///< (node) temperature, deviation from the reference; 0 outside the lattice
   /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
   /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
   Kokkos::View<std::uint8_t*> solid;
+  int bands = 0;         ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
+  ScalarField<T> lines;  ///< (band, line, x) what they set aside
 };
 
 /// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
@@ -63,7 +66,7 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
                        HeatFields<T>& fields);
 
 /// Conduction through fluid and solid: pull, conjugate link, collide at rest, store; writes theta. The halo must have
-/// been filled. Swaps g and g_next.
+/// been filled.
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields);
 
@@ -90,8 +93,9 @@ struct FluidRows {
 };
 FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes);
 
-/// `conduct` and `advect` in one go: on a host every row is finished while it is in the cache, which takes half the time
-/// in rock, where the fluid nodes lie scattered. `created` has an entry per row at least, and one per block of nodes.
+/// `conduct` and `advect` in one go: on a host every row is finished while it is in the cache, which takes half the
+/// time in rock, where the fluid nodes lie scattered. `created` has an entry per row at least, and one per block of
+/// nodes.
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows, const VectorField<T>& u,
                         const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,

@@ -12,53 +12,85 @@ namespace vug {
 /// so
 ///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
 /// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it to
-/// the last digit at any precision. Dense fields; lattice units. Reads Q populations and a byte, writes Q and theta.
-/// With `Openings` it passes over the nodes inside them.
+/// the last digit at any precision.
+template <class T, class Set>
+struct Conduction {
+  T fluid_rate, rate_step, reflection;
+
+  explicit Conduction(const HeatRates<T>& rates)
+      : fluid_rate(rates.fluid), rate_step(rates.solid - rates.fluid), reflection(rates.reflection) {}
+
+  /// Turns the populations `g` of a node into those after the step and returns its temperature. `pulled` (q) left the
+  /// neighbour that q comes from; `beyond` (q) is 1 if that neighbour is solid, `solid` if the node is, else 0.
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T solid,
+                                           const T (&beyond)[Set::Q]) const {
+    T in[Set::Q];
+    T temperature = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q)
+      temperature += in[q] = conjugate_link(pulled[q], g[Set::opposite(q)], reflection, solid, beyond[q]);
+    const T s = fluid_rate + solid * rate_step;
+    const T even = (2 - s) * temperature;
+    g[0] = temperature;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
+      g[0] -= g[q];
+    }
+    return temperature;
+  }
+};
+
+/// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
+/// `inside_opening`), that of the node itself. D2Q5 without openings never meets such.
+template <class T, class Set, bool Openings>
+KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(std::uint8_t beyond, T solid) {
+  if constexpr (Set::Q == D2Q5::Q && !Openings)
+    return static_cast<T>(beyond);
+  else
+    return beyond > 1 ? solid : static_cast<T>(beyond);
+}
+
+/// Conduction at one node with two lattices: pulls from g, writes g_next and theta. Dense fields; lattice units. Reads
+/// Q populations and a byte, writes Q and theta. With `Openings` it passes over the nodes inside them.
 template <class T, class Set, bool Openings>
 struct Conduct {
+  Conduction<T, Set> law;
   int pitch, plane;
-  T fluid_rate, rate_step, reflection;
   Kokkos::View<const T*> g;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g_next, theta;
 
-  KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return Set::c(q, 1) * pitch + Set::c(q, 0); }
-
-  KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(int beyond, T solid_here) const {
-    if constexpr (Set::Q == D2Q5::Q && !Openings)
-      return static_cast<T>(solid(beyond));
-    else
-      return solid(beyond) > 1 ? solid_here : static_cast<T>(solid(beyond));
-  }
-
-  KOKKOS_FORCEINLINE_FUNCTION T arriving(int node, int q, T solid_here) const {
-    const int beyond = node - offset(q);
-    return conjugate_link(g(q * plane + beyond), g(Set::opposite(q) * plane + node), reflection, solid_here,
-                          solid_beyond(beyond, solid_here));
-  }
-
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
     if constexpr (Openings)
       if (solid(node) > 1) return;
-    const T solid_here = static_cast<T>(solid(node));
-    T in[Set::Q];
-    in[0] = g(node);
-    T temperature = in[0];
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) temperature += in[q] = arriving(node, q, solid_here);
-    const T s = fluid_rate + solid_here * rate_step;
-    const T even = (2 - s) * temperature;
-    T rest = temperature;
+    const T here = static_cast<T>(solid(node));
+    T own[Set::Q], pulled[Set::Q], beyond[Set::Q];
+    own[0] = g(node);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      const T out = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
-      g_next(q * plane + node) = out;
-      rest -= out;
+      const int from = node - Set::c(q, 1) * pitch - Set::c(q, 0);
+      own[q] = g(q * plane + node);
+      pulled[q] = g(q * plane + from);
+      beyond[q] = solid_beyond<T, Set, Openings>(solid(from), here);
     }
-    g_next(node) = rest;
-    theta(node) = temperature;
+    theta(node) = law(own, pulled, here, beyond);
+    VUG_UNROLL
+    for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = own[q];
   }
 };
+
+/// One node of a conduction step of these fields from `fields.g` to `g_next`.
+template <class T, class Set, bool Openings>
+Conduct<T, Set, Openings> conduct_body(const HeatFields<T>& fields, const ScalarField<T>& g_next) {
+  return {Conduction<T, Set>(fields.rates),
+          fields.lattice.pitch,
+          fields.lattice.size(),
+          fields.g,
+          fields.solid,
+          g_next,
+          fields.theta};
+}
 
 /// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow
 /// `Conduct`. Carried: g_q* += s w_q T 3 c_q.u, and on D2Q9 the even part of the equilibrium with its own rate, 2 - s.
@@ -107,20 +139,21 @@ struct Advect {
   }
 };
 
-/// The body of a conduction step of these fields; it writes fields.g_next and fields.theta.
-template <class T, class Set, bool Openings>
-Conduct<T, Set, Openings> conduct_body(const HeatFields<T>& fields) {
-  return {fields.lattice.pitch,    fields.lattice.size(), fields.rates.fluid, fields.rates.solid - fields.rates.fluid,
-          fields.rates.reflection, fields.g,              fields.solid,       fields.g_next,
-          fields.theta};
-}
-
-/// The body of what the flow adds to the populations `g` of a conduction step.
+/// What the flow adds to the populations of one fluid node of these fields.
 template <class T, class Set>
 Advect<T, Set> advect_body(const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
-                           const ScalarField<T>& lagged, const HeatFields<T>& fields, const ScalarField<T>& g) {
-  return {fields.lattice.size(), fields.rates.fluid, nodes.node, nodes.solid_links, nodes.side_links, nodes.open_links,
-          u,                     defect,             lagged,     g,                 fields.theta};
+                           const ScalarField<T>& lagged, const HeatFields<T>& fields) {
+  return {fields.lattice.size(),
+          fields.rates.fluid,
+          nodes.node,
+          nodes.solid_links,
+          nodes.side_links,
+          nodes.open_links,
+          u,
+          defect,
+          lagged,
+          fields.g,
+          fields.theta};
 }
 
 }  // namespace vug

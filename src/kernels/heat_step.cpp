@@ -1,0 +1,108 @@
+// The heat step: on a host in place, conduction and convection of a row while it is in the cache; on a GPU with two
+// lattices, one after the other.
+#include "kernels/heat_bands.hpp"
+#include "kernels/row_launch.hpp"
+
+#include <utility>
+
+namespace vug {
+
+/// One row of fluid nodes convects.
+template <class Convection>
+struct ConvectRow {
+  Convection advect;
+  FluidRows rows;
+  ScalarField<double> created;
+  KOKKOS_FUNCTION void operator()(int y) const {
+    const detail::LocalBody<Convection> copy(advect);
+    const Convection& local = copy.body;
+    double sum = 0;
+    for (int k = rows.first(y); k < rows.first(y + 1); ++k) sum += local(rows.fluid(k));
+    created(y) += sum;
+  }
+};
+
+/// Where nothing flows.
+struct NoConvection {
+  KOKKOS_FUNCTION void operator()(int) const {}
+};
+
+namespace {
+
+/// visit(Set{}, std::bool_constant<Openings>{}) as the fields have them.
+template <class T, class Visit>
+void visit_kind(const HeatFields<T>& fields, const Visit& visit) {
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    if (fields.openings)
+      visit(set, std::true_type{});
+    else
+      visit(set, std::false_type{});
+  });
+}
+
+/// Conduction in place; finish(y) follows when row y is done.
+template <class Set, bool Openings, class T, class Finish>
+void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Finish& finish) {
+  const HeatBands<T, Set> bands(fields);
+  const Kokkos::RangePolicy<Exec> all(exec, 0, bands.count);
+  Kokkos::parallel_for("vug::heat::set_aside", all, SetAsideBesideBand<T, Set>{bands});
+  const ConductBand<T, Set, Openings, Finish> band{bands, Conduction<T, Set>(fields.rates), fields.solid, fields.theta,
+                                                   finish};
+  Kokkos::parallel_for("vug::heat::rows", all, band);
+}
+
+}  // namespace
+
+template <class T>
+void conduct(const Exec& exec, HeatFields<T>& fields) {
+  visit_kind(fields, [&](auto set, auto openings) {
+    using Set = decltype(set);
+    if constexpr (runs_on_host)
+      conduct_in_place<Set, openings.value>(exec, fields, NoConvection{});
+    else
+      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice,
+                          conduct_body<T, Set, openings.value>(fields, fields.g_next));
+  });
+  if constexpr (!runs_on_host) std::swap(fields.g, fields.g_next);
+}
+
+template <class T>
+void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
+            const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created) {
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields);
+    if (created.extent(0) > 0)
+      add_per_block(exec, "vug::heat::advect", nodes.count, body, created);
+    else
+      for_each_node(exec, "vug::heat::advect", nodes.count, body);
+  });
+}
+
+template <class T>
+void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows, const VectorField<T>& u,
+                        const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
+                        const ScalarField<double>& created) {
+  if constexpr (runs_on_host) {
+    visit_kind(fields, [&](auto set, auto openings) {
+      using Set = decltype(set);
+      const ConvectRow<Advect<T, Set>> convection{advect_body<T, Set>(nodes, u, defect, lagged, fields), rows, created};
+      conduct_in_place<Set, openings.value>(exec, fields, convection);
+    });
+  } else {
+    conduct(exec, fields);
+    advect(exec, nodes, u, defect, lagged, fields, created);
+  }
+}
+
+#define VUG_INSTANTIATE(T)                                                                                  \
+  template void conduct(const Exec&, HeatFields<T>&);                                                       \
+  template void advect(const Exec&, const FluidNodes&, const VectorField<T>&, const ScalarField<T>&,        \
+                       const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&);                  \
+  template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const VectorField<T>&, \
+                                   const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,            \
+                                   const ScalarField<double>&)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug
