@@ -23,7 +23,7 @@ KOKKOS_FORCEINLINE_FUNCTION void copy_line(const T* from, T* to, int nx) {
 template <class T, class Set>
 struct BandLines {
   static constexpr int rising = Set::Q == D2Q9::Q ? 3 : 1;  ///< directions with c_y = 1; as many with -1
-  static constexpr int count = 3 * rising + 1;
+  static constexpr int count = 3 * rising;
 
   /// Number of q among the directions that move up, or among those that move down.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int rank(int q) { return q < 5 ? 0 : 1 + (q + 1) % 2; }
@@ -33,7 +33,6 @@ struct BandLines {
 
   KOKKOS_FORCEINLINE_FUNCTION T* upward(int turn, int q) const { return first + (turn * rising + rank(q)) * pitch; }
   KOKKOS_FORCEINLINE_FUNCTION T* above(int q) const { return first + (2 * rising + rank(q)) * pitch; }
-  KOKKOS_FORCEINLINE_FUNCTION T* rightward() const { return first + 3 * rising * pitch; }
 };
 
 /// The bands of a lattice and the populations that its conduction in place reads and writes.
@@ -74,6 +73,10 @@ struct SetAsideBesideBand {
 /// Conducts a band of rows, calling finish(y) when the populations of row y are those after the step.
 template <class T, class Set, bool Openings, class Finish>
 struct ConductBand {
+  /// Nodes of a row at a time, of which some things are staged in the nearest cache: eight lines of it, since longer
+  /// segments ask the memory for one stream after the other, and shorter ones are mostly beginnings and ends.
+  static constexpr int segment = 512 / sizeof(T);
+
   HeatBands<T, Set> bands;
   Conduction<T, Set> law;
   Kokkos::View<const std::uint8_t*> solid;
@@ -85,52 +88,74 @@ struct ConductBand {
     const BandLines<T, Set> lines = bands.lines_of(band);
     const int first = bands.first_row(band), last = bands.first_row(band + 1) - 1;
     for (int y = first; y <= last; ++y) {
-      conduct(y, y == last, (y - first) % 2, lines, copy.body);
+      conduct(row_at(y, y == last, (y - first) % 2, lines), copy.body);
       finish(y);
     }
   }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION void conduct(int y, bool is_last, int turn, const BandLines<T, Set>& lines,
-                                           const Conduction<T, Set>& conduction) const {
-    const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;
-    const std::uint8_t* const mask = &solid(bands.lattice.node(0, y));
-    T* const temperature = &theta(bands.lattice.node(0, y));
-    T *own[Set::Q], *kept[Set::Q];
-    const T* pulled_from[Set::Q];
-    own[0] = bands.row(0, y);
+  /// Where a row has what, x = 0; direction 1, to the right, is pulled from what `conduct` sets aside.
+  struct Row {
+    T* g[Set::Q];             ///< its populations
+    const T* pulled[Set::Q];  ///< what arrives at it
+    T* kept[Set::Q];          ///< where it sets aside what moves upwards
+    T* theta;
+    const std::uint8_t* solid;
+  };
+
+  KOKKOS_FORCEINLINE_FUNCTION Row row_at(int y, bool is_last, int turn, const BandLines<T, Set>& lines) const {
+    const int nx = bands.lattice.nx, pitch = bands.lattice.pitch, node = bands.lattice.node(0, y);
+    Row row;
+    row.theta = &theta(node);
+    row.solid = &solid(node);
     VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      own[q] = bands.row(q, y);
-      kept[q] = Set::c(q, 1) > 0 ? lines.upward(1 - turn, q) : nullptr;
-      pulled_from[q] = Set::c(q, 1) > 0   ? lines.upward(turn, q)
-                       : Set::c(q, 1) < 0 ? (is_last ? lines.above(q) : own[q] + pitch)
-                       : Set::c(q, 0) > 0 ? lines.rightward()
-                                          : own[q];
-      pulled_from[q] -= Set::c(q, 0);
+    for (int q = 0; q < Set::Q; ++q) {
+      row.g[q] = bands.row(q, y);
+      row.pulled[q] = row.g[q] - Set::c(q, 0);
+      if (Set::c(q, 1) < 0) row.pulled[q] = (is_last ? lines.above(q) : row.g[q] + pitch) - Set::c(q, 0);
       if (Set::c(q, 1) > 0) {
-        kept[q][-1] = own[q][-1];
-        kept[q][nx] = own[q][nx];
+        row.pulled[q] = lines.upward(turn, q) - Set::c(q, 0);
+        row.kept[q] = lines.upward(1 - turn, q);
+        row.kept[q][-1] = row.g[q][-1];
+        row.kept[q][nx] = row.g[q][nx];
       }
     }
-    copy_line(own[1], lines.rightward(), nx);
-    VUG_VECTORISE
-    for (int x = 0; x < nx; ++x) {
-      const T here = static_cast<T>(mask[x]);
-      T node[Set::Q], pulled[Set::Q], beyond[Set::Q];
-      node[0] = own[0][x];
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) {
-        node[q] = own[q][x];
-        pulled[q] = pulled_from[q][x];
-        beyond[q] = solid_beyond<T, Set, Openings>(mask[x - Set::c(q, 1) * pitch - Set::c(q, 0)], here);
-        if (Set::c(q, 1) > 0) kept[q][x] = node[q];
+    return row;
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Conduction<T, Set>& conduction) const {
+    const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;
+    T before = row.g[1][-1];  // moves to the right, from the node before the segment
+    for (int start = 0; start < nx; start += segment) {
+      const int n = nx - start < segment ? nx - start : segment;
+      alignas(64) T rightward[segment + 1], mask[3][segment + 2];
+      rightward[0] = before;
+      VUG_VECTORISE
+      for (int x = 0; x < n; ++x) rightward[x + 1] = row.g[1][start + x];
+      before = rightward[n];
+      for (int r = 0; r < 3; ++r) {
+        const std::uint8_t* const from = row.solid + (r - 1) * pitch + start - 1;
+        VUG_VECTORISE
+        for (int x = 0; x < n + 2; ++x) mask[r][x] = static_cast<T>(from[x]);
       }
-      if constexpr (Openings)
-        if (mask[x] > 1) continue;
-      temperature[x] = conduction(node, pulled, here, beyond);
-      VUG_UNROLL
-      for (int q = 0; q < Set::Q; ++q) own[q][x] = node[q];
+      VUG_VECTORISE
+      for (int x = 0; x < n; ++x) {
+        const T here = mask[1][x + 1];
+        T g[Set::Q], pulled[Set::Q], beyond[Set::Q];
+        g[0] = row.g[0][start + x];
+        VUG_UNROLL
+        for (int q = 1; q < Set::Q; ++q) {
+          g[q] = row.g[q][start + x];
+          pulled[q] = q == 1 ? rightward[x] : row.pulled[q][start + x];
+          beyond[q] = solid_beyond<T, Set, Openings>(mask[1 - Set::c(q, 1)][x + 1 - Set::c(q, 0)], here);
+          if (Set::c(q, 1) > 0) row.kept[q][start + x] = g[q];
+        }
+        if constexpr (Openings)
+          if (here > 1) continue;
+        row.theta[start + x] = conduction(g, pulled, here, beyond);
+        VUG_UNROLL
+        for (int q = 0; q < Set::Q; ++q) row.g[q][start + x] = g[q];
+      }
     }
   }
 };

@@ -44,11 +44,11 @@ struct Conduction {
 /// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
 /// `inside_opening`), that of the node itself. D2Q5 without openings never meets such.
 template <class T, class Set, bool Openings>
-KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(std::uint8_t beyond, T solid) {
+KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
   if constexpr (Set::Q == D2Q5::Q && !Openings)
-    return static_cast<T>(beyond);
+    return beyond;
   else
-    return beyond > 1 ? solid : static_cast<T>(beyond);
+    return beyond > 1 ? solid : beyond;
 }
 
 /// Conduction at one node with two lattices: pulls from g, writes g_next and theta. Dense fields; lattice units. Reads
@@ -72,7 +72,7 @@ struct Conduct {
       const int from = node - Set::c(q, 1) * pitch - Set::c(q, 0);
       own[q] = g(q * plane + node);
       pulled[q] = g(q * plane + from);
-      beyond[q] = solid_beyond<T, Set, Openings>(solid(from), here);
+      beyond[q] = solid_beyond<T, Set, Openings>(static_cast<T>(solid(from)), here);
     }
     theta(node) = law(own, pulled, here, beyond);
     VUG_UNROLL
