@@ -38,36 +38,38 @@ HeatRates<T> heat_rates(const HeatParameters& p) {
           p.capacity_ratio};
 }
 
-/// Mask of the solid, continued into the halo so that the conjugate link is inert there: like the node joined to it,
-/// and where there is none, like the nearest node inside or, if `marked`, as outside.
-struct CopySolid {
+/// Mask of the solid of one row of those with halo, continued into it so that the conjugate link is inert there: like
+/// the node joined to it, and where there is none, like the nearest node inside or, if `marked`, as outside.
+struct CopySolidRow {
   Lattice lattice;
   bool periodic_x, periodic_y, marked;
   Kokkos::View<const NodeType*> type;
   Kokkos::View<std::uint8_t*> solid;
 
-  KOKKOS_FUNCTION static int source(int p, int n, bool periodic) {
+  KOKKOS_FORCEINLINE_FUNCTION static int source(int p, int n, bool periodic) {
     if (periodic) return (p + n) % n;
     return p < 0 ? 0 : p >= n ? n - 1 : p;
   }
-  KOKKOS_FUNCTION void operator()(int node) const {
-    const int x = lattice.x(node);
-    const int y = lattice.y(node);
-    if (x < -1 || x > lattice.nx) return;
-    const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
-    const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
-    solid(node) = outside && marked                 ? outside_lattice
-                  : type(from) == NodeType::opening ? inside_opening
-                                                    : static_cast<std::uint8_t>(type(from) == NodeType::solid);
+  KOKKOS_FORCEINLINE_FUNCTION static std::uint8_t mask(NodeType type) {
+    return type == NodeType::opening ? inside_opening : static_cast<std::uint8_t>(type == NodeType::solid);
+  }
+  KOKKOS_FUNCTION void operator()(int row) const {
+    const int y = row - 1, from = lattice.node(0, source(y, lattice.ny, periodic_y)), to = lattice.node(0, y);
+    const bool beyond = marked && !periodic_y && (y < 0 || y == lattice.ny);
+    VUG_VECTORISE
+    for (int x = 0; x < lattice.nx; ++x) solid(to + x) = beyond ? outside_lattice : mask(type(from + x));
+    for (const int x : {-1, lattice.nx})
+      solid(to + x) =
+          beyond || (marked && !periodic_x) ? outside_lattice : mask(type(from + source(x, lattice.nx, periodic_x)));
   }
 };
 
 template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields) {
-  for_each_node(exec, "vug::heat::copy_solid", fields.lattice.size(),
-                CopySolid{fields.lattice, periodic[0], periodic[1], fields.velocity_set == ScalarVelocitySet::d2q9,
-                          type, fields.solid});
+  Kokkos::parallel_for("vug::heat::copy_solid", Kokkos::RangePolicy<Exec>(exec, 0, fields.lattice.ny + 2),
+                       CopySolidRow{fields.lattice, periodic[0], periodic[1],
+                                    fields.velocity_set == ScalarVelocitySet::d2q9, type, fields.solid});
 }
 
 /// Populations at rest, g_q = w_q theta.

@@ -93,22 +93,29 @@ Conduct<T, Set, Openings> conduct_body(const HeatFields<T>& fields, const Scalar
 }
 
 /// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow
-/// `Conduct`. Carried: g_q* += s w_q T 3 c_q.u, and on D2Q9 the even part of the equilibrium with its own rate, 2 - s.
+/// conduction. Carried: g_q* += s w_q T 3 c_q.u, and on D2Q9 the even part of the equilibrium with its own rate, 2 - s.
 /// Towards solid and closed sides that part stays at its node, in the population at rest: only conducted heat crosses a
 /// wall. The advective form (advective_form.hpp) takes T e' from the
 /// population at rest before the collision, e' being what streaming has added to a uniform temperature: the carried
 /// part builds up over the relaxation time, so e' lags behind e in the same way, e' = (1 - s) e' + s e. A uniform
-/// temperature then stays uniform to round-off in any flow, steady or not. Returns the energy added, -T e'.
+/// temperature then stays uniform to round-off in any flow, steady or not.
 template <class T, class Set>
-struct Advect {
-  int plane;
-  T rate;
-  IndexList node;
-  Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
-  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
-  Kokkos::View<const T*> defect;
-  ScalarField<T> lagged, g, theta;
+struct Convection {
+  T rate;  ///< s of the fluid
 
+  /// e' after a step with the defect e.
+  KOKKOS_FORCEINLINE_FUNCTION T follow(T lagged, T defect) const { return lagged + rate * (defect - lagged); }
+
+  /// What is added to the temperature, -T e' / (1 + e').
+  KOKKOS_FORCEINLINE_FUNCTION static T added(T temperature, T lagged) { return -temperature * lagged / (1 + lagged); }
+
+  /// What is added to population q, over w_q, at the temperature with `added`; `walled` if nothing is carried along q.
+  KOKKOS_FORCEINLINE_FUNCTION T change(int q, T temperature, T added, T ux, T uy, bool walled) const {
+    const T along = walled ? T(0) : temperature * carried(q, ux, uy);
+    return (2 - rate) * added + along;
+  }
+
+ private:
   /// Carried along direction q, over w_q T.
   KOKKOS_FORCEINLINE_FUNCTION T carried(int q, T ux, T uy) const {
     const T odd = 3 * (Set::c(q, 0) * ux + Set::c(q, 1) * uy);
@@ -117,18 +124,33 @@ struct Advect {
     else
       return rate * odd + (2 - rate) * (scalar_equilibrium<Set, T>(q, ux, uy) - 1 - odd);
   }
+};
+
+/// Convection at one fluid node; what is not added to other populations is taken from the one at rest. Returns the
+/// energy added.
+template <class T, class Set>
+struct Advect {
+  Convection<T, Set> law;
+  int plane;
+  IndexList node;
+  Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
+  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  Kokkos::View<const T*> defect;
+  ScalarField<T> lagged, g, theta;
+
+  /// Bit q: nothing is carried along q.
+  KOKKOS_FORCEINLINE_FUNCTION unsigned walls(int i) const { return solid_links(i) | (side_links(i) & ~open_links(i)); }
 
   KOKKOS_FUNCTION double operator()(int i) const {
     const int n = node(i);
-    const T excess = lagged(i) + rate * (defect(i) - lagged(i));
-    const T added = -theta(n) * excess / (1 + excess);
+    const T excess = law.follow(lagged(i), defect(i));
+    const T added = law.added(theta(n), excess);
     const T temperature = theta(n) + added;
-    const unsigned walls = solid_links(i) | (side_links(i) & ~open_links(i));
+    const unsigned walled = walls(i);
     T rest = added;
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      const T along = (walls >> q & 1u) ? T(0) : temperature * carried(q, u(i, 0), u(i, 1));
-      const T change = T(Set::w(q)) * ((2 - rate) * added + along);
+      const T change = T(Set::w(q)) * law.change(q, temperature, added, u(i, 0), u(i, 1), walled >> q & 1u);
       g(q * plane + n) += change;
       rest -= change;
     }
@@ -143,8 +165,8 @@ struct Advect {
 template <class T, class Set>
 Advect<T, Set> advect_body(const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
                            const ScalarField<T>& lagged, const HeatFields<T>& fields) {
-  return {fields.lattice.size(),
-          fields.rates.fluid,
+  return {{fields.rates.fluid},
+          fields.lattice.size(),
           nodes.node,
           nodes.solid_links,
           nodes.side_links,
