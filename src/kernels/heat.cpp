@@ -12,13 +12,11 @@ namespace vug {
 
 namespace {
 
-/// Rows of a band at most: one in sixteen more is copied for it.
-constexpr int rows_per_band = 32;
-
-/// Bands of equal height for a number of threads; no bit depends on them.
+/// As many bands for every thread, so low that what is set aside of one stays in its cache.
 int band_count(const Exec& exec, const Lattice& lattice) {
+  constexpr int rows_per_band = 32;
   const int threads = exec.concurrency(), bands = (lattice.ny + rows_per_band - 1) / rows_per_band;
-  return std::min(lattice.ny, (bands + threads - 1) / threads * threads);
+  return (bands + threads - 1) / threads * threads;
 }
 
 void require_positive(const char* name, double value) {
@@ -38,38 +36,53 @@ HeatRates<T> heat_rates(const HeatParameters& p) {
           p.capacity_ratio};
 }
 
-/// Mask of the solid of one row of those with halo, continued into it so that the conjugate link is inert there: like
-/// the node joined to it, and where there is none, like the nearest node inside or, if `marked`, as outside.
-struct CopySolidRow {
-  Lattice lattice;
-  bool periodic_x, periodic_y, marked;
+/// Mask of the solid inside the lattice.
+struct CopySolid {
   Kokkos::View<const NodeType*> type;
   Kokkos::View<std::uint8_t*> solid;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
+    solid(node) =
+        type(node) == NodeType::opening ? inside_opening : static_cast<std::uint8_t>(type(node) == NodeType::solid);
+  }
+};
 
-  KOKKOS_FORCEINLINE_FUNCTION static int source(int p, int n, bool periodic) {
+/// The mask in the halo, where it makes the conjugate link inert: like the node joined to it, and where there is none,
+/// like the nearest node inside or, if `marked`, as outside.
+struct CopySolidToHalo {
+  Lattice lattice;
+  bool periodic_x, periodic_y, marked;
+  Kokkos::View<std::uint8_t*> solid;
+
+  KOKKOS_FUNCTION static int source(int p, int n, bool periodic) {
     if (periodic) return (p + n) % n;
     return p < 0 ? 0 : p >= n ? n - 1 : p;
   }
-  KOKKOS_FORCEINLINE_FUNCTION static std::uint8_t mask(NodeType type) {
-    return type == NodeType::opening ? inside_opening : static_cast<std::uint8_t>(type == NodeType::solid);
+  KOKKOS_FUNCTION void copy(int x, int y) const {
+    const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
+    const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
+    solid(lattice.node(x, y)) = outside && marked ? outside_lattice : solid(from);
   }
-  KOKKOS_FUNCTION void operator()(int row) const {
-    const int y = row - 1, from = lattice.node(0, source(y, lattice.ny, periodic_y)), to = lattice.node(0, y);
-    const bool beyond = marked && !periodic_y && (y < 0 || y == lattice.ny);
-    VUG_VECTORISE
-    for (int x = 0; x < lattice.nx; ++x) solid(to + x) = beyond ? outside_lattice : mask(type(from + x));
-    for (const int x : {-1, lattice.nx})
-      solid(to + x) =
-          beyond || (marked && !periodic_x) ? outside_lattice : mask(type(from + source(x, lattice.nx, periodic_x)));
+  /// Both ends of row `item` - 1, or of a column beyond the rows.
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int y = item - 1, x = y - lattice.ny - 1;
+    if (y <= lattice.ny) {
+      copy(-1, y);
+      copy(lattice.nx, y);
+    } else {
+      copy(x, -1);
+      copy(x, lattice.ny);
+    }
   }
 };
 
 template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields) {
-  Kokkos::parallel_for("vug::heat::copy_solid", Kokkos::RangePolicy<Exec>(exec, 0, fields.lattice.ny + 2),
-                       CopySolidRow{fields.lattice, periodic[0], periodic[1],
-                                    fields.velocity_set == ScalarVelocitySet::d2q9, type, fields.solid});
+  const Lattice& lattice = fields.lattice;
+  for_each_dense_node(exec, "vug::heat::copy_solid", lattice, CopySolid{type, fields.solid});
+  for_each_node(
+      exec, "vug::heat::copy_solid_to_halo", lattice.ny + 2 + lattice.nx,
+      CopySolidToHalo{lattice, periodic[0], periodic[1], fields.velocity_set == ScalarVelocitySet::d2q9, fields.solid});
 }
 
 /// Populations at rest, g_q = w_q theta.
@@ -100,6 +113,15 @@ struct FillTemperature {
 };
 
 template <class T>
+void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields) {
+  const int lines =
+      visit_velocity_set(fields.velocity_set, [](auto set) { return BandLines<T, decltype(set)>::count; });
+  fields.bands = std::min(bands, fields.lattice.ny);
+  fields.lines = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::lines"),
+                                static_cast<std::size_t>(fields.bands) * lines * fields.lattice.pitch);
+}
+
+template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
                                bool openings) {
@@ -111,15 +133,10 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   const std::size_t size = lattice.size();
   const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
   fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);
-  if constexpr (runs_on_host) {
-    fields.bands = band_count(exec, lattice);
-    const int lines =
-        visit_velocity_set(fields.velocity_set, [](auto set) { return BandLines<T, decltype(set)>::count; });
-    fields.lines = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::lines"),
-                                  static_cast<std::size_t>(fields.bands) * lines * lattice.pitch);
-  } else {
+  if constexpr (runs_on_host)
+    set_heat_bands(exec, band_count(exec, lattice), fields);
+  else
     fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
-  }
   fields.theta = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), size);
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   set_heat_geometry(exec, type, periodic, fields);
@@ -134,6 +151,7 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                 \
                                              const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool); \
   template void start_heat(const Exec&, HeatFields<T>&);                                                         \
+  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                \
   template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -65,6 +65,11 @@ template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields);
 
+/// On a host: has a step done in that many bands of rows, at most one per row. make_heat_fields has chosen a number for
+/// the threads there are; no bit depends on it.
+template <class T>
+void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields);
+
 /// Conduction through fluid and solid: pull, conjugate link, collide at rest, store; writes theta. The halo must have
 /// been filled.
 template <class T>

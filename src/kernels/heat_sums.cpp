@@ -46,32 +46,56 @@ void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const Index
                 BirthEnergy<T>{first, fields.rates.capacity_ratio, list, fields.solid, fields.theta}, total);
 }
 
+/// Extremes of one node, of a row on a host: there in lanes, which become vectors.
 template <class T>
 struct Extremes {
+  static constexpr int lanes = 16;
+
   Lattice lattice;
   Kokkos::View<const std::uint8_t*> solid;
   Kokkos::View<const T*> theta;
-  KOKKOS_FUNCTION void operator()(int item, double& lowest, double& highest, int& not_finite) const {
-    const int node = lattice.node(item % lattice.nx, item / lattice.nx);
-    if (solid(node) > 1) return;
-    const double value = theta(node);
-    if (!Kokkos::isfinite(value)) {
-      ++not_finite;
-      return;
+
+  KOKKOS_FORCEINLINE_FUNCTION void look(int node, T& lowest, T& highest, int& not_finite) const {
+    const T value = theta(node);
+    const bool inside = solid(node) <= 1, good = Kokkos::abs(value) <= Kokkos::Experimental::finite_max_v<T>;
+    lowest = (inside & good & (value < lowest)) ? value : lowest;
+    highest = (inside & good & (value > highest)) ? value : highest;
+    not_finite += inside & !good;
+  }
+
+  KOKKOS_FUNCTION void operator()(int item, T& lowest, T& highest, int& not_finite) const {
+    if constexpr (!runs_on_host) {
+      look(lattice.node(item % lattice.nx, item / lattice.nx), lowest, highest, not_finite);
+    } else {
+      T low[lanes], high[lanes];
+      int bad[lanes] = {};
+      for (int l = 0; l < lanes; ++l) low[l] = lowest, high[l] = highest;
+      int node = lattice.node(0, item);
+      const int last = node + lattice.nx;
+      for (; node + lanes <= last; node += lanes) {
+        VUG_VECTORISE
+        for (int l = 0; l < lanes; ++l) look(node + l, low[l], high[l], bad[l]);
+      }
+      for (; node < last; ++node) look(node, low[0], high[0], bad[0]);
+      for (int l = 0; l < lanes; ++l) {
+        lowest = low[l] < lowest ? low[l] : lowest;
+        highest = high[l] > highest ? high[l] : highest;
+        not_finite += bad[l];
+      }
     }
-    lowest = value < lowest ? value : lowest;
-    highest = value > highest ? value : highest;
   }
 };
 
 template <class T>
 HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   const Lattice& lattice = fields.lattice;
-  HeatExtremes found;
-  Kokkos::parallel_reduce("vug::heat::extremes", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
-                          Extremes<T>{lattice, fields.solid, fields.theta}, Kokkos::Min<double>(found.lowest),
-                          Kokkos::Max<double>(found.highest), Kokkos::Sum<int>(found.not_finite));
-  return found;
+  T lowest, highest;
+  int not_finite;
+  Kokkos::parallel_reduce("vug::heat::extremes",
+                          Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? lattice.ny : lattice.nx * lattice.ny),
+                          Extremes<T>{lattice, fields.solid, fields.theta}, Kokkos::Min<T>(lowest),
+                          Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
+  return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
 }
 
 #define VUG_INSTANTIATE(T)                                                                      \
