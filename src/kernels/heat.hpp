@@ -33,6 +33,8 @@ HeatRates<T> heat_rates(const HeatParameters& parameters);
 /// (D2Q9; see HeatFields), and in an opening. All that is above 1 is such.
 inline constexpr std::uint8_t outside_lattice = 2, inside_opening = 3;
 
+/// Per node Q populations, in two lattices on a GPU, a temperature and a byte: on a host 25 bytes in float and 49 in
+/// double with D2Q5, 41 and 81 with D2Q9.
 template <class T>
 struct HeatFields {
   Lattice lattice;

@@ -122,10 +122,10 @@ void conduct(const Exec& exec, HeatFields<T>& fields) {
   visit_kind(fields, [&](auto set, auto openings) {
     using Set = decltype(set);
     if constexpr (runs_on_host)
-      conduct_in_place<Set, openings.value>(exec, fields, NoConvection{});
+      conduct_in_place<Set, decltype(openings)::value>(exec, fields, NoConvection{});
     else
       for_each_dense_node(exec, "vug::heat::conduct", fields.lattice,
-                          conduct_body<T, Set, openings.value>(fields, fields.g_next));
+                          conduct_body<T, Set, decltype(openings)::value>(fields, fields.g_next));
   });
   if constexpr (!runs_on_host) std::swap(fields.g, fields.g_next);
 }
@@ -150,7 +150,7 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
     visit_kind(fields, [&](auto set, auto openings) {
       using Set = decltype(set);
       const ConvectRow<T, Set> convection{advect_body<T, Set>(nodes, u, defect, lagged, fields), rows, created};
-      conduct_in_place<Set, openings.value>(exec, fields, convection);
+      conduct_in_place<Set, decltype(openings)::value>(exec, fields, convection);
     });
   } else {
     conduct(exec, fields);
