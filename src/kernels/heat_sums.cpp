@@ -46,10 +46,10 @@ void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const Index
                 BirthEnergy<T>{first, fields.rates.capacity_ratio, list, fields.solid, fields.theta}, total);
 }
 
-/// Extremes of one node, of a row on a host: there in lanes, which become vectors.
+/// Extremes of one node, of a row on a host: there in lanes, of which vectors take several.
 template <class T>
 struct Extremes {
-  static constexpr int lanes = 16;
+  static constexpr int lanes = 128;
 
   Lattice lattice;
   Kokkos::View<const std::uint8_t*> solid;
@@ -57,10 +57,12 @@ struct Extremes {
 
   KOKKOS_FORCEINLINE_FUNCTION void look(int node, T& lowest, T& highest, int& not_finite) const {
     const T value = theta(node);
-    const bool inside = solid(node) <= 1, good = Kokkos::abs(value) <= Kokkos::Experimental::finite_max_v<T>;
-    lowest = (inside & good & (value < lowest)) ? value : lowest;
-    highest = (inside & good & (value > highest)) ? value : highest;
-    not_finite += inside & !good;
+    const int inside = solid(node) <= 1, finite = Kokkos::abs(value) <= Kokkos::Experimental::finite_max_v<T>;
+    const int good = inside & finite;
+    const T low = good ? value : lowest, high = good ? value : highest;
+    lowest = low < lowest ? low : lowest;
+    highest = high > highest ? high : highest;
+    not_finite += inside - good;
   }
 
   KOKKOS_FUNCTION void operator()(int item, T& lowest, T& highest, int& not_finite) const {
@@ -70,13 +72,11 @@ struct Extremes {
       T low[lanes], high[lanes];
       int bad[lanes] = {};
       for (int l = 0; l < lanes; ++l) low[l] = lowest, high[l] = highest;
-      int node = lattice.node(0, item);
-      const int last = node + lattice.nx;
-      for (; node + lanes <= last; node += lanes) {
+      for (int x = 0; x < lattice.nx; x += lanes) {
+        const int node = lattice.node(x, item), count = lattice.nx - x < lanes ? lattice.nx - x : lanes;
         VUG_VECTORISE
-        for (int l = 0; l < lanes; ++l) look(node + l, low[l], high[l], bad[l]);
+        for (int l = 0; l < count; ++l) look(node + l, low[l], high[l], bad[l]);
       }
-      for (; node < last; ++node) look(node, low[0], high[0], bad[0]);
       for (int l = 0; l < lanes; ++l) {
         lowest = low[l] < lowest ? low[l] : lowest;
         highest = high[l] > highest ? high[l] : highest;
