@@ -62,24 +62,29 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
 }
 
 template <class T, class Set>
-void ReactionModule<T, Set>::refresh(const Exec& exec) {
+void ReactionModule<T, Set>::refresh(const Exec& exec, std::int64_t step) {
+  // At the start all changes with the time gone by.
+  const std::int64_t next = std::clamp<std::int64_t>(step / 8, 1, wall_interval_);
+  const bool links_are_new = refreshed_ < 0;
+  if (!links_are_new && step - refreshed_ < next) return;
+  const double ahead = links_are_new ? 0 : 0.5 * static_cast<double>(next) / static_cast<double>(step - refreshed_);
+  refreshed_ = step;
   if (section_.surface_normal) find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, normal_);
   const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
   const double activation = section_.activation_energy / gas_constant;
   if (heat_) {
     const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
                                                  heat_->face_temperature()};
-    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_);
+    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_, ahead);
   } else {
     const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};
-    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_);
+    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_, ahead);
   }
-  links_are_new_ = 0;
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
-  if (links_are_new_ || clock.step % wall_interval_ == 0) refresh(exec);
+  refresh(exec, clock.step);
   if (clock.every(LongSum::interval)) consumed_.settle(exec);
   if (solutes_.due(clock))
     react_at_wall<Set>(exec, geometry_.fluid, wall_, links_, reactant_.fields, product_ ? &product_->fields : nullptr);
@@ -89,7 +94,7 @@ void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 template <class T, class Set>
 void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
   find_reactive_links<Set>(exec, geometry_.fluid, geometry_.surface, wall_.law, links_);
-  links_are_new_ = 1;
+  refreshed_ = -1;
 }
 
 template <class T, class Set>
@@ -173,8 +178,10 @@ void ReactionModule<T, Set>::state(StateList& list) {
   if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
-  list.add_value("reaction/links_are_new", links_are_new_);
-  list.add("reaction/conductance", Kokkos::subview(links_.conductance, std::pair(0, links_.count)));
+  list.add_value("reaction/refreshed", refreshed_);
+  const std::pair all(0, links_.count);
+  list.add("reaction/rate", Kokkos::subview(links_.rate, all));
+  list.add("reaction/conductance", Kokkos::subview(links_.conductance, all));
 }
 
 template class ReactionModule<float, D2Q5>;

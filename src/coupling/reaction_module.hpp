@@ -29,9 +29,9 @@ class ReactionModule final : public Module {
   const ScalarField<double>& lost() const { return lost_; }
 
  private:
-  /// Surface normals and what the links conduct: the solid shrinks and the temperature changes slowly, so both are
-  /// renewed at every wall interval, not in every step, and where the links are new.
-  void refresh(const Exec& exec);
+  /// Surface normals and what the links conduct, where they are due: the solid shrinks and the temperature changes
+  /// slowly, so both are renewed at every wall interval, sooner at the start of a run, and where the links are new.
+  void refresh(const Exec& exec, std::int64_t step);
   /// Volume that has reacted and is not yet taken off the solid, pixels.
   double dissolving() const;
 
@@ -49,7 +49,7 @@ class ReactionModule final : public Module {
   ReactiveLinks<T> links_;      ///< their turnover is booked at every update interval, before pores and checkpoints
   ScalarField<double> lost_;
   int update_interval_, wall_interval_;
-  int links_are_new_ = 1;  ///< they conduct nothing yet
+  std::int64_t refreshed_ = -1;  ///< the step in which the links were refreshed last; -1: they are new
   bool faster_;  ///< the rock ages faster than the fluid (accuracy.dissolution_factor)
   double initial_volume_ = 0;  ///< pixels
 };

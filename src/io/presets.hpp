@@ -15,11 +15,13 @@ inline AccuracySection accuracy_of(Preset preset) {
     case Preset::fast:
       accuracy.preset = "fast";
       accuracy.precision = Precision::single_precision;
+      accuracy.wall_interval = 100;
       accuracy.heat_interval = 4;
       accuracy.solute_interval = 2;
       break;
     case Preset::balanced:
       accuracy.preset = "balanced";
+      accuracy.wall_interval = 50;
       accuracy.heat_interval = 2;
       accuracy.solute_interval = 2;
       break;

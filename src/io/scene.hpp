@@ -206,7 +206,7 @@ struct AccuracySection {
   std::string preset = "careful";
   Precision precision = Precision::double_precision;
   int update_interval = 10;  ///< lattice steps between births, pathway openings and chemical-damage updates
-  int wall_interval = 10;    ///< lattice steps between renewals of the normals and rates of reacting walls
+  int wall_interval = 10;    ///< lattice steps between renewals of the normals and rates of reacting walls, at most
   int heat_interval = 1;     ///< lattice steps per heat step
   int solute_interval = 1;   ///< lattice steps per solute step
   int guard_interval = 100;  ///< lattice steps between checks for divergence

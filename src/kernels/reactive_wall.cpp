@@ -38,6 +38,7 @@ void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law) {
   const std::size_t room = links.count + links.count / 2;
   links.slot = IndexList("vug::reactive_wall::slot", room);
   links.root = IndexList("vug::reactive_wall::root", room);
+  links.rate = ScalarField<T>("vug::reactive_wall::rate", room);
   links.conductance = ScalarField<T>("vug::reactive_wall::conductance", room);
   links.acid = links.product = links.solid = ScalarField<double>("vug::reactive_wall::acid", room);
   if (law == ReactiveWallLaw::kinetic) return;
@@ -195,7 +196,7 @@ void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall&
                                             ReactiveLinks<T>&);                                                      \
   template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,                \
                                                       const ReactiveWall&, const UniformRate&,                       \
-                                                      const VectorField<double>&, const ReactiveLinks<T>&);          \
+                                                      const VectorField<double>&, const ReactiveLinks<T>&, double);  \
   template void react_at_wall<Set, T>(const Exec&, const FluidNodes&, const ReactiveWall&, const ReactiveLinks<T>&, \
                                       const SoluteFields<T>&, const SoluteFields<T>*);
 VUG_INSTANTIATE(float, D2Q5)

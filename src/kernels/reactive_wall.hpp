@@ -28,6 +28,7 @@ struct ReactiveLinks {
   IndexList first;  ///< (surface + 1) surface node s has the links [first(s), first(s + 1))
   IndexList slot;   ///< (link) slot of the population that leaves the fluid through it
   IndexList root;   ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
+  ScalarField<T> rate;         ///< (link) rate constant times share of true area, when that was last asked for
   ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances
   ScalarField<double> acid;    ///< (link) moles taken from the acid
   ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself but for the
@@ -61,10 +62,13 @@ struct ArrheniusRate {
 
 /// Sets links.conductance from the rate at every face and the area that the link stands for: `normal` from find_normals
 /// corrects that of the stair-step; with extent 0 it is left as it is. To be called when the links are new and again
-/// every few steps. Instantiated for UniformRate; for others include reactive_wall_kernel.hpp.
+/// every few steps: `ahead` times the change of the rate since the last call is added, half of it where the steps
+/// until the next are as many, so that the mean over them is right to second order; at most half and double the rate.
+/// 0 where the links are new. Instantiated for UniformRate; for others include reactive_wall_kernel.hpp.
 template <class Set, class T, class Rate>
 void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
-                      const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links);
+                      const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
+                      double ahead = 0);
 
 /// One step of reaction at all links. `product` may be null (L2 is not modelled; 1/K_eq must then be 0, else
 /// InputError). Acid + product are conserved exactly by the kinetic law. Per link: 2 populations (4 with product), its

@@ -10,7 +10,7 @@ namespace vug {
 template <class T, class Set, class Rate, class Area>
 struct SetConductance {
   ReactiveWallLaw law;
-  T q, D1, D2;
+  T q, D1, D2, ahead;
   Rate rate;
   Area area;
   IndexList surface, fluid_node;
@@ -20,7 +20,10 @@ struct SetConductance {
   KOKKOS_FUNCTION void operator()(int l) const {
     const int s = links.root(l) / 8, along = links.root(l) % 8 + 1;
     const int fluid = links.slot(l) - Set::opposite(along) * capacity;
-    const T k = T(rate(surface(s), fluid_node(fluid)) * area.share(s, along));
+    const T now = T(rate(surface(s), fluid_node(fluid)) * area.share(s, along));
+    const T led = now + ahead * (now - links.rate(l));
+    const T k = led < now / 2 ? now / 2 : led > 2 * now ? 2 * now : led;
+    links.rate(l) = now;
     links.conductance(l) =
         law == ReactiveWallLaw::kinetic ? kinetic_conductance(k, q) : paper_conductance(k, q, D1, D2);
   }
@@ -28,13 +31,14 @@ struct SetConductance {
 
 template <class Set, class T, class Rate>
 void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
-                      const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links) {
+                      const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
+                      double ahead) {
   with_link_area(normal, [&](const auto& area) {
     using Area = std::decay_t<decltype(area)>;
     for_each_node(exec, "vug::reactive_wall::conductances", links.count,
                   SetConductance<T, Set, Rate, Area>{wall.law, T(wall.inverse_equilibrium), T(wall.D_reactant),
-                                                     T(wall.D_product), rate, area, surface.node, nodes.node,
-                                                     nodes.capacity, links});
+                                                     T(wall.D_product), T(ahead), rate, area, surface.node,
+                                                     nodes.node, nodes.capacity, links});
   });
 }
 
