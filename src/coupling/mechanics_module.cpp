@@ -40,6 +40,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       flow_(flow),
       heat_(heat),
       update_interval_(scene.accuracy.update_interval),
+      exchange_interval_(scene.accuracy.exchange_interval),
       nodes_of_particle_(rock.nodes_of_particle),
       nodes_of_bond_(rock.nodes_of_bond),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)) {
@@ -88,7 +89,7 @@ void MechanicsModule<T>::take_up_dissolution(const Exec& exec) {
 template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
-  if (flow_) {
+  if (flow_ && clock.step % exchange_interval_ == 0) {
     exchange_momentum(exec, flow_->flow(), geometry_.fluid.capacity, load_->links(), units_.force(),
                       units_.force() * geometry_.spacing, particles.force, particles.torque);
   }
@@ -142,6 +143,10 @@ void MechanicsModule<T>::fields(FieldList& list) const {
 template <class T>
 void MechanicsModule<T>::state(StateList& list) {
   mechanics_.visit_state([&](const char* name, const auto& view) { list.add(std::string("mechanics/") + name, view); });
+  if (flow_ && exchange_interval_ > 1) {  // held in the first steps of a resumed run
+    list.add("mechanics/force", mechanics_.particles().force);
+    list.add("mechanics/torque", mechanics_.particles().torque);
+  }
   using Progress = std::pair<double, long>;
   list.add(StateBlock{"mechanics/progress",
                       [this] {

@@ -43,7 +43,7 @@ class MechanicsModule final : public Module {
   const Geometry& geometry_;
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
-  int update_interval_;
+  int update_interval_, exchange_interval_;
   Groups nodes_of_particle_, nodes_of_bond_;
   Mechanics mechanics_;
   std::optional<ParticleLoad> load_;        ///< with flow only

@@ -208,6 +208,7 @@ struct AccuracySection {
   int update_interval = 10;  ///< lattice steps between births, pathway openings and chemical-damage updates
   int heat_interval = 1;     ///< lattice steps per heat step
   int solute_interval = 1;   ///< lattice steps per solute step
+  int exchange_interval = 1; ///< lattice steps for which the fluid's force on the triangles is held
   int guard_interval = 100;  ///< lattice steps between checks for divergence
   /// Largest change of velocity between two checks, over the largest velocity, at which the flow is held until the pores
   /// change; 0: never
