@@ -3,9 +3,10 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
-#include "coupling/particle_load.hpp"
+#include "coupling/chemical_damage.hpp"
 #include "coupling/rock.hpp"
 #include "dem/mechanics.hpp"
+#include "kernels/momentum_exchange.hpp"
 
 #include <optional>
 
@@ -36,7 +37,7 @@ class MechanicsModule final : public Module {
 
  private:
   void choose_substeps();
-  void take_up_dissolution(const Exec& exec);
+  void find_links(const Exec& exec);
 
   MechanicsSection section_;
   LatticeUnits units_;
@@ -44,12 +45,11 @@ class MechanicsModule final : public Module {
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
   int update_interval_, exchange_interval_;
-  Groups nodes_of_particle_, nodes_of_bond_;
+  NodeGroups nodes_of_particle_;
   Mechanics mechanics_;
-  std::optional<ParticleLoad> load_;        ///< with flow only
-  ScalarField<double> particle_volume_;     ///< (particle) initial solid volume, pixels
-  ScalarField<double> bond_volume_;         ///< (bond) likewise of its region
-  ScalarField<double> particle_dissolved_;  ///< (particle) share dissolved
+  std::optional<WetNodes> wet_;              ///< with flow or dissolution only
+  WallLinks links_;                          ///< of each particle about its centroid; with flow only
+  std::optional<DissolvedShares> dissolved_;  ///< with dissolution only
   int substeps_ = 1;
 };
 

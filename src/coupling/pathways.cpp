@@ -28,15 +28,14 @@ struct MarkOpening {
 
 /// Per particle: the volume of its opening nodes, shared among its solid nodes.
 struct ShareVolume {
-  Groups nodes;
+  NodeGroups nodes;
   Kokkos::View<const NodeType*> type;
   Kokkos::View<std::uint8_t*> opening;
   ScalarField<double> volume, stranded;
   KOKKOS_FUNCTION void operator()(int p) const {
     double freed = 0;
     int solid = 0;
-    for (int k = nodes.offset(p); k < nodes.offset(p + 1); ++k) {
-      const int n = nodes.item(k);
+    nodes.for_each(p, [&](int n) {
       if (opening(n)) {
         freed += volume(n);
         volume(n) = 0;
@@ -44,15 +43,16 @@ struct ShareVolume {
       } else if (type(n) == NodeType::solid) {
         ++solid;
       }
-    }
+    });
     if (freed == 0) return;
     if (solid == 0) {
       stranded(p) += freed;
       return;
     }
     const double part = freed / solid;
-    for (int k = nodes.offset(p); k < nodes.offset(p + 1); ++k)
-      if (type(nodes.item(k)) == NodeType::solid) volume(nodes.item(k)) += part;
+    nodes.for_each(p, [&](int n) {
+      if (type(n) == NodeType::solid) volume(n) += part;
+    });
   }
 };
 
@@ -62,7 +62,7 @@ struct ClearOpening {
   KOKKOS_FUNCTION void operator()(int c) const { opening(nodes.node(c)) = 0; }
 };
 
-PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, Groups nodes_of_particle)
+PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, NodeGroups nodes_of_particle)
     : nodes_(std::move(nodes)),
       nodes_of_particle_(std::move(nodes_of_particle)),
       opening_("vug::pathways::opening", lattice.size()),

@@ -17,7 +17,7 @@ inline AccuracySection accuracy_of(Preset preset) {
       accuracy.precision = Precision::single_precision;
       accuracy.heat_interval = 4;
       accuracy.solute_interval = 2;
-      accuracy.exchange_interval = 4;
+      accuracy.exchange_interval = 2;
       break;
     case Preset::balanced:
       accuracy.preset = "balanced";

@@ -153,7 +153,7 @@ struct OneBond {
   Kokkos::View<NodeType*> type{"type", std::size_t(Lattice(8, 8).size())};
   ScalarField<double> volume{"volume", std::size_t(Lattice(8, 8).size())};
   ScalarField<double> d_m{"d_m", 1};
-  Groups particle;
+  NodeGroups particle;
   PathwayNodes nodes;
 
   OneBond() {
