@@ -17,8 +17,8 @@ struct SumWetNodes {
   ScalarField<double> sum;
   /// Neighbours in the list often lie on different rows.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
-    constexpr int ahead = 32;
-    if (k + ahead < static_cast<int>(node.extent(0))) prefetch(&dissolved(node(k + ahead)));
+    constexpr int ahead = 256;
+    if (k + ahead < static_cast<int>(node.extent(0))) prefetch_far(&dissolved(node(k + ahead)));
   }
   KOKKOS_FUNCTION void operator()(int s) const {
     double wet = 0;

@@ -82,8 +82,8 @@ template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
   if (flow_ && clock.step % exchange_interval_ == 0) {
-    exchange_momentum(exec, flow_->flow(), geometry_.fluid.capacity, links_, units_.force(),
-                      units_.force() * geometry_.spacing, particles.force, particles.torque);
+    exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
+                      particles.torque);
   }
   if (clock.step % update_interval_ == 0) {
     if (heat_)

@@ -1,9 +1,9 @@
 #pragma once
 // The rock's mechanics, moved by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
+#include "coupling/chemical_damage.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
-#include "coupling/chemical_damage.hpp"
 #include "coupling/rock.hpp"
 #include "dem/mechanics.hpp"
 #include "kernels/momentum_exchange.hpp"
@@ -47,8 +47,8 @@ class MechanicsModule final : public Module {
   int update_interval_, exchange_interval_;
   NodeGroups nodes_of_particle_;
   Mechanics mechanics_;
-  std::optional<WetNodes> wet_;              ///< with flow or dissolution only
-  WallLinks links_;                          ///< of each particle about its centroid; with flow only
+  std::optional<WetNodes> wet_;               ///< with flow or dissolution only
+  WallLinks links_;                           ///< of each particle about its centroid; with flow only
   std::optional<DissolvedShares> dissolved_;  ///< with dissolution only
   int substeps_ = 1;
 };

@@ -79,7 +79,7 @@ TEST(HydrostaticForce, TurnsABankByTheLeverArmsOfItsNodes) {
   Kokkos::deep_copy(Kokkos::subview(centre, 0, 1), spacing * 1.5);
   WallLinks links;
   find_wall_links(flow.exec, flow.nodes, all, surface.node, centre, spacing, links);
-  exchange_momentum(flow.exec, flow.fields, flow.nodes.capacity, links, 2, 3, force, torque);
+  exchange_momentum(flow.exec, flow.fields, links, 2, 3, force, torque);
   double x = 0, y = 0, turning = 0;  // node by node, from the forces on single nodes
   const auto single = test::NodeForce<double>(flow, surface)(flow);
   const auto node = test::on_host(surface.node);
@@ -138,7 +138,7 @@ TEST(HydrodynamicForce, HeldForSomeStepsGivesTheSameImpulse) {
   }
   EXPECT_GT(last, 0);
   for (const int n : {2, 3, 4, 8}) {
-    const double lag = 0.5 * (n - 1) * last / all;  // of what is held while the force rises from nothing
+    const double lag = 0.5 * (n - 1) * last / all;      // of what is held while the force rises from nothing
     EXPECT_NEAR(held[n] / all, 1 - lag, lag / 3) << n;  // the sound of the sudden start is sampled, 1e-4 of the impulse
   }
 }
