@@ -7,6 +7,18 @@
 
 namespace vug {
 
+/// The rows around a node that a list comes to later, which lies in no order that a processor foresees.
+struct AnnounceNeighbours {
+  IndexList index, node;
+  int pitch;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
+    constexpr int ahead = 128;
+    const int later = node(k + ahead < static_cast<int>(node.extent(0)) ? k + ahead : k);
+    if (later < pitch) return;  // an entry that is not used
+    for (int row = -1; row <= 1; ++row) prefetch_far(&index(later + row * pitch));
+  }
+};
+
 /// Looks at the neighbours of a group's nodes: bit q - 1 of touch(k) is set where q leads into node(k) from the fluid.
 struct CountWallLinks {
   DenseNeighbour lattice;
@@ -15,7 +27,9 @@ struct CountWallLinks {
 
   KOKKOS_FUNCTION void operator()(int g) const {
     int count = 0;
+    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
     for (int k = offset(g); k < offset(g + 1); ++k) {
+      announce(k);
       int bits = 0;
       for (int q = 1; q < D2Q9::Q; ++q) {
         const int touches = lattice.fluid_along(index, node(k), D2Q9::opposite(q)) >= 0;
@@ -43,7 +57,9 @@ struct ListWallLinks {
     links.origin(g, 0) = x0 + 0.5 - centre(g, 0) / spacing;
     links.origin(g, 1) = y0 + 0.5 - centre(g, 1) / spacing;
     int at = links.first(g);
+    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
     for (int k = offset(g); k < offset(g + 1); ++k) {
+      announce(k);
       const int solid = node(k), bits = links.touch(k);
       const int y = lattice.lattice.y(solid) - y0, x = lattice.lattice.x(solid) - x0;
       for (int q = 1; q < D2Q9::Q; ++q) {
