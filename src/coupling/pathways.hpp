@@ -37,6 +37,7 @@ class PathwayOpener {
   PathwayNodes nodes_;
   NodeGroups nodes_of_particle_;
   Kokkos::View<std::uint8_t*> opening_;  ///< (dense node) 1 while its volume is being handed on
+  ScalarField<double> reach_;            ///< (bond) half the aperture at the last look, cells; -1 before the first
   ScalarField<double> stranded_;
 };
 
