@@ -67,22 +67,6 @@ void find_defect(benchmark::State& state, const Geometry* geometry) {
                 [&] { advective_defect<Set>(s.exec, s.nodes, s.u, s.e); });
 }
 
-/// Links between fluid and solid of the velocity set.
-template <class Set>
-struct CountWallLinks {
-  Kokkos::View<const std::uint16_t*> solid_links;
-  KOKKOS_FUNCTION void operator()(int i, int& links) const {
-    for (int q = 1; q < Set::Q; ++q) links += solid_links(i) >> q & 1;
-  }
-};
-
-template <class Set>
-int wall_links(const FluidNodes& nodes) {
-  int links = 0;
-  Kokkos::parallel_reduce("vug::perf::wall_links", nodes.count, CountWallLinks<Set>{nodes.solid_links}, links);
-  return links;
-}
-
 struct SolidVolume {
   Kokkos::View<const NodeType*> type;
   ScalarField<double> V;
@@ -95,44 +79,67 @@ struct FaceTemperature {
   KOKKOS_FUNCTION double operator()(int solid, int fluid) const { return 0.5 * (T(solid) + T(fluid)); }
 };
 
-enum class RateLaw { uniform, arrhenius, stored };
-
-/// Updates are wall links: two populations read and written, an index and the node of the fluid; and per node of the
-/// surface its number, normal, volume and what has dissolved of it. Copied are two streams over as many links.
+/// A reacting wall with both solutes.
 template <class T, class Set>
-void react(benchmark::State& state, const Geometry* geometry, RateLaw law) {
-  SoluteSetting<T, Set> s(*geometry);
-  const ScalarField<double> V("V", s.lattice.size());
-  for_each_node(s.exec, "vug::perf::volume", s.lattice.size(), SolidVolume{s.type, V});
+struct WallSetting : SoluteSetting<T, Set> {
+  using Base = SoluteSetting<T, Set>;
+  using Base::exec, Base::lattice, Base::nodes;
+  ScalarField<double> V{"V", lattice.size()}, temperature{"T", lattice.size()};
   Surface surface;
-  find_surface(s.exec, s.nodes, s.type, surface);
   VectorField<double> normal;
-  find_normals(s.exec, s.nodes, surface, V, normal);
   ReactiveWall wall;
-  wall.molar_volume = 1e-6;
-  wall.inverse_equilibrium = 1e-3;
-  const ReactionLedger ledger{V,
-                              ScalarField<double>("dissolved", s.lattice.size()),
-                              ScalarField<double>("consumed", block_count(s.lattice.size())),
-                              {}};
-  const ScalarField<double> temperature("T", s.lattice.size()), k("k", s.lattice.size());
-  Kokkos::deep_copy(temperature, 350.0);
-  const ArrheniusRate<FaceTemperature> hot{1e-9, 7553, 273.15, {temperature}};
-  store_rates(s.exec, s.nodes, surface, hot, k);
-  const int links = wall_links<Set>(s.nodes);
-  const double bytes =
-      4 * sizeof(T) + 2 * sizeof(int) + static_cast<double>(surface.count) / links * (sizeof(int) + 6 * sizeof(double));
-  const auto with = [&](const auto& rate) {
-    measure<T, 2>(state, links, bytes, [&] {
-      react_at_wall<Set>(s.exec, s.nodes, surface, wall, rate, normal, s.acid, &s.product, ledger);
-    });
-  };
-  if (law == RateLaw::stored)
-    with(StoredRate{k});
-  else if (law == RateLaw::arrhenius)
-    with(hot);
-  else
-    with(UniformRate{1e-9});
+  ReactiveLinks<T> links;
+  ArrheniusRate<FaceTemperature> rate{1e-9, 7553, 273.15, {temperature}};
+  ReactionLedger ledger{
+      V,
+      ScalarField<double>("dissolved", lattice.size()),
+      ScalarField<double>("consumed", block_count(lattice.size())),
+      {}};
+
+  explicit WallSetting(const Geometry& geometry) : Base(geometry) {
+    for_each_node(exec, "vug::perf::volume", lattice.size(), SolidVolume{this->type, V});
+    Kokkos::deep_copy(temperature, 350.0);
+    find_surface(exec, nodes, this->type, surface);
+    wall.molar_volume = 1e-6;
+    wall.inverse_equilibrium = 1e-3;
+    find_normals(exec, nodes, surface, V, normal);
+    find_reactive_links<Set>(exec, nodes, surface, wall.law, links);
+    conduct();
+  }
+  void conduct() { set_conductances<Set>(exec, nodes, surface, wall, rate, normal, links); }
+  double nodes_per_link() const { return static_cast<double>(surface.count) / links.count; }
+};
+
+/// Of each link two populations both ways, slot, conductance, turnover both ways. Copied are two streams as long.
+template <class T, class Set>
+void react(benchmark::State& state, const Geometry* geometry) {
+  WallSetting<T, Set> s(*geometry);
+  measure<T, 2>(state, s.links.count, 5 * sizeof(T) + sizeof(int) + 2 * sizeof(double),
+                [&] { react_at_wall<Set>(s.exec, s.nodes, s.wall, s.links, s.acid, &s.product); });
+}
+
+/// Of each link slot, root, both temperatures, conductance; of each surface node its number and normal.
+template <class T, class Set>
+void conductances(benchmark::State& state, const Geometry* geometry) {
+  WallSetting<T, Set> s(*geometry);
+  const double bytes = sizeof(T) + 2 * sizeof(int) + 2 * sizeof(double) + s.nodes_per_link() * (sizeof(int) + 16);
+  measure<T, 2>(state, s.links.count, bytes, [&] { s.conduct(); });
+}
+
+/// Of each link the turnover both ways; of each surface node its number and two volumes both ways.
+template <class T, class Set>
+void book(benchmark::State& state, const Geometry* geometry) {
+  WallSetting<T, Set> s(*geometry);
+  measure<T, 2>(state, s.links.count, 2 * sizeof(double) + s.nodes_per_link() * (sizeof(int) + 32),
+                [&] { book_turnover(s.exec, s.surface, s.wall, s.links, s.ledger); });
+}
+
+/// Updates are surface nodes: the volume of eight neighbours that no other has read, the number, the normal.
+template <class T, class Set>
+void normals(benchmark::State& state, const Geometry* geometry) {
+  WallSetting<T, Set> s(*geometry);
+  measure<double, 2>(state, s.surface.count, sizeof(int) + 10 * sizeof(double),
+                     [&] { find_normals(s.exec, s.nodes, s.surface, s.V, s.normal); });
 }
 
 template <class T, class Set>
@@ -144,9 +151,10 @@ void add_set(const std::string& suffix) {
     add("solute/advective_form" + end, advect_in_advective_form<T, Set>, &geometry);
     add("solute/defect" + end, find_defect<T, Set>, &geometry);
     if (geometry.share_of_edges == 0) continue;  // no walls
-    add("wall/uniform_rate" + end, react<T, Set>, &geometry, RateLaw::uniform);
-    add("wall/arrhenius_rate" + end, react<T, Set>, &geometry, RateLaw::arrhenius);
-    add("wall/stored_rate" + end, react<T, Set>, &geometry, RateLaw::stored);
+    add("wall/react" + end, react<T, Set>, &geometry);
+    add("wall/conductances" + end, conductances<T, Set>, &geometry);
+    add("wall/book" + end, book<T, Set>, &geometry);
+    if (std::is_same_v<T, double> && Set::Q == D2Q5::Q) add("wall/normals" + end, normals<T, Set>, &geometry);
   }
 }
 

@@ -39,6 +39,7 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       product_(section_.product ? &solutes.species(*section_.product) : nullptr),
       heat_(heat),
       update_interval_(scene.accuracy.update_interval),
+      wall_interval_(scene.accuracy.wall_interval),
       faster_(scene.accuracy.dissolution_factor > 1) {
   wall_.law = section_.wall;
   wall_.molar_volume = scene.accuracy.dissolution_factor * section_.molar_volume * units.concentration;
@@ -57,8 +58,7 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
     sums_.released = ScalarField<double>("vug::reaction::released", lattice.size());
   lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
   initial_volume_ = sum_in_order(geometry.volume);
-  rate_ = ScalarField<double>("vug::reaction::rate", lattice.size());
-  refresh(exec);
+  find_reactive_links<Set>(exec, geometry.fluid, geometry.surface, wall_.law, links_);
 }
 
 template <class T, class Set>
@@ -69,25 +69,27 @@ void ReactionModule<T, Set>::refresh(const Exec& exec) {
   if (heat_) {
     const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
                                                  heat_->face_temperature()};
-    store_rates(exec, geometry_.fluid, geometry_.surface, rate, rate_);
+    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_);
   } else {
     const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};
-    store_rates(exec, geometry_.fluid, geometry_.surface, rate, rate_);
+    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_);
   }
+  links_are_new_ = 0;
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
-  if (clock.step % update_interval_ == 0) refresh(exec);
+  if (links_are_new_ || clock.step % wall_interval_ == 0) refresh(exec);
   if (clock.every(LongSum::interval)) consumed_.settle(exec);
-  if (!solutes_.due(clock)) return;
-  react_at_wall<Set>(exec, geometry_.fluid, geometry_.surface, wall_, StoredRate{rate_}, normal_, reactant_.fields,
-                     product_ ? &product_->fields : nullptr, sums_);
+  if (solutes_.due(clock))
+    react_at_wall<Set>(exec, geometry_.fluid, wall_, links_, reactant_.fields, product_ ? &product_->fields : nullptr);
+  if (clock.every(update_interval_)) book_turnover(exec, geometry_.surface, wall_, links_, sums_);
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
-  refresh(exec);
+  find_reactive_links<Set>(exec, geometry_.fluid, geometry_.surface, wall_.law, links_);
+  links_are_new_ = 1;
 }
 
 template <class T, class Set>
@@ -120,19 +122,25 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
 }
 
 template <class T, class Set>
+double ReactionModule<T, Set>::dissolving() const {
+  return wall_.molar_volume * sum_in_order(links_.solid);
+}
+
+template <class T, class Set>
 void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
   const double mol = units_.amount();
-  const double consumed = consumed_.total();
+  const double consumed = consumed_.total() + sum_in_order(links_.acid);  // booked and not yet
   ledger.of(reactant_.section.name, "mol/m").gains.push_back({"reaction", -mol * consumed});
   if (product_) {
-    const double released = sums_.released.extent(0) > 0 ? sum_in_order(sums_.released) : consumed;
+    const double released =
+        sums_.released.extent(0) > 0 ? sum_in_order(sums_.released) + sum_in_order(links_.product) : consumed;
     ledger.of(product_->section.name, "mol/m").gains.push_back({"reaction", mol * released});
   }
   if (wall_.molar_volume == 0) return;
-  const double dissolved = sum_in_order(geometry_.dissolved);
+  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
   Balance& solid = ledger.of("solid_volume", "m3/m");
   solid.initial = units_.volume() * initial_volume_;
-  solid.stored = units_.volume() * sum_in_order(geometry_.volume);
+  solid.stored = units_.volume() * (sum_in_order(geometry_.volume) - dissolving());
   solid.gains.push_back({"dissolved", -units_.volume() * dissolved});
   solid.gains.push_back({"overdrawn", -units_.volume() * sum_in_order(lost_)});
   Balance& reaction = ledger.of("dissolved_volume", "m3/m");
@@ -142,9 +150,12 @@ void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
-  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal_);
+  VectorField<double> normal;
+  if (section_.surface_normal) find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, normal);
+  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal);
   row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
-  row.push_back({"dissolved_volume_m3_per_m", sum_in_order(geometry_.dissolved) * units_.volume()});
+  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
+  row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});
 }
 
 template <class T, class Set>
@@ -162,6 +173,8 @@ void ReactionModule<T, Set>::state(StateList& list) {
   if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
+  list.add_value("reaction/links_are_new", links_are_new_);
+  list.add("reaction/conductance", Kokkos::subview(links_.conductance, std::pair(0, links_.count)));
 }
 
 template class ReactionModule<float, D2Q5>;

@@ -29,9 +29,11 @@ class ReactionModule final : public Module {
   const ScalarField<double>& lost() const { return lost_; }
 
  private:
-  /// Surface normals and rate constants: the solid shrinks and the temperature changes slowly, so both are renewed at
-  /// every update interval and when nodes were born, not in every step.
+  /// Surface normals and what the links conduct: the solid shrinks and the temperature changes slowly, so both are
+  /// renewed at every wall interval, not in every step, and where the links are new.
   void refresh(const Exec& exec);
+  /// Volume that has reacted and is not yet taken off the solid, pixels.
+  double dissolving() const;
 
   ReactionSection section_;
   LatticeUnits units_;
@@ -44,9 +46,10 @@ class ReactionModule final : public Module {
   LongSum consumed_;  ///< (block) reactant that has reacted
   ReactionLedger sums_;
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
-  ScalarField<double> rate_;    ///< (dense node) rate constant on surface nodes, lattice units
+  ReactiveLinks<T> links_;      ///< their turnover is booked at every update interval, before pores and checkpoints
   ScalarField<double> lost_;
-  int update_interval_;
+  int update_interval_, wall_interval_;
+  int links_are_new_ = 1;  ///< they conduct nothing yet
   bool faster_;  ///< the rock ages faster than the fluid (accuracy.dissolution_factor)
   double initial_volume_ = 0;  ///< pixels
 };

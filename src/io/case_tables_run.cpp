@@ -22,6 +22,7 @@ AccuracySection read_accuracy(const TomlCursor& table, Preset preset) {
   table.choose("precision", accuracy.precision,
                {{"single", Precision::single_precision}, {"double", Precision::double_precision}});
   table.read("update_interval", accuracy.update_interval, range::between(1, 1e6));
+  table.read("wall_interval", accuracy.wall_interval, range::between(1, 1e6));
   table.read("heat_interval", accuracy.heat_interval, range::between(1, 1000));
   table.read("solute_interval", accuracy.solute_interval, range::between(1, 1000));
   table.read("exchange_interval", accuracy.exchange_interval, range::between(1, 1000));

@@ -30,6 +30,7 @@ inline AccuracySection accuracy_of(Preset preset) {
     case Preset::reference:
       accuracy.preset = "reference";
       accuracy.update_interval = 1;
+      accuracy.wall_interval = 1;
       break;
   }
   return accuracy;

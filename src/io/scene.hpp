@@ -206,6 +206,7 @@ struct AccuracySection {
   std::string preset = "careful";
   Precision precision = Precision::double_precision;
   int update_interval = 10;  ///< lattice steps between births, pathway openings and chemical-damage updates
+  int wall_interval = 10;    ///< lattice steps between renewals of the normals and rates of reacting walls
   int heat_interval = 1;     ///< lattice steps per heat step
   int solute_interval = 1;   ///< lattice steps per solute step
   int exchange_interval = 1; ///< lattice steps for which the fluid's force on the triangles is held

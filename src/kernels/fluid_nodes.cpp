@@ -2,6 +2,7 @@
 
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/marked_nodes.hpp"
 
 namespace vug {
 
@@ -16,30 +17,20 @@ int round_capacity(int count) {
 
 }  // namespace
 
-/// Numbers the fluid nodes that have no number yet, in order of node, from `first` on.
-struct NumberFluid {
-  Lattice lattice;
-  Kokkos::View<const NodeType*> type;
-  IndexList node, index;
-  int first;
-  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
-    const int n = interior_node(lattice, item);
-    if (type(n) != NodeType::fluid || index(n) >= 0) return;
-    if (last) {
-      node(first + running) = n;
-      index(n) = first + running;
-    }
-    ++running;
-  }
-};
-
-struct CountUnnumbered {
-  Lattice lattice;
+/// Whether a node is fluid and not in the list yet.
+struct IsUnnumbered {
   Kokkos::View<const NodeType*> type;
   IndexList index;
-  KOKKOS_FUNCTION void operator()(int item, int& count) const {
-    const int n = interior_node(lattice, item);
-    if (type(n) == NodeType::fluid && index(n) < 0) ++count;
+  KOKKOS_FUNCTION bool operator()(int n) const { return (type(n) == NodeType::fluid) & (index(n) < 0); }
+};
+
+/// Appends a node to the list, whose last number was first - 1.
+struct NumberFluid {
+  IndexList node, index;
+  int first;
+  KOKKOS_FUNCTION void operator()(int k, int n) const {
+    node(first + k) = n;
+    index(n) = first + k;
   }
 };
 
@@ -82,14 +73,49 @@ struct BuildWindows {
   }
 };
 
-void rebuild_links(const Exec& exec, FluidNodes& nodes) {
-  for_each_node(exec, "vug::fluid_nodes::build_links", nodes.count,
-                BuildLinks{nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.capacity, nodes.node, nodes.index,
-                           nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links});
-  if constexpr (has_source_windows)
-    for_each_node(exec, "vug::fluid_nodes::build_windows", nodes.count / nodes_per_window,
-                  BuildWindows{nodes.capacity, nodes.source, nodes.windows});
+namespace {
+
+BuildLinks build_links(const FluidNodes& nodes) {
+  return {nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.capacity,   nodes.node,
+          nodes.index,   nodes.source,      nodes.solid_links, nodes.side_links, nodes.open_links};
 }
+
+BuildWindows build_windows(const FluidNodes& nodes) {
+  return {nodes.capacity, nodes.source, nodes.windows};
+}
+
+}  // namespace
+
+void rebuild_links(const Exec& exec, FluidNodes& nodes) {
+  for_each_node(exec, "vug::fluid_nodes::build_links", nodes.count, build_links(nodes));
+  if constexpr (has_source_windows)
+    for_each_node(exec, "vug::fluid_nodes::build_windows", nodes.count / nodes_per_window, build_windows(nodes));
+}
+
+/// The tables of newborn nodes [first, last) and of the fluid nodes around them, in turn: newborns may share neighbours.
+struct LinkNewborns {
+  BuildLinks links;
+  BuildWindows windows;
+  int first, last;
+
+  template <class Visit>
+  KOKKOS_FUNCTION void visit_touched(const Visit& visit) const {
+    for (int i = first; i < last; ++i) {
+      visit(i);
+      for (int q = 1; q < Q; ++q) {
+        const int n = neighbour(links.lattice, links.periodic_x, links.periodic_y, links.node(i), q);
+        if (n >= 0 && links.index(n) >= 0) visit(links.index(n));
+      }
+    }
+  }
+  KOKKOS_FUNCTION void operator()(int) const {
+    visit_touched([this](int i) { links(i); });
+    if constexpr (has_source_windows)
+      visit_touched([this](int i) {
+        if (const int eight = i / nodes_per_window; (eight + 1) * nodes_per_window <= last) windows(eight);
+      });
+  }
+};
 
 namespace {
 
@@ -129,19 +155,22 @@ FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokk
 }
 
 int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes) {
-  const Lattice& lattice = nodes.lattice;
-  const Kokkos::RangePolicy<Exec> interior(exec, 0, lattice.nx * lattice.ny);
-  int births = 0;
-  Kokkos::parallel_reduce("vug::fluid_nodes::count_births", interior, CountUnnumbered{lattice, type, nodes.index},
-                          births);
+  const char* label = "vug::fluid_nodes::births";
+  const NodeMarks marks = mark_nodes(exec, label, nodes.lattice, IsUnnumbered{type, nodes.index});
+  const int births = count_marked(exec, label, marks);
   if (births == 0) return 0;
-  const int count = nodes.count + births;
+  const int first = nodes.count, last = first + births;
+  const bool grows = last > nodes.capacity;
   // The first numbering is as tight as it gets; later ones leave room so that growth is rare.
-  if (count > nodes.capacity) allocate(exec, nodes, nodes.count == 0 ? count : count + count / 2);
-  Kokkos::parallel_scan("vug::fluid_nodes::number", interior,
-                        NumberFluid{lattice, type, nodes.node, nodes.index, nodes.count});
-  nodes.count = count;
-  rebuild_links(exec, nodes);
+  if (grows) allocate(exec, nodes, first == 0 ? last : last + last / 2);
+  take_marked(exec, label, marks, NumberFluid{nodes.node, nodes.index, first});
+  nodes.count = last;
+  constexpr int few = 1000;  // on a GPU one thread takes longer than all of them with everything
+  if (runs_on_host && !grows && births <= few)
+    Kokkos::parallel_for("vug::fluid_nodes::link_newborns", Kokkos::RangePolicy<Exec>(exec, 0, 1),
+                         LinkNewborns{build_links(nodes), build_windows(nodes), first, last});
+  else
+    rebuild_links(exec, nodes);
   return births;
 }
 

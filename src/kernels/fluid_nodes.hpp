@@ -48,8 +48,8 @@ struct FluidNodes {
 FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokkos::View<NodeType*>& type,
                             std::array<bool, 2> periodic = {false, false});
 
-/// Appends every node that `type` calls fluid and that is not in the list yet, in order of node number, and rebuilds
-/// the tables. Returns how many. When the capacity is too small it grows by half and `capacity` changes: populations
+/// Appends every node that `type` calls fluid and that is not in the list yet, in order of node number, and brings the
+/// tables up to date. Returns how many. When the capacity is too small it grows by half and `capacity` changes: populations
 /// must then be moved with `restride`. The new nodes are [old count, new count).
 int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes);
 
@@ -87,7 +87,7 @@ struct BoundaryLinks {
 BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
                                   int directions);
 
-/// Sets the bits of `links` in nodes.open_links; rebuilding the tables (births) clears them all.
+/// Sets the bits of `links` in nodes.open_links. Births clear those of the nodes around them: mark all anew.
 void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);
 
 }  // namespace vug

@@ -1,40 +1,47 @@
 // The boundary of a list of fluid nodes: the surface of the rock, and the links through the sides of the lattice.
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/fluid_nodes.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/marked_nodes.hpp"
+#include "kernels/unroll.hpp"
 
 namespace vug {
 
-/// Numbers the solid nodes that have a fluid node among their eight neighbours.
-struct NumberSurface {
+namespace {
+
+/// Whether a node is solid and has a fluid node among its eight neighbours. No branch where no sides are joined.
+template <bool joined>
+struct IsSurface {
   DenseNeighbour around;
   Kokkos::View<const NodeType*> type;
-  IndexList index, surface;
-  KOKKOS_FUNCTION bool touches_fluid(int node) const {
-    for (int q = 1; q < D2Q9::Q; ++q)
-      if (around.fluid_along(index, node, q) >= 0) return true;
-    return false;
-  }
-  KOKKOS_FUNCTION void operator()(int item, int& running, bool last) const {
-    const int n = interior_node(around.lattice, item);
-    if (type(n) != NodeType::solid || !touches_fluid(n)) return;
-    if (last && running < static_cast<int>(surface.extent(0))) surface(running) = n;
-    ++running;
+  IndexList index;
+  KOKKOS_FUNCTION bool operator()(int n) const {
+    int highest = -1;
+    VUG_UNROLL
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      const int i = joined ? around.fluid_along(index, n, q) : index(n + around.lattice.offset(q));
+      highest = i > highest ? i : highest;
+    }
+    return (type(n) == NodeType::solid) & (highest >= 0);
   }
 };
 
+struct ListNode {
+  IndexList list;
+  KOKKOS_FUNCTION void operator()(int k, int n) const { list(k) = n; }
+};
+
+}  // namespace
+
 void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<NodeType*>& type, Surface& surface) {
-  const Lattice& lattice = nodes.lattice;
-  const auto number = [&] {
-    Kokkos::parallel_scan(
-        "vug::fluid_nodes::number_surface", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
-        NumberSurface{DenseNeighbour(nodes), type, nodes.index, surface.node}, surface.count);
-  };
-  number();
-  if (surface.count > static_cast<int>(surface.node.extent(0))) {
-    surface.node = IndexList("vug::fluid_nodes::surface", surface.count + surface.count / 2);
-    number();
-  }
+  const char* label = "vug::fluid_nodes::surface";
+  const DenseNeighbour around(nodes);
+  const NodeMarks marks = around.periodic_x || around.periodic_y
+                              ? mark_nodes(exec, label, nodes.lattice, IsSurface<true>{around, type, nodes.index})
+                              : mark_nodes(exec, label, nodes.lattice, IsSurface<false>{around, type, nodes.index});
+  surface.count = count_marked(exec, label, marks);
+  if (surface.count > static_cast<int>(surface.node.extent(0)))
+    surface.node = IndexList(label, surface.count + surface.count / 2);
+  take_marked(exec, label, marks, ListNode{surface.node});
 }
 
 /// Collects the links out of one stretch of a side.

@@ -14,7 +14,8 @@ inline constexpr double hottest_reaction = 600;  ///< K
 /// T0. One product instead of the difference 1/T0 - 1/T; T is clamped to [250, 600] K.
 template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real arrhenius(Real k0, Real activation_temperature, Real temperature, Real reference) {
-  const Real t = Kokkos::fmin(Kokkos::fmax(temperature, Real(coldest_reaction)), Real(hottest_reaction));
+  const Real least = Real(coldest_reaction), most = Real(hottest_reaction);
+  const Real t = temperature < least ? least : temperature > most ? most : temperature;
   return k0 * Kokkos::exp(activation_temperature * (t - reference) / (t * reference));
 }
 
@@ -24,12 +25,25 @@ KOKKOS_FORCEINLINE_FUNCTION Real saturating_rate(Real k, Real b) {
   return k < Real(1) ? k / (Real(1) + k * b) : Real(1) / (Real(1) / k + b);
 }
 
-/// Amount of acid that a link of weight w turns into product in one step (closed link form of Eq. 7). From a = A/w, the
-/// outgoing populations over the weight: C_1w = a1 - 3 k r, C_2w = a2 + 3 k r, r = C_1w - q C_2w, J = 6 w k r, in which
-/// w cancels. A1 - J and A2 + J return. Exact bookkeeping; |A1 - J| <= A1 for q = 0 and any k.
+/// What a link conducts by the closed form of Eq. 7: from a = A/w, the outgoing populations over the weight,
+/// C_1w = a1 - 3 k r, C_2w = a2 + 3 k r, r = C_1w - q C_2w, J = 6 w k r; so J = conductance (A1 - q A2), in which w
+/// cancels. A1 - J and A2 + J return. Exact bookkeeping; |A1 - J| <= A1 for q = 0 and any k.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q) {
+  return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q));
+}
+
+/// Amount of acid that a link of the kinetic law turns into product in one step.
 template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real kinetic_flux(Real k, Real q, Real A1, Real A2) {
-  return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q)) * (A1 - q * A2);
+  return kinetic_conductance(k, q) * (A1 - q * A2);
+}
+
+/// Eqs. 21-22 solved without the products K_eq D1 D2: rate = conductance (C1 - q C2), from both film resistances in
+/// series.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real paper_conductance(Real k, Real q, Real D1, Real D2) {
+  return saturating_rate(k, Real(0.5) / D1 + Real(0.5) * q / D2);
 }
 
 /// Concentrations at the wall and rate per unit face of the paper's finite-difference wall (Eqs. 21, 22, 24).
@@ -39,10 +53,10 @@ struct PaperWall {
   Real rate;    ///< k (C1 - q C2)
 };
 
-/// Eqs. 21-22 solved without the products K_eq D1 D2: the rate from both film resistances in series.
+/// The paper's wall from its paper_conductance and the concentrations at the fluid node.
 template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION PaperWall<Real> paper_wall(Real k, Real q, Real D1, Real D2, Real C1, Real C2) {
-  const Real rate = saturating_rate(k, Real(0.5) / D1 + Real(0.5) * q / D2) * (C1 - q * C2);
+KOKKOS_FORCEINLINE_FUNCTION PaperWall<Real> paper_wall(Real conductance, Real q, Real D1, Real D2, Real C1, Real C2) {
+  const Real rate = conductance * (C1 - q * C2);
   return {C1 - Real(0.5) * rate / D1, C2 + Real(0.5) * rate / D2, rate};
 }
 

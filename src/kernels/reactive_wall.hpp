@@ -1,6 +1,10 @@
 #pragma once
 // The reaction L1 + S1 -> L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
 // 21-24). It dresses the outgoing populations of acid and product before the sweep.
+//
+// Rock dissolves over thousands of steps and warms as slowly: where the links are, how well each conducts the reaction
+// and what it has taken off the solid are seen to now and then (find_reactive_links, set_conductances,
+// book_turnover), so that a step is one loop over a list of links.
 #include "kernels/choices.hpp"
 #include "kernels/link_area.hpp"
 #include "kernels/reaction.hpp"
@@ -15,6 +19,26 @@ struct ReactiveWall {
   double inverse_equilibrium = 0;  ///< 1/K_eq
   double D_reactant = 1, D_product = 1;  ///< used by the paper's law
 };
+
+/// The links through which a wall reacts, in the order of their surface nodes, and what each has turned over since that
+/// was last booked.
+template <class T>
+struct ReactiveLinks {
+  int count = 0;
+  IndexList first;  ///< (surface + 1) surface node s has the links [first(s), first(s + 1))
+  IndexList slot;   ///< (link) slot of the population that leaves the fluid through it
+  IndexList root;   ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
+  ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances
+  ScalarField<double> acid;    ///< (link) moles taken from the acid
+  ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself but for the
+                                       ///< paper's law, where the three differ
+};
+
+/// Lists the links of `surface` to the fluid along the velocities of Set. What they have turned over must have been
+/// booked. Reuses the allocations when they fit; waits for the device.
+template <class Set, class T>
+void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
+                         ReactiveLinks<T>& links);
 
 /// Rate policies: operator()(dense solid node, dense fluid node) gives the rate constant at their common face, in
 /// lattice units. This one is the same everywhere.
@@ -35,36 +59,34 @@ struct ArrheniusRate {
   }
 };
 
-/// Rate constants stored per solid node by store_rates: the temperature changes slowly, and its exponential is the
-/// dearest part of a wall's step.
-struct StoredRate {
-  ScalarField<double> k;  ///< (dense node) lattice units; valid on surface nodes
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int) const { return k(solid); }
-};
+/// Sets links.conductance from the rate at every face and the area that the link stands for: `normal` from find_normals
+/// corrects that of the stair-step; with extent 0 it is left as it is. To be called when the links are new and again
+/// every few steps. Instantiated for UniformRate; for others include reactive_wall_kernel.hpp.
+template <class Set, class T, class Rate>
+void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
+                      const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links);
 
-/// Evaluates `rate` for StoredRate: the mean over the straight links of every surface node to fluid (all its links
-/// where it has no straight one). To be called again every few steps and whenever the surface changed.
-/// For rates other than UniformRate include reactive_wall_kernel.hpp.
-template <class Rate>
-void store_rates(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const Rate& rate,
-                 const ScalarField<double>& k);
+/// One step of reaction at all links. `product` may be null (L2 is not modelled; 1/K_eq must then be 0, else
+/// InputError). Acid + product are conserved exactly by the kinetic law. Per link: 2 populations (4 with product), its
+/// slot, conductance and turnover.
+template <class Set, class T>
+void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const SoluteFields<T>& reactant, const SoluteFields<T>* product);
 
-/// What the reaction takes from the solid and from the fluid.
+/// What the reaction took from the solid and from the fluid.
 struct ReactionLedger {
-  ScalarField<double> V;          ///< (dense node) solid volume, 1 -> 0 pixels; loses M J
-  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far; gains M J
+  ScalarField<double> V;          ///< (dense node) solid volume, 1 -> 0 pixels; loses M times the moles
+  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far; gains them
   ScalarField<double>
       consumed;  ///< (block of surface nodes) acid taken from the fluid; block_count(lattice.size()) suffices
   /// (dense node) product given to the fluid; wanted only with the paper's law, where it differs from the acid consumed
   ScalarField<double> released;
 };
 
-/// One step of reaction at all links of `surface`. `normal` from find_normals corrects the area of the stair-step; with
-/// extent 0 it is left as it is. `product` may be null (L2 is not modelled; 1/K_eq must then be 0).
-/// Instantiated for UniformRate and StoredRate; for other rates include reactive_wall_kernel.hpp.
-template <class Set, class T, class Rate>
-void react_at_wall(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
-                   const Rate& rate, const VectorField<double>& normal, const SoluteFields<T>& reactant,
-                   const SoluteFields<T>* product, const ReactionLedger& ledger);
+/// Moves what the links have turned over to the ledger. Call it before the solid volume is looked at and before the
+/// links are listed anew.
+template <class T>
+void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const ReactionLedger& ledger);
 
 }  // namespace vug

@@ -75,8 +75,9 @@ struct SurfaceNormal {
       return;
     }
     const double bend = -(f.xx * f.y * f.y - 2 * f.xy * f.x * f.y + f.yy * f.x * f.x) / (length * length * length);
-    const double curvature = Kokkos::fmin(Kokkos::fmax(bend, -0.5), 0.5);  // a pixel resolves no sharper bend
-    const double share = 1 - 0.4 * Kokkos::fmin(1 - V(node(s)), 1.0) * curvature;
+    const double curvature = bend < -0.5 ? -0.5 : bend > 0.5 ? 0.5 : bend;  // a pixel resolves no sharper bend
+    const double missing = 1 - V(node(s));
+    const double share = 1 - 0.4 * (missing < 1 ? missing : 1.0) * curvature;
     normal(s, 0) = -f.x / length * share;
     normal(s, 1) = -f.y / length * share;
   }

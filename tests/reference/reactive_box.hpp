@@ -34,12 +34,14 @@ struct ReactiveBox {
   FluidNodes nodes;
   Surface surface;
   VectorField<double> normal;
+  ReactiveLinks<T> links;
   SoluteParameters parameters;
   SoluteFields<T> acid, product;
   bool has_product = false, use_normals = false;
   bool given_product = false;  ///< the product is held at 0 where the acid is given
   ReactiveWall wall;
   double k = 0;
+  double links_for = -1;  ///< the k that links.conductance is for
   std::vector<GivenSide> given;
   long double gained_before = 0;  ///< see drain()
 
@@ -90,15 +92,25 @@ struct ReactiveBox {
 
   void renew_normals() {
     if (use_normals) find_normals(exec, nodes, surface, V, normal);
+    links_for = -1;
+  }
+
+  /// Reaction at the walls with the rate constant k, booked at once.
+  void react() {
+    if (k != links_for) {
+      find_reactive_links<Set>(exec, nodes, surface, wall.law, links);
+      set_conductances<Set>(exec, nodes, surface, wall, UniformRate{k}, normal, links);
+      links_for = k;
+    }
+    react_at_wall<Set>(exec, nodes, wall, links, acid, has_product ? &product : nullptr);
+    book_turnover(exec, surface, wall, links, ReactionLedger{V, dissolved, consumed, {}});
   }
 
   void step() {
     for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, g.C_b, acid, g.gain);
     if (given_product)
       for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, 0.0, product, g.product_gain);
-    if (k > 0)
-      react_at_wall<Set>(exec, nodes, surface, wall, UniformRate{k}, normal, acid, has_product ? &product : nullptr,
-                         ReactionLedger{V, dissolved, consumed, {}});
+    if (k > 0) react();
     advance_solute<Set>(exec, nodes, parameters, acid);
     if (has_product) advance_solute<Set>(exec, nodes, parameters, product);
   }

@@ -259,9 +259,7 @@ FieldRange channel(int n, double u_mean, double D, double k) {
   for (int step = 0; step < 6000; ++step) {
     dress_outflow<D2Q5>(box.exec, box.nodes, out, box.acid, gain);
     dress_concentration<D2Q5>(box.exec, box.nodes, box.given[0].links, 1.0, box.acid, box.given[0].gain);
-    react_at_wall<D2Q5>(box.exec, box.nodes, box.surface, box.wall, UniformRate{k}, box.normal, box.acid,
-                        static_cast<const SoluteFields<double>*>(nullptr),
-                        ReactionLedger{box.V, box.dissolved, box.consumed, {}});
+    box.react();
     advance_solute<D2Q5>(box.exec, box.nodes, box.parameters, u, e, box.acid, ledger);
   }
   return field_range(box.exec, box.acid.C, box.nodes.count);

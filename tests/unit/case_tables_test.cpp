@@ -157,6 +157,7 @@ TEST(CaseTables, PresetsAreOverriddenBySingleKeys) {
   const Scene reference = parsed("[accuracy]\npreset = \"reference\"\n");
   EXPECT_EQ(reference.accuracy.precision, Precision::double_precision);
   EXPECT_EQ(reference.accuracy.update_interval, 1);
+  EXPECT_EQ(reference.accuracy.wall_interval, 1);
 }
 
 TEST(CaseTables, APresetReachesTheMechanics) {

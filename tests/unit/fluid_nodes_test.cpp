@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstring>
 #include <set>
 #include <vector>
 
@@ -88,6 +89,39 @@ TEST(FluidNodes, BirthsAppendInOrderAndKeepNumbers) {
             (std::vector<int>{lattice.node(1, 1), lattice.node(2, 1), lattice.node(0, 0), lattice.node(3, 2)}));
   // the newborn at (0, 0) now feeds direction 5 of (1, 1)
   EXPECT_EQ(on_host(nodes.source)(5 * nodes.capacity + 0), 5 * nodes.capacity + 2);
+}
+
+TEST(FluidNodes, TablesAfterBirthsAreThoseOfAFreshStart) {
+  const Lattice lattice(45, 31);
+  for (const bool joined : {false, true}) {
+    auto type = node_types(lattice, std::vector<std::string>(31, std::string(45, '#')));
+    const auto host = Kokkos::create_mirror_view(type);
+    Kokkos::deep_copy(host, type);
+    const auto open = [&](int step, int of) {
+      for (int y = 0; y < lattice.ny; ++y)
+        for (int x = 0; x < lattice.nx; ++x)
+          if ((7 * x + 13 * y * y) % of == step) host(lattice.node(x, y)) = NodeType::fluid;
+      Kokkos::deep_copy(type, host);
+    };
+    open(0, 3);
+    FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type, {joined, false});
+    for (int step = 0; step < 12; ++step) {
+      open(step, 36);
+      append_births(Exec{}, type, nodes);
+      FluidNodes fresh = make_fluid_nodes(Exec{}, lattice, type, {joined, false});
+      set_fluid_nodes(Exec{}, Kokkos::subview(nodes.node, std::pair(0, nodes.count)), nodes.capacity, fresh);
+      ASSERT_EQ(fresh.count, nodes.count);
+      for (int i = 0; i < nodes.count; ++i) {
+        ASSERT_EQ(on_host(fresh.solid_links)(i), on_host(nodes.solid_links)(i)) << step << ' ' << i;
+        ASSERT_EQ(on_host(fresh.side_links)(i), on_host(nodes.side_links)(i)) << step << ' ' << i;
+        for (int q = 0; q < D2Q9::Q; ++q)
+          ASSERT_EQ(on_host(fresh.source)(q * nodes.capacity + i), on_host(nodes.source)(q * nodes.capacity + i));
+      }
+      const auto windows = on_host(nodes.windows), expected = on_host(fresh.windows);
+      for (int w = 0; has_source_windows && w < nodes.count / nodes_per_window * nodes_per_window; ++w)
+        ASSERT_EQ(std::memcmp(&windows(w), &expected(w), sizeof(SourceWindow)), 0) << step << ' ' << w;
+    }
+  }
 }
 
 TEST(FluidNodes, GrowthKeepsPopulations) {

@@ -53,7 +53,7 @@ TEST(KineticFlux, TurnsAVeryFastReactionIntoEquilibriumAtTheWall) {
 TEST(PaperWall, SolvesEq22AsPrinted) {
   constexpr double k = 0.018, D1 = 0.03, D2 = 0.02, C1 = 0.7, C2 = 0.2;
   for (const double K : {0.5, 1.0, 10.0, 1e7}) {
-    const PaperWall<double> wall = paper_wall(k, 1 / K, D1, D2, C1, C2);
+    const PaperWall<double> wall = paper_wall(paper_conductance(k, 1 / K, D1, D2), 1 / K, D1, D2, C1, C2);
     const double below = 2 * D1 * D2 * K + D1 * k + D2 * K * k;
     const double exact1 = (2 * C1 * D1 * D2 * K + (C1 * D1 + C2 * D2) * k) / below;
     const double exact2 = K * (2 * C2 * D1 * D2 + (C1 * D1 + C2 * D2) * k) / below;
