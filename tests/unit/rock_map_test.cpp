@@ -52,8 +52,8 @@ TEST(StripNodes, MeetWhereTheirLinesMeet) {
   EXPECT_NEAR(static_cast<double>(second.size()), 8 * 3 + 7, 4);  // three cells wide, round ends
 }
 
-/// side x side vertices, every square cut in two; strips in which every bond opens three nodes of its own and shares
-/// one with all bonds of its ends.
+/// side x side vertices, every square cut in two; strips in which every bond opens three nodes of its own and shares one
+/// with all bonds of its ends.
 struct CutSquares {
   Assembly assembly;
   std::vector<Edge> bonds;
