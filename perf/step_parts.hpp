@@ -59,7 +59,7 @@ class PartClock {
                                           {"vug::reacti", reaction},
                                           {"vug::surface_normal", reaction},
                                           {"vug::momentum_exchange", fluid_force},
-                                          {"vug::particle_load", fluid_force},
+                                          {"vug::wet_nodes", fluid_force},
                                           {"vug::dem", mechanics},
                                           {"vug::thermal_exchange", mechanics},
                                           {"vug::chemical_damage", mechanics},

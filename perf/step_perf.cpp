@@ -71,8 +71,8 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   // normals from eight volumes and rates from the temperatures of both sides
   const double refresh = s.surface * (4 + 8 * 8 + 16 + 8) + s.links5 * 2 * T;
   bytes[reaction] = react / solute_every + refresh / every;
-  // of each link its population, number and lever arm; force and torque of the particles
-  bytes[fluid_force] = s.links9 * (T + 4 + 8) + s.particles * (24 + 4);
+  // of each link its population, slot and lever; force and torque of the particles
+  bytes[fluid_force] = (s.links9 * (T + 4 + 4) + s.particles * (24 + 4)) / scene.accuracy.exchange_interval;
   // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage
   // (8); read and write: damage of its points (32); write: d_m, stress, forces, which its particles read (8 + 16 + 64).
   // A particle: motion for its bonds (64); bonds (12), mass, inertia, solid share, temperature, outside and boundary
@@ -80,7 +80,7 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   // reaction.
   const double bond = 264, particle = 64 + 12 + 137 + 2 * 64 + 16;
   bytes[mechanics] = s.substeps * (s.bonds * bond + s.particles * particle) +
-                     (s.nodes * (T + 4) + 2 * s.surface * 12) / every;  // temperatures, dissolved shares
+                     (s.nodes * T + s.surface * 12) / every;  // temperatures, dissolved shares
   bytes[pores] = s.surface * (4 + 8) / every;
   return bytes;
 }
@@ -156,8 +156,10 @@ void step(benchmark::State& state, const char* path, const Choice& choice) {
   const Copy copy(held);
   const AccuracySection& accuracy = scene.accuracy;
   constexpr int streaming = 2;  // in place: two kinds of step in turn
-  const int length = std::lcm(std::lcm(accuracy.update_interval, streaming),
-                              std::lcm(accuracy.heat_interval, accuracy.solute_interval));
+  int length = streaming;
+  for (const int interval : {accuracy.update_interval, accuracy.heat_interval, accuracy.solute_interval,
+                             accuracy.exchange_interval})
+    length = std::lcm(length, interval);
   const int batch = (sizes.nodes > 1e6 ? 20 : 100) / length * length;
   for (int k = 0; k < 20; ++k) simulation.step();
   Cycle cycle(length);

@@ -1,6 +1,5 @@
 #include "coupling/mechanics_module.hpp"
 
-#include "coupling/chemical_damage.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
@@ -40,21 +39,14 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       flow_(flow),
       heat_(heat),
       update_interval_(scene.accuracy.update_interval),
+      exchange_interval_(scene.accuracy.exchange_interval),
       nodes_of_particle_(rock.nodes_of_particle),
-      nodes_of_bond_(rock.nodes_of_bond),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)) {
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
-  if (flow_) {
-    load_.emplace(geometry.lattice, geometry.spacing, rock.nodes_of_particle, mechanics_.particles().x0);
-    load_->rebuild(exec, geometry.fluid, geometry.surface);
-  }
-  if (geometry.volume.extent(0) > 0) {
-    particle_volume_ = ScalarField<double>("vug::mechanics::particle_volume", nodes_of_particle_.count());
-    bond_volume_ = ScalarField<double>("vug::mechanics::bond_volume", nodes_of_bond_.count());
-    particle_dissolved_ = ScalarField<double>("vug::mechanics::particle_dissolved", nodes_of_particle_.count());
-    sum_over_nodes(exec, nodes_of_particle_, geometry.volume, particle_volume_);
-    sum_over_nodes(exec, nodes_of_bond_, geometry.volume, bond_volume_);
-  }
+  const bool dissolves = geometry.volume.extent(0) > 0;
+  if (flow_ || dissolves) wet_.emplace(geometry.lattice, rock.nodes_of_sector);
+  if (dissolves) dissolved_.emplace(exec, rock.nodes_of_sector, rock.sectors_of_bond, geometry.volume);
+  find_links(exec);
   choose_substeps();
 }
 
@@ -79,31 +71,34 @@ void MechanicsModule<T>::begin(const Exec& exec) {
 }
 
 template <class T>
-void MechanicsModule<T>::take_up_dissolution(const Exec& exec) {
-  dissolved_share(exec, nodes_of_particle_, geometry_.dissolved, particle_volume_, particle_dissolved_);
-  remaining_share(exec, particle_dissolved_, mechanics_.particles().solid_fraction);
-  dissolved_share(exec, nodes_of_bond_, geometry_.dissolved, bond_volume_, mechanics_.bonds().d_c);
+void MechanicsModule<T>::find_links(const Exec& exec) {
+  if (wet_) wet_->find(exec, geometry_.surface);
+  if (flow_)
+    find_wall_links(exec, geometry_.fluid, wet_->of_triangle(), wet_->node(), mechanics_.particles().x0,
+                    geometry_.spacing, links_);
 }
 
 template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
-  if (flow_) {
-    exchange_momentum(exec, flow_->flow(), geometry_.fluid.capacity, load_->links(), units_.force(),
-                      units_.force() * geometry_.spacing, particles.force, particles.torque);
+  if (flow_ && clock.step % exchange_interval_ == 0) {
+    exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
+                      particles.torque);
   }
   if (clock.step % update_interval_ == 0) {
     if (heat_)
       warm_particles(exec, nodes_of_particle_, heat_->heat().theta, heat_->initial_theta(),
                      particles.temperature_change);
-    if (particle_volume_.extent(0) > 0) take_up_dissolution(exec);
+    if (dissolved_)
+      dissolved_->update(exec, *wet_, geometry_.dissolved, particles.solid_fraction, mechanics_.bonds().d_c);
   }
   mechanics_.advance(exec, units_.time_step / substeps_, substeps_);
 }
 
 template <class T>
 void MechanicsModule<T>::births(const Exec& exec, const Births&) {
-  if (flow_) load_->rebuild(exec, geometry_.fluid, geometry_.surface);
+  if (dissolved_) dissolved_->settle(exec, *wet_, geometry_.type, geometry_.dissolved);
+  find_links(exec);
 }
 
 template <class T>
@@ -142,6 +137,11 @@ void MechanicsModule<T>::fields(FieldList& list) const {
 template <class T>
 void MechanicsModule<T>::state(StateList& list) {
   mechanics_.visit_state([&](const char* name, const auto& view) { list.add(std::string("mechanics/") + name, view); });
+  if (dissolved_) list.add("mechanics/settled", dissolved_->settled());
+  if (flow_ && exchange_interval_ > 1) {  // held in the first steps of a resumed run
+    list.add("mechanics/force", mechanics_.particles().force);
+    list.add("mechanics/torque", mechanics_.particles().torque);
+  }
   using Progress = std::pair<double, long>;
   list.add(StateBlock{"mechanics/progress",
                       [this] {

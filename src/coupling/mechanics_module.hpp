@@ -1,11 +1,12 @@
 #pragma once
 // The rock's mechanics, moved by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
+#include "coupling/chemical_damage.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
-#include "coupling/particle_load.hpp"
 #include "coupling/rock.hpp"
 #include "dem/mechanics.hpp"
+#include "kernels/momentum_exchange.hpp"
 
 #include <optional>
 
@@ -36,20 +37,19 @@ class MechanicsModule final : public Module {
 
  private:
   void choose_substeps();
-  void take_up_dissolution(const Exec& exec);
+  void find_links(const Exec& exec);
 
   MechanicsSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
-  int update_interval_;
-  Groups nodes_of_particle_, nodes_of_bond_;
+  int update_interval_, exchange_interval_;
+  NodeGroups nodes_of_particle_;
   Mechanics mechanics_;
-  std::optional<ParticleLoad> load_;        ///< with flow only
-  ScalarField<double> particle_volume_;     ///< (particle) initial solid volume, pixels
-  ScalarField<double> bond_volume_;         ///< (bond) likewise of its region
-  ScalarField<double> particle_dissolved_;  ///< (particle) share dissolved
+  std::optional<WetNodes> wet_;               ///< with flow or dissolution only
+  WallLinks links_;                           ///< of each particle about its centroid; with flow only
+  std::optional<DissolvedShares> dissolved_;  ///< with dissolution only
   int substeps_ = 1;
 };
 

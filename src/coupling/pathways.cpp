@@ -4,17 +4,27 @@
 
 namespace vug {
 
+/// Half the aperture of a bond now; counts the bonds where it differs from that of the last look.
+struct WidenBonds {
+  PathwayNodes nodes;
+  Kokkos::View<const double*> d_m;
+  ScalarField<double> reach;
+  KOKKOS_FUNCTION void operator()(int b, int& changed) const {
+    const double half = 0.5 * pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
+    changed += half != reach(b);
+    reach(b) = half;
+  }
+};
+
 /// Marks the candidates that the damage of their bond opens now and counts them.
 struct MarkOpening {
   PathwayNodes nodes;
-  Kokkos::View<const double*> d_m;
+  Kokkos::View<const double*> reach;
   Kokkos::View<NodeType*> type;
   Kokkos::View<std::uint8_t*> opening;
   KOKKOS_FUNCTION bool opens(int c) const {
-    for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k) {
-      const int b = nodes.bond(k);
-      if (nodes.distance(k) <= 0.5 * pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b))) return true;
-    }
+    for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k)
+      if (nodes.distance(k) <= reach(nodes.bond(k))) return true;
     return false;
   }
   KOKKOS_FUNCTION void operator()(int c, int& count) const {
@@ -28,15 +38,14 @@ struct MarkOpening {
 
 /// Per particle: the volume of its opening nodes, shared among its solid nodes.
 struct ShareVolume {
-  Groups nodes;
+  NodeGroups nodes;
   Kokkos::View<const NodeType*> type;
   Kokkos::View<std::uint8_t*> opening;
   ScalarField<double> volume, stranded;
   KOKKOS_FUNCTION void operator()(int p) const {
     double freed = 0;
     int solid = 0;
-    for (int k = nodes.offset(p); k < nodes.offset(p + 1); ++k) {
-      const int n = nodes.item(k);
+    nodes.for_each(p, [&](int n) {
       if (opening(n)) {
         freed += volume(n);
         volume(n) = 0;
@@ -44,15 +53,16 @@ struct ShareVolume {
       } else if (type(n) == NodeType::solid) {
         ++solid;
       }
-    }
+    });
     if (freed == 0) return;
     if (solid == 0) {
       stranded(p) += freed;
       return;
     }
     const double part = freed / solid;
-    for (int k = nodes.offset(p); k < nodes.offset(p + 1); ++k)
-      if (type(nodes.item(k)) == NodeType::solid) volume(nodes.item(k)) += part;
+    nodes.for_each(p, [&](int n) {
+      if (type(n) == NodeType::solid) volume(n) += part;
+    });
   }
 };
 
@@ -62,18 +72,24 @@ struct ClearOpening {
   KOKKOS_FUNCTION void operator()(int c) const { opening(nodes.node(c)) = 0; }
 };
 
-PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, Groups nodes_of_particle)
+PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, NodeGroups nodes_of_particle)
     : nodes_(std::move(nodes)),
       nodes_of_particle_(std::move(nodes_of_particle)),
       opening_("vug::pathways::opening", lattice.size()),
-      stranded_("vug::pathways::stranded", nodes_of_particle_.count()) {}
+      reach_("vug::pathways::reach", nodes_.closed.extent(0)),
+      stranded_("vug::pathways::stranded", nodes_of_particle_.count()) {
+  Kokkos::deep_copy(reach_, -1.0);
+}
 
 int PathwayOpener::open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
                         const ScalarField<double>& volume) {
-  const int candidates = static_cast<int>(nodes_.node.extent(0));
-  int opened = 0;
+  const int candidates = static_cast<int>(nodes_.node.extent(0)), bonds = static_cast<int>(reach_.extent(0));
+  int changed = 0, opened = 0;
+  Kokkos::parallel_reduce("vug::pathways::widen", Kokkos::RangePolicy<Exec>(exec, 0, bonds),
+                          WidenBonds{nodes_, d_m, reach_}, changed);
+  if (changed == 0) return 0;
   Kokkos::parallel_reduce("vug::pathways::mark", Kokkos::RangePolicy<Exec>(exec, 0, candidates),
-                          MarkOpening{nodes_, d_m, type, opening_}, opened);
+                          MarkOpening{nodes_, reach_, type, opening_}, opened);
   if (opened == 0) return 0;
   if (volume.extent(0) > 0)
     Kokkos::parallel_for("vug::pathways::share", Kokkos::RangePolicy<Exec>(exec, 0, nodes_of_particle_.count()),

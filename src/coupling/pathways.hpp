@@ -27,7 +27,7 @@ struct PathwayNodes {
 /// without dissolution). Returns how many nodes opened.
 class PathwayOpener {
  public:
-  PathwayOpener(const Lattice& lattice, PathwayNodes nodes, Groups nodes_of_particle);
+  PathwayOpener(const Lattice& lattice, PathwayNodes nodes, NodeGroups nodes_of_particle);
   int open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
            const ScalarField<double>& volume);
   /// Volume that found no solid node to go to, in pixels, per particle.
@@ -35,8 +35,9 @@ class PathwayOpener {
 
  private:
   PathwayNodes nodes_;
-  Groups nodes_of_particle_;
+  NodeGroups nodes_of_particle_;
   Kokkos::View<std::uint8_t*> opening_;  ///< (dense node) 1 while its volume is being handed on
+  ScalarField<double> reach_;            ///< (bond) half the aperture at the last look, cells; -1 before the first
   ScalarField<double> stranded_;
 };
 

@@ -52,16 +52,26 @@ BondEdges bond_edges(const Assembly& assembly) {
   return bonds;
 }
 
-/// Bond of each node's sub-triangle, -1 where there is none.
-std::vector<int> bond_of_nodes(const Assembly& assembly, const RockRaster& raster, const BondEdges& bonds) {
-  std::vector<int> bond(raster.owner.size(), -1);
-  for (std::size_t n = 0; n < bond.size(); ++n) {
-    if (raster.owner[n] < 0) continue;
-    const auto& triangle = assembly.triangles[raster.owner[n]];
-    const auto found = bonds.number.find(ordered(triangle[raster.edge[n]], triangle[(raster.edge[n] + 1) % 3]));
-    if (found != bonds.number.end()) bond[n] = found->second;
-  }
-  return bond;
+/// Sector of each node (see Rock), -1 where there is none.
+std::vector<int> sector_of_nodes(const RockRaster& raster) {
+  std::vector<int> sector(raster.owner.size(), -1);
+  for (std::size_t n = 0; n < sector.size(); ++n)
+    if (raster.owner[n] >= 0) sector[n] = 3 * raster.owner[n] + raster.edge[n];
+  return sector;
+}
+
+SectorPairs sectors_of_bonds(const Assembly& assembly, const BondEdges& bonds) {
+  const SectorPairs sectors("vug::rock_map::sectors_of_bond", bonds.vertices.size());
+  const auto host = Kokkos::create_mirror_view(sectors);
+  std::vector<int> found(bonds.vertices.size(), 0);
+  for (std::size_t t = 0; t < assembly.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto& triangle = assembly.triangles[t];
+      const auto bond = bonds.number.find(ordered(triangle[k], triangle[(k + 1) % 3]));
+      if (bond != bonds.number.end()) host(bond->second, found[bond->second]++) = 3 * static_cast<int>(t) + k;
+    }
+  Kokkos::deep_copy(sectors, host);
+  return sectors;
 }
 
 /// The rock's nodes within half of `aperture` (bond, cells) of each bond.
@@ -182,7 +192,6 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   const std::vector<int> openings = opening_of_nodes(scene);
   for (std::size_t n = 0; n < openings.size(); ++n)
     if (openings[n] >= 0) raster.owner[n] = raster.edge[n] = -1;
-  const std::vector<int> bond_of_node = bond_of_nodes(rock.assembly, raster, bonds);
   const std::vector<double> closed = initial_apertures(scene, lattice, rock.assembly, bonds, raster);
 
   rock.solid.assign(raster.owner.size(), false);
@@ -194,7 +203,8 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   rock.porosity = rock_nodes > 0 ? static_cast<double>(fluid) / static_cast<double>(rock_nodes) : 0;
   rock.open_bonds = static_cast<int>(std::count_if(closed.begin(), closed.end(), [](double w) { return w > 0; }));
   rock.nodes_of_particle = group_nodes(raster.owner, static_cast<int>(rock.assembly.triangles.size()), lattice);
-  rock.nodes_of_bond = group_nodes(bond_of_node, rock.bonds, lattice);
+  rock.nodes_of_sector = group_nodes(sector_of_nodes(raster), 3 * rock.nodes_of_particle.count(), lattice);
+  rock.sectors_of_bond = sectors_of_bonds(rock.assembly, bonds);
   if (scene.damage) rock.pathways = pathway_nodes(scene, lattice, rock.assembly, bonds, raster, closed, rock.solid);
   return rock;
 }

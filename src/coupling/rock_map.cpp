@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vug {
 
@@ -71,23 +72,34 @@ std::vector<StripNode> strip_nodes(const std::array<double, 2>& a, const std::ar
   return strip;
 }
 
-Groups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice) {
-  std::vector<int> offset(groups + 1, 0);
-  for (const int k : key)
-    if (k >= 0) ++offset[k + 1];
-  for (int g = 0; g < groups; ++g) offset[g + 1] += offset[g];
-  std::vector<int> item(offset[groups]), next(offset.begin(), offset.end() - 1);
-  for (std::size_t n = 0; n < key.size(); ++n)
-    if (key[n] >= 0)
-      item[next[key[n]]++] = lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx);
-  Groups result{IndexList("vug::rock_map::offset", offset.size()), IndexList("vug::rock_map::item", item.size())};
-  const auto to_device = [](const IndexList& target, const std::vector<int>& values) {
-    Kokkos::deep_copy(
-        target, Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
+NodeGroups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice) {
+  const auto key_of = [&](int x, int y) { return key[static_cast<std::size_t>(y) * lattice.nx + x]; };
+  const auto begins = [&](int x, int y) { return key_of(x, y) >= 0 && (x == 0 || key_of(x - 1, y) != key_of(x, y)); };
+  const auto for_each_node = [&](const auto& visit) {
+    for (int y = 0; y < lattice.ny; ++y)
+      for (int x = 0; x < lattice.nx; ++x) visit(x, y);
   };
-  to_device(result.offset, offset);
-  to_device(result.item, item);
-  return result;
+  std::vector<int> offset(groups + 1, 0), nodes(groups, 0);
+  for_each_node([&](int x, int y) {
+    if (begins(x, y)) ++offset[key_of(x, y) + 1];
+  });
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  std::vector<int> first(offset[groups]), length(offset[groups]), next = offset;
+  for_each_node([&](int x, int y) {
+    const int g = key_of(x, y);
+    if (g < 0) return;
+    if (begins(x, y)) first[next[g]++] = lattice.node(x, y);
+    ++length[next[g] - 1];
+    ++nodes[g];
+  });
+  const auto to_device = [](const char* label, const std::vector<int>& values) {
+    IndexList list(label, values.size());
+    Kokkos::deep_copy(
+        list, Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
+    return list;
+  };
+  return {to_device("vug::rock_map::offset", offset), to_device("vug::rock_map::first", first),
+          to_device("vug::rock_map::length", length), to_device("vug::rock_map::nodes", nodes)};
 }
 
 }  // namespace vug

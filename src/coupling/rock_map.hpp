@@ -8,12 +8,24 @@
 
 namespace vug {
 
-/// Items in groups, as compressed rows: group g holds items [offset(g), offset(g + 1)) of `item`.
-struct Groups {
-  IndexList offset;
-  IndexList item;
+/// Nodes of the lattice in groups, as runs of consecutive nodes: group g holds the runs [offset(g), offset(g + 1)). A
+/// triangle of the paper's rock has 250 nodes in 22 runs: 0.7 bytes per node instead of the 4 of a number.
+struct NodeGroups {
+  IndexList offset;  ///< (group + 1)
+  IndexList first;   ///< (run) dense node
+  IndexList length;  ///< (run) nodes
+  IndexList nodes;   ///< (group) how many
   int count() const { return static_cast<int>(offset.extent(0)) - 1; }
+  /// Calls visit(node) for the nodes of group g in order.
+  template <class Visit>
+  KOKKOS_FORCEINLINE_FUNCTION void for_each(int g, const Visit& visit) const {
+    for (int r = offset(g); r < offset(g + 1); ++r)
+      for (int n = first(r); n < first(r) + length(r); ++n) visit(n);
+  }
 };
+
+/// (bond, end) sector.
+using SectorPairs = Kokkos::View<int* [2], Kokkos::LayoutLeft>;
 
 /// The rock on the lattice, on the host: per node, row by row without halo.
 struct RockRaster {
@@ -37,6 +49,6 @@ std::vector<StripNode> strip_nodes(const std::array<double, 2>& a, const std::ar
 RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double spacing);
 
 /// Groups the dense nodes by a key per node (row by row without halo; negative keys are left out).
-Groups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice);
+NodeGroups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice);
 
 }  // namespace vug

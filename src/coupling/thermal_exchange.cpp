@@ -1,34 +1,28 @@
 #include "coupling/thermal_exchange.hpp"
 
-#include "coupling/group_sum.hpp"
+#include "coupling/run_sum.hpp"
 
 namespace vug {
 
-template <class T>
-struct NodeTemperature {
-  Kokkos::View<const T*> theta;
-  KOKKOS_FUNCTION double operator()(int node, int) const { return static_cast<double>(theta(node)); }
-};
-
 struct StoreMean {
-  IndexList offset;
+  IndexList nodes;
   double reference;
   ScalarField<double> change;
   KOKKOS_FUNCTION void operator()(int particle, double sum) const {
-    const int nodes = offset(particle + 1) - offset(particle);
-    change(particle) = nodes > 0 ? sum / nodes - reference : 0.0;
+    change(particle) = nodes(particle) > 0 ? sum / nodes(particle) - reference : 0.0;
   }
 };
 
 template <class T>
-void warm_particles(const Exec& exec, const Groups& nodes_of_particle, const ScalarField<T>& theta, double reference,
-                    const ScalarField<double>& change) {
-  sum_groups<double>(exec, "vug::thermal_exchange::mean", nodes_of_particle, NodeTemperature<T>{theta},
-                     StoreMean{nodes_of_particle.offset, reference, change});
+void warm_particles(const Exec& exec, const NodeGroups& nodes_of_particle, const ScalarField<T>& theta,
+                    double reference, const ScalarField<double>& change) {
+  sum_runs(exec, "vug::thermal_exchange::mean", nodes_of_particle, theta,
+           StoreMean{nodes_of_particle.nodes, reference, change});
 }
 
-template void warm_particles(const Exec&, const Groups&, const ScalarField<float>&, double, const ScalarField<double>&);
-template void warm_particles(const Exec&, const Groups&, const ScalarField<double>&, double,
+template void warm_particles(const Exec&, const NodeGroups&, const ScalarField<float>&, double,
+                             const ScalarField<double>&);
+template void warm_particles(const Exec&, const NodeGroups&, const ScalarField<double>&, double,
                              const ScalarField<double>&);
 
 }  // namespace vug

@@ -7,7 +7,7 @@ namespace vug {
 /// change(p) = mean of theta over the nodes of particle p (fluid pathways inside it included) minus `reference`, K.
 /// theta: (dense node), deviation from the heat module's reference temperature.
 template <class T>
-void warm_particles(const Exec& exec, const Groups& nodes_of_particle, const ScalarField<T>& theta, double reference,
-                    const ScalarField<double>& change);
+void warm_particles(const Exec& exec, const NodeGroups& nodes_of_particle, const ScalarField<T>& theta,
+                    double reference, const ScalarField<double>& change);
 
 }  // namespace vug

@@ -14,6 +14,7 @@ namespace vug {
 namespace {
 
 constexpr double at_rest = 1e-9;            // kinetic over elastic energy: the stress oscillates by its square root
+constexpr long shortest_look = 16;          // steps: a look at the energies takes as long as two
 constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apart: no turning point of an oscillation
 constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
 constexpr int longest_settling = 50;        // times the ramp
@@ -84,7 +85,7 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
   const StepControl settle{dt, damping, parameters_.mass_scaling, 1, 0};
   PreloadReport report;
   report.steps = ramp(exec, dt, ramp_time, damping);
-  const long look = std::max(1L, report.steps / 5), last = report.steps * (1 + longest_settling);
+  const long look = std::max(shortest_look, report.steps / 5), last = report.steps * (1 + longest_settling);
   int rested = 0;
   while (rested < looks_at_rest && report.steps < last) {
     for (long s = 0; s < look; ++s) step(exec, settle);

@@ -25,6 +25,7 @@ AccuracySection read_accuracy(const TomlCursor& table, Preset preset) {
   table.read("wall_interval", accuracy.wall_interval, range::between(1, 1e6));
   table.read("heat_interval", accuracy.heat_interval, range::between(1, 1000));
   table.read("solute_interval", accuracy.solute_interval, range::between(1, 1000));
+  table.read("exchange_interval", accuracy.exchange_interval, range::between(1, 1000));
   table.read("guard_interval", accuracy.guard_interval, range::between(1, 1e6));
   table.read("flow_tolerance", accuracy.flow_tolerance, unit::none, range::between(0, 1));
   table.read("dissolution_factor", accuracy.dissolution_factor, unit::none, range::between(1, 1e6));

@@ -18,12 +18,14 @@ inline AccuracySection accuracy_of(Preset preset) {
       accuracy.wall_interval = 100;
       accuracy.heat_interval = 4;
       accuracy.solute_interval = 2;
+      accuracy.exchange_interval = 2;
       break;
     case Preset::balanced:
       accuracy.preset = "balanced";
       accuracy.wall_interval = 50;
       accuracy.heat_interval = 2;
       accuracy.solute_interval = 2;
+      accuracy.exchange_interval = 2;
       break;
     case Preset::careful:
       break;

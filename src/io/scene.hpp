@@ -209,6 +209,7 @@ struct AccuracySection {
   int wall_interval = 10;    ///< lattice steps between renewals of the normals and rates of reacting walls, at most
   int heat_interval = 1;     ///< lattice steps per heat step
   int solute_interval = 1;   ///< lattice steps per solute step
+  int exchange_interval = 1; ///< lattice steps for which the fluid's force on the triangles is held
   int guard_interval = 100;  ///< lattice steps between checks for divergence
   /// Largest change of velocity between two checks, over the largest velocity, at which the flow is held until the pores
   /// change; 0: never

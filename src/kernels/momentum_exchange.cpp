@@ -7,52 +7,92 @@
 
 namespace vug {
 
-/// Counts (fill = false, into first(g + 1)) or lists the fluid links of a group's nodes.
+/// The rows around a node that a list comes to later, which lies in no order that a processor foresees.
+struct AnnounceNeighbours {
+  IndexList index, node;
+  int pitch;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
+    constexpr int ahead = 128;
+    const int later = node(k + ahead < static_cast<int>(node.extent(0)) ? k + ahead : k);
+    if (later < pitch) return;  // an entry that is not used
+    for (int row = -1; row <= 1; ++row) prefetch_far(&index(later + row * pitch));
+  }
+};
+
+/// Looks at the neighbours of a group's nodes: bit q - 1 of touch(k) is set where q leads into node(k) from the fluid.
+struct CountWallLinks {
+  DenseNeighbour lattice;
+  IndexList index, offset, node;
+  WallLinks links;
+
+  KOKKOS_FUNCTION void operator()(int g) const {
+    int count = 0;
+    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
+    for (int k = offset(g); k < offset(g + 1); ++k) {
+      announce(k);
+      int bits = 0;
+      for (int q = 1; q < D2Q9::Q; ++q) {
+        const int touches = lattice.fluid_along(index, node(k), D2Q9::opposite(q)) >= 0;
+        bits |= touches << (q - 1);
+        count += touches;
+      }
+      links.touch(k) = static_cast<std::uint8_t>(bits);
+    }
+    links.first(g + 1) = count;
+  }
+};
+
+/// Lists them. Arms are counted from the first node of the group, so that they are whole and lose nothing.
 struct ListWallLinks {
   DenseNeighbour lattice;
   IndexList index, offset, node;
   VectorField<double> centre;
   double spacing;
+  int capacity;
   WallLinks links;
-  bool fill;
-
-  KOKKOS_FUNCTION void store(int at, int g, int solid, int fluid, int q) const {
-    const double x = lattice.lattice.x(solid) + 0.5 - centre(g, 0) / spacing;
-    const double y = lattice.lattice.y(solid) + 0.5 - centre(g, 1) / spacing;
-    links.link(at) = 8 * fluid + q - 1;
-    links.arm(at) = x * D2Q9::c(q, 1) - y * D2Q9::c(q, 0);
-  }
 
   KOKKOS_FUNCTION void operator()(int g) const {
-    int at = fill ? links.first(g) : 0;
-    for (int k = offset(g); k < offset(g + 1); ++k)
+    if (links.first(g) == links.first(g + 1)) return;
+    const int x0 = lattice.lattice.x(node(offset(g))), y0 = lattice.lattice.y(node(offset(g)));
+    links.origin(g, 0) = x0 + 0.5 - centre(g, 0) / spacing;
+    links.origin(g, 1) = y0 + 0.5 - centre(g, 1) / spacing;
+    int at = links.first(g);
+    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
+    for (int k = offset(g); k < offset(g + 1); ++k) {
+      announce(k);
+      const int solid = node(k), bits = links.touch(k);
+      const int y = lattice.lattice.y(solid) - y0, x = lattice.lattice.x(solid) - x0;
       for (int q = 1; q < D2Q9::Q; ++q) {
-        const int fluid = lattice.fluid_along(index, node(k), D2Q9::opposite(q));
-        if (fluid < 0) continue;
-        if (fill) store(at, g, node(k), fluid, q);
-        ++at;
+        if ((bits >> (q - 1) & 1) == 0) continue;
+        links.slot(at) = q * capacity + lattice.fluid_along(index, solid, D2Q9::opposite(q));
+        links.lever(at++) = 8 * (x * D2Q9::c(q, 1) - y * D2Q9::c(q, 0)) + q - 1;
       }
-    if (!fill) links.first(g + 1) = at;
+    }
   }
 };
 
 void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList& offset, const IndexList& node,
                      const VectorField<double>& centre, double spacing, WallLinks& links) {
   const int groups = static_cast<int>(offset.extent(0)) - 1;
-  if (links.groups() != groups) links.first = IndexList("vug::momentum_exchange::first", offset.extent(0));
+  if (links.groups() != groups) {
+    links.first = IndexList("vug::momentum_exchange::first", offset.extent(0));
+    links.origin = VectorField<double>("vug::momentum_exchange::origin", groups);
+  }
+  if (links.touch.extent(0) < node.extent(0))
+    links.touch = Kokkos::View<std::uint8_t*>("vug::momentum_exchange::touch", node.extent(0));
   const DenseNeighbour lattice(nodes);
   for_each_node(exec, "vug::momentum_exchange::count", groups,
-                ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, links, false});
+                CountWallLinks{lattice, nodes.index, offset, node, links});
   const int count = accumulate_counts(exec, "vug::momentum_exchange::places", links.first);
-  if (static_cast<int>(links.link.extent(0)) < count) {
-    links.link = IndexList("vug::momentum_exchange::link", count + count / 2);
-    links.arm = ScalarField<double>("vug::momentum_exchange::arm", count + count / 2);
+  if (static_cast<int>(links.slot.extent(0)) < count) {
+    links.slot = IndexList("vug::momentum_exchange::slot", count + count / 2);
+    links.lever = IndexList("vug::momentum_exchange::lever", count + count / 2);
   }
   for_each_node(exec, "vug::momentum_exchange::list", groups,
-                ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, links, true});
+                ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, nodes.capacity, links});
 }
 
-/// Momentum of links and its moment; its own sum in a reduction.
+/// Momentum of links and its moment about the origin of their group; its own sum in a reduction.
 struct Wrench {
   double x = 0, y = 0, torque = 0;
   KOKKOS_FORCEINLINE_FUNCTION Wrench& operator+=(const Wrench& other) {
@@ -76,29 +116,30 @@ namespace vug {
 template <class T>
 struct ExchangeMomentum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  Kokkos::View<const int*> first, link;
-  Kokkos::View<const double*> arm;
+  Kokkos::View<const int*> first, slot, lever;
+  VectorField<double> origin;
   Kokkos::View<const T*> f;
-  int capacity, size;
+  int size;
   double force_scale, torque_scale;
   VectorField<double> force;
   ScalarField<double> torque;
 
   KOKKOS_FORCEINLINE_FUNCTION Wrench of_link(int k) const {
-    const int q = (link(k) & 7) + 1, i = link(k) >> 3;
-    const double twice = 2 * static_cast<double>(f(q * capacity + i));
-    return {twice * D2Q9::c(q, 0), twice * D2Q9::c(q, 1), twice * arm(k)};
+    const int q = (lever(k) & 7) + 1, arm = lever(k) >> 3;
+    const double A = static_cast<double>(f(slot(k)));
+    return {A * D2Q9::c(q, 0), A * D2Q9::c(q, 1), A * arm};
   }
+  /// Twice: a link's momentum is given when it arrives and when it leaves.
   KOKKOS_FORCEINLINE_FUNCTION void store(int g, const Wrench& sum) const {
-    force(g, 0) = force_scale * sum.x;
-    force(g, 1) = force_scale * sum.y;
-    torque(g) = torque_scale * sum.torque;
+    force(g, 0) = force_scale * 2 * sum.x;
+    force(g, 1) = force_scale * 2 * sum.y;
+    torque(g) = torque_scale * 2 * (sum.torque + origin(g, 0) * sum.y - origin(g, 1) * sum.x);
   }
   /// The populations of a particle's links lie in no order that a processor foresees.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
-    constexpr int ahead = 64;
-    const int later = link(k + ahead < size ? k + ahead : size - 1);
-    prefetch(&f(((later & 7) + 1) * capacity + (later >> 3)));
+    constexpr int near = 64, far = 512;
+    prefetch(&f(slot(k + near < size ? k + near : size - 1)));
+    prefetch_far(&f(slot(k + far < size ? k + far : size - 1)));
   }
   KOKKOS_FUNCTION void operator()(int g) const {
     Wrench sum;
@@ -119,13 +160,12 @@ struct ExchangeMomentum {
 };
 
 template <class T>
-void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, int capacity, const WallLinks& links,
-                       double force_scale, double torque_scale, const VectorField<double>& force,
-                       const ScalarField<double>& torque) {
+void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const WallLinks& links, double force_scale,
+                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque) {
   if (links.groups() <= 0) return;
   const ExchangeMomentum<T> exchange{
-      links.first, links.link,   links.arm, fields.f, capacity, static_cast<int>(links.link.extent(0)),
-      force_scale, torque_scale, force,     torque};
+      links.first, links.slot,   links.lever, links.origin, fields.f, static_cast<int>(links.slot.extent(0)),
+      force_scale, torque_scale, force,       torque};
   if constexpr (runs_on_host)
     Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, links.groups()),
                          exchange);
@@ -134,9 +174,9 @@ void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, int capaci
                          exchange);
 }
 
-template void exchange_momentum(const Exec&, const FlowFields<float>&, int, const WallLinks&, double, double,
+template void exchange_momentum(const Exec&, const FlowFields<float>&, const WallLinks&, double, double,
                                 const VectorField<double>&, const ScalarField<double>&);
-template void exchange_momentum(const Exec&, const FlowFields<double>&, int, const WallLinks&, double, double,
+template void exchange_momentum(const Exec&, const FlowFields<double>&, const WallLinks&, double, double,
                                 const VectorField<double>&, const ScalarField<double>&);
 
 }  // namespace vug

@@ -7,9 +7,11 @@ namespace vug {
 /// The links between the fluid and groups of solid nodes, such as the nodes of a particle: found anew when the pores
 /// change, so that a step reads the populations of these links and nothing else of the lattice.
 struct WallLinks {
-  IndexList first;          ///< (group + 1) links of group g: [first(g), first(g + 1)), node by node in the order of q
-  IndexList link;           ///< 8 * fluid index + q - 1; q leads from the fluid into the solid
-  ScalarField<double> arm;  ///< (link) torque per momentum about the centre of the group, nodes
+  IndexList first;  ///< (group + 1) links of group g: [first(g), first(g + 1)), node by node in the order of q
+  IndexList slot;   ///< (link) of the population that leaves the fluid into the solid along q
+  IndexList lever;  ///< (link) 8 * arm + q - 1; arm: torque per momentum about the first node of the group, nodes
+  VectorField<double> origin;         ///< (group, axis) that node as seen from the centre of the group, nodes
+  Kokkos::View<std::uint8_t*> touch;  ///< (entry of the list of nodes) bit q - 1: fluid along -q; for the search
   int groups() const { return static_cast<int>(first.extent(0)) - 1; }
 };
 
@@ -23,13 +25,12 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
 /// about to leave along c into the solid and to return. It is the gauge force, relative to the reference pressure,
 /// exact for fluid at rest beside any staircase. Each link's force lies along the link through the centre of its solid
 /// node, so the torque about that is zero and the force may be taken to act there. force_scale and torque_scale
-/// multiply. Double whatever T is; 12 bytes of table and a population per link.
+/// multiply. Double whatever T is; 8 bytes of table and a population per link.
 ///
 /// Valid between sweeps, before or after the sides are dressed. Where links to solid nodes themselves are dressed (a
 /// moving wall) it is the mean of a call before and a call after.
 template <class T>
-void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, int capacity, const WallLinks& links,
-                       double force_scale, double torque_scale, const VectorField<double>& force,
-                       const ScalarField<double>& torque);
+void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const WallLinks& links, double force_scale,
+                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque);
 
 }  // namespace vug

@@ -99,14 +99,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Absence{{"heat"}, {"vug::heat", "vug::thermal_exchange"}},
         Absence{{"mechanics", "damage"},
-                {"vug::dem", "vug::mechanics", "vug::momentum_exchange", "vug::particle_load", "vug::pathways"}},
+                {"vug::dem", "vug::mechanics", "vug::momentum_exchange", "vug::wet_nodes", "vug::pathways"}},
         Absence{{"solute", "reaction"},
                 {"vug::solute", "vug::reaction", "vug::reactive_wall", "vug::dissolution", "vug::chemical_damage",
                  "vug::surface_normal"}},
         Absence{{"reaction"}, {"vug::reaction", "vug::reactive_wall", "vug::dissolution", "vug::chemical_damage"}},
         Absence{
             {"flow", "damage"},
-            {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::particle_load", "vug::advective_form"}},
+            {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::advective_form"}},
         Absence{{"damage"}, {"vug::pathways"}}));
 
 TEST(AbsentOpenings, AllocateNothingAndLaunchNothing) {

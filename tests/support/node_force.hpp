@@ -19,7 +19,7 @@ class NodeForce {
   }
   /// (surface, axis), on the host.
   auto operator()(const Flow<T>& flow) const {
-    exchange_momentum(flow.exec, flow.fields, flow.nodes.capacity, links_, 1, 1, force_, torque_);
+    exchange_momentum(flow.exec, flow.fields, links_, 1, 1, force_, torque_);
     return on_host(force_);
   }
 

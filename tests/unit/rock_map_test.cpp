@@ -99,6 +99,25 @@ struct CutSquares {
   }
 };
 
+TEST(NodeGroups, HoldEveryNodeOfTheirKeyInOrder) {
+  const Lattice lattice(7, 5);
+  std::vector<int> key;
+  for (int n = 0; n < 35; ++n) key.push_back(n < 21 ? n / 3 % 3 : n % 4 - 1);  // runs that end with their row, gaps
+  const NodeGroups groups = group_nodes(key, 4, lattice);
+  const auto offset = on_host(groups.offset), first = on_host(groups.first), length = on_host(groups.length),
+             nodes = on_host(groups.nodes);
+  ASSERT_EQ(groups.count(), 4);
+  for (int g = 0; g < 4; ++g) {
+    std::vector<int> expected, found;
+    for (int n = 0; n < 35; ++n)
+      if (key[n] == g) expected.push_back(lattice.node(n % 7, n / 7));
+    for (int r = offset(g); r < offset(g + 1); ++r)
+      for (int i = 0; i < length(r); ++i) found.push_back(first(r) + i);
+    EXPECT_EQ(found, expected) << g;
+    EXPECT_EQ(nodes(g), static_cast<int>(expected.size())) << g;
+  }
+}
+
 TEST(InitialPathways, AreConnectedAndMeetTheTarget) {
   const CutSquares rock(13);
   for (const int target : {300, 600, 900, 1200}) {
@@ -153,7 +172,7 @@ struct OneBond {
   Kokkos::View<NodeType*> type{"type", std::size_t(Lattice(8, 8).size())};
   ScalarField<double> volume{"volume", std::size_t(Lattice(8, 8).size())};
   ScalarField<double> d_m{"d_m", 1};
-  Groups particle;
+  NodeGroups particle;
   PathwayNodes nodes;
 
   OneBond() {

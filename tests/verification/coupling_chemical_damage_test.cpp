@@ -105,6 +105,7 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   }
   EXPECT_GE(touched, 5);
   EXPECT_GE(damaged, 5);
+  EXPECT_GE(run.now("nodes_dissolved_1"), 20);  // whose share is kept, and not summed again
   // all that is missing was dissolved by the acid: volume = molar volume times acid (Eq. 24)
   double sum = 0;
   for (const double one : taken) sum += one;

@@ -1,0 +1,82 @@
+#pragma once
+// Sums over the nodes of groups (of a triangle, of a part of it) in a fixed order: same bits on every run.
+#include "coupling/rock_map.hpp"
+#include "kernels/prefetch.hpp"
+
+#include <string>
+
+namespace vug {
+
+namespace detail {
+
+/// One group, four sums in turn.
+template <class T, class Store>
+struct RunSumOnHost {
+  NodeGroups groups;
+  Kokkos::View<const T*> values;
+  Store store;
+  /// Every run lies on another row.
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int r) const {
+    constexpr int ahead = 64;
+    if (r + ahead >= static_cast<int>(groups.first.extent(0))) return;
+    const int first = groups.first(r + ahead);
+    prefetch_far(&values(first));
+    prefetch_far(&values(first + groups.length(r + ahead) - 1));
+  }
+  KOKKOS_FUNCTION void operator()(int g) const {
+    constexpr int lanes = 4;
+    double sum[lanes] = {};
+    for (int r = groups.offset(g); r < groups.offset(g + 1); ++r) {
+      announce(r);
+      const T* const run = values.data() + groups.first(r);
+      const int length = groups.length(r);
+      int i = 0;
+      for (; i + lanes <= length; i += lanes)
+        for (int l = 0; l < lanes; ++l) sum[l] += static_cast<double>(run[i + l]);
+      for (; i < length; ++i) sum[0] += static_cast<double>(run[i]);
+    }
+    store(g, (sum[0] + sum[1]) + (sum[2] + sum[3]));
+  }
+};
+
+/// One group by a team: its threads take runs, their lanes the nodes of a run.
+template <class T, class Store>
+struct RunSumByTeam {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  NodeGroups groups;
+  Kokkos::View<const T*> values;
+  Store store;
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int g = team.league_rank();
+    double sum = 0;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, groups.offset(g), groups.offset(g + 1)),
+        [&](int r, double& runs) {
+          double run = 0;
+          const int first = groups.first(r);
+          Kokkos::parallel_reduce(
+              Kokkos::ThreadVectorRange(team, groups.length(r)),
+              [&](int i, double& s) { s += static_cast<double>(values(first + i)); }, run);
+          runs += run;
+        },
+        sum);
+    Kokkos::single(Kokkos::PerTeam(team), [&] { store(g, sum); });
+  }
+};
+
+}  // namespace detail
+
+/// store(g, sum of `values` (dense node) over the nodes of group g) for every group.
+template <class T, class Store>
+void sum_runs(const Exec& exec, const std::string& label, const NodeGroups& groups, const ScalarField<T>& values,
+              const Store& store) {
+  if (groups.count() <= 0) return;
+  if constexpr (runs_on_host)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, groups.count()),
+                         detail::RunSumOnHost<T, Store>{groups, values, store});
+  else
+    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, groups.count(), 4, 8),
+                         detail::RunSumByTeam<T, Store>{groups, values, store});
+}
+
+}  // namespace vug
