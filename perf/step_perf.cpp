@@ -66,11 +66,13 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   bytes[carried] = s.fluid * carriers * (3 * T + 22) + (carriers < 1 ? s.fluid * 4 * T * carriers : 0);
   // five populations both ways, concentration out, velocity and defect in, four indices
   bytes[solutes] = species * s.fluid * (14 * T + 16) / solute_every;
-  // node, rate, normal, solid volume and what has dissolved both ways; of each link the populations of both, its node
-  const double react = s.surface * (4 + 8 + 16 + 32) + s.links5 * (4 * T + 4);
-  // normals from eight volumes and rates from the temperatures of both sides
-  const double refresh = s.surface * (4 + 8 * 8 + 16 + 8) + s.links5 * 2 * T;
-  bytes[reaction] = react / solute_every + refresh / every;
+  // of each link the populations of both both ways, its slot and conductance, what it turns over both ways
+  const double react = s.links5 * (4 * T + 4 + T + 16);
+  // that once more; of each surface node its number, solid volume and what has dissolved both ways
+  const double book = s.links5 * 16 + s.surface * (4 + 32);
+  // normals from eight volumes; of each link slot, node, temperatures, rate both ways, conductance
+  const double refresh = s.surface * (4 + 8 * 8 + 16) + s.links5 * (8 + 5 * T);
+  bytes[reaction] = react / solute_every + book / every + refresh / scene.accuracy.wall_interval;
   // of each link its population, slot and lever; force and torque of the particles
   bytes[fluid_force] = (s.links9 * (T + 4 + 4) + s.particles * (24 + 4)) / scene.accuracy.exchange_interval;
   // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage
@@ -157,11 +159,12 @@ void step(benchmark::State& state, const char* path, const Choice& choice) {
   const AccuracySection& accuracy = scene.accuracy;
   constexpr int streaming = 2;  // in place: two kinds of step in turn
   int length = streaming;
-  for (const int interval : {accuracy.update_interval, accuracy.heat_interval, accuracy.solute_interval,
-                             accuracy.exchange_interval})
+  for (const int interval : {accuracy.update_interval, accuracy.wall_interval, accuracy.heat_interval,
+                             accuracy.solute_interval, accuracy.exchange_interval})
     length = std::lcm(length, interval);
-  const int batch = (sizes.nodes > 1e6 ? 20 : 100) / length * length;
-  for (int k = 0; k < 20; ++k) simulation.step();
+  const int batch = std::max(length, (sizes.nodes > 1e6 ? 20 : 100) / length * length);
+  // until the walls, which are renewed sooner at the start of a run, keep to their interval
+  for (int k = 0; k < std::max(20, 8 * accuracy.wall_interval); ++k) simulation.step();
   Cycle cycle(length);
   double byte_time = std::numeric_limits<double>::infinity();
   for (auto _ : state) {
