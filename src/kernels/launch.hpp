@@ -47,6 +47,17 @@ struct NodeLoop {
   }
 };
 
+/// As NodeLoop, one node after the other.
+template <class Body>
+struct ScatteredLoop {
+  Body body;
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
+    const LocalBody<Body> copy(body);
+    const Body& local = copy.body;
+    for (int i = first; i < last; ++i) local(i);
+  }
+};
+
 template <class Body>
 struct Block {
   Body body;
@@ -129,6 +140,16 @@ void for_each_node(const Exec& exec, const std::string& label, int n, const Body
   } else {
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
   }
+}
+
+/// As for_each_node, for bodies that read and write what lies scattered: a host's gathers and scatters of vectors take
+/// several times as long as single loads and stores.
+template <class Body>
+void for_each_scattered(const Exec& exec, const std::string& label, int n, const Body& body) {
+  if constexpr (runs_on_host)
+    for_each_block(exec, label, n, detail::ScatteredLoop<Body>{body}, block_of_list(n));
+  else
+    for_each_node(exec, label, n, body);
 }
 
 /// total(block) += sum of body(i) over the block's nodes, for i in [0, n); `total` has at least block_count(n)

@@ -131,7 +131,7 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     using Product = std::decay_t<decltype(its_product)>;
     const char* label = "vug::reactive_wall::react";
     if (wall.law == ReactiveWallLaw::kinetic)
-      for_each_node(exec, label, links.count, KineticStep<T, Product>{q, links, reactant.h, its_product});
+      for_each_scattered(exec, label, links.count, KineticStep<T, Product>{q, links, reactant.h, its_product});
     else
       for_each_node(exec, label, links.count,
                     PaperStep<T, Set, Product>{q, T(wall.D_reactant), T(wall.D_product), nodes.capacity, links,

@@ -138,6 +138,30 @@ struct EightNodes {
     }
   }
 
+  /// `field` (fluid) at the nodes that the directions of i .. i + 7 come from, into `value` from `at` on; at a wall or
+  /// a side that of the node itself.
+  template <int some>
+  void upstream(const T* field, int i, T (&value)[Set::Q][some], int at) const {
+    using E = Eight<T>;
+    const auto own = E::load(field + i);
+    E::store(value[0] + at, own);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const SourceWindow& w = windows[i + q - 1];
+      const int plane = q * capacity;
+      if (w.first < 0) [[unlikely]] {
+        for (int l = 0; l < nodes_per_window; ++l) {
+          const int from = source[plane + i + l] - plane;
+          value[q][at + l] = field[from >= 0 && from < capacity ? from : i + l];
+        }
+        continue;
+      }
+      const T* const first = field + (w.first - plane);
+      const auto there = E::pick(w.from, E::load(first), E::load(first + nodes_per_window));
+      E::store(value[q] + at, E::blend(w.bounced, there, own));
+    }
+  }
+
   /// Leaves what goes out against direction q where what came in along q was.
   void push(T* f, int i, const T (&g)[Set::Q][nodes_per_window]) const {
     using E = Eight<T>;
