@@ -15,7 +15,7 @@ TITLES = {
     "rock": ("The paper's rock",
              "coarse, 30 MPa, Da = 1.5e-3, first 12 ms, against `preset = \"reference\"` with a third of the mechanical "
              "sub-step. Errors of the dissolved volume (then its difference from the default's), of the acid in place, the temperature (largest, over 200 K) and the "
-             "length of the cracks"),
+             "length of the cracks (in the mean over every millisecond)"),
 }
 
 INTRODUCTION = """# Speed against accuracy

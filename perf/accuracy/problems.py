@@ -20,6 +20,12 @@ def last(directory):
     return run.snapshot(run.steps[-1])
 
 
+def crack_length(snapshot):
+    """Of all failed bonds, m."""
+    ends = snapshot.bonds(FAILED)
+    return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
+
+
 class OnPaper:
     """A problem whose solution is on paper."""
 
@@ -158,11 +164,12 @@ class Receding(OnPaper):
 class Rock:
     """The paper's rock, coarse, at 30 MPa and Da = 1.5e-3, its first 12 ms, against `preset = "reference"` with small
     mechanical sub-steps: the dissolved volume (also against the default's), the acid in place, the temperature, the length
-    of the cracks."""
+    of the cracks, looked at every millisecond: at the end alone a bond that fails a moment later would count in full."""
 
     name = "rock"
     case = "cases/acid_fracturing/coarse/p30_da1.5e-3.toml"
-    common = {"accuracy.preset": "careful", "time.end": 0.012, "output.interval": 0.012,
+    common = {"accuracy.preset": "careful", "time.end": 0.012, "output.interval": 0.001,
+              "output.fields": '["temperature", "node_type", "state"]', "output.compress": "false",
               "output.checkpoint_interval": 0.012}
     choices = [
         Choice("default", "preset = careful", {}),
@@ -210,13 +217,12 @@ class Rock:
 
     @staticmethod
     def state(directory):
-        snapshot = last(directory)
-        history = Run(directory).history()
-        cracks = snapshot.bonds(FAILED)
+        run = Run(directory)
+        history = run.history()
         return {"dissolved": history["dissolved_volume_m3_per_m"][-1],
                 "acid": history["L1_stored_mol_m"][-1],
-                "temperature": np.nan_to_num(snapshot.field["temperature"]),
-                "cracks": float(np.linalg.norm(cracks[:, 1] - cracks[:, 0], axis=1).sum()) if len(cracks) else 0.0}
+                "temperature": np.nan_to_num(last(directory).field["temperature"]),
+                "cracks": np.array([crack_length(run.snapshot(step)) for step in run.steps])}
 
     def errors(self, directory, _):
         found, exact = self.state(directory), self.reference
@@ -224,7 +230,7 @@ class Rock:
                 "to the default": abs(found["dissolved"] / self.default["dissolved"] - 1),
                 "acid in place": abs(found["acid"] / exact["acid"] - 1),
                 "temperature": float(np.abs(found["temperature"] - exact["temperature"]).max() / 200),
-                "crack length": abs(found["cracks"] - exact["cracks"]) / max(exact["cracks"], 1e-3)}
+                "crack length": float(np.abs(found["cracks"] - exact["cracks"]).sum() / exact["cracks"].sum())}
 
 
 ALL = [Wall(), Channel(), Cooling(), Receding(), Rock()]
