@@ -56,7 +56,8 @@ TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
 INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                          testing::Values("accuracy.precision=double", "accuracy.precision=single",
                                          "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10",
-                                         "accuracy.exchange_interval=7",  // no divisor of the steps of a restart
+                                         // no divisors of the steps of a restart
+                                         "accuracy.exchange_interval=7 --set accuracy.wall_interval=35",
                                          "boundary.top.traction.support=servo"));
 
 TEST(SameBitsOfAWell, InDissolvingRockWithThreadsAndAfterARestart) {

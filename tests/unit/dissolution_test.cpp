@@ -246,6 +246,25 @@ TEST(ReactiveWall, EveryFaceOfAPixelReactsAtItsOwnTemperature) {
   EXPECT_EQ(box.V(left), 1 - box.dissolved(left)) << "booked once";
 }
 
+TEST(ReactiveWall, ALedRateIsTheMeanOverTheStepsToCome) {
+  Box box = box_of({"...", ".#.", "..."}, 0.8);
+  find_reactive_links<D2Q5>(box.exec, box.nodes, box.surface, box.wall.law, box.links);
+  const auto conductance = [&](double k, double ahead) {
+    set_conductances<D2Q5>(box.exec, box.nodes, box.surface, box.wall, UniformRate{k}, box.normal, box.links, ahead);
+    return box.links.conductance(0);
+  };
+  const auto exact = [](double k) { return kinetic_conductance(k, 0.0); };
+  EXPECT_EQ(conductance(0.010, 0), exact(0.010));
+  // 0.010 at step 0, 0.012 at step 20: 0.0125 in the middle of the next ten, 0.013 of the next twenty
+  EXPECT_DOUBLE_EQ(conductance(0.012, 0.25), exact(0.0125));
+  conductance(0.010, 0);
+  EXPECT_DOUBLE_EQ(conductance(0.012, 0.5), exact(0.013));
+  // the change is that since the last call, not of what was led; and no more than half or double the rate
+  EXPECT_DOUBLE_EQ(conductance(0.014, 0.5), exact(0.015));
+  EXPECT_DOUBLE_EQ(conductance(0.001, 0.5), exact(0.0005));
+  EXPECT_DOUBLE_EQ(conductance(0.100, 5), exact(0.2));
+}
+
 TEST(FieldRange, FindsExtremesAndTheFirstEntryThatIsNotFinite) {
   ScalarField<float> field("field", 2000);
   Kokkos::deep_copy(field, 0.5f);
