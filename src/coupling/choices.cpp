@@ -35,12 +35,12 @@ const std::vector<MeasuredChoice>& measured_choices() {
          return s.accuracy.precision == Precision::single_precision && given(s, &AccuracySection::precision);
        }},
       {"update_interval = 50", "0.86", "9.1e-05", [](S s) { return s.accuracy.update_interval >= 50; }},
-      {"wall_interval = 50", "1.21", "2.4e-05",
+      {"wall_interval = 50", "1.04", "2.4e-05",
        [](S s) {
          return s.reaction && s.accuracy.wall_interval >= 50 && s.accuracy.wall_interval < 400 &&
                 given(s, &AccuracySection::wall_interval);
        }},
-      {"wall_interval = 400", "1.11", "1.3e-03",
+      {"wall_interval = 400", "0.98", "1.3e-03",
        [](S s) {
          return s.reaction && s.accuracy.wall_interval >= 400 && given(s, &AccuracySection::wall_interval);
        }},
