@@ -124,6 +124,7 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"bonds_failed_in_tension_1", static_cast<double>(counts.failed_in_tension)});
   row.push_back({"bonds_failed_in_shear_1", static_cast<double>(counts.failed_in_shear)});
   row.push_back({"bonds_dissolved_1", static_cast<double>(counts.dissolved)});
+  if (section_.parameters.rest_tolerance > 0) row.push_back({"rock_awake_1", mechanics_.awake_share()});
   const Energies energies = mechanics_.energies(Exec{});
   row.push_back({"kinetic_energy_J_per_m", energies.kinetic});
   row.push_back({"elastic_energy_J_per_m", energies.elastic});

@@ -246,16 +246,21 @@ struct BondFailure {
 
 template <class Keeper>
 void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
-                         const Bonds& bonds, const Keeper& accounts) {
+                         const Bonds& bonds, const Keeper& accounts, const Groups* awake) {
+  const char* label = "vug::dem::bond_forces";
   const BondModel model{
       parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds};
-  for_each_node_in_turn(exec, "vug::dem::bond_forces", bonds.count, CohesiveForces<Keeper>{model, accounts},
-                        BondFailure<Keeper>{model, accounts});
+  const CohesiveForces<Keeper> hold{model, accounts};
+  const BondFailure<Keeper> fail{model, accounts};
+  if (awake)
+    for_each_group_in_turn(exec, label, *awake, hold, fail);
+  else
+    for_each_node_in_turn(exec, label, bonds.count, hold, fail);
 }
 
 template void compute_bond_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                                  const NoAccounts&);
+                                  const NoAccounts&, const Groups*);
 template void compute_bond_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                                  const Accounts&);
+                                  const Accounts&, const Groups*);
 
 }  // namespace vug

@@ -1,49 +1,22 @@
 #include "dem/integrate.hpp"
 
 #include "dem/gather_contacts.hpp"
+#include "dem/push.hpp"
 #include "kernels/launch_in_turn.hpp"
 
 namespace vug {
 
 namespace {
 
-/// Everything that pushes one particle.
-struct Push {
-  double x = 0, y = 0, torque = 0;
-};
-
-/// One particle: the sum of its bonds' slots in fixed order, its contacts, outside forces, boundary loads and gravity;
-/// local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds them in
-/// `reaction`. No branches and no calls, so that a host moves eight particles at once.
+/// One particle: local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds them
+/// in `reaction`. No branches and no calls, so that a host moves eight particles at once.
 /// Reads about 45 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
 template <class Keeper>
 struct Integrate {
   StepControl control;
-  Bonds bonds;
-  Contacts contacts;
-  BoundaryLoads boundary;
+  ParticlePush push;
   Particles p;
   Keeper accounts;
-
-  KOKKOS_FORCEINLINE_FUNCTION Push bond(int i, int edge) const {
-    const int slot = bonds.slot(i, edge), k = slot / 2, end = slot % 2;
-    const double sign = 1 - 2 * end;
-    return {sign * bonds.load(k, 0), sign * bonds.load(k, 1), bonds.load(k, 2 + end)};
-  }
-
-  /// What the rock beyond the boundary adds to the stress that was there after the preload.
-  KOKKOS_FORCEINLINE_FUNCTION double spring(int i, int axis) const {
-    return control.surroundings * boundary.stiffness(i, axis) * (p.u(i, axis) - p.u_reference(i, axis));
-  }
-
-  KOKKOS_FORCEINLINE_FUNCTION Push outside(int i) const {
-    const double weight = p.mass(i) * mass_fraction(p.solid_fraction(i));
-    const double a = boundary.moment(i, 0), b = boundary.moment(i, 1);
-    const double moment = a + p.rotation(i, 0) * a - p.rotation(i, 1) * b;
-    return {p.force(i, 0) + control.load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x) - spring(i, 0),
-            p.force(i, 1) + control.load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y) - spring(i, 1),
-            p.torque(i) + control.load_factor * moment};
-  }
 
   /// New velocity of one degree of freedom under `force`.
   KOKKOS_FORCEINLINE_FUNCTION double kicked(double v, double force, double inverse_mass) const {
@@ -93,15 +66,12 @@ struct Integrate {
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
-    const Push a = bond(i, 0), b = bond(i, 1), c = bond(i, 2), given = outside(i);
+    const Push given = push.outside(i), all = push.total(i, given);
     const double share = control.mass_scaling * mass_fraction(p.solid_fraction(i));
     const double inverse_mass = 1 / (share * p.mass(i)), inverse_inertia = 1 / (share * p.inertia(i));
-    const double x = a.x + b.x + c.x + contacts.push(i, 0) + given.x;
-    const double y = a.y + b.y + c.y + contacts.push(i, 1) + given.y;
-    const double torque = a.torque + b.torque + c.torque + contacts.push(i, 2) + given.torque;
-    move(i, 0, x, given.x, inverse_mass);
-    move(i, 1, y, given.y, inverse_mass);
-    turn(i, torque, given.torque, inverse_inertia);
+    move(i, 0, all.x, given.x, inverse_mass);
+    move(i, 1, all.y, given.y, inverse_mass);
+    turn(i, all.torque, given.torque, inverse_inertia);
   }
 };
 
@@ -109,15 +79,20 @@ struct Integrate {
 
 template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
-               const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts) {
-  for_each_node_in_turn(exec, "vug::dem::integrate", particles.count,
-                        GatherContacts{bonds, contacts, contacts.load, contacts.push},
-                        Integrate<Keeper>{control, bonds, contacts, loads, particles, accounts});
+               const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts, const Groups* awake) {
+  const char* label = "vug::dem::integrate";
+  const GatherContacts gather{bonds, contacts, contacts.load, contacts.push};
+  const Integrate<Keeper> move{
+      control, {control.load_factor, control.surroundings, bonds, contacts, loads, particles}, particles, accounts};
+  if (awake)
+    for_each_group_in_turn(exec, label, *awake, gather, move);
+  else
+    for_each_node_in_turn(exec, label, particles.count, gather, move);
 }
 
 template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
-                        const Particles&, const NoAccounts&);
+                        const Particles&, const NoAccounts&, const Groups*);
 template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
-                        const Particles&, const Accounts&);
+                        const Particles&, const Accounts&, const Groups*);
 
 }  // namespace vug

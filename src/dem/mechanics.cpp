@@ -17,6 +17,7 @@ constexpr double at_rest = 1e-9;            // kinetic over elastic energy: the 
 constexpr long shortest_look = 16;          // steps: a look at the energies takes as long as two
 constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apart: no turning point of an oscillation
 constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
+constexpr int steps_between_looks = 16;     // at what rests: a wave passes some ten triangles
 constexpr int longest_settling = 50;        // times the ramp
 
 MechanicsParameters checked(const MechanicsParameters& parameters) {
@@ -36,6 +37,9 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
       servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)) {
   if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_, contacts_);
+  // a ledger wants every step's losses, a servo every step's reaction
+  if (parameters_.rest_tolerance > 0 && !accounts_ && servos_.empty())
+    rest_ = make_rest(particles_, bonds_, parameters_.bond, parameters_.rest_tolerance);
 }
 
 double Mechanics::critical_step() const {
@@ -60,9 +64,26 @@ void Mechanics::step(const Exec& exec, const StepControl& control) {
   }
 }
 
+/// All bonds are evaluated before a look: what they are made of changes while they sleep.
+void Mechanics::step_awake(const Exec& exec, const StepControl& control) {
+  const bool look = steps_ % steps_between_looks == 0;
+  if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
+  if (!look && rest_->awake == 0) return;
+  compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, NoAccounts{}, look ? nullptr : &rest_->bonds);
+  compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, NoAccounts{});
+  if (look) look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest_);
+  integrate(exec, control, bonds_, contacts_, loads_, particles_, NoAccounts{}, &rest_->particles);
+}
+
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
-  for (int s = 0; s < substeps; ++s) step(exec, control);
+  last_dt_ = dt;
+  for (int s = 0; s < substeps; ++s) {
+    if (rest_)
+      step_awake(exec, control);
+    else
+      step(exec, control);
+  }
   time_ += dt * substeps;
 }
 

@@ -6,6 +6,7 @@
 #include "dem/loads.hpp"
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
+#include "dem/rest.hpp"
 #include "dem/servo.hpp"
 
 #include <optional>
@@ -35,7 +36,8 @@ class Mechanics {
   double critical_step() const;
 
   /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each, one more per servo
-  /// platen, and two more every 50 steps; no fence, no allocation, no host copy.
+  /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
+  /// (parameters().rest_tolerance), two more every 16 steps and a count read by the host; nothing while all of it does.
   void advance(const Exec& exec, double dt, int substeps);
 
   /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at rest.
@@ -53,6 +55,8 @@ class Mechanics {
   /// The first particle that is not finite or faster than `largest_speed`.
   RunawayParticle runaway(const Exec& exec, double largest_speed) const;
   BondCounts bond_counts() const { return count_bonds(bonds_); }
+  /// Share of the rock that is awake, by groups of triangles.
+  double awake_share() const { return rest_ ? static_cast<double>(rest_->awake) / rest_->particles.count : 1.0; }
 
   const Particles& particles() const { return particles_; }
   const Bonds& bonds() const { return bonds_; }
@@ -75,6 +79,7 @@ class Mechanics {
   void step(const Exec& exec, const StepControl& control);
   template <class Keeper>
   void step(const Exec& exec, const StepControl& control, const Keeper& accounts);
+  void step_awake(const Exec& exec, const StepControl& control);
   long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
 
@@ -87,6 +92,7 @@ class Mechanics {
   BoundaryLoads loads_;
   std::vector<ServoPlaten> servos_;
   std::optional<Accounts> accounts_;
+  std::optional<Rest> rest_;  ///< where rock may sleep
   double initial_energy_ = 0;
   double last_dt_ = 0;
   double time_ = 0;
@@ -119,6 +125,8 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("contact_entry", contacts_.entry);
   visit("contact_u_built", contacts_.u_built);
   visit("contact_angle_built", contacts_.angle_built);
+  if (rest_) visit("awake", rest_->particles.runs);
+  if (rest_) visit("bonds_awake", rest_->bonds.runs);
 }
 
 }  // namespace vug

@@ -44,6 +44,7 @@ void require_parameters(const MechanicsParameters& p) {
   require_between("thermal_expansion", p.thermal_expansion, -1e-2, 1e-2);
   require_between("local_damping", p.local_damping, 0, 1);
   require_between("mass_scaling", p.mass_scaling, 1, unbounded);
+  require_between("rest_tolerance", p.rest_tolerance, 0, 1);
   require_bond(p.bond);
   require_positive("contact.normal_stiffness", p.contact.normal_stiffness);
   require_between("contact.tangential_stiffness", p.contact.tangential_stiffness, 0, unbounded);

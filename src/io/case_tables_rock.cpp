@@ -100,6 +100,7 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   table.read("thermal_expansion", parameters.thermal_expansion, unit::per_kelvin, range::between(0, 1e-2));
   table.read("local_damping", parameters.local_damping, unit::none, {.low = 0, .high = 1, .high_open = true});
   table.read("mass_scaling", parameters.mass_scaling, unit::none, range::between(1, 1e12));
+  table.read("rest_tolerance", parameters.rest_tolerance, unit::none, range::between(0, 1));
   table.read("substeps", mechanics.substeps, range::between(1, 1e6));
   table.read("critical_fraction", mechanics.critical_fraction, unit::none, range::positive_to(1));
   table.read("force_unstable", mechanics.force_unstable);

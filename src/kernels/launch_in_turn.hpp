@@ -1,8 +1,18 @@
 #pragma once
-// Two bodies in one launch, which for short lists takes longer than the work.
+// Two bodies in one launch, which for short lists takes longer than the work; over a whole list or over those groups of
+// it that have something to do.
 #include "kernels/launch.hpp"
 
+#include <cstdint>
+
 namespace vug {
+
+/// A list in groups, each of which may be left out: group g has the items [first(g), first(g + 1)).
+struct Groups {
+  int count = 0;
+  IndexList first;                   ///< (group + 1)
+  Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
+};
 
 namespace detail {
 
@@ -27,6 +37,29 @@ struct NodesInTurn {
   }
 };
 
+/// A group on a host.
+template <class First, class Second>
+struct GroupLoops {
+  Groups groups;
+  LoopsInTurn<First, Second> loops;
+  KOKKOS_FUNCTION void operator()(int g) const {
+    if (groups.runs(g) != 0) loops(groups.first(g), groups.first(g + 1));
+  }
+};
+
+/// A group on a GPU, by a team.
+template <class First, class Second>
+struct GroupTeam {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Groups groups;
+  NodesInTurn<First, Second> nodes;
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int g = team.league_rank();
+    if (groups.runs(g) == 0) return;
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, groups.first(g), groups.first(g + 1)), nodes);
+  }
+};
+
 }  // namespace detail
 
 /// Runs first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what
@@ -41,6 +74,19 @@ void for_each_node_in_turn(const Exec& exec, const std::string& label, int n, co
   else
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n),
                          detail::NodesInTurn<First, Second>{first, second});
+}
+
+/// The same over the groups that run. Threads take groups as they come, since those may lie together.
+template <class First, class Second>
+void for_each_group_in_turn(const Exec& exec, const std::string& label, const Groups& groups, const First& first,
+                            const Second& second) {
+  if (groups.count <= 0) return;
+  if constexpr (runs_on_host)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec, Kokkos::Schedule<Kokkos::Dynamic>>(exec, 0, groups.count),
+                         detail::GroupLoops<First, Second>{groups, {{first}, {second}}});
+  else
+    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, groups.count, Kokkos::AUTO),
+                         detail::GroupTeam<First, Second>{groups, {first, second}});
 }
 
 }  // namespace vug

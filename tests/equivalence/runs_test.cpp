@@ -58,6 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                                          "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10",
                                          // no divisors of the steps of a restart
                                          "accuracy.exchange_interval=7 --set accuracy.wall_interval=35",
+                                         "mechanics.rest_tolerance=0.05 --set mechanics.local_damping=0.7",
                                          "boundary.top.traction.support=servo"));
 
 TEST(SameBitsOfAWell, InDissolvingRockWithThreadsAndAfterARestart) {

@@ -1,0 +1,50 @@
+#pragma once
+// What pushes one particle: the sum that moves it, and by which it rests.
+#include "dem/contacts.hpp"
+#include "dem/loads.hpp"
+
+namespace vug {
+
+struct Push {
+  double x = 0, y = 0, torque = 0;  ///< N, N, N m
+};
+
+/// Forces on a particle from what is stored: its bonds' slots in fixed order, its contacts as gathered in
+/// Contacts::push, outside forces, boundary loads and gravity. No branches, so that a host does eight particles at once.
+struct ParticlePush {
+  double load_factor, surroundings;  ///< see StepControl
+  Bonds bonds;
+  Contacts contacts;
+  BoundaryLoads boundary;
+  Particles p;
+
+  KOKKOS_FORCEINLINE_FUNCTION Push bond(int i, int edge) const {
+    const int slot = bonds.slot(i, edge), k = slot / 2, end = slot % 2;
+    const double sign = 1 - 2 * end;
+    return {sign * bonds.load(k, 0), sign * bonds.load(k, 1), bonds.load(k, 2 + end)};
+  }
+
+  /// What the rock beyond the boundary adds to the stress that was there after the preload.
+  KOKKOS_FORCEINLINE_FUNCTION double spring(int i, int axis) const {
+    return surroundings * boundary.stiffness(i, axis) * (p.u(i, axis) - p.u_reference(i, axis));
+  }
+
+  /// Of what does not come from other particles.
+  KOKKOS_FORCEINLINE_FUNCTION Push outside(int i) const {
+    const double weight = p.mass(i) * mass_fraction(p.solid_fraction(i));
+    const double a = boundary.moment(i, 0), b = boundary.moment(i, 1);
+    const double moment = a + p.rotation(i, 0) * a - p.rotation(i, 1) * b;
+    return {p.force(i, 0) + load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x) - spring(i, 0),
+            p.force(i, 1) + load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y) - spring(i, 1),
+            p.torque(i) + load_factor * moment};
+  }
+
+  /// Of everything; `given` from outside(i).
+  KOKKOS_FORCEINLINE_FUNCTION Push total(int i, const Push& given) const {
+    const Push a = bond(i, 0), b = bond(i, 1), c = bond(i, 2);
+    return {a.x + b.x + c.x + contacts.push(i, 0) + given.x, a.y + b.y + c.y + contacts.push(i, 1) + given.y,
+            a.torque + b.torque + c.torque + contacts.push(i, 2) + given.torque};
+  }
+};
+
+}  // namespace vug

@@ -1,0 +1,30 @@
+#pragma once
+// Rock that rests: neighbouring triangles in groups, which sleep while what pushes them is too little to matter.
+#include "dem/integrate.hpp"
+
+namespace vug {
+
+inline constexpr int particles_per_group = 64;
+
+/// Groups of particles, and the bonds by the group of their lower particle.
+///
+/// The unrest of a particle is the largest of the forces that would move it along an axis it is free to move along, of
+/// the forces that would stop it within a sub-step, and of the same torques over its radius of gyration. A group wakes
+/// when the unrest of one of its particles passes `wake_at`, and sleeps, without its velocities, below a quarter of
+/// that everywhere. A bond is asleep with both of its ends: nothing of it is read.
+struct Rest {
+  double wake_at = 0;  ///< N
+  Groups particles;
+  Groups bonds;
+  IndexList reach;  ///< (group) the highest group that one of its bonds joins
+  int awake = 0;    ///< groups of particles
+};
+
+/// All awake. They wake at `tolerance` times the force that breaks a bond of mean strength and length.
+Rest make_rest(const Particles& particles, const Bonds& bonds, const BondParameters& law, double tolerance);
+
+/// Finds out which groups rest, from bond forces and contact forces of now; gathers the latter. Waits for the device.
+void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
+                  const BoundaryLoads& loads, const Particles& particles, Rest& rest);
+
+}  // namespace vug

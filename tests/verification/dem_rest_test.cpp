@@ -1,0 +1,156 @@
+// Rock that rests sleeps, costs nothing and wakes when it is pushed.
+#include "dem_support.hpp"
+#include "support/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace {
+
+using namespace vug;
+using vug::test::host_copy;
+
+constexpr double tolerance = 1e-3;
+
+MechanicsParameters damped(double rest_tolerance) {
+  MechanicsParameters p;
+  p.local_damping = 0.7;
+  p.rest_tolerance = rest_tolerance;
+  return p;
+}
+
+Loads clamped() {
+  Loads loads;
+  loads.support = {Support::roller, Support::roller, Support::roller, Support::roller};
+  return loads;
+}
+
+Mechanics square(double rest_tolerance) {
+  return {test::block(0.04, 0.04, 2e-3, 0.2), damped(rest_tolerance), clamped()};
+}
+
+/// Force that breaks a bond, N per m: what the tolerance is a share of.
+double breaking_force(const Mechanics& rock) {
+  const auto length = host_copy(rock.bonds().length);
+  double sum = 0;
+  for (int k = 0; k < rock.bonds().count; ++k) sum += length(k);
+  return rock.parameters().bond.normal_strength * sum / rock.bonds().count;
+}
+
+/// Until all of it sleeps; returns the steps that took.
+int settle(Mechanics& rock, int longest = 20000) {
+  const double dt = 0.5 * rock.critical_step();
+  int steps = 0;
+  do {
+    rock.advance(Exec(), dt, 1);
+    ++steps;
+  } while (rock.awake_share() > 0 && steps < longest);
+  return steps;
+}
+
+int launches = 0;
+void launched(const char*, std::uint32_t, std::uint64_t*) {
+  ++launches;
+}
+
+TEST(RestingRock, BearsTheStressOfClampedHeating) {
+  const double dT = 20, alpha = 8e-6, size = 0.04;
+  Mechanics rock = square(tolerance);
+  settle(rock);
+  ASSERT_EQ(rock.awake_share(), 0);
+  Kokkos::deep_copy(rock.particles().temperature_change, dT);
+  rock.advance(Exec(), 0.5 * rock.critical_step(), 17);
+  EXPECT_EQ(rock.awake_share(), 1) << "heating wakes it";
+  const int steps = settle(rock);
+  EXPECT_EQ(rock.awake_share(), 0);
+  const double expected = 24.03e9 / 0.659 * alpha * dT * size;
+  test::record("resting_rock", {{"left", rock.reaction(RockSide::left).x / size},
+                                {"exact", expected / size},
+                                {"steps", static_cast<double>(steps)}});
+  // as in the test without sleep: platens hold centroids, a third of a row inside
+  EXPECT_NEAR(rock.reaction(RockSide::left).x, expected, 0.01 * expected);
+}
+
+TEST(RestingRock, LiesWhereRockThatNeverSleepsDoes) {
+  Mechanics sleeps = square(tolerance), wakes = square(0);
+  for (Mechanics* rock : {&sleeps, &wakes}) {
+    const Particles& p = rock->particles();
+    const auto force = host_copy(p.force);
+    force(p.count / 2, 0) = 0.5 * breaking_force(*rock);
+    Kokkos::deep_copy(p.force, force);
+    rock->advance(Exec(), 0.5 * rock->critical_step(), 4000);
+  }
+  ASSERT_EQ(sleeps.awake_share(), 0);
+  const auto a = host_copy(sleeps.particles().u), b = host_copy(wakes.particles().u);
+  double largest = 0, difference = 0;
+  for (int i = 0; i < sleeps.particles().count; ++i)
+    for (int axis = 0; axis < 2; ++axis) {
+      largest = std::max(largest, std::abs(b(i, axis)));
+      difference = std::max(difference, std::abs(a(i, axis) - b(i, axis)));
+    }
+  // each particle may lack a thousandth of the breaking force, the push is half of it
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(difference, 2 * tolerance / 0.5 * largest);
+}
+
+TEST(RestingRock, WakesWhereItIsPushedAndNowhereElse) {
+  Mechanics rock = {test::block(0.16, 0.01, 2e-3, 0.2), damped(tolerance), clamped()};
+  settle(rock);
+  const Particles& p = rock.particles();
+  const auto force = host_copy(p.force);
+  force(p.count - 1, 0) = 0.01 * breaking_force(rock);
+  Kokkos::deep_copy(p.force, force);
+  rock.advance(Exec(), 0.5 * rock.critical_step(), 17);
+  EXPECT_GT(rock.awake_share(), 0);
+  EXPECT_LT(rock.awake_share(), 0.5);
+  settle(rock);
+  EXPECT_EQ(rock.awake_share(), 0);
+  EXPECT_EQ(host_copy(p.u)(0, 0), 0) << "far away nothing has moved";
+  EXPECT_GT(host_copy(p.u)(p.count - 1, 0), 0);
+}
+
+TEST(RestingRock, LaunchesNothingBetweenLooks) {
+  Mechanics rock = square(tolerance);
+  settle(rock);
+  const double dt = 0.5 * rock.critical_step();
+  while (rock.steps() % 16 != 1 || rock.steps() % 50 > 30) rock.advance(Exec(), dt, 1);
+  using namespace Kokkos::Tools::Experimental;
+  launches = 0;
+  set_begin_parallel_for_callback(launched);
+  set_begin_parallel_reduce_callback(launched);
+  rock.advance(Exec(), dt, 15);
+  const int between = launches;
+  rock.advance(Exec(), dt, 1);
+  set_begin_parallel_for_callback(nullptr);
+  set_begin_parallel_reduce_callback(nullptr);
+  EXPECT_EQ(between, 0);
+  EXPECT_GT(launches, 0) << "the look itself";
+  EXPECT_EQ(rock.awake_share(), 0);
+}
+
+TEST(RestingRock, IsNoOtherRockWhileItIsAwake) {
+  Mechanics watched = square(1e-14), plain = square(0);
+  for (Mechanics* rock : {&watched, &plain}) {
+    Kokkos::deep_copy(rock->particles().temperature_change, 20);
+    rock->advance(Exec(), 0.5 * rock->critical_step(), 100);
+  }
+  EXPECT_EQ(watched.awake_share(), 1);
+  const auto a = host_copy(watched.particles().u), b = host_copy(plain.particles().u);
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.span() * sizeof(double)), 0);
+}
+
+TEST(RestingRock, NeverSleepsUnderAServoOrALedger) {
+  Loads pressed = clamped();
+  pressed.support[static_cast<std::size_t>(RockSide::right)] = Support::servo;
+  Mechanics servo(test::block(0.02, 0.02, 2e-3, 0.2), damped(tolerance), pressed);
+  MechanicsParameters accounted = damped(tolerance);
+  accounted.energy_ledger = true;
+  Mechanics ledger(test::block(0.02, 0.02, 2e-3, 0.2), accounted, clamped());
+  for (Mechanics* rock : {&servo, &ledger}) {
+    rock->advance(Exec(), 0.5 * rock->critical_step(), 200);
+    EXPECT_EQ(rock->awake_share(), 1);
+  }
+}
+
+}  // namespace
