@@ -14,12 +14,19 @@ bool given(const Scene& scene, Value AccuracySection::*key) {
   return scene.accuracy.*key != accuracy_of(preset_of(scene.accuracy.preset)).*key;
 }
 
-/// Masses scaled by a factor above `low` (or equal, beyond 1) and below `high`, otherwise than by the preset.
+/// Masses scaled by a factor above `low` (or equal, beyond 1) and below `high`.
 bool mass_scaled(const Scene& scene, double low, double high) {
   if (!scene.mechanics) return false;
   const double scaling = scene.mechanics->parameters.mass_scaling;
-  const double preset = mechanics_of(preset_of(scene.accuracy.preset)).parameters.mass_scaling;
-  return scaling > 1 && scaling >= low && scaling < high && scaling != preset;
+  return scaling > 1 && scaling >= low && scaling < high;
+}
+
+/// Rock that sleeps from `low` on and below `high`, otherwise than by the preset.
+bool rests(const Scene& scene, double low, double high) {
+  if (!scene.mechanics) return false;
+  const double tolerance = scene.mechanics->parameters.rest_tolerance;
+  const double preset = mechanics_of(preset_of(scene.accuracy.preset)).parameters.rest_tolerance;
+  return tolerance >= low && tolerance < high && tolerance != preset;
 }
 
 }  // namespace
@@ -65,6 +72,9 @@ const std::vector<MeasuredChoice>& measured_choices() {
       {"mass_scaling = 4", "0.68", "5.3e-05", [](S s) { return mass_scaled(s, 1, 16); }},
       {"mass_scaling = 16", "0.68", "1.2e-04", [](S s) { return mass_scaled(s, 16, 64); }},
       {"mass_scaling = 64", "0.56", "1.3e-04", [](S s) { return mass_scaled(s, 64, 1e300); }},
+      {"rest_tolerance = 1e-3", "0.68", "1.3e-04", [](S s) { return rests(s, 1e-3, 5e-3); }},
+      {"rest_tolerance = 5e-3", "0.68", "1.3e-04", [](S s) { return rests(s, 5e-3, 2e-2); }},
+      {"rest_tolerance = 2e-2", "0.68", "1.3e-04", [](S s) { return rests(s, 2e-2, 1e300); }},
       {"reaction.wall = paper", "0.93", "2.5e-02",
        [](S s) { return s.reaction && s.reaction->wall == ReactiveWallLaw::paper; }},
       {"reaction.surface_normal = false", "1.11", "6.8e-02",

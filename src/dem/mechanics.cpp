@@ -17,7 +17,6 @@ constexpr double at_rest = 1e-9;            // kinetic over elastic energy: the 
 constexpr long shortest_look = 16;          // steps: a look at the energies takes as long as two
 constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apart: no turning point of an oscillation
 constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
-constexpr int steps_between_looks = 16;     // at what rests: a wave passes some ten triangles
 constexpr int longest_settling = 50;        // times the ramp
 
 MechanicsParameters checked(const MechanicsParameters& parameters) {

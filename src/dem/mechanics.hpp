@@ -17,6 +17,9 @@ namespace vug {
 /// Cundall's alpha while the preload comes to rest: 0.5 to 0.9 need about the same number of steps.
 inline constexpr double default_preload_damping = 0.7;
 
+/// At what rests; a wave passes some ten triangles meanwhile.
+inline constexpr int steps_between_looks = 16;
+
 /// How the preload ended.
 struct PreloadReport {
   long steps = 0;
@@ -37,7 +40,7 @@ class Mechanics {
 
   /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each, one more per servo
   /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
-  /// (parameters().rest_tolerance), two more every 16 steps and a count read by the host; nothing while all of it does.
+  /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it does.
   void advance(const Exec& exec, double dt, int substeps);
 
   /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at rest.
@@ -56,7 +59,9 @@ class Mechanics {
   RunawayParticle runaway(const Exec& exec, double largest_speed) const;
   BondCounts bond_counts() const { return count_bonds(bonds_); }
   /// Share of the rock that is awake, by groups of triangles.
-  double awake_share() const { return rest_ ? static_cast<double>(rest_->awake) / rest_->particles.count : 1.0; }
+  double awake_share() const {
+    return rest_ ? rest_->awake / static_cast<double>(rest_->particles.runs.extent(0)) : 1.0;
+  }
 
   const Particles& particles() const { return particles_; }
   const Bonds& bonds() const { return bonds_; }

@@ -3,9 +3,7 @@
 #include "dem/bond_law.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
-
-#include <algorithm>
-#include <vector>
+#include "kernels/launch.hpp"
 
 namespace vug {
 
@@ -13,12 +11,8 @@ namespace {
 
 constexpr double asleep_below = 0.25;  // of the unrest that wakes: what has come to rest stays there for a while
 
-Groups make_groups(const char* label, const std::vector<int>& first) {
-  Groups groups{static_cast<int>(first.size()) - 1, IndexList(label, first.size()),
-                Kokkos::View<std::uint8_t*>(label, first.size() - 1)};
-  const auto host = Kokkos::create_mirror_view(groups.first);
-  std::copy(first.begin(), first.end(), host.data());
-  Kokkos::deep_copy(groups.first, host);
+Groups make_groups(const char* label, int count, int size) {
+  Groups groups{count, size, Kokkos::View<std::uint8_t*>(label, (count + size - 1) / size)};
   Kokkos::deep_copy(groups.runs, std::uint8_t{1});
   return groups;
 }
@@ -48,8 +42,9 @@ struct LookAtRest {
     return at_least(at_least(x, y), turn);
   }
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int g = team.league_rank();
-    const auto range = Kokkos::TeamThreadRange(team, groups.first(g), groups.first(g + 1));
+    const int g = team.league_rank(), first = g * groups.size;
+    const auto range =
+        Kokkos::TeamThreadRange(team, first, first + groups.size < p.count ? first + groups.size : p.count);
     double most = 0;
     Kokkos::parallel_reduce(
         range,
@@ -67,43 +62,32 @@ struct LookAtRest {
   }
 };
 
-/// A group's bonds run when one of its particles or of those that they join may move. Counts the awake groups.
+/// Bonds run when one of their ends may move.
 struct WakeBonds {
-  Groups particles, bonds;
-  IndexList reach;
-  KOKKOS_FUNCTION void operator()(int g, int& awake) const {
+  Bonds bonds;
+  Groups particles, groups;
+  KOKKOS_FUNCTION void operator()(int g) const {
+    const int first = g * groups.size, last = first + groups.size < bonds.count ? first + groups.size : bonds.count;
     int runs = 0;
-    for (int h = g; h <= reach(g); ++h) runs |= particles.runs(h);
-    bonds.runs(g) = static_cast<std::uint8_t>(runs);
-    awake += particles.runs(g);
+    for (int k = first; k < last; ++k)
+      runs |= particles.runs(bonds.pair(k, 0) / particles.size) | particles.runs(bonds.pair(k, 1) / particles.size);
+    groups.runs(g) = static_cast<std::uint8_t>(runs);
   }
+};
+
+struct CountAwake {
+  Groups groups;
+  KOKKOS_FUNCTION void operator()(int g, int& awake) const { awake += groups.runs(g); }
 };
 
 }  // namespace
 
 Rest make_rest(const Particles& particles, const Bonds& bonds, const BondParameters& law, double tolerance) {
-  const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.length);
-  const int count = (particles.count + particles_per_group - 1) / particles_per_group;
-  std::vector<int> first_particle(count + 1), first_bond(count + 1, bonds.count), reach(count);
-  for (int g = 0; g <= count; ++g) first_particle[g] = std::min(g * particles_per_group, particles.count);
-  for (int g = 0; g < count; ++g) reach[g] = g;
-  double sum = 0;
-  for (int k = bonds.count - 1; k >= 0; --k) {
-    const int low = pair(k, 0) / particles_per_group, high = pair(k, 1) / particles_per_group;
-    std::fill(first_bond.begin(), first_bond.begin() + low + 1, k);
-    reach[low] = std::max(reach[low], high);
-    sum += length(k);
-  }
   Rest rest;
-  rest.wake_at = bonds.count == 0 ? 0 : tolerance * law.normal_strength * sum / bonds.count;
-  rest.particles = make_groups("vug::dem::rest_particles", first_particle);
-  rest.bonds = make_groups("vug::dem::rest_bonds", first_bond);
-  rest.reach = IndexList("vug::dem::rest_reach", count);
-  const auto host = Kokkos::create_mirror_view(rest.reach);
-  std::copy(reach.begin(), reach.end(), host.data());
-  Kokkos::deep_copy(rest.reach, host);
-  rest.awake = count;
+  rest.wake_at = bonds.count == 0 ? 0 : tolerance * law.normal_strength * sum_in_order(bonds.length) / bonds.count;
+  rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);
+  rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
+  rest.awake = static_cast<int>(rest.particles.runs.extent(0));
   return rest;
 }
 
@@ -117,9 +101,12 @@ void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bon
                         particles,
                         rest.particles};
   constexpr int team = runs_on_host ? 1 : particles_per_group;
-  Kokkos::parallel_for("vug::dem::look_at_rest", Kokkos::TeamPolicy<Exec>(exec, rest.particles.count, team), look);
-  Kokkos::parallel_reduce("vug::dem::wake_bonds", Kokkos::RangePolicy<Exec>(exec, 0, rest.particles.count),
-                          WakeBonds{rest.particles, rest.bonds, rest.reach}, rest.awake);
+  const int groups = static_cast<int>(rest.particles.runs.extent(0));
+  Kokkos::parallel_for("vug::dem::look_at_rest", Kokkos::TeamPolicy<Exec>(exec, groups, team), look);
+  for_each_node(exec, "vug::dem::wake_bonds", static_cast<int>(rest.bonds.runs.extent(0)),
+                WakeBonds{bonds, rest.particles, rest.bonds});
+  Kokkos::parallel_reduce("vug::dem::count_awake", Kokkos::RangePolicy<Exec>(exec, 0, groups),
+                          CountAwake{rest.particles}, rest.awake);
 }
 
 }  // namespace vug

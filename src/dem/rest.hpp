@@ -5,19 +5,19 @@
 namespace vug {
 
 inline constexpr int particles_per_group = 64;
+inline constexpr int bonds_per_group = runs_on_host ? 8 : 32;  ///< what a processor does at once
 
-/// Groups of particles, and the bonds by the group of their lower particle.
+/// Groups of particles, and of bonds.
 ///
 /// The unrest of a particle is the largest of the forces that would move it along an axis it is free to move along, of
 /// the forces that would stop it within a sub-step, and of the same torques over its radius of gyration. A group wakes
 /// when the unrest of one of its particles passes `wake_at`, and sleeps, without its velocities, below a quarter of
-/// that everywhere. A bond is asleep with both of its ends: nothing of it is read.
+/// that everywhere. Bonds are asleep with both of their ends: nothing of them is read.
 struct Rest {
   double wake_at = 0;  ///< N
   Groups particles;
   Groups bonds;
-  IndexList reach;  ///< (group) the highest group that one of its bonds joins
-  int awake = 0;    ///< groups of particles
+  int awake = 0;  ///< groups of particles
 };
 
 /// All awake. They wake at `tolerance` times the force that breaks a bond of mean strength and length.

@@ -18,14 +18,14 @@ inline AccuracySection accuracy_of(Preset preset) {
       accuracy.wall_interval = 100;
       accuracy.heat_interval = 4;
       accuracy.solute_interval = 2;
-      accuracy.exchange_interval = 2;
+      accuracy.exchange_interval = 4;
       break;
     case Preset::balanced:
       accuracy.preset = "balanced";
       accuracy.wall_interval = 50;
       accuracy.heat_interval = 2;
       accuracy.solute_interval = 2;
-      accuracy.exchange_interval = 2;
+      accuracy.exchange_interval = 4;
       break;
     case Preset::careful:
       break;
@@ -42,7 +42,8 @@ inline AccuracySection accuracy_of(Preset preset) {
 inline MechanicsSection mechanics_of(Preset preset) {
   MechanicsSection mechanics;
   if (preset == Preset::fast || preset == Preset::balanced) mechanics.critical_fraction = 0.5;
-  if (preset == Preset::fast) mechanics.parameters.mass_scaling = 16;
+  if (preset == Preset::balanced) mechanics.parameters.rest_tolerance = 1e-3;
+  if (preset == Preset::fast) mechanics.parameters.rest_tolerance = 5e-3;
   return mechanics;
 }
 

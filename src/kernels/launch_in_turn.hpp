@@ -7,10 +7,10 @@
 
 namespace vug {
 
-/// A list in groups, each of which may be left out: group g has the items [first(g), first(g + 1)).
+/// A list in groups of `size` neighbours, each of which may be left out.
 struct Groups {
-  int count = 0;
-  IndexList first;                   ///< (group + 1)
+  int count = 0;  ///< items of the list
+  int size = 1;
   Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
 };
 
@@ -37,26 +37,34 @@ struct NodesInTurn {
   }
 };
 
-/// A group on a host.
+/// The groups of a block.
 template <class First, class Second>
 struct GroupLoops {
+  First first;
+  Second second;
   Groups groups;
-  LoopsInTurn<First, Second> loops;
-  KOKKOS_FUNCTION void operator()(int g) const {
-    if (groups.runs(g) != 0) loops(groups.first(g), groups.first(g + 1));
+  KOKKOS_FUNCTION void operator()(int begin, int end) const {
+    const LocalBody<First> one(first);
+    const LocalBody<Second> two(second);
+    for (int i = begin; i < end; i += groups.size) {
+      if (groups.runs(i / groups.size) == 0) continue;
+      const int last = i + groups.size < end ? i + groups.size : end;
+      VUG_VECTORISE
+      for (int k = i; k < last; ++k) one.body(k);
+      for (int k = i; k < last; ++k) two.body(k);
+    }
   }
 };
 
-/// A group on a GPU, by a team.
 template <class First, class Second>
-struct GroupTeam {
-  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+struct NodesOfGroups {
+  First first;
+  Second second;
   Groups groups;
-  NodesInTurn<First, Second> nodes;
-  KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int g = team.league_rank();
-    if (groups.runs(g) == 0) return;
-    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, groups.first(g), groups.first(g + 1)), nodes);
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if (groups.runs(i / groups.size) == 0) return;
+    first(i);
+    second(i);
   }
 };
 
@@ -76,17 +84,22 @@ void for_each_node_in_turn(const Exec& exec, const std::string& label, int n, co
                          detail::NodesInTurn<First, Second>{first, second});
 }
 
-/// The same over the groups that run. Threads take groups as they come, since those may lie together.
+/// The same over the groups that run. Threads take blocks as they come, since those groups may lie together.
 template <class First, class Second>
 void for_each_group_in_turn(const Exec& exec, const std::string& label, const Groups& groups, const First& first,
                             const Second& second) {
-  if (groups.count <= 0) return;
-  if constexpr (runs_on_host)
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec, Kokkos::Schedule<Kokkos::Dynamic>>(exec, 0, groups.count),
-                         detail::GroupLoops<First, Second>{groups, {{first}, {second}}});
-  else
-    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, groups.count, Kokkos::AUTO),
-                         detail::GroupTeam<First, Second>{groups, {first, second}});
+  const int n = groups.count;
+  if (n <= 0) return;
+  if constexpr (runs_on_host) {
+    using Loops = detail::GroupLoops<First, Second>;
+    const int block = (block_of_list(n) + groups.size - 1) / groups.size * groups.size;
+    const detail::Block<Loops> blocks{{first, second, groups}, n, block};
+    using Policy = Kokkos::RangePolicy<Exec, Kokkos::Schedule<Kokkos::Dynamic>>;
+    Kokkos::parallel_for(label, Policy(exec, 0, (n + block - 1) / block), blocks);
+  } else {
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n),
+                         detail::NodesOfGroups<First, Second>{first, second, groups});
+  }
 }
 
 }  // namespace vug

@@ -95,7 +95,7 @@ TEST(CaseDocumentation, EveryPresetWithWhatItSets) {
                              "| {} | {} | {} | {} | {} | {} | {} | {:g} | {:g} |", a.preset,
                              a.precision == Precision::double_precision ? "double" : "single", a.update_interval,
                              a.wall_interval, a.heat_interval, a.solute_interval, a.exchange_interval,
-                             m.critical_fraction, m.parameters.mass_scaling)));
+                             m.critical_fraction, m.parameters.rest_tolerance)));
   }
 }
 
