@@ -200,7 +200,7 @@ class Rock:
         Choice("mechanics", "mass_scaling = 4", {"mechanics.mass_scaling": 4}),
         Choice("mechanics", "mass_scaling = 16", {"mechanics.mass_scaling": 16}),
         Choice("mechanics", "mass_scaling = 64", {"mechanics.mass_scaling": 64}),
-        Choice("mechanics", "rest_tolerance = 1e-3", {"mechanics.rest_tolerance": 1e-3}),
+        Choice("mechanics", "rest_tolerance = 2e-3", {"mechanics.rest_tolerance": 2e-3}),
         Choice("mechanics", "rest_tolerance = 5e-3", {"mechanics.rest_tolerance": 5e-3}),
         Choice("mechanics", "rest_tolerance = 2e-2", {"mechanics.rest_tolerance": 2e-2}),
         Choice("wall", "reaction.wall = paper", {"reaction.wall": "paper"}),

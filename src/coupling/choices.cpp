@@ -72,7 +72,7 @@ const std::vector<MeasuredChoice>& measured_choices() {
       {"mass_scaling = 4", "0.68", "5.3e-05", [](S s) { return mass_scaled(s, 1, 16); }},
       {"mass_scaling = 16", "0.68", "1.2e-04", [](S s) { return mass_scaled(s, 16, 64); }},
       {"mass_scaling = 64", "0.56", "1.3e-04", [](S s) { return mass_scaled(s, 64, 1e300); }},
-      {"rest_tolerance = 1e-3", "0.68", "1.3e-04", [](S s) { return rests(s, 1e-3, 5e-3); }},
+      {"rest_tolerance = 2e-3", "0.68", "1.3e-04", [](S s) { return rests(s, 1e-3, 5e-3); }},
       {"rest_tolerance = 5e-3", "0.68", "1.3e-04", [](S s) { return rests(s, 5e-3, 2e-2); }},
       {"rest_tolerance = 2e-2", "0.68", "1.3e-04", [](S s) { return rests(s, 2e-2, 1e300); }},
       {"reaction.wall = paper", "0.93", "2.5e-02",

@@ -15,6 +15,7 @@ inline AccuracySection accuracy_of(Preset preset) {
     case Preset::fast:
       accuracy.preset = "fast";
       accuracy.precision = Precision::single_precision;
+      accuracy.update_interval = 20;
       accuracy.wall_interval = 100;
       accuracy.heat_interval = 4;
       accuracy.solute_interval = 2;
@@ -22,7 +23,8 @@ inline AccuracySection accuracy_of(Preset preset) {
       break;
     case Preset::balanced:
       accuracy.preset = "balanced";
-      accuracy.wall_interval = 50;
+      accuracy.update_interval = 20;
+      accuracy.wall_interval = 100;
       accuracy.heat_interval = 2;
       accuracy.solute_interval = 2;
       accuracy.exchange_interval = 4;
@@ -42,7 +44,7 @@ inline AccuracySection accuracy_of(Preset preset) {
 inline MechanicsSection mechanics_of(Preset preset) {
   MechanicsSection mechanics;
   if (preset == Preset::fast || preset == Preset::balanced) mechanics.critical_fraction = 0.5;
-  if (preset == Preset::balanced) mechanics.parameters.rest_tolerance = 1e-3;
+  if (preset == Preset::balanced) mechanics.parameters.rest_tolerance = 2e-3;
   if (preset == Preset::fast) mechanics.parameters.rest_tolerance = 5e-3;
   return mechanics;
 }
