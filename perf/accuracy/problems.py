@@ -177,6 +177,7 @@ class Rock:
         Choice("preset", "preset = balanced, precision = single",
                {"accuracy.preset": "balanced", "accuracy.precision": "single"}),
         Choice("preset", "preset = fast", {"accuracy.preset": "fast"}),
+        Choice("preset", "preset = fast, mass_scaling = 4", {"accuracy.preset": "fast", "mechanics.mass_scaling": 4}),
         Choice("preset", "preset = reference", {"accuracy.preset": "reference"}),
         Choice("precision", "precision = single", {"accuracy.precision": "single"}),
         Choice("interval", "update_interval = 1", {"accuracy.update_interval": 1}),

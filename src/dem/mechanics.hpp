@@ -17,7 +17,7 @@ namespace vug {
 /// Cundall's alpha while the preload comes to rest: 0.5 to 0.9 need about the same number of steps.
 inline constexpr double default_preload_damping = 0.7;
 
-/// At what rests; a wave passes some ten triangles meanwhile.
+/// Sub-steps between two looks at what rests; a wave passes some ten triangles meanwhile.
 inline constexpr int steps_between_looks = 16;
 
 /// How the preload ended.
@@ -59,9 +59,7 @@ class Mechanics {
   RunawayParticle runaway(const Exec& exec, double largest_speed) const;
   BondCounts bond_counts() const { return count_bonds(bonds_); }
   /// Share of the rock that is awake, by groups of triangles.
-  double awake_share() const {
-    return rest_ ? rest_->awake / static_cast<double>(rest_->particles.runs.extent(0)) : 1.0;
-  }
+  double awake_share() const { return rest_ ? vug::awake_share(*rest_) : 1.0; }
 
   const Particles& particles() const { return particles_; }
   const Bonds& bonds() const { return bonds_; }

@@ -26,7 +26,7 @@ struct LookAtRest {
   Particles p;
   Groups groups;
 
-  /// Along one axis or about the centroid; `push` and `momentum` over a length.
+  /// Of one degree of freedom; of a rotation torque and momentum over the radius of gyration.
   KOKKOS_FORCEINLINE_FUNCTION double unrest(bool held, double force, double momentum) const {
     const double stop = Kokkos::abs(momentum) * per_step;
     return held ? stop : at_least(Kokkos::abs(force), stop);
@@ -89,6 +89,13 @@ Rest make_rest(const Particles& particles, const Bonds& bonds, const BondParamet
   rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
   rest.awake = static_cast<int>(rest.particles.runs.extent(0));
   return rest;
+}
+
+double awake_share(const Rest& rest) {
+  const auto runs = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rest.particles.runs);
+  double awake = 0;
+  for (std::size_t g = 0; g < runs.extent(0); ++g) awake += runs(g);
+  return awake / static_cast<double>(runs.extent(0));
 }
 
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,

@@ -17,11 +17,14 @@ struct Rest {
   double wake_at = 0;  ///< N
   Groups particles;
   Groups bonds;
-  int awake = 0;  ///< groups of particles
+  int awake = 0;  ///< groups of particles at the last look; a run that is resumed takes all for awake until the next
 };
 
 /// All awake. They wake at `tolerance` times the force that breaks a bond of mean strength and length.
 Rest make_rest(const Particles& particles, const Bonds& bonds, const BondParameters& law, double tolerance);
+
+/// Share of the groups of particles that are awake; for the history, not inside a step.
+double awake_share(const Rest& rest);
 
 /// Finds out which groups rest, from bond forces and contact forces of now; gathers the latter. Waits for the device.
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,

@@ -51,6 +51,7 @@ struct GroupLoops {
       const int last = i + groups.size < end ? i + groups.size : end;
       VUG_VECTORISE
       for (int k = i; k < last; ++k) one.body(k);
+      VUG_VECTORISE
       for (int k = i; k < last; ++k) two.body(k);
     }
   }
