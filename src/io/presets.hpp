@@ -45,7 +45,10 @@ inline MechanicsSection mechanics_of(Preset preset) {
   MechanicsSection mechanics;
   if (preset == Preset::fast || preset == Preset::balanced) mechanics.critical_fraction = 0.5;
   if (preset == Preset::balanced) mechanics.parameters.rest_tolerance = 2e-3;
-  if (preset == Preset::fast) mechanics.parameters.rest_tolerance = 5e-3;
+  if (preset == Preset::fast) {
+    mechanics.parameters.mass_scaling = 4;
+    mechanics.parameters.rest_tolerance = 5e-3;
+  }
   return mechanics;
 }
 

@@ -92,10 +92,10 @@ TEST(CaseDocumentation, EveryPresetWithWhatItSets) {
     const AccuracySection a = accuracy_of(preset);
     const MechanicsSection m = mechanics_of(preset);
     EXPECT_THAT(lines(), testing::Contains(fmt::format(
-                             "| {} | {} | {} | {} | {} | {} | {} | {:g} | {:g} |", a.preset,
+                             "| {} | {} | {} | {} | {} | {} | {} | {:g} | {:g} | {:g} |", a.preset,
                              a.precision == Precision::double_precision ? "double" : "single", a.update_interval,
                              a.wall_interval, a.heat_interval, a.solute_interval, a.exchange_interval,
-                             m.critical_fraction, m.parameters.rest_tolerance)));
+                             m.critical_fraction, m.parameters.mass_scaling, m.parameters.rest_tolerance)));
   }
 }
 

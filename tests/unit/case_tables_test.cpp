@@ -166,6 +166,7 @@ TEST(CaseTables, APresetReachesTheMechanics) {
     EXPECT_EQ(preset_of(name), preset);
     const Scene scene = shipped("quickstart.toml", {"accuracy.preset=" + name});
     EXPECT_EQ(scene.mechanics->critical_fraction, mechanics_of(preset).critical_fraction) << name;
+    EXPECT_EQ(scene.mechanics->parameters.mass_scaling, mechanics_of(preset).parameters.mass_scaling) << name;
     EXPECT_EQ(scene.mechanics->parameters.rest_tolerance, mechanics_of(preset).parameters.rest_tolerance) << name;
     const Scene own = shipped("quickstart.toml", {"accuracy.preset=" + name, "mechanics.rest_tolerance=0.02",
                                                   "mechanics.critical_fraction=0.2"});
