@@ -3,7 +3,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import LogFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
 
 TITLES = {
     "wall": ("Diffusion to a reactive wall (Eq. 28)", "relative L2 error of the concentration, 100 x 80 cells, Da = 4.8"),
@@ -60,8 +60,10 @@ def draw(results, path):
                       "k*" if group == "default" else "o", markersize=12 if group == "default" else 6, label=group)
         axis.set_yscale("log")
         axis.set_xscale("log")
-        for ticks in (axis.xaxis.set_major_formatter, axis.xaxis.set_minor_formatter):
-            ticks(LogFormatter(minor_thresholds=(2, 0.5)))  # plain numbers; fewer of them where they would overlap
+        plain = FuncFormatter(lambda x, _: f"{x:g}")
+        axis.xaxis.set_minor_locator(LogLocator(subs=(2, 5)))
+        axis.xaxis.set_major_formatter(plain)
+        axis.xaxis.set_minor_formatter(plain)
         axis.set_xlabel("processor time / default")
         axis.set_ylabel(f"error of the {first}")
         axis.set_title(TITLES[name][0], fontsize=10)
