@@ -225,7 +225,7 @@ class Rock:
         run = Run(directory)
         history = run.history()
         return {"dissolved": history["dissolved_volume_m3_per_m"][-1],
-                "acid": history["L1_stored_mol_m"][-1],
+                "acid": history["L1_stored_mol_per_m"][-1],
                 "temperature": np.nan_to_num(last(directory).field["temperature"]),
                 "cracks": np.array([crack_length(run.snapshot(step)) for step in run.steps])}
 

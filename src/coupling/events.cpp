@@ -31,9 +31,9 @@ std::string at(const Clock& clock) {
   return fmt::format("step {}, {:.4g} s: ", clock.step, clock.time());
 }
 
-/// The species of a column of the history, "L1" of "L1_gain_outflow_mol_m", or nothing.
+/// The species of a column of the history, "L1" of "L1_gain_outflow_mol_per_m", or nothing.
 std::string species_of(const std::string& column, const std::string& gain) {
-  const std::string ending = "_gain_" + gain + "_mol_m";
+  const std::string ending = "_gain_" + gain + "_mol_per_m";
   return column.ends_with(ending) ? column.substr(0, column.size() - ending.size()) : "";
 }
 

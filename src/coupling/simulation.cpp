@@ -58,7 +58,7 @@ std::vector<HistoryValue> Simulation::history() const {
   }
   for (const Balance& balance : ledger().balances) {
     std::string unit = balance.unit;
-    std::replace(unit.begin(), unit.end(), '/', '_');
+    if (const auto slash = unit.find('/'); slash != std::string::npos) unit.replace(slash, 1, "_per_");
     const auto column = [&](const std::string& what) { return balance.quantity + "_" + what + "_" + unit; };
     row.push_back({column("initial"), balance.initial});
     row.push_back({column("stored"), balance.stored});

@@ -109,7 +109,7 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   // all that is missing was dissolved by the acid: volume = molar volume times acid (Eq. 24)
   double sum = 0;
   for (const double one : taken) sum += one;
-  EXPECT_NEAR(sum * dx * dx / (-4e-4 * run.now("acid_gain_reaction_mol_m")), 1, 1e-11);
+  EXPECT_NEAR(sum * dx * dx / (-4e-4 * run.now("acid_gain_reaction_mol_per_m")), 1, 1e-11);
 }
 
 }  // namespace

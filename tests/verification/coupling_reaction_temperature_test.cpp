@@ -58,9 +58,9 @@ TEST(HotWall, ReactsAtTheArrheniusRate) {
     test::CoupledRun run(column, {"heat.initial_temperature=" + value, "boundary.bottom.heat.temperature=" + value,
                                   "boundary.top.heat.temperature=" + value});
     run.steps(8000);  // 8 times the diffusion time
-    const double before = run.now("acid_gain_reaction_mol_m");
+    const double before = run.now("acid_gain_reaction_mol_per_m");
     run.steps(100);
-    const double flux = (before - run.now("acid_gain_reaction_mol_m")) / (100 * dt * 0.003);
+    const double flux = (before - run.now("acid_gain_reaction_mol_per_m")) / (100 * dt * 0.003);
     const double rate = 1.07e-5 * std::exp(62800 / gas_constant * (1 / 273.15 - 1 / kelvin));
     const double exact = inlet / (depth / diffusivity + 1 / rate);
     EXPECT_NEAR(flux / exact, 1, 1e-6) << kelvin;
