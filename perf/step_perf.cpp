@@ -1,6 +1,6 @@
 // The whole coupled step of the paper's rock, by its parts, each beside the time that its bytes take in a copy. Every
-// step of a cycle (of looks for new pores, of longer steps of heat, of looks at resting rock) is timed by itself and its
-// median counts, the copy's likewise. An event of new pores, which is in no step of a cycle, is timed apart.
+// step of a cycle (of looks for new pores, of longer steps of heat, of looks at resting rock) is timed by itself and
+// its median counts, the copy's likewise. An event of new pores, which is in no step of a cycle, is timed apart.
 #include "coupling/simulation.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/subnormals.hpp"
@@ -84,8 +84,9 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   const double bond = 264, particle = 64 + 12 + 137 + 2 * 64 + 16;
   // What sleeps is evaluated at looks alone, and its particles are not moved.
   const double looks = (1 - s.awake) / steps_between_looks, looked_at = 64 + 12 + 137;
-  bytes[mechanics] = s.substeps * (s.bonds * bond * (s.awake + looks) + s.particles * (particle * s.awake + looked_at * looks)) +
-                     (s.nodes * T + s.surface * 12) / every;  // temperatures, dissolved shares
+  bytes[mechanics] =
+      s.substeps * (s.bonds * bond * (s.awake + looks) + s.particles * (particle * s.awake + looked_at * looks)) +
+      (s.nodes * T + s.surface * 12) / every;  // temperatures, dissolved shares
   bytes[pores] = s.surface * (4 + 8) / every;
   return bytes;
 }
@@ -143,7 +144,8 @@ class Cycle {
   double steps_ = 0;
 };
 
-/// Seconds that an event of new pores takes: `interval` steps in which a node dissolves, less as many in which none does.
+/// Seconds that an event of new pores takes: `interval` steps in which a node dissolves, less as many in which none
+/// does.
 double birth_seconds(Simulation& simulation, int interval) {
   constexpr int events = 9;
   const Geometry& geometry = simulation.parts().geometry;

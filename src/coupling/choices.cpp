@@ -49,9 +49,7 @@ const std::vector<MeasuredChoice>& measured_choices() {
                 given(s, &AccuracySection::wall_interval);
        }},
       {"wall_interval = 400", "1.00", "1.3e-03",
-       [](S s) {
-         return s.reaction && s.accuracy.wall_interval >= 400 && given(s, &AccuracySection::wall_interval);
-       }},
+       [](S s) { return s.reaction && s.accuracy.wall_interval >= 400 && given(s, &AccuracySection::wall_interval); }},
       {"heat_interval = 2", "0.88", "2.0e-05",
        [](S s) { return s.heat && s.accuracy.heat_interval == 2 && given(s, &AccuracySection::heat_interval); }},
       {"heat_interval = 4", "0.89", "2.5e-05",

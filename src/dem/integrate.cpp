@@ -8,9 +8,9 @@ namespace vug {
 
 namespace {
 
-/// One particle: local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds them
-/// in `reaction`. No branches and no calls, so that a host moves eight particles at once.
-/// Reads about 45 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
+/// One particle: local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds
+/// them in `reaction`. No branches and no calls, so that a host moves eight particles at once. Reads about 45 numbers,
+/// writes 11. Conserves momentum up to the sum of the outside forces.
 template <class Keeper>
 struct Integrate {
   StepControl control;

@@ -40,11 +40,12 @@ class Mechanics {
 
   /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each, one more per servo
   /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
-  /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it does.
+  /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it
+  /// does.
   void advance(const Exec& exec, double dt, int substeps);
 
-  /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at rest.
-  /// Velocities are then zero and u_reference holds the displacements reached.
+  /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at
+  /// rest. Velocities are then zero and u_reference holds the displacements reached.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
   /// Velocity of the platen of a held side from now on, m/s.

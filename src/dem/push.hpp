@@ -10,7 +10,8 @@ struct Push {
 };
 
 /// Forces on a particle from what is stored: its bonds' slots in fixed order, its contacts as gathered in
-/// Contacts::push, outside forces, boundary loads and gravity. No branches, so that a host does eight particles at once.
+/// Contacts::push, outside forces, boundary loads and gravity. No branches, so that a host does eight particles at
+/// once.
 struct ParticlePush {
   double load_factor, surroundings;  ///< see StepControl
   Bonds bonds;
