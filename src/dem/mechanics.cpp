@@ -45,44 +45,32 @@ double Mechanics::critical_step() const {
   return vug::critical_step(Exec(), parameters_, particles_, bonds_, loads_);
 }
 
+/// All bonds are evaluated before a look at what rests: what they are made of changes while they sleep.
 template <class Keeper>
-void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts) {
+void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest) {
+  const bool look = rest && steps_ % steps_between_looks == 0;
   if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
-  compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, accounts);
+  if (rest && rest->awake == 0 && !look) return;
+  compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, accounts,
+                      rest && !look ? &rest->bonds : nullptr);
   compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts);
-  integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts);
+  if (look) look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest);
+  integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts, rest ? &rest->particles : nullptr);
   for (const ServoPlaten& servo : servos_) follow_pressure(exec, servo, control.dt, control.load_factor, particles_);
 }
 
-void Mechanics::step(const Exec& exec, const StepControl& control) {
+void Mechanics::step(const Exec& exec, const StepControl& control, Rest* rest) {
   last_dt_ = control.dt;
   if (accounts_) {
-    step(exec, control, *accounts_);
+    step(exec, control, *accounts_, rest);
   } else {
-    step(exec, control, NoAccounts{});
+    step(exec, control, NoAccounts{}, rest);
   }
-}
-
-/// All bonds are evaluated before a look: what they are made of changes while they sleep.
-void Mechanics::step_awake(const Exec& exec, const StepControl& control) {
-  const bool look = steps_ % steps_between_looks == 0;
-  if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
-  if (!look && rest_->awake == 0) return;
-  compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, NoAccounts{}, look ? nullptr : &rest_->bonds);
-  compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, NoAccounts{});
-  if (look) look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest_);
-  integrate(exec, control, bonds_, contacts_, loads_, particles_, NoAccounts{}, &rest_->particles);
 }
 
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
-  last_dt_ = dt;
-  for (int s = 0; s < substeps; ++s) {
-    if (rest_)
-      step_awake(exec, control);
-    else
-      step(exec, control);
-  }
+  for (int s = 0; s < substeps; ++s) step(exec, control, rest_ ? &*rest_ : nullptr);
   time_ += dt * substeps;
 }
 

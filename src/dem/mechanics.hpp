@@ -80,10 +80,10 @@ class Mechanics {
   void set_steps(long steps) { steps_ = steps; }
 
  private:
-  void step(const Exec& exec, const StepControl& control);
+  /// `rest` names what sleeps; null: nothing, as in a preload.
+  void step(const Exec& exec, const StepControl& control, Rest* rest = nullptr);
   template <class Keeper>
-  void step(const Exec& exec, const StepControl& control, const Keeper& accounts);
-  void step_awake(const Exec& exec, const StepControl& control);
+  void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest);
   long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
 

@@ -21,6 +21,11 @@ void run(const std::string& folder, const std::string& more, const std::string& 
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
 }
 
+/// Small triangles, so that there are groups of them, at rest until the cold fluid reaches them.
+const char* const resting =
+    "mechanics.rest_tolerance=1 --set rock.element_size=2e-3 --set mechanics.local_damping=0.8"
+    " --set mechanics.bond.normal_strength=6e6";
+
 class SameBits : public testing::TestWithParam<const char*> {};
 
 TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
@@ -38,8 +43,10 @@ TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
 void stop_and_resume(const std::string& choice, const std::vector<int>& stops) {
   const TemporaryFolder folder;
   // snapshots and checkpoints at every update of the pores, so that a part ends where the whole run has a snapshot too
-  const std::string common = " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
-                             " --set " + choice;
+  const std::string common =
+      " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
+      " --set " +
+      choice;
   run(folder / "whole", "--threads 1" + common);
   for (const int steps : stops) {
     const std::string parts = folder / ("parts" + std::to_string(steps));
@@ -57,8 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                          testing::Values("accuracy.precision=double", "accuracy.precision=single",
                                          "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10",
                                          // no divisors of the steps of a restart
-                                         "accuracy.exchange_interval=7 --set accuracy.wall_interval=35",
-                                         "mechanics.rest_tolerance=0.05 --set mechanics.local_damping=0.7",
+                                         "accuracy.exchange_interval=7 --set accuracy.wall_interval=35", resting,
                                          "boundary.top.traction.support=servo"));
 
 TEST(SameBitsOfAWell, InDissolvingRockWithThreadsAndAfterARestart) {
@@ -91,6 +97,18 @@ TEST(SmallRock, ExercisesWhatItIsThereFor) {
                         "print(float(r['nodes_dissolved_1']) > 0 and float(r['nodes_opened_by_damage_1']) > 0 and "
                         "float(r['bonds_failed_in_tension_1']) + float(r['bonds_failed_in_shear_1']) > 0)\"");
   EXPECT_EQ(last.output, "True\n");
+}
+
+/// All asleep, some and none; asleep at the first of the steps at which the run above is stopped.
+TEST(SmallRock, SleepsAndWakes) {
+  const TemporaryFolder folder;
+  run(folder / "run", std::string("--threads 1 --set output.interval=2.5e-5 --set ") + resting);
+  const test::Outcome awake =
+      test::run_command(VUG_PYTHON " -c \"import csv; r = list(csv.DictReader(open('" + (folder / "run") +
+                        "/history.csv'))); a = [float(x['rock_awake_1']) for x in r]; "
+                        "print(0 in a, 1 in a, any(0 < x < 1 for x in a), "
+                        "[float(x['rock_awake_1']) for x in r if x['step_1'] == '60'])\"");
+  EXPECT_EQ(awake.output, "True True True [0.0]\n");
 }
 
 TEST(Balances, CloseToRoundOffInACoupledRun) {
