@@ -8,6 +8,7 @@
 // into it. All else is still there. Afterwards every population is at its place, and no bit depends on the bands.
 #include "kernels/heat_kernels.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/prefetch.hpp"
 
 namespace vug {
 
@@ -124,11 +125,23 @@ struct ConductBand {
     return row;
   }
 
+  /// Asks for what will be read some segments further on: the processor itself foresees too little of so many streams.
+  KOKKOS_FORCEINLINE_FUNCTION void prefetch_ahead(const Row& row, int start) const {
+    constexpr int ahead = 6 * segment, line = 64 / sizeof(T);
+    VUG_UNROLL
+    for (int q = 0; q < Set::Q; ++q) {
+      const T* const read = row.g[q] + (Set::c(q, 1) < 0 ? bands.lattice.pitch : 0) + start + ahead;
+      for (int x = 0; x < segment; x += line) prefetch_far(read + x);
+    }
+    for (int x = 0; x < segment; x += line) prefetch_far(row.theta + start + ahead + x);
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Conduction<T, Set>& conduction) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;
     T before = row.g[1][-1];  // moves to the right, from the node before the segment
     for (int start = 0; start < nx; start += segment) {
       const int n = nx - start < segment ? nx - start : segment;
+      prefetch_ahead(row, start);
       alignas(64) T rightward[segment + 1], mask[3][segment + 2];
       rightward[0] = before;
       VUG_VECTORISE
@@ -137,7 +150,8 @@ struct ConductBand {
       for (int r = 0; r < 3; ++r) {
         const std::uint8_t* const from = row.solid + (r - 1) * pitch + start - 1;
         VUG_VECTORISE
-        for (int x = 0; x < n + 2; ++x) mask[r][x] = static_cast<T>(from[x]);
+        for (int x = 0; x < n; ++x) mask[r][x] = static_cast<T>(from[x]);
+        for (int x = n; x < n + 2; ++x) mask[r][x] = static_cast<T>(from[x]);
       }
       VUG_VECTORISE
       for (int x = 0; x < n; ++x) {
