@@ -33,9 +33,9 @@ struct SoluteSetting {
   }
 };
 
-/// Populations read and written, indices, concentration written.
+/// Populations read and written, indices in every second step, concentration written.
 template <class T, class Set>
-constexpr double sweep_bytes = (2 * Set::Q + 1) * sizeof(T) + index_bytes(Set::Q - 1);
+constexpr double sweep_bytes = (2 * Set::Q + 1) * sizeof(T) + index_bytes(Set::Q - 1) / 2;
 
 template <class T, class Set>
 void diffuse(benchmark::State& state, const Geometry* geometry) {
@@ -63,7 +63,7 @@ void advect_in_advective_form(benchmark::State& state, const Geometry* geometry)
 template <class T, class Set>
 void find_defect(benchmark::State& state, const Geometry* geometry) {
   SoluteSetting<T, Set> s(*geometry);
-  measure<T, 2>(state, s.nodes.count, 3 * sizeof(T) + 4 * (Set::Q - 1) + 3 * sizeof(std::uint16_t),
+  measure<T, 2>(state, s.nodes.count, 3 * sizeof(T) + index_bytes(Set::Q - 1) + 3 * sizeof(std::uint16_t),
                 [&] { advective_defect<Set>(s.exec, s.nodes, s.u, s.e); });
 }
 

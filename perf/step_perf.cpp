@@ -63,10 +63,10 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   bytes[flow] = s.fluid * (21 * T + 16);
   // five populations both ways, temperature, link mask; of the fluid velocity, defect and its lag, places, links
   bytes[heat] = (s.nodes * (11 * T + 1) + s.fluid * (5 * T + 14)) / heat_every;
-  // velocity in, defect out, four indices, links; a velocity of its own where scalars take longer steps
-  bytes[carried] = s.fluid * carriers * (3 * T + 22) + (carriers < 1 ? s.fluid * 4 * T * carriers : 0);
-  // five populations both ways, concentration out, velocity and defect in, four indices
-  bytes[solutes] = species * s.fluid * (14 * T + 16) / solute_every;
+  // velocity in, defect out, four indices, links
+  bytes[carried] = s.fluid * carriers * (3 * T + 22);
+  // five populations both ways, concentration out, velocity and defect in, four indices in every second step
+  bytes[solutes] = species * s.fluid * (14 * T + 8) / solute_every;
   // of each link the populations of both both ways, its slot and conductance, what it turns over both ways
   const double react = s.links5 * (4 * T + 4 + T + 16);
   // that once more; of each surface node its number, solid volume and what has dissolved both ways

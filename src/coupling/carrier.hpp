@@ -1,18 +1,22 @@
 #pragma once
 // The velocity that carries a scalar which steps every n lattice steps.
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/displacement.hpp"
+
+#include <cstdint>
 
 namespace vug {
 
-/// u: displacement of the fluid per scalar step, n times the velocity of the latest lattice step; e: its advective
-/// defect as of the last scalar step (advective_form.hpp). Written by the flow module.
+/// u: velocity of the latest lattice step; e: advective defect (advective_form.hpp) of what it did in the last scalar
+/// step. Written by the flow module.
 template <class T>
 struct Carrier {
   int interval = 1;    ///< n
   int directions = 5;  ///< of the scalar's velocity set
   T even_weight = 1;   ///< of the defect (advective_form.hpp)
-  VectorField<T> u;    ///< (fluid, axis)
+  VectorField<T> u;    ///< (fluid, axis) the flow's own
   ScalarField<T> e;    ///< (fluid)
+
+  Displacement<T> displacement() const { return {u, interval}; }
 
   /// True in lattice step `step` (0, 1, ...) when the scalar steps with it.
   bool due(std::int64_t step) const { return (step + 1) % interval == 0; }

@@ -115,24 +115,9 @@ const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int dir
 
 template <class T>
 void FlowModule<T>::fit_carrier(const Exec& exec, Carrier<T>& carrier) {
-  if (carrier.interval == 1)
-    carrier.u = fields_.u;
-  else
-    Kokkos::resize(exec, carrier.u, geometry_.fluid.capacity, 2);
+  carrier.u = fields_.u;
   Kokkos::resize(exec, carrier.e, geometry_.fluid.capacity);
 }
-
-/// u_out = n u.
-template <class T>
-struct ScaleVelocity {
-  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
-  VectorField<T> scaled;
-  T n;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    scaled(i, 0) = n * u(i, 0);
-    scaled(i, 1) = n * u(i, 1);
-  }
-};
 
 template <class T>
 void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
@@ -141,9 +126,9 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   for (const Carrier<T>& carrier : carriers_) {
     if (!carrier.due(clock.step - 1) || (steady_.held() && steady_.age() > carrier.interval)) continue;
     if (carrier.directions == D2Q5::Q)
-      advective_defect<D2Q5>(exec, fluid, carrier.u, carrier.e);
+      advective_defect<D2Q5>(exec, fluid, carrier.displacement(), carrier.e);
     else
-      advective_defect<D2Q9>(exec, fluid, carrier.u, carrier.e, carrier.even_weight);
+      advective_defect<D2Q9>(exec, fluid, carrier.displacement(), carrier.e, carrier.even_weight);
   }
   for (const StretchLinks& boundary : boundaries_)
     if (clock.every(LongSum::interval)) boundary.gain.settle(exec);
@@ -153,10 +138,6 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
     collide_and_stream(exec, fluid, fields_, step_);
   }
-  for (const Carrier<T>& carrier : carriers_)
-    if (carrier.interval > 1 && carrier.due(clock.step))
-      for_each_node(exec, "vug::flow::scale_velocity", fluid.count,
-                    ScaleVelocity<T>{fields_.u, carrier.u, static_cast<T>(carrier.interval)});
 }
 
 template <class T>
@@ -279,9 +260,7 @@ void FlowModule<T>::state(StateList& list) {
   list.add("flow/limited", step_.limited);
   for (std::size_t c = 0; c < carriers_.size(); ++c) {  // in the order in which the modules asked for them
     const Carrier<T>& carrier = carriers_[c];
-    const std::string key = "flow/carrier" + std::to_string(c);
-    if (carrier.interval > 1) list.add(key + "/u", carrier.u);
-    list.add(key + "/e", carrier.e);
+    list.add("flow/carrier" + std::to_string(c) + "/e", carrier.e);
   }
   for (StretchLinks& boundary : boundaries_) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);

@@ -119,7 +119,8 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
   if (carrier_)
-    conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->u, carrier_->e, lagged_, fields_, created_.recent());
+    conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->displacement(), carrier_->e, lagged_, fields_,
+                       created_.recent());
   else
     conduct(exec, fields_);
 }

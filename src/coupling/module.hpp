@@ -17,7 +17,6 @@ namespace vug {
 struct Births {
   int first = 0;
   int last = 0;
-  int old_capacity = 0;  ///< distance between directions before the births; populations are moved when it changed
 };
 
 /// A number of history.csv.

@@ -19,7 +19,7 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
     dissolved = mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_);
   if (opener_) opened = opener_->open(exec, d_m_, geometry_.type, geometry_.volume);
   if (dissolved + opened > 0) {
-    Births births{fluid.count, fluid.count, fluid.capacity};
+    Births births{fluid.count, fluid.count};
     append_births(exec, geometry_.type, fluid);
     births.last = fluid.count;
     find_surface(exec, fluid, geometry_.type, geometry_.surface);

@@ -122,7 +122,7 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
   StateList header = geometry_state();
   load(header);
   if (fluid_count_ > 0) {
-    const Births births{std::min(geometry.fluid.count, fluid_count_), fluid_count_, geometry.fluid.capacity};
+    const Births births{std::min(geometry.fluid.count, fluid_count_), fluid_count_};
     StateList list;
     IndexList node("vug::geometry::node", fluid_count_);
     list.add("geometry/type", geometry.type);

@@ -92,9 +92,10 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
     if (!carrier_)
       advance_solute<Set>(exec, fluid, s.parameters, s.fields);
     else if (section_.advective_form)
-      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, carrier_->e, s.fields, s.correction.recent());
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->displacement(), carrier_->e, s.fields,
+                          s.correction.recent());
     else
-      advance_solute<Set>(exec, fluid, s.parameters, carrier_->u, s.fields);
+      advance_solute<Set>(exec, fluid, s.parameters, carrier_->displacement(), s.fields);
   }
 }
 
@@ -103,11 +104,7 @@ void SoluteModule<T, Set>::births(const Exec& exec, const Births& births) {
   const FluidNodes& fluid = geometry_.fluid;
   find_boundaries(exec);
   for (SpeciesState<T>& s : species_) {
-    if (fluid.capacity != births.old_capacity) {
-      s.fields.h = restride(exec, s.fields.h, Set::Q, births.first, births.old_capacity, fluid.capacity);
-      s.fields.h_next = ScalarField<T>("vug::solute::h_next", s.fields.h.extent(0));
-      Kokkos::resize(exec, s.fields.C, fluid.capacity);
-    }
+    fit_solute_to_capacity<Set>(exec, fluid, births.first, s.fields);
     initialise_births<Set>(exec, fluid, births.first, births.last, fill_, s.fields, s.created);
   }
 }
@@ -186,6 +183,7 @@ void SoluteModule<T, Set>::state(StateList& list) {
   for (SpeciesState<T>& s : species_) {
     const std::string key = "solute/" + s.section.name;
     list.add(key + "/h", s.fields.h);
+    list.add_value(key + "/turned", s.fields.turned);
     list.add(key + "/C", s.fields.C);
     add_state(list, key + "/correction", s.correction);
     list.add(key + "/created", s.created);

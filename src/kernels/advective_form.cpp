@@ -11,9 +11,15 @@ struct AdvectiveDefect {
   int capacity;
   Kokkos::View<const int*> source;
   Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
-  VectorField<T> u;
+  Displacement<T> u;
   ScalarField<T> e;
   T even_weight;
+
+  /// Whether the velocity along an axis matters to direction q: on D2Q5 what it moves along alone.
+  template <int axis>
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr bool matters(int q) {
+    return Set::Q != D2Q5::Q || Set::c(q, axis) != 0;
+  }
 
   KOKKOS_FORCEINLINE_FUNCTION T deviation(int q, T ux, T uy) const {
     const T whole = scalar_equilibrium<Set, T>(q, ux, uy) - T(1);
@@ -47,7 +53,7 @@ struct AdvectiveDefect {
     for (int q = 1; q < Set::Q; ++q) {
       const int opposite = Set::opposite(q);
       const T sign = (closed >> opposite) & 1 ? T(-1) : T(1);  // what bounces back comes with the velocity reversed
-      sum += T(Set::w(q)) * deviation(q, sign * ux[q], sign * uy[q]);
+      sum += T(Set::w(q)) * deviation(q, matters<0>(q) ? sign * ux[q] : T(0), matters<1>(q) ? sign * uy[q] : T(0));
     }
     e(i) = sum;
   }
@@ -68,16 +74,18 @@ struct EightDefects {
     for (; i + some <= last; i += some) {
       alignas(64) T ux[Set::Q][some], uy[Set::Q][some];
       for (int l = 0; l < some; l += nodes_per_window) {
-        eight.upstream(&local.u(0, 0), i + l, ux, l);
-        eight.upstream(&local.u(0, 1), i + l, uy, l);
+        eight.upstream(&local.u.u(0, 0), i + l, ux, l,
+                       [](int q) { return AdvectiveDefect<Set, T>::template matters<0>(q); });
+        eight.upstream(&local.u.u(0, 1), i + l, uy, l,
+                       [](int q) { return AdvectiveDefect<Set, T>::template matters<1>(q); });
       }
       VUG_VECTORISE
       for (int l = 0; l < some; ++l) {
         T own_x[Set::Q], own_y[Set::Q];
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) {
-          own_x[q] = ux[q][l];
-          own_y[q] = uy[q][l];
+          own_x[q] = local.u.steps * ux[q][l];
+          own_y[q] = local.u.steps * uy[q][l];
         }
         local.finish(i + l, own_x, own_y);
       }
@@ -87,11 +95,11 @@ struct EightDefects {
 };
 
 template <class Set, class T>
-void advective_defect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& e,
-                      T even_weight) {
+void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+                      const ScalarField<T>& e, T even_weight) {
   const char* label = "vug::advective_form::defect";
-  const AdvectiveDefect<Set, T> body{nodes.capacity,   nodes.source, nodes.solid_links, nodes.side_links,
-                                     nodes.open_links, u,            e,                 even_weight};
+  const AdvectiveDefect<Set, T> body{
+      nodes.capacity, nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links, u, e, even_weight};
   if constexpr (has_source_windows)
     for_each_block(exec, label, nodes.count, EightDefects<Set, T>{body, nodes.windows}, block_of_list(nodes.count));
   else
@@ -99,7 +107,7 @@ void advective_defect(const Exec& exec, const FluidNodes& nodes, const VectorFie
 }
 
 #define VUG_INSTANTIATE(T, Set) \
-  template void advective_defect<Set>(const Exec&, const FluidNodes&, const VectorField<T>&, const ScalarField<T>&, T);
+  template void advective_defect<Set>(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&, T);
 VUG_INSTANTIATE(float, D2Q5)
 VUG_INSTANTIATE(double, D2Q5)
 VUG_INSTANTIATE(float, D2Q9)

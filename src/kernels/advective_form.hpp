@@ -1,6 +1,9 @@
 #pragma once
 // What streaming does to a uniform scalar in a velocity field that is not divergence-free node by node.
+#include "kernels/displacement.hpp"
 #include "kernels/fluid_nodes.hpp"
+
+#include <type_traits>
 
 namespace vug {
 
@@ -10,10 +13,10 @@ namespace vug {
 /// into advective form, so that a uniform scalar stays uniform beside stair-steps and while the density changes.
 /// The even part of the equilibrium, which D2Q9 has, is multiplied by `even_weight`: a scheme whose even and odd parts
 /// build up at different rates (heat.hpp) has another defect of its own.
-/// `u` is the velocity that the populations were last collided with, (fluid, axis). e: (fluid).
-/// Sums to zero over a closed domain. Bytes per node (D2Q5, double): 16 + 4 x 20 + 6 read, 8 written.
+/// `u` is what the populations were last collided with. e: (fluid).
+/// Sums to zero over a closed domain. Bytes per node (D2Q5, double): 16 + 10 + 6 read, 8 written, by eights.
 template <class Set, class T>
-void advective_defect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& e,
-                      T even_weight = 1);
+void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+                      const ScalarField<T>& e, T even_weight = 1);
 
 }  // namespace vug

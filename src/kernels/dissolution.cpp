@@ -2,6 +2,7 @@
 
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/streaming.hpp"
 
 namespace vug {
 
@@ -172,7 +173,9 @@ struct ChargeOldNeighbours {
 
 template <class Set, class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,
-                       const SoluteFields<T>& s, const ScalarField<double>& created) {
+                       SoluteFields<T>& s, const ScalarField<double>& created) {
+  // the links to newborns were walls until now: their populations are at home
+  bring_home<Set>(exec, "vug::solute::settle", nodes, first, s.h, s.turned);
   const BirthNeighbours<T, Set> around{nodes.source, s.h, nodes.capacity, first, last};
   if (fill == BirthFill::mean) {
     add_per_block(exec, "vug::dissolution::fill_by_mean", last - first,
@@ -184,8 +187,8 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
   }
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                        \
-  template void initialise_births<Set, T>(const Exec&, const FluidNodes&, int, int, BirthFill, const SoluteFields<T>&, \
+#define VUG_INSTANTIATE(T, Set)                                                                                  \
+  template void initialise_births<Set, T>(const Exec&, const FluidNodes&, int, int, BirthFill, SoluteFields<T>&, \
                                           const ScalarField<double>&);
 VUG_INSTANTIATE(float, D2Q5)
 VUG_INSTANTIATE(double, D2Q5)

@@ -1,7 +1,7 @@
 #pragma once
 // From a pixel that has dissolved to a fluid node (volume of pixel, paper section 3.3): called at a fixed small
 // interval, between two lattice steps, as
-//   mark_dissolved -> append_births -> (restride if the capacity grew) -> initialise_births per species ->
+//   mark_dissolved -> append_births -> fit_solute_to_capacity -> initialise_births per species ->
 //   find_surface.
 #include "kernels/choices.hpp"
 #include "kernels/solute.hpp"
@@ -21,6 +21,6 @@ int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& sur
 /// depend on their order. created(block) += solute that came from nowhere (mean); block_count(last) entries at least.
 template <class Set, class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,
-                       const SoluteFields<T>& s, const ScalarField<double>& created);
+                       SoluteFields<T>& s, const ScalarField<double>& created);
 
 }  // namespace vug

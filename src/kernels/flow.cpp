@@ -1,6 +1,7 @@
 #include "kernels/flow.hpp"
 
 #include "kernels/launch.hpp"
+#include "kernels/streaming.hpp"
 
 #include <cassert>
 #include <type_traits>
@@ -27,28 +28,6 @@ struct SpeedLimiter {
     unroll<D2Q9::Q>([&](auto q) VUG_INLINED { f[q] += T(3 * D2Q9::w(q)) * along<q>(dx, dy); });
     return over ? 1 : 0;
   }
-};
-
-/// Where the sweep finds the population that arrives in direction q at node i, and where it leaves the one that goes
-/// out in direction q. Every slot is read and written by one node only, which reads all of its slots before it writes.
-struct TwoLattices {
-  Kokkos::View<const int*> source;
-  int capacity;
-  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return source(q * capacity + i); }
-  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
-};
-/// In place, populations at home: takes them from the neighbours and leaves its own in the slots it emptied.
-struct InPlaceFromHome {
-  Kokkos::View<const int*> source;
-  int capacity;
-  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return source(q * capacity + i); }
-  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return source(D2Q9::opposite(q) * capacity + i); }
-};
-/// In place, populations turned: all have arrived already, and go home.
-struct InPlaceFromTurned {
-  int capacity;
-  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return D2Q9::opposite(q) * capacity + i; }
-  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
 };
 
 /// The sweep: populations after streaming, f_q(x, t+1) = f*_q(x - c_q, t) or bounced back, then collided.
@@ -148,13 +127,13 @@ struct Sweep {
   template <class Relaxation, class Force>
   void stream(const Relaxation& relax, const Force& force) const {
     if (fields.f_next.extent(0) > 0) {
-      limit(TwoLattices{nodes.source, nodes.capacity}, fields.f_next, relax, force);
+      limit(TwoLattices<D2Q9>{nodes.source, nodes.capacity}, fields.f_next, relax, force);
       std::swap(fields.f, fields.f_next);
     } else if (fields.turned) {
-      limit(InPlaceFromTurned{nodes.capacity}, fields.f, relax, force);
+      limit(InPlaceFromTurned<D2Q9>{nodes.capacity}, fields.f, relax, force);
       fields.turned = 0;
     } else {
-      limit(InPlaceFromHome{nodes.source, nodes.capacity}, fields.f, relax, force);
+      limit(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity}, fields.f, relax, force);
       fields.turned = 1;
     }
   }
@@ -166,7 +145,7 @@ struct Sweep {
       return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{
           fields.f, target, fields.density, fields.u, slots, relax, force, limiter};
     };
-    constexpr bool by_eights = has_source_windows && std::is_same_v<Slots, InPlaceFromHome>;
+    constexpr bool by_eights = has_source_windows && std::is_same_v<Slots, InPlaceFromHome<D2Q9>>;
     const auto eights = [&](const auto& node, const ScalarField<double>& uses) {
       return EightFromHome<T, std::decay_t<decltype(node)>>{node, nodes.windows, uses};
     };

@@ -1,6 +1,7 @@
 // Making, growing and filling the fields of the flow, and their sums.
 #include "kernels/flow.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/streaming.hpp"
 
 namespace vug {
 
@@ -45,31 +46,9 @@ void set_equilibrium(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& f
                 SetEquilibrium<T>{fields.f, fields.density, fields.u, nodes.capacity});
 }
 
-/// Exchanges the two populations of every link between fluid nodes; each pair is met once, from one end.
-template <class T>
-struct TurnBack {
-  ScalarField<T> f;
-  Kokkos::View<const int*> source;
-  int count, capacity;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    for (int q = 1; q < D2Q9::Q; ++q) {
-      const int opposite = D2Q9::opposite(q);
-      if (opposite < q) continue;
-      const int other = source(q * capacity + i);  // of the neighbour along -q, when that is fluid
-      const int neighbour = other - q * capacity;
-      if (neighbour < 0 || neighbour >= count) continue;
-      const T mine = f(opposite * capacity + i);
-      f(opposite * capacity + i) = f(other);
-      f(other) = mine;
-    }
-  }
-};
-
 template <class T>
 void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
-  if (!fields.turned) return;
-  fields.turned = 0;
-  for_each_node(exec, "vug::flow::settle", count, TurnBack<T>{fields.f, nodes.source, count, nodes.capacity});
+  bring_home<D2Q9>(exec, "vug::flow::settle", nodes, count, fields.f, fields.turned);
 }
 
 /// A new node at rest at the mean density of its old neighbours. New nodes read old ones only, and write themselves:

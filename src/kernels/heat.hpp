@@ -5,7 +5,10 @@
 // One step: fill the halo (heat_boundary.hpp), `conduct` on all nodes, then `advect` on the fluid nodes where there is
 // flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
 // fluid's volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
+#include "kernels/displacement.hpp"
 #include "kernels/fluid_nodes.hpp"
+
+#include <type_traits>
 
 namespace vug {
 
@@ -84,14 +87,15 @@ T even_defect_weight(const HeatFields<T>& fields) {
   return fields.velocity_set == ScalarVelocitySet::d2q9 ? (2 - fields.rates.fluid) / fields.rates.fluid : T(1);
 }
 
-/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` (fluid, axis) is the velocity
-/// in nodes per heat step, `defect` (fluid) the e of kernels/advective_form.hpp for the velocity of the heat step
+/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` is that of a heat
+/// step, `defect` (fluid) the e of kernels/advective_form.hpp for the velocity of the heat step
 /// before, its even part weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
 /// start and at births, part of a checkpoint. `created` (block) grows by the energy that the advective form adds; give
 /// an empty View to leave it out.
 template <class T>
-void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
-            const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created);
+void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+            const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
+            const ScalarField<double>& created);
 
 /// The fluid nodes in the order of the dense lattice, row by row. Empty on a GPU, which does not use it.
 struct FluidRows {
@@ -104,8 +108,8 @@ FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes);
 /// time in rock, where the fluid nodes lie scattered. `created` has an entry per row at least, and one per block of
 /// nodes.
 template <class T>
-void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows, const VectorField<T>& u,
-                        const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
-                        const ScalarField<double>& created);
+void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
+                        const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
+                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created);
 
 }  // namespace vug

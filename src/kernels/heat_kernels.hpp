@@ -134,7 +134,7 @@ struct Advect {
   int plane;
   IndexList node;
   Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
-  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  Displacement<T> u;
   Kokkos::View<const T*> defect;
   ScalarField<T> lagged, g, theta;
 
@@ -163,7 +163,7 @@ struct Advect {
 
 /// What the flow adds to the populations of one fluid node of these fields.
 template <class T, class Set>
-Advect<T, Set> advect_body(const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
+Advect<T, Set> advect_body(const FluidNodes& nodes, const Displacement<T>& u, const ScalarField<T>& defect,
                            const ScalarField<T>& lagged, const HeatFields<T>& fields) {
   return {{fields.rates.fluid},
           fields.lattice.size(),

@@ -131,8 +131,9 @@ void conduct(const Exec& exec, HeatFields<T>& fields) {
 }
 
 template <class T>
-void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, const ScalarField<T>& defect,
-            const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created) {
+void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+            const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
+            const ScalarField<double>& created) {
   visit_velocity_set(fields.velocity_set, [&](auto set) {
     const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields);
     if (created.extent(0) > 0)
@@ -143,9 +144,9 @@ void advect(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, 
 }
 
 template <class T>
-void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows, const VectorField<T>& u,
-                        const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
-                        const ScalarField<double>& created) {
+void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
+                        const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
+                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created) {
   if constexpr (runs_on_host) {
     visit_kind(fields, [&](auto set, auto openings) {
       using Set = decltype(set);
@@ -158,12 +159,12 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
   }
 }
 
-#define VUG_INSTANTIATE(T)                                                                                  \
-  template void conduct(const Exec&, HeatFields<T>&);                                                       \
-  template void advect(const Exec&, const FluidNodes&, const VectorField<T>&, const ScalarField<T>&,        \
-                       const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&);                  \
-  template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const VectorField<T>&, \
-                                   const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,            \
+#define VUG_INSTANTIATE(T)                                                                                   \
+  template void conduct(const Exec&, HeatFields<T>&);                                                        \
+  template void advect(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&,        \
+                       const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&);                   \
+  template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const Displacement<T>&, \
+                                   const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,             \
                                    const ScalarField<double>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -3,6 +3,7 @@
 #include "kernels/launch.hpp"
 #include "kernels/require.hpp"
 #include "kernels/scalar_equilibrium.hpp"
+#include "kernels/streaming.hpp"
 #include "kernels/unroll.hpp"
 
 #include <string>
@@ -30,29 +31,27 @@ template <class T>
 struct Advection {
   static constexpr bool moves = true;
   static constexpr bool advective_form = false;
-  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  Displacement<T> u;
 };
 
 template <class T>
 struct AdvectiveForm {
   static constexpr bool moves = true;
   static constexpr bool advective_form = true;
-  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  Displacement<T> u;
   Kokkos::View<const T*> e;
 };
 
-/// Pull, collide, store. With C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 - 3/2 u^2]):
+/// Pull, collide, store, in place. With C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 - 3/2 u^2]):
 ///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
 /// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h; with the
 /// advective form it returns what it adds to it, -C e with C (1 + e) = sum of the pulled populations. Bytes per node,
-/// size of T = s: 2 Q s + 4 (Q - 1) + s (by eights 2.5 (Q - 1) instead), + 2 s with advection, + s with the advective
-/// form.
-template <class T, class Set, class Flow>
+/// size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights 2.5 (Q - 1)), + 2 s with advection, + s with the
+/// advective form.
+template <class T, class Set, class Slots, class Flow>
 struct SoluteSweep {
-  Kokkos::View<const int*> source;
-  Kokkos::View<const T*> h;
-  ScalarField<T> h_next, C;
-  int capacity;
+  Slots slots;
+  ScalarField<T> h, C;
   T rate_h, rate_difference;
   Flow flow;
 
@@ -60,11 +59,15 @@ struct SoluteSweep {
     T g[Set::Q];
     g[0] = h(i);
     VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) g[q] = h(source(q * capacity + i));
-    return finish(i, g);
+    for (int q = 1; q < Set::Q; ++q) g[q] = h(slots.arriving(q, i));
+    const double added = finish(i, g);
+    h(i) = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) h(slots.leaving(q, i)) = g[q];
+    return added;
   }
 
-  /// Concentration, collision and store of the populations that have arrived.
+  /// Concentration and collision of the populations that have arrived.
   KOKKOS_FORCEINLINE_FUNCTION double finish(int i, T (&g)[Set::Q]) const {
     T c = g[0], flux_x = 0, flux_y = 0;
     VUG_UNROLL
@@ -81,8 +84,6 @@ struct SoluteSweep {
     }
     C(i) = c;
     collide(i, g, c, flux_x, flux_y);
-    VUG_UNROLL
-    for (int q = 0; q < Set::Q; ++q) h_next(q * capacity + i) = g[q];
     return double(added);
   }
 
@@ -110,42 +111,51 @@ struct SoluteSweep {
   }
 };
 
-/// A block of nodes, eight at a time. What they add is summed as add_per_block does.
+/// A block of nodes from home, by eights. What they add is summed as add_per_block does.
 template <class T, class Set, class Flow>
 struct EightSweeps {
-  SoluteSweep<T, Set, Flow> sweep;
+  using Sweep = SoluteSweep<T, Set, InPlaceFromHome<Set>, Flow>;
+  Sweep sweep;
   Kokkos::View<const SourceWindow*> windows;
   ScalarField<double> correction;
+
   void operator()(int first, int last) const {
-    const detail::LocalBody<SoluteSweep<T, Set, Flow>> copy(sweep);
-    const SoluteSweep<T, Set, Flow>& local = copy.body;
-    const EightNodes<T, Set> eight{windows.data(), local.source.data(), local.capacity};
-    const T* const h = local.h.data();
+    const detail::LocalBody<Sweep> copy(sweep);
+    const Sweep& local = copy.body;
+    const EightNodes<T, Set> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
+    constexpr int several = 4 * nodes_per_window;
     double sum[nodes_per_window] = {};
     int i = first;
-    for (; i + nodes_per_window <= last; i += nodes_per_window) {
-      alignas(64) T g[Set::Q][nodes_per_window];
-      eight.pull(h, i, g);
-      VUG_VECTORISE
-      for (int l = 0; l < nodes_per_window; ++l) {
-        T own[Set::Q];
-        VUG_UNROLL
-        for (int q = 0; q < Set::Q; ++q) own[q] = g[q][l];
-        sum[l] += local.finish(i + l, own);
-      }
-    }
+    for (; i + several <= last; i += several) by_eights<several>(local, eight, i, sum);
+    for (; i + nodes_per_window <= last; i += nodes_per_window) by_eights<nodes_per_window>(local, eight, i, sum);
     for (int l = 0; i < last; ++i, ++l) sum[l] += local(i);
     if constexpr (Flow::advective_form)
       correction(first / nodes_per_block) +=
           ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
-};
 
-template <class Set, class T, class Flow>
-SoluteSweep<T, Set, Flow> make_sweep(const FluidNodes& nodes, const SoluteParameters& p, const SoluteFields<T>& s,
-                                     const Flow& flow) {
-  return {nodes.source, s.h, s.h_next, s.C, nodes.capacity, T(1 / p.tau_h), T(1 / p.tau_h - 1 / p.tau_1), flow};
-}
+ private:
+  /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
+  template <int count>
+  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes<T, Set>& eight, int first,
+                                                    double (&sum)[nodes_per_window]) {
+    alignas(64) T g[count / nodes_per_window][Set::Q][nodes_per_window];
+    T* const h = local.h.data();
+    for (int k = 0; k < count; k += nodes_per_window) eight.pull(h, first + k, g[k / nodes_per_window]);
+    for (int k = 0; k < count; k += nodes_per_window) {
+      VUG_VECTORISE
+      for (int l = 0; l < nodes_per_window; ++l) {
+        T own[Set::Q];
+        VUG_UNROLL
+        for (int q = 0; q < Set::Q; ++q) own[q] = g[k / nodes_per_window][q][l];
+        sum[l] += local.finish(first + k + l, own);
+        VUG_UNROLL
+        for (int q = 0; q < Set::Q; ++q) g[k / nodes_per_window][q][l] = own[q];
+      }
+    }
+    for (int k = 0; k < count; k += nodes_per_window) eight.push(h, first + k, g[k / nodes_per_window]);
+  }
+};
 
 template <class T, class Set>
 struct UniformConcentrationAtRest {
@@ -160,8 +170,7 @@ struct UniformConcentrationAtRest {
 
 template <class T, class Set>
 SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration) {
-  const std::size_t slots = std::size_t(Set::Q) * nodes.capacity;
-  SoluteFields<T> s{ScalarField<T>("vug::solute::h", slots), ScalarField<T>("vug::solute::h_next", slots),
+  SoluteFields<T> s{ScalarField<T>("vug::solute::h", std::size_t(Set::Q) * nodes.capacity), 0,
                     ScalarField<T>("vug::solute::C", nodes.capacity)};
   for_each_node(exec, "vug::solute::uniform", nodes.count,
                 UniformConcentrationAtRest<T, Set>{s.h, s.C, nodes.capacity, T(concentration)});
@@ -172,15 +181,33 @@ SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, do
 template <class Set, class T, class Flow>
 void advance(const Exec& exec, const char* label, const FluidNodes& nodes, const SoluteParameters& p,
              SoluteFields<T>& s, const Flow& flow, const ScalarField<double>& correction = {}) {
-  const auto sweep = make_sweep<Set>(nodes, p, s, flow);
-  if constexpr (has_source_windows)
-    for_each_block(exec, label, nodes.count, EightSweeps<T, Set, Flow>{sweep, nodes.windows, correction},
+  const auto sweep = [&](auto slots) {
+    return SoluteSweep<T, Set, decltype(slots), Flow>{slots, s.h, s.C, T(1 / p.tau_h), T(1 / p.tau_h - 1 / p.tau_1),
+                                                      flow};
+  };
+  const auto sweep_nodes = [&](const auto& body) {
+    if constexpr (Flow::advective_form)
+      add_per_block(exec, label, nodes.count, body, correction);
+    else
+      for_each_node(exec, label, nodes.count, body);
+  };
+  const InPlaceFromHome<Set> home{nodes.source, nodes.capacity};
+  if (s.turned)
+    sweep_nodes(sweep(InPlaceFromTurned<Set>{nodes.capacity}));
+  else if constexpr (has_source_windows)
+    for_each_block(exec, label, nodes.count, EightSweeps<T, Set, Flow>{sweep(home), nodes.windows, correction},
                    Flow::advective_form ? nodes_per_block : block_of_list(nodes.count));
-  else if constexpr (Flow::advective_form)
-    add_per_block(exec, label, nodes.count, sweep, correction);
   else
-    for_each_node(exec, label, nodes.count, sweep);
-  std::swap(s.h, s.h_next);
+    sweep_nodes(sweep(home));
+  s.turned = 1 - s.turned;
+}
+
+template <class Set, class T>
+void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
+  const int old = static_cast<int>(s.C.extent(0));
+  if (old == nodes.capacity) return;
+  s.h = restride(exec, s.h, Set::Q, count, old, nodes.capacity);
+  Kokkos::resize(exec, s.C, nodes.capacity);
 }
 
 template <class Set, class T>
@@ -189,24 +216,27 @@ void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParam
 }
 
 template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p, const VectorField<T>& u,
-                    SoluteFields<T>& s) {
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p,
+                    const std::type_identity_t<Displacement<T>>& u, SoluteFields<T>& s) {
   advance<Set>(exec, "vug::solute::advect", nodes, p, s, Advection<T>{u});
 }
 
 template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p, const VectorField<T>& u,
-                    const ScalarField<T>& e, SoluteFields<T>& s, const ScalarField<double>& correction) {
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p,
+                    const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& e, SoluteFields<T>& s,
+                    const ScalarField<double>& correction) {
   advance<Set>(exec, "vug::solute::advect_in_advective_form", nodes, p, s, AdvectiveForm<T>{u, e}, correction);
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                        \
-  template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);                         \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&, SoluteFields<T>&);     \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&, const VectorField<T>&, \
-                                       SoluteFields<T>&);                                                              \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&, const VectorField<T>&, \
-                                       const ScalarField<T>&, SoluteFields<T>&, const ScalarField<double>&);
+#define VUG_INSTANTIATE(T, Set)                                                                                    \
+  template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);                     \
+  template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);             \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&, SoluteFields<T>&); \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&,                    \
+                                       const Displacement<T>&, SoluteFields<T>&);                                  \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&,                    \
+                                       const Displacement<T>&, const ScalarField<T>&, SoluteFields<T>&,            \
+                                       const ScalarField<double>&);
 VUG_INSTANTIATE(float, D2Q5)
 VUG_INSTANTIATE(double, D2Q5)
 VUG_INSTANTIATE(float, D2Q9)

@@ -3,12 +3,13 @@
 // over any velocity set.
 //
 // Order within a lattice step: dress the outgoing populations in `h` (solute_boundary.hpp, reactive_wall.hpp), then
-// advance_solute, which pulls, collides, stores and swaps. Births come between two steps (dissolution.hpp).
-#include "kernels/base.hpp"
+// advance_solute, which pulls, collides and stores in place (streaming.hpp). Births come between two steps
+// (dissolution.hpp).
+#include "kernels/displacement.hpp"
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/velocity_set.hpp"
 
-#include <utility>
+#include <type_traits>
 
 namespace vug {
 
@@ -31,23 +32,27 @@ SoluteParameters solute_parameters(double D, double tau_h);
 /// Populations and concentration of one species on the fluid nodes.
 template <class T>
 struct SoluteFields {
-  ScalarField<T> h;       ///< (q * capacity + fluid) post-collision populations, outgoing
-  ScalarField<T> h_next;  ///< scratch of the sweep, same shape
-  ScalarField<T> C;       ///< (fluid) concentration of the last sweep
+  ScalarField<T> h;  ///< (q * capacity + fluid) post-collision populations, outgoing
+  int turned = 0;    ///< 1 after an odd number of steps (streaming.hpp); belongs to h in a checkpoint
+  ScalarField<T> C;  ///< (fluid) concentration of the last sweep
 };
 
 /// Fields of one species for `nodes`, at rest with a uniform concentration.
 template <class T, class Set>
 SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration = 0);
 
+/// Moves the fields of the first `count` nodes to the capacity of `nodes`, if that has changed.
+template <class Set, class T>
+void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
+
 /// One lattice step of a species in a fluid at rest.
 template <class Set, class T>
 void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters, SoluteFields<T>& s);
 
-/// One lattice step of a species carried by the velocity u (fluid, axis).
+/// One lattice step of a species carried by the flow.
 template <class Set, class T>
 void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters,
-                    const VectorField<T>& u, SoluteFields<T>& s);
+                    const std::type_identity_t<Displacement<T>>& u, SoluteFields<T>& s);
 
 /// As above in advective form: a uniform concentration stays uniform although the stair-step, pseudo-compressible
 /// velocity field has the discrete divergence e (fluid; advective_defect<Set> of advective_form.hpp, taken from the
@@ -55,7 +60,7 @@ void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParam
 /// `correction` has at least block_count(nodes.count) entries.
 template <class Set, class T>
 void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters,
-                    const VectorField<T>& u, const ScalarField<T>& e, SoluteFields<T>& s,
+                    const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& e, SoluteFields<T>& s,
                     const ScalarField<double>& correction);
 
 }  // namespace vug

@@ -33,19 +33,21 @@ struct DressConcentration {
   }
 };
 
-/// h_in = h*_in of the same node in the slot of the outgoing population of one link.
+/// h_in = h*_in of the same node in the slot of the outgoing population of one link. What goes inwards from there may
+/// be turned (streaming.hpp).
 template <class T, class Set>
 struct DressOutflow {
   IndexList fluid;
   Kokkos::View<std::uint8_t*> direction;
+  Kokkos::View<const int*> source;
   ScalarField<T> h;
   ScalarField<double> gain;
-  int capacity;
+  int capacity, turned;
   KOKKOS_FUNCTION void operator()(int link) const {
     const int q = direction(link);
     const int slot = q * capacity + fluid(link);
     const T out = h(slot);
-    const T in = h(Set::opposite(q) * capacity + fluid(link));
+    const T in = h(turned ? source(slot) : Set::opposite(q) * capacity + fluid(link));
     h(slot) = in;
     gain(link) += double(in) - double(out);
   }
@@ -71,7 +73,7 @@ template <class Set, class T>
 void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const SoluteFields<T>& s,
                    const ScalarField<double>& gain) {
   for_each_node(exec, "vug::solute_boundary::outflow", links.count,
-                DressOutflow<T, Set>{links.fluid, links.direction, s.h, gain, nodes.capacity});
+                DressOutflow<T, Set>{links.fluid, links.direction, nodes.source, s.h, gain, nodes.capacity, s.turned});
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                                     \

@@ -1,6 +1,6 @@
 #pragma once
 // Eight fluid nodes at a time on hosts with AVX-512. Walls apart, the slots from which eight consecutive nodes pull one
-// direction lie within sixteen consecutive ones, almost always (99 % in rock of three-node pathways): two loads and a
+// direction lie within two runs of eight, almost always (99.9 % in rock of three-node pathways): two loads and a
 // permutation of registers then take the place of eight loads, a permutation and masked stores that of eight stores.
 // The processor's own gathers and scatters are no faster than single loads and stores.
 #include "kernels/base.hpp"
@@ -25,34 +25,42 @@ inline constexpr bool has_source_windows = false;
 inline constexpr int nodes_per_window = 8;
 
 /// Where eight consecutive nodes, the first a multiple of eight, pull one direction from: FluidNodes::source of them
-/// once more, in 20 bytes instead of 32.
+/// once more, in 20 bytes instead of 32. Numbers 0 to 7 are the slots from `first` on, 8 to 15 those from first + gap.
 struct SourceWindow {
-  static constexpr int slots = 16;
-  int first = -1;             ///< first slot of the window; -1: the slots lie too far apart for one
-  std::uint32_t from = 0;     ///< 4 bits per node: its slot, counted from the first
-  std::uint32_t to[2] = {};   ///< per half of the window: 3 bits per slot, its node; bit 24 + slot: has one
-  std::uint32_t bounced = 0;  ///< bit per node: pulls from its own opposite slot instead
+  int first = -1;             ///< -1: the slots do not lie in two runs
+  std::uint32_t from = 0;     ///< 4 bits per node: the number of its slot
+  std::uint32_t to[2] = {};   ///< per run: 3 bits per slot, its node; bit 24 + slot: has one
+  std::uint32_t bounced : 8;  ///< bit per node: pulls from its own opposite slot instead
+  std::uint32_t gap : 24;
 
-  static constexpr int owned_from = 24;
+  static constexpr int owned_from = 24, widest_gap = (1 << 24) - 1;
+  KOKKOS_FORCEINLINE_FUNCTION SourceWindow() : bounced(0), gap(nodes_per_window) {}
+  KOKKOS_FORCEINLINE_FUNCTION int run(int number) const { return number == 0 ? first : first + static_cast<int>(gap); }
 };
 
 /// The window over eight entries of FluidNodes::source of one direction, whose slots are [plane, plane + capacity).
 KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity) {
+  const auto inside = [&](int slot) { return slot >= plane && slot < plane + capacity; };
   SourceWindow w;
-  int first = plane + capacity - SourceWindow::slots;
+  int first = plane + capacity - 2 * nodes_per_window, second = plane + capacity - nodes_per_window;
+  for (int l = 0; l < nodes_per_window; ++l)
+    if (inside(source[l]) && source[l] < first) first = source[l];
+  for (int l = 0; l < nodes_per_window; ++l)
+    if (inside(source[l]) && source[l] >= first + nodes_per_window && source[l] < second) second = source[l];
   for (int l = 0; l < nodes_per_window; ++l) {
-    const bool inside = source[l] >= plane && source[l] < plane + capacity;
-    if (!inside) w.bounced |= 1u << l;
-    if (inside && source[l] < first) first = source[l];
+    if (!inside(source[l])) {
+      w.bounced |= 1u << l;
+      continue;
+    }
+    const int run = source[l] < first + nodes_per_window ? 0 : 1, slot = source[l] - (run == 0 ? first : second);
+    if (slot >= nodes_per_window) return {};
+    w.from |= static_cast<std::uint32_t>(run * nodes_per_window + slot) << 4 * l;
+    w.to[run] |= static_cast<std::uint32_t>(l) << 3 * slot | 1u << (SourceWindow::owned_from + slot);
   }
-  for (int l = 0; l < nodes_per_window; ++l) {
-    if (w.bounced >> l & 1u) continue;
-    const int slot = source[l] - first;
-    if (slot >= SourceWindow::slots) return {};
-    w.from |= static_cast<std::uint32_t>(slot) << 4 * l;
-    w.to[slot / 8] |= static_cast<std::uint32_t>(l) << 3 * (slot % 8) | 1u << (SourceWindow::owned_from + slot % 8);
-  }
+  if (w.to[1] == 0) second = first + nodes_per_window;
+  if (second - first > SourceWindow::widest_gap) return {};
   w.first = first;
+  w.gap = static_cast<std::uint32_t>(second - first);
   return w;
 }
 
@@ -133,20 +141,21 @@ struct EightNodes {
         for (int l = 0; l < nodes_per_window; ++l) g[q][l] = f[source[q * capacity + i + l]];
         continue;
       }
-      const auto pulled = E::pick(w.from, E::load(f + w.first), E::load(f + w.first + nodes_per_window));
+      const auto pulled = E::pick(w.from, E::load(f + w.run(0)), E::load(f + w.run(1)));
       E::store(g[q], E::blend(w.bounced, pulled, E::load(f + Set::opposite(q) * capacity + i)));
     }
   }
 
   /// `field` (fluid) at the nodes that the directions of i .. i + 7 come from, into `value` from `at` on; at a wall or
-  /// a side that of the node itself.
-  template <int some>
-  void upstream(const T* field, int i, T (&value)[Set::Q][some], int at) const {
+  /// a side that of the node itself. Of directions other than those that `matters` says true of, nothing.
+  template <int some, class Matters>
+  void upstream(const T* field, int i, T (&value)[Set::Q][some], int at, const Matters& matters) const {
     using E = Eight<T>;
     const auto own = E::load(field + i);
     E::store(value[0] + at, own);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
+      if (!matters(q)) continue;
       const SourceWindow& w = windows[i + q - 1];
       const int plane = q * capacity;
       if (w.first < 0) [[unlikely]] {
@@ -156,13 +165,13 @@ struct EightNodes {
         }
         continue;
       }
-      const T* const first = field + (w.first - plane);
-      const auto there = E::pick(w.from, E::load(first), E::load(first + nodes_per_window));
+      const auto there = E::pick(w.from, E::load(field + (w.run(0) - plane)), E::load(field + (w.run(1) - plane)));
       E::store(value[q] + at, E::blend(w.bounced, there, own));
     }
   }
 
-  /// Leaves what goes out against direction q where what came in along q was.
+  /// Leaves what goes out against direction q where what came in along q was. Stores without a lane cost less than
+  /// branches that the processor guesses wrong.
   void push(T* f, int i, const T (&g)[Set::Q][nodes_per_window]) const {
     using E = Eight<T>;
     const SourceWindow* const window = windows + i;
@@ -177,9 +186,9 @@ struct EightNodes {
       }
       const auto out = E::load(g[opposite]);
       const std::uint32_t near = w.to[0] >> SourceWindow::owned_from, far = w.to[1] >> SourceWindow::owned_from;
-      E::store(f + w.first, near, E::pick(w.to[0], out));
-      if (far) E::store(f + w.first + nodes_per_window, far, E::pick(w.to[1], out));
-      if (w.bounced) E::store(f + opposite * capacity + i, w.bounced, out);
+      E::store(f + w.run(0), near, E::pick(w.to[0], out));
+      E::store(f + w.run(1), far, E::pick(w.to[1], out));
+      E::store(f + opposite * capacity + i, w.bounced, out);
     }
   }
 };

@@ -119,23 +119,15 @@ struct ReactiveBox {
   /// that the newborn nodes touch.
   int births(BirthFill fill) {
     if (mark_dissolved(exec, nodes, surface, type, V, lost) == 0) return 0;
-    const int first = nodes.count, old_capacity = nodes.capacity;
+    const int first = nodes.count;
     const int births = append_births(exec, type, nodes);
-    if (nodes.capacity != old_capacity) {
-      grow(acid, first, old_capacity);
-      if (has_product) grow(product, first, old_capacity);
-    }
+    fit_solute_to_capacity<Set>(exec, nodes, first, acid);
+    if (has_product) fit_solute_to_capacity<Set>(exec, nodes, first, product);
     initialise_births<Set>(exec, nodes, first, nodes.count, fill, acid, created);
     if (has_product) initialise_births<Set>(exec, nodes, first, nodes.count, fill, product, created);
     find_surface(exec, nodes, type, surface);
     renew_normals();
     return births;
-  }
-
-  void grow(SoluteFields<T>& s, int count, int old_capacity) {
-    s.h = restride(exec, s.h, Set::Q, count, old_capacity, nodes.capacity);
-    s.h_next = ScalarField<T>("h_next", s.h.extent(0));
-    Kokkos::resize(s.C, nodes.capacity);
   }
 
   /// Empties the ledgers of the sides into a sum of more digits. A ledger that takes a million small and nearly equal

@@ -133,7 +133,7 @@ TEST(Births, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
   V(box, 1, 0) = 0.5;
   const int first = box.nodes.count;
   ASSERT_EQ(append_births(box.exec, box.type, box.nodes), 1);
-  box.grow(box.acid, first, 16);
+  fit_solute_to_capacity<D2Q5>(box.exec, box.nodes, first, box.acid);
   initialise_births<D2Q5>(box.exec, box.nodes, first, box.nodes.count, BirthFill::mean, box.acid, box.created);
   EXPECT_EQ(concentration(box, 1, 1), 0);
   EXPECT_EQ(sum_in_order(box.created), 0);
