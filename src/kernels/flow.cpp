@@ -11,17 +11,19 @@ namespace vug {
 /// No limit of speed: costs nothing in the kernel.
 template <class T>
 struct NoLimiter {
+  static constexpr bool exists = false;
   KOKKOS_FORCEINLINE_FUNCTION int operator()(T (&)[9], Macroscopic<T>&) const { return 0; }
 };
 
 /// Brings a speed above the limit back to it: f_q += 3 w_q c_q . (limit/|u| - 1) u. Mass is kept, momentum is not.
 template <class T>
 struct SpeedLimiter {
+  static constexpr bool exists = true;
   T limit;
+  KOKKOS_FORCEINLINE_FUNCTION bool is_above(T ux, T uy) const { return ux * ux + uy * uy > limit * limit; }
   KOKKOS_FORCEINLINE_FUNCTION int operator()(T (&f)[9], Macroscopic<T>& m) const {
-    const T u2 = m.ux * m.ux + m.uy * m.uy;
-    const bool over = u2 > limit * limit;
-    const T excess = over ? limit / Kokkos::sqrt(u2) - T(1) : T(0);
+    const bool over = is_above(m.ux, m.uy);
+    const T excess = over ? limit / Kokkos::sqrt(m.ux * m.ux + m.uy * m.uy) - T(1) : T(0);
     const T dx = excess * m.ux, dy = excess * m.uy;
     m.ux += dx;
     m.uy += dy;
@@ -43,6 +45,7 @@ struct CollideAndStream {
   Relaxation relax;
   Force force;
   Limiter limit;
+  static constexpr bool limits = Limiter::exists;
 
   KOKKOS_FORCEINLINE_FUNCTION void pull(int i, T (&g)[9]) const {
     g[0] = f(i);
@@ -73,10 +76,50 @@ struct CollideAndStream {
     for (int q = 1; q < D2Q9::Q; ++q) f_next(slots.leaving(q, i)) = g[q];
     return limited;
   }
+
+  using Unlimited = CollideAndStream<T, Slots, Relaxation, Force, NoLimiter<T>>;
+  KOKKOS_FORCEINLINE_FUNCTION Unlimited unlimited() const { return {f, f_next, density, u, slots, relax, force, {}}; }
 };
 
-/// The same from home for a block of nodes, eight at a time: the indices are 20 bytes per node instead of 32 (178 and
-/// 94 bytes per node). `limited`, where there are any, gains the uses of the limiter.
+/// A block of nodes on a host. The root and the quotient of the limiter would cost every node as much as its collision:
+/// it runs where some nodes that lie together hold one that is too fast, and `limited` gains its uses.
+template <class T, class Node>
+struct LimitedBlock {
+  Node node;
+  ScalarField<double> limited;
+  void operator()(int first, int last) const {
+    const detail::LocalBody<Node> copy(node);
+    const detail::LocalBody<typename Node::Unlimited> free(node.unlimited());
+    constexpr int some = shortest_block;
+    int uses = 0;
+    for (int from = first; from < last; from += some) {
+      const int to = from + some < last ? from + some : last;
+      if (has_fast_node(copy.body, from, to)) [[unlikely]] {
+        for (int i = from; i < to; ++i) uses += copy.body(i);
+      } else {
+        VUG_VECTORISE
+        for (int i = from; i < to; ++i) free.body(i);
+      }
+    }
+    limited(first / nodes_per_block) += uses;
+  }
+
+ private:
+  static bool has_fast_node(const Node& node, int first, int last) {
+    int above = 0;
+    VUG_VECTORISE
+    for (int i = first; i < last; ++i) {
+      T g[9];
+      node.pull(i, g);
+      const Macroscopic<T> m = node.moments(g);
+      above += node.limit.is_above(m.ux, m.uy) ? 1 : 0;
+    }
+    return above > 0;
+  }
+};
+
+/// The same from home, eight nodes at a time: the indices are 20 bytes per node instead of 32 (178 and 94 bytes per
+/// node).
 template <class T, class Node>
 struct EightFromHome {
   Node node;
@@ -85,23 +128,44 @@ struct EightFromHome {
   void operator()(int first, int last) const {
     const detail::LocalBody<Node> copy(node);
     const Node& local = copy.body;
+    const detail::LocalBody<typename Node::Unlimited> free(node.unlimited());
     const EightNodes<T, D2Q9> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
     T* const f = local.f_next.data();
     int uses = 0, i = first;
     for (; i + nodes_per_window <= last; i += nodes_per_window) {
       alignas(64) T g[D2Q9::Q][nodes_per_window];
       eight.pull(f, i, g);
-      VUG_VECTORISE
-      for (int l = 0; l < nodes_per_window; ++l) {
-        T own[D2Q9::Q];
-        for (int q = 0; q < D2Q9::Q; ++q) own[q] = g[q][l];
-        uses += local.collide(i + l, own);
-        for (int q = 0; q < D2Q9::Q; ++q) g[q][l] = own[q];
-      }
+      uses += collide(free.body, i, g);
+      if constexpr (Node::limits)
+        if (has_fast_node(local, i)) [[unlikely]] {
+          eight.pull(f, i, g);
+          uses += collide(local, i, g);
+        }
       eight.push(f, i, g);
     }
     for (; i < last; ++i) uses += local(i);
-    if (limited.extent(0) > 0) limited(first / nodes_per_block) += uses;
+    if constexpr (Node::limits) limited(first / nodes_per_block) += uses;
+  }
+
+ private:
+  static bool has_fast_node(const Node& node, int first) {
+    int above = 0;
+    VUG_VECTORISE
+    for (int i = first; i < first + nodes_per_window; ++i)
+      above += node.limit.is_above(node.u(i, 0), node.u(i, 1)) ? 1 : 0;
+    return above > 0;
+  }
+  template <class Body>
+  KOKKOS_FORCEINLINE_FUNCTION static int collide(const Body& body, int first, T (&g)[D2Q9::Q][nodes_per_window]) {
+    int uses = 0;
+    VUG_VECTORISE
+    for (int l = 0; l < nodes_per_window; ++l) {
+      T own[D2Q9::Q];
+      for (int q = 0; q < D2Q9::Q; ++q) own[q] = g[q][l];
+      uses += body.collide(first + l, own);
+      for (int q = 0; q < D2Q9::Q; ++q) g[q][l] = own[q];
+    }
+    return uses;
   }
 };
 
@@ -154,6 +218,9 @@ struct Sweep {
       const auto node = body(SpeedLimiter<T>{step.speed_limit});
       if constexpr (by_eights)
         for_each_block(exec, label, nodes.count, eights(node, step.limited), nodes_per_block);
+      else if constexpr (runs_on_host)
+        for_each_block(exec, label, nodes.count, LimitedBlock<T, std::decay_t<decltype(node)>>{node, step.limited},
+                       nodes_per_block);
       else
         add_per_block(exec, label, nodes.count, node, step.limited);
     } else {
