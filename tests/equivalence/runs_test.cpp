@@ -67,6 +67,14 @@ INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                                          "accuracy.exchange_interval=7 --set accuracy.wall_interval=35", resting,
                                          "boundary.top.traction.support=servo"));
 
+/// In place, populations are turned an odd number of steps after births, which were at step 55 and 135.
+TEST(SameBitsOfTurned, AfterARestartBetweenTwoSteps) {
+  const std::string odd =
+      "accuracy.update_interval=5 --set output.interval=1.25e-5 --set output.checkpoint_interval=1.25e-5";
+  stop_and_resume(odd, {60, 140});
+  stop_and_resume(odd + " --set accuracy.solute_interval=3 --set accuracy.heat_interval=2", {60, 140});
+}
+
 TEST(SameBitsOfAWell, InDissolvingRockWithThreadsAndAfterARestart) {
   const TemporaryFolder folder;
   const std::string well = VUG_SOURCE_DIR "/tests/cases/coupled/well.toml";
@@ -88,27 +96,33 @@ TEST(SameBitsLong, AfterRestartsAtTwentySteps) {
   stop_and_resume("accuracy.precision=double", stops);
 }
 
+/// What Python prints of an expression over the history `r` of a run, a list of rows by column.
+std::string of_history(const std::string& folder, const std::string& expression) {
+  return test::run_command(VUG_PYTHON
+                           " -c \"import csv; r = [{k: float(v) for k, v in x.items()} for x in "
+                           "csv.DictReader(open('" +
+                           folder + "/history.csv'))]; print(" + expression + ")\"")
+      .output;
+}
+
 TEST(SmallRock, ExercisesWhatItIsThereFor) {
   const TemporaryFolder folder;
   run(folder / "run", "--threads 1");
-  const test::Outcome last =
-      test::run_command(VUG_PYTHON " -c \"import csv; r = list(csv.DictReader(open('" + (folder / "run") +
-                        "/history.csv')))[-1]; "
-                        "print(float(r['nodes_dissolved_1']) > 0 and float(r['nodes_opened_by_damage_1']) > 0 and "
-                        "float(r['bonds_failed_in_tension_1']) + float(r['bonds_failed_in_shear_1']) > 0)\"");
-  EXPECT_EQ(last.output, "True\n");
+  EXPECT_EQ(of_history(folder / "run",
+                       "r[-1]['nodes_dissolved_1'] > 0, r[-1]['nodes_opened_by_damage_1'] > 0, "
+                       "r[-1]['bonds_failed_in_tension_1'] + r[-1]['bonds_failed_in_shear_1'] > 0"),
+            "True True True\n");
 }
 
 /// All asleep, some and none; asleep at the first of the steps at which the run above is stopped.
 TEST(SmallRock, SleepsAndWakes) {
   const TemporaryFolder folder;
   run(folder / "run", std::string("--threads 1 --set output.interval=2.5e-5 --set ") + resting);
-  const test::Outcome awake =
-      test::run_command(VUG_PYTHON " -c \"import csv; r = list(csv.DictReader(open('" + (folder / "run") +
-                        "/history.csv'))); a = [float(x['rock_awake_1']) for x in r]; "
-                        "print(0 in a, 1 in a, any(0 < x < 1 for x in a), "
-                        "[float(x['rock_awake_1']) for x in r if x['step_1'] == '60'])\"");
-  EXPECT_EQ(awake.output, "True True True [0.0]\n");
+  EXPECT_EQ(of_history(folder / "run",
+                       "any(x['rock_awake_1'] == 0 for x in r), any(x['rock_awake_1'] == 1 for x in r), "
+                       "any(0 < x['rock_awake_1'] < 1 for x in r), "
+                       "[x['rock_awake_1'] for x in r if x['step_1'] == 60]"),
+            "True True True [0.0]\n");
 }
 
 TEST(Balances, CloseToRoundOffInACoupledRun) {
