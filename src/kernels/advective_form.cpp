@@ -16,8 +16,7 @@ struct AdvectiveDefect {
   T even_weight;
 
   /// Whether the velocity along an axis matters to direction q: on D2Q5 what it moves along alone.
-  template <int axis>
-  KOKKOS_FORCEINLINE_FUNCTION static constexpr bool matters(int q) {
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr bool matters(int q, int axis) {
     return Set::Q != D2Q5::Q || Set::c(q, axis) != 0;
   }
 
@@ -53,7 +52,7 @@ struct AdvectiveDefect {
     for (int q = 1; q < Set::Q; ++q) {
       const int opposite = Set::opposite(q);
       const T sign = (closed >> opposite) & 1 ? T(-1) : T(1);  // what bounces back comes with the velocity reversed
-      sum += T(Set::w(q)) * deviation(q, matters<0>(q) ? sign * ux[q] : T(0), matters<1>(q) ? sign * uy[q] : T(0));
+      sum += T(Set::w(q)) * deviation(q, sign * ux[q], sign * uy[q]);
     }
     e(i) = sum;
   }
@@ -63,29 +62,28 @@ struct AdvectiveDefect {
 /// vectors.
 template <class Set, class T>
 struct EightDefects {
-  AdvectiveDefect<Set, T> defect;
+  using Defect = AdvectiveDefect<Set, T>;
+  Defect defect;
   Kokkos::View<const SourceWindow*> windows;
   void operator()(int first, int last) const {
-    const detail::LocalBody<AdvectiveDefect<Set, T>> copy(defect);
-    const AdvectiveDefect<Set, T>& local = copy.body;
+    const detail::LocalBody<Defect> copy(defect);
+    const Defect& local = copy.body;
     const EightNodes<T, Set> eight{windows.data(), local.source.data(), local.capacity};
     constexpr int some = shortest_block;
     int i = first;
     for (; i + some <= last; i += some) {
       alignas(64) T ux[Set::Q][some], uy[Set::Q][some];
       for (int l = 0; l < some; l += nodes_per_window) {
-        eight.upstream(&local.u.u(0, 0), i + l, ux, l,
-                       [](int q) { return AdvectiveDefect<Set, T>::template matters<0>(q); });
-        eight.upstream(&local.u.u(0, 1), i + l, uy, l,
-                       [](int q) { return AdvectiveDefect<Set, T>::template matters<1>(q); });
+        eight.upstream(&local.u.u(0, 0), i + l, ux, l, [](int q) { return Defect::matters(q, 0); });
+        eight.upstream(&local.u.u(0, 1), i + l, uy, l, [](int q) { return Defect::matters(q, 1); });
       }
       VUG_VECTORISE
       for (int l = 0; l < some; ++l) {
         T own_x[Set::Q], own_y[Set::Q];
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) {
-          own_x[q] = local.u.steps * ux[q][l];
-          own_y[q] = local.u.steps * uy[q][l];
+          own_x[q] = Defect::matters(q, 0) ? local.u.steps * ux[q][l] : T(0);
+          own_y[q] = Defect::matters(q, 1) ? local.u.steps * uy[q][l] : T(0);
         }
         local.finish(i + l, own_x, own_y);
       }

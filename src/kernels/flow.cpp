@@ -118,8 +118,8 @@ struct LimitedBlock {
   }
 };
 
-/// The same from home, eight nodes at a time: the indices are 20 bytes per node instead of 32 (178 and 94 bytes per
-/// node).
+/// A block of nodes from home, by eights: the indices are 20 bytes per node instead of 32 (178 and 94 bytes per node).
+/// The limiter as above; eight nodes that it is for are pulled again.
 template <class T, class Node>
 struct EightFromHome {
   Node node;

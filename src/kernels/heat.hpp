@@ -87,9 +87,9 @@ T even_defect_weight(const HeatFields<T>& fields) {
   return fields.velocity_set == ScalarVelocitySet::d2q9 ? (2 - fields.rates.fluid) / fields.rates.fluid : T(1);
 }
 
-/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` is that of a heat
-/// step, `defect` (fluid) the e of kernels/advective_form.hpp for the velocity of the heat step
-/// before, its even part weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
+/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` is the displacement in this
+/// step, `defect` (fluid) the e of kernels/advective_form.hpp for that in the heat step before, its even part weighed
+/// with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
 /// start and at births, part of a checkpoint. `created` (block) grows by the energy that the advective form adds; give
 /// an empty View to leave it out.
 template <class T>
