@@ -56,6 +56,7 @@ class PartClock {
                                           {"vug::heat", heat},
                                           {"vug::advective_form", carried},
                                           {"vug::solute", solutes},
+                                          {"vug::reactive_wall::react", solutes},
                                           {"vug::reacti", reaction},
                                           {"vug::surface_normal", reaction},
                                           {"vug::momentum_exchange", fluid_force},

@@ -65,15 +65,15 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   bytes[heat] = (s.nodes * (11 * T + 1) + s.fluid * (5 * T + 14)) / heat_every;
   // velocity in, defect out, four indices, links
   bytes[carried] = s.fluid * carriers * (3 * T + 22);
-  // five populations both ways, concentration out, velocity and defect in, four indices in every second step
-  bytes[solutes] = species * s.fluid * (14 * T + 8) / solute_every;
-  // of each link the populations of both both ways, its slot and conductance, what it turns over both ways
-  const double react = s.links5 * (4 * T + 4 + T + 16);
-  // that once more; of each surface node its number, solid volume and what has dissolved both ways
-  const double book = s.links5 * 16 + s.surface * (4 + 32);
+  // Five populations both ways, concentration out, velocity and defect in, four indices in every second step; of each
+  // link its slot and conductance, what it turns over both ways.
+  bytes[solutes] = (species * s.fluid * (14 * T + 8) + s.links5 * (4 + T + 16)) / solute_every;
+  // of each link what it has turned over both ways, its number; of each surface node its own, solid volume and what
+  // has dissolved both ways
+  const double book = s.links5 * (16 + 4) + s.surface * (4 + 32);
   // normals from eight volumes; of each link slot, node, temperatures, rate both ways, conductance
   const double refresh = s.surface * (4 + 8 * 8 + 16) + s.links5 * (8 + 5 * T);
-  bytes[reaction] = react / solute_every + book / every + refresh / scene.accuracy.wall_interval;
+  bytes[reaction] = book / every + refresh / scene.accuracy.wall_interval;
   // of each link its population, slot and lever; force and torque of the particles
   bytes[fluid_force] = (s.links9 * (T + 4 + 4) + s.particles * (24 + 4)) / scene.accuracy.exchange_interval;
   // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage

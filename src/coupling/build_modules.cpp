@@ -68,6 +68,7 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
   if (scene.reaction)
     reaction = add(std::make_unique<ReactionModule<T, Set>>(exec, scene, parts.units, geometry, *solutes, heat));
   if (solutes) add(std::move(solutes));
+  if (reaction) add(std::make_unique<TurnoverModule<T, Set>>(*reaction, scene.accuracy.update_interval));
 
   std::unique_ptr<PathwayOpener> opener;
   ScalarField<double> d_m;

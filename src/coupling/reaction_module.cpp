@@ -38,7 +38,6 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       reactant_(solutes.species(section_.reactant)),
       product_(section_.product ? &solutes.species(*section_.product) : nullptr),
       heat_(heat),
-      update_interval_(scene.accuracy.update_interval),
       wall_interval_(scene.accuracy.wall_interval),
       faster_(scene.accuracy.dissolution_factor > 1) {
   wall_.law = section_.wall;
@@ -59,6 +58,7 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
   lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
   initial_volume_ = sum_in_order(geometry.volume);
   find_reactive_links<Set>(exec, geometry.fluid, geometry.surface, wall_.law, links_);
+  solutes.react({&wall_, &links_, &reactant_, product_});
 }
 
 template <class T, class Set>
@@ -86,9 +86,11 @@ template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   refresh(exec, clock.step);
   if (clock.every(LongSum::interval)) consumed_.settle(exec);
-  if (solutes_.due(clock))
-    react_at_wall<Set>(exec, geometry_.fluid, wall_, links_, reactant_.fields, product_ ? &product_->fields : nullptr);
-  if (clock.every(update_interval_)) book_turnover(exec, geometry_.surface, wall_, links_, sums_);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::book(const Exec& exec) {
+  book_turnover(exec, geometry_.surface, wall_, links_, sums_);
 }
 
 template <class T, class Set>
@@ -180,8 +182,8 @@ void ReactionModule<T, Set>::state(StateList& list) {
   list.add_value("reaction/initial_volume", initial_volume_);
   list.add_value("reaction/refreshed", refreshed_);
   const std::pair all(0, links_.count);
-  list.add("reaction/rate", Kokkos::subview(links_.rate, all));
-  list.add("reaction/conductance", Kokkos::subview(links_.conductance, all));
+  list.add("reaction/link_rate", Kokkos::subview(links_.rate, all));
+  list.add("reaction/link_conductance", Kokkos::subview(links_.conductance, all));
 }
 
 template class ReactionModule<float, D2Q5>;

@@ -7,8 +7,8 @@
 
 namespace vug {
 
-/// Dresses the populations of reactant and product at the walls and takes the dissolved volume off the solid nodes.
-/// Stands before the solutes in the list of modules: the wall acts on populations that are about to return.
+/// How fast every link at a wall reacts, and what that has dissolved. The solutes react at the links when they step:
+/// this stands before them in the list of modules, and TurnoverModule after them.
 /// `heat` may be null: the temperature of the case is used everywhere.
 template <class T, class Set>
 class ReactionModule final : public Module {
@@ -24,6 +24,9 @@ class ReactionModule final : public Module {
   void history(std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
+
+  /// Takes what has reacted off the solid nodes.
+  void book(const Exec& exec);
 
   /// (block) volume that dissolving pixels were overdrawn by and that found no neighbour, pixels.
   const ScalarField<double>& lost() const { return lost_; }
@@ -48,10 +51,28 @@ class ReactionModule final : public Module {
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
   ReactiveLinks<T> links_;      ///< their turnover is booked at every update interval, before pores and checkpoints
   ScalarField<double> lost_;
-  int update_interval_, wall_interval_;
+  int wall_interval_;
   std::int64_t refreshed_ = -1;  ///< the step in which the links were refreshed last; -1: they are new
   bool faster_;  ///< the rock ages faster than the fluid (accuracy.dissolution_factor)
   double initial_volume_ = 0;  ///< pixels
+};
+
+/// Books what has reacted at the end of every update interval, before mechanics and pore growth ask for it.
+template <class T, class Set>
+class TurnoverModule final : public Module {
+ public:
+  TurnoverModule(ReactionModule<T, Set>& reaction, int update_interval)
+      : reaction_(reaction),
+        update_interval_(update_interval) {}
+
+  std::string_view name() const override { return "turnover"; }
+  void step(const Exec& exec, const Clock& clock) override {
+    if (clock.every(update_interval_)) reaction_.book(exec);
+  }
+
+ private:
+  ReactionModule<T, Set>& reaction_;
+  int update_interval_;
 };
 
 }  // namespace vug

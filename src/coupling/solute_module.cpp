@@ -74,28 +74,38 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
 }
 
 template <class T, class Set>
+void SoluteModule<T, Set>::dress(const Exec& exec, const SpeciesState<T>& s) {
+  for (const StretchLinks& boundary : s.boundaries) {
+    const SoluteBoundary& condition = boundary.stretch.conditions.solute;
+    if (condition.kind == SoluteBoundaryKind::outflow) {
+      dress_outflow<Set>(exec, geometry_.fluid, boundary.links, s.fields, boundary.gain.recent());
+    } else {
+      const auto given = condition.concentration.find(s.section.name);
+      const double C = given == condition.concentration.end() ? 0.0 : given->second / units_.concentration;
+      dress_concentration<Set>(exec, geometry_.fluid, boundary.links, C, s.fields, boundary.gain.recent());
+    }
+  }
+}
+
+template <class T, class Set>
 void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (!due(clock)) return;
+  SoluteCarrier<T> carrier;
+  if (carrier_) carrier.displacement = carrier_->displacement();
+  if (carrier_ && section_.advective_form) carrier.defect = carrier_->e;
   const FluidNodes& fluid = geometry_.fluid;
+  const auto& [wall, links, reactant, product] = reacting_;
   for (SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
-    for (const StretchLinks& boundary : s.boundaries) {
-      const SoluteBoundary& condition = boundary.stretch.conditions.solute;
-      if (condition.kind == SoluteBoundaryKind::outflow) {
-        dress_outflow<Set>(exec, fluid, boundary.links, s.fields, boundary.gain.recent());
-      } else {
-        const auto given = condition.concentration.find(s.section.name);
-        const double C = given == condition.concentration.end() ? 0.0 : given->second / units_.concentration;
-        dress_concentration<Set>(exec, fluid, boundary.links, C, s.fields, boundary.gain.recent());
-      }
-    }
-    if (!carrier_)
-      advance_solute<Set>(exec, fluid, s.parameters, s.fields);
-    else if (section_.advective_form)
-      advance_solute<Set>(exec, fluid, s.parameters, carrier_->displacement(), carrier_->e, s.fields,
-                          s.correction.recent());
-    else
-      advance_solute<Set>(exec, fluid, s.parameters, carrier_->displacement(), s.fields);
+    dress(exec, s);
+    if (&s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());
+  }
+  if (!reactant) return;
+  if (product) {
+    const SteppingSolute<T> stepping = product->stepping();
+    advance_reacting_solutes<Set>(exec, fluid, carrier, *wall, *links, reactant->stepping(), &stepping);
+  } else {
+    advance_reacting_solutes<Set, T>(exec, fluid, carrier, *wall, *links, reactant->stepping(), nullptr);
   }
 }
 

@@ -4,7 +4,7 @@
 #include "coupling/module.hpp"
 #include "coupling/stretch_links.hpp"
 #include "kernels/dissolution.hpp"
-#include "kernels/solute.hpp"
+#include "kernels/reacting_solutes.hpp"
 #include "kernels/units.hpp"
 
 namespace vug {
@@ -20,10 +20,20 @@ struct SpeciesState {
   ScalarField<double> created;  ///< (block) added by filling newborn nodes
   double initial = 0;           ///< lattice units
 
+  SteppingSolute<T> stepping() { return {parameters, fields, correction.recent()}; }
   void settle(const Exec& exec) const {
     correction.settle(exec);
     for (const StretchLinks& boundary : boundaries) boundary.gain.settle(exec);
   }
+};
+
+/// Two of the species and the wall that turns one into the other; `product` may be null.
+template <class T>
+struct ReactingSpecies {
+  const ReactiveWall* wall = nullptr;  ///< null: nothing reacts
+  const ReactiveLinks<T>* links = nullptr;
+  SpeciesState<T>* reactant = nullptr;
+  SpeciesState<T>* product = nullptr;
 };
 
 /// Owns the populations of all species. `flow` may be null: diffusion only. Steps every accuracy.solute_interval
@@ -45,11 +55,15 @@ class SoluteModule final : public Module {
 
   bool due(const Clock& clock) const { return clock.every(interval_); }
   int interval() const { return interval_; }
-  /// State of the species of that name; the reactive wall dresses its populations.
+  /// State of the species of that name.
   SpeciesState<T>& species(const std::string& name);
+  /// From now on these react at every step.
+  void react(const ReactingSpecies<T>& reacting) { reacting_ = reacting; }
 
  private:
   void find_boundaries(const Exec& exec);
+  /// What leaves through the boundaries of a species comes back as they say.
+  void dress(const Exec& exec, const SpeciesState<T>& s);
 
   SoluteSection section_;
   LatticeUnits units_;
@@ -59,6 +73,7 @@ class SoluteModule final : public Module {
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
+  ReactingSpecies<T> reacting_;
 };
 
 }  // namespace vug

@@ -72,22 +72,20 @@ struct Block {
 template <class Body>
 struct BlockSum {
   Body body;
-  int n;
   ScalarField<double> total;
-  KOKKOS_FUNCTION void operator()(int block) const {
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
     const LocalBody<Body> copy(body);
     const Body& local = copy.body;
     constexpr int lanes = 8;
     double term[nodes_per_block];
-    const int first = block * nodes_per_block;
-    const int count = n - first < nodes_per_block ? n - first : nodes_per_block;
+    const int count = last - first;
     VUG_VECTORISE
     for (int i = 0; i < count; ++i) term[i] = static_cast<double>(local(first + i));
     for (int i = count; i < (count + lanes - 1) / lanes * lanes; ++i) term[i] = 0;
     double sum[lanes] = {};
     for (int i = 0; i < count; i += lanes)
       for (int l = 0; l < lanes; ++l) sum[l] += term[i + l];
-    total(block) += ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    total(first / nodes_per_block) += ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
 };
 
@@ -160,8 +158,9 @@ void add_per_block(const Exec& exec, const std::string& label, int n, const Body
                    const ScalarField<double>& total) {
   if (n <= 0) return;
   if constexpr (runs_on_host) {
+    using Blocks = detail::Block<detail::BlockSum<Body>>;
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)),
-                         detail::BlockSum<Body>{body, n, total});
+                         Blocks{{body, total}, n, nodes_per_block});
   } else {
     Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, block_count(n), 128),
                          detail::TeamSum<Body>{body, n, total});

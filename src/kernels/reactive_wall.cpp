@@ -1,32 +1,53 @@
-#include "kernels/reactive_wall_kernel.hpp"
-
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/offsets.hpp"
 #include "kernels/prefetch.hpp"
-#include "kernels/require.hpp"
+#include "kernels/reactive_wall_kernel.hpp"
+#include "kernels/reactive_wall_step.hpp"
 
 namespace vug {
 
-/// Counts (fill = false, into first(s + 1)) or lists the links of a surface node.
+/// Velocities of Set but that at rest, as bits of the link masks of FluidNodes.
+template <class Set>
+inline constexpr unsigned moving = (1u << Set::Q) - 2;
+
+/// Counts the links of a fluid node into first(i + 1).
+template <class Set>
+struct CountLinksOfFluid {
+  Kokkos::View<const std::uint16_t*> solid_links;
+  IndexList first;
+  KOKKOS_FUNCTION void operator()(int i) const { first(i + 1) = Kokkos::popcount(solid_links(i) & moving<Set>); }
+};
+
+/// Lists the links of a surface node, or with fill = false counts them into of_surface(s + 1).
 template <class T, class Set>
 struct ListReactiveLinks {
   DenseNeighbour lattice;
   IndexList node, index;
+  Kokkos::View<const std::uint16_t*> solid_links;
   int capacity;
   ReactiveLinks<T> links;
   bool fill;
+
   KOKKOS_FUNCTION void operator()(int s) const {
-    int at = fill ? links.first(s) : 0;
+    int at = fill ? links.of_surface(s) : 0;
     for (int q = 1; q < Set::Q; ++q) {
       const int fluid = lattice.fluid_along(index, node(s), q);
       if (fluid < 0) continue;
-      if (fill) {
-        links.slot(at) = Set::opposite(q) * capacity + fluid;
-        links.root(at) = 8 * s + q - 1;
-      }
+      if (fill) links.of_surface_link(at) = list(s, q, fluid);
       ++at;
     }
-    if (!fill) links.first(s + 1) = at;
+    if (!fill) links.of_surface(s + 1) = at;
+  }
+
+ private:
+  /// The link between surface node s and the fluid node along q.
+  KOKKOS_FUNCTION int list(int s, int q, int fluid) const {
+    const int outgoing = Set::opposite(q);
+    const unsigned before = solid_links(fluid) & moving<Set> & ((1u << outgoing) - 1);
+    const int link = links.first(fluid) + Kokkos::popcount(before);
+    links.slot(link) = outgoing * capacity + fluid;
+    links.root(link) = 8 * s + q - 1;
+    return link;
   }
 };
 
@@ -36,6 +57,7 @@ template <class T>
 void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law) {
   if (static_cast<int>(links.slot.extent(0)) >= links.count) return;
   const std::size_t room = links.count + links.count / 2;
+  links.of_surface_link = IndexList("vug::reactive_wall::of_surface_link", room);
   links.slot = IndexList("vug::reactive_wall::slot", room);
   links.root = IndexList("vug::reactive_wall::root", room);
   links.rate = ScalarField<T>("vug::reactive_wall::rate", room);
@@ -46,86 +68,38 @@ void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law) {
   links.solid = ScalarField<double>("vug::reactive_wall::solid", room);
 }
 
+/// Makes counts in `offset` from 1 to n, by `count`, into places; returns what all are.
+template <class Count>
+int places(const Exec& exec, const char* label, int n, const Count& count, const IndexList& offset) {
+  for_each_node(exec, label, n, count);
+  return accumulate_counts(exec, "vug::reactive_wall::places", Kokkos::subview(offset, std::pair(0, n + 1)));
+}
+
+IndexList fitting(const char* label, const IndexList& list, int n) {
+  return static_cast<int>(list.extent(0)) < n + 1 ? IndexList(label, n + n / 2 + 1) : list;
+}
+
 }  // namespace
 
 template <class Set, class T>
 void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
                          ReactiveLinks<T>& links) {
-  if (static_cast<int>(links.first.extent(0)) < surface.count + 1)
-    links.first = IndexList("vug::reactive_wall::first", surface.count + surface.count / 2 + 1);
-  ListReactiveLinks<T, Set> list{DenseNeighbour(nodes), surface.node, nodes.index, nodes.capacity, links, false};
-  for_each_node(exec, "vug::reactive_wall::count", surface.count, list);
-  links.count = accumulate_counts(exec, "vug::reactive_wall::places",
-                                  Kokkos::subview(links.first, std::pair(0, surface.count + 1)));
+  links.first = fitting("vug::reactive_wall::first", links.first, nodes.count);
+  links.of_surface = fitting("vug::reactive_wall::of_surface", links.of_surface, surface.count);
+  links.count = places(exec, "vug::reactive_wall::count", nodes.count,
+                       CountLinksOfFluid<Set>{nodes.solid_links, links.first}, links.first);
   make_room(links, law);
-  list.links = links;
+  ListReactiveLinks<T, Set> list{DenseNeighbour(nodes), surface.node, nodes.index, nodes.solid_links,
+                                 nodes.capacity,        links,        false};
+  places(exec, "vug::reactive_wall::count_of_surface", surface.count, list, links.of_surface);
   list.fill = true;
   for_each_node(exec, "vug::reactive_wall::list", surface.count, list);
 }
 
-/// Product policies.
-struct NoProduct {
-  static constexpr bool exists = false;
-};
-template <class T>
-struct WithProduct {
-  static constexpr bool exists = true;
-  ScalarField<T> h;
-  Kokkos::View<const T*> C;
-};
-
-/// Kinetic law: J from both outgoing populations, A1 - J and A2 + J return.
-template <class T, class Product>
-struct KineticStep {
-  T q;
-  ReactiveLinks<T> links;
-  ScalarField<T> h;
-  Product product;
-  KOKKOS_FUNCTION void operator()(int l) const {
-    const int slot = links.slot(l);
-    T A2 = 0;
-    if constexpr (Product::exists) A2 = product.h(slot);
-    const T J = links.conductance(l) * (h(slot) - q * A2);
-    h(slot) -= J;
-    if constexpr (Product::exists) product.h(slot) = A2 + J;
-    links.acid(l) += double(J);
-  }
-};
-
-/// Paper's law: Eq. 22 from the concentration at the fluid node, Eq. 23 for the populations of all links, Eq. 24 for
-/// the solid over the four faces.
-template <class T, class Set, class Product>
-struct PaperStep {
-  T q, D1, D2;
-  int capacity;
-  ReactiveLinks<T> links;
-  ScalarField<T> h;
-  Kokkos::View<const T*> C;
-  Product product;
-  KOKKOS_FUNCTION void operator()(int l) const {
-    const int slot = links.slot(l), outgoing = Set::opposite(links.root(l) % 8 + 1);
-    const int fluid = slot - outgoing * capacity;
-    T C2 = 0;
-    if constexpr (Product::exists) C2 = product.C(fluid);
-    const PaperWall<T> w = paper_wall(links.conductance(l), q, D1, D2, C(fluid), C2);
-    const T weight = T(Set::w(outgoing));
-    const T A1 = h(slot);
-    h(slot) = 2 * weight * w.C1 - A1;
-    links.acid(l) += double(A1) - double(h(slot));
-    if constexpr (Product::exists) {
-      const T A2 = product.h(slot);
-      product.h(slot) = 2 * weight * w.C2 - A2;
-      links.product(l) += double(product.h(slot)) - double(A2);
-    }
-    if (outgoing < D2Q5::Q) links.solid(l) += double(w.rate);
-  }
-};
-
 template <class Set, class T>
 void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const SoluteFields<T>& reactant, const SoluteFields<T>* product) {
-  if (!product && wall.inverse_equilibrium != 0)
-    throw InputError("reaction: a finite equilibrium constant needs a product species");
+  require_product(wall, product != nullptr);
   const T q = T(wall.inverse_equilibrium);
   const auto launch = [&](const auto& its_product) {
     using Product = std::decay_t<decltype(its_product)>;
@@ -168,7 +142,8 @@ struct BookTurnover {
   KOKKOS_FUNCTION double operator()(int s) const {
     announce(s);
     double acid = 0, product = 0, solid = 0;
-    for (int l = links.first(s); l < links.first(s + 1); ++l) {
+    for (int k = links.of_surface(s); k < links.of_surface(s + 1); ++k) {
+      const int l = links.of_surface_link(k);
       acid += take(links.acid(l));
       if (!apart) continue;
       product += take(links.product(l));
@@ -191,12 +166,12 @@ void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall&
                 BookTurnover<T>{surface.node, surface.count, links, apart, wall.molar_volume, ledger}, ledger.consumed);
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                      \
-  template void find_reactive_links<Set, T>(const Exec&, const FluidNodes&, const Surface&, ReactiveWallLaw,         \
-                                            ReactiveLinks<T>&);                                                      \
-  template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,                \
-                                                      const ReactiveWall&, const UniformRate&,                       \
-                                                      const VectorField<double>&, const ReactiveLinks<T>&, double);  \
+#define VUG_INSTANTIATE(T, Set)                                                                                     \
+  template void find_reactive_links<Set, T>(const Exec&, const FluidNodes&, const Surface&, ReactiveWallLaw,        \
+                                            ReactiveLinks<T>&);                                                     \
+  template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,               \
+                                                      const ReactiveWall&, const UniformRate&,                      \
+                                                      const VectorField<double>&, const ReactiveLinks<T>&, double); \
   template void react_at_wall<Set, T>(const Exec&, const FluidNodes&, const ReactiveWall&, const ReactiveLinks<T>&, \
                                       const SoluteFields<T>&, const SoluteFields<T>*);
 VUG_INSTANTIATE(float, D2Q5)

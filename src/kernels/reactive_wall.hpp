@@ -1,6 +1,6 @@
 #pragma once
 // The reaction L1 + S1 -> L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
-// 21-24). It dresses the outgoing populations of acid and product before the sweep.
+// 21-24). It dresses the outgoing populations of acid and product after the sweep, before they return with the next.
 //
 // Rock dissolves over thousands of steps and warms as slowly: where the links are, how well each conducts the reaction
 // and what it has taken off the solid are seen to now and then (find_reactive_links, set_conductances,
@@ -20,12 +20,14 @@ struct ReactiveWall {
   double D_reactant = 1, D_product = 1;  ///< used by the paper's law
 };
 
-/// The links through which a wall reacts, in the order of their surface nodes, and what each has turned over since that
-/// was last booked.
+/// The links through which a wall reacts, in the order of their fluid nodes and directions out of them, and what each
+/// has turned over since that was last booked.
 template <class T>
 struct ReactiveLinks {
   int count = 0;
-  IndexList first;  ///< (surface + 1) surface node s has the links [first(s), first(s + 1))
+  IndexList first;            ///< (fluid + 1) fluid node i has the links [first(i), first(i + 1))
+  IndexList of_surface;       ///< (surface + 1) surface node s has the links
+  IndexList of_surface_link;  ///< of_surface_link(of_surface(s)), ..., (of_surface(s + 1) - 1), in order of direction
   IndexList slot;   ///< (link) slot of the population that leaves the fluid through it
   IndexList root;   ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
   ScalarField<T> rate;         ///< (link) rate constant times share of true area, when that was last asked for

@@ -1,10 +1,7 @@
 #include "kernels/solute.hpp"
 
-#include "kernels/launch.hpp"
 #include "kernels/require.hpp"
-#include "kernels/scalar_equilibrium.hpp"
-#include "kernels/streaming.hpp"
-#include "kernels/unroll.hpp"
+#include "kernels/solute_sweep.hpp"
 
 #include <string>
 
@@ -20,142 +17,6 @@ SoluteParameters solute_parameters(double D, double tau_h) {
   if (!(tau_h > 0.5)) throw InputError("solute: relaxation time " + std::to_string(tau_h) + ", expected above 0.5");
   return {0.5 + 3 * D, tau_h};
 }
-
-/// Advection policies: what the sweep reads of the flow.
-struct NoAdvection {
-  static constexpr bool moves = false;
-  static constexpr bool advective_form = false;
-};
-
-template <class T>
-struct Advection {
-  static constexpr bool moves = true;
-  static constexpr bool advective_form = false;
-  Displacement<T> u;
-};
-
-template <class T>
-struct AdvectiveForm {
-  static constexpr bool moves = true;
-  static constexpr bool advective_form = true;
-  Displacement<T> u;
-  Kokkos::View<const T*> e;
-};
-
-/// Pull, collide, store, in place. With C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 - 3/2 u^2]):
-///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
-/// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h; with the
-/// advective form it returns what it adds to it, -C e with C (1 + e) = sum of the pulled populations. Bytes per node,
-/// size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights 2.5 (Q - 1)), + 2 s with advection, + s with the
-/// advective form.
-template <class T, class Set, class Slots, class Flow>
-struct SoluteSweep {
-  Slots slots;
-  ScalarField<T> h, C;
-  T rate_h, rate_difference;
-  Flow flow;
-
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
-    T g[Set::Q];
-    g[0] = h(i);
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) g[q] = h(slots.arriving(q, i));
-    const double added = finish(i, g);
-    h(i) = g[0];
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) h(slots.leaving(q, i)) = g[q];
-    return added;
-  }
-
-  /// Concentration and collision of the populations that have arrived.
-  KOKKOS_FORCEINLINE_FUNCTION double finish(int i, T (&g)[Set::Q]) const {
-    T c = g[0], flux_x = 0, flux_y = 0;
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      c += g[q];
-      flux_x += T(Set::c(q, 0)) * g[q];
-      flux_y += T(Set::c(q, 1)) * g[q];
-    }
-    T added = 0;
-    if constexpr (Flow::advective_form) {
-      added = -c * flow.e(i) / (T(1) + flow.e(i));
-      g[0] += added;
-      c += added;
-    }
-    C(i) = c;
-    collide(i, g, c, flux_x, flux_y);
-    return double(added);
-  }
-
-  /// The population at rest is what the others leave of C: rounded weights do not add up to one, and what they miss
-  /// (5e-17 of C in double, 3e-8 in float) would be gained or lost at every node in every step.
-  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, T* g, T c, T flux_x, T flux_y) const {
-    T ux = 0, uy = 0;
-    if constexpr (Flow::moves) {
-      ux = flow.u(i, 0);
-      uy = flow.u(i, 1);
-      flux_x -= c * ux;
-      flux_y -= c * uy;
-    }
-    flux_x *= rate_difference;
-    flux_y *= rate_difference;
-    T rest = c;
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      T wc = T(Set::w(q)) * c;
-      if constexpr (Flow::moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
-      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * (T(Set::c(q, 0)) * flux_x + T(Set::c(q, 1)) * flux_y);
-      rest -= g[q];
-    }
-    g[0] = rest;
-  }
-};
-
-/// A block of nodes from home, by eights. What they add is summed as add_per_block does.
-template <class T, class Set, class Flow>
-struct EightSweeps {
-  using Sweep = SoluteSweep<T, Set, InPlaceFromHome<Set>, Flow>;
-  Sweep sweep;
-  Kokkos::View<const SourceWindow*> windows;
-  ScalarField<double> correction;
-
-  void operator()(int first, int last) const {
-    const detail::LocalBody<Sweep> copy(sweep);
-    const Sweep& local = copy.body;
-    const EightNodes<T, Set> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
-    constexpr int several = 4 * nodes_per_window;
-    double sum[nodes_per_window] = {};
-    int i = first;
-    for (; i + several <= last; i += several) by_eights<several>(local, eight, i, sum);
-    for (; i + nodes_per_window <= last; i += nodes_per_window) by_eights<nodes_per_window>(local, eight, i, sum);
-    for (int l = 0; i < last; ++i, ++l) sum[l] += local(i);
-    if constexpr (Flow::advective_form)
-      correction(first / nodes_per_block) +=
-          ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-  }
-
- private:
-  /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
-  template <int count>
-  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes<T, Set>& eight, int first,
-                                                    double (&sum)[nodes_per_window]) {
-    alignas(64) T g[count / nodes_per_window][Set::Q][nodes_per_window];
-    T* const h = local.h.data();
-    for (int k = 0; k < count; k += nodes_per_window) eight.pull(h, first + k, g[k / nodes_per_window]);
-    for (int k = 0; k < count; k += nodes_per_window) {
-      VUG_VECTORISE
-      for (int l = 0; l < nodes_per_window; ++l) {
-        T own[Set::Q];
-        VUG_UNROLL
-        for (int q = 0; q < Set::Q; ++q) own[q] = g[k / nodes_per_window][q][l];
-        sum[l] += local.finish(first + k + l, own);
-        VUG_UNROLL
-        for (int q = 0; q < Set::Q; ++q) g[k / nodes_per_window][q][l] = own[q];
-      }
-    }
-    for (int k = 0; k < count; k += nodes_per_window) eight.push(h, first + k, g[k / nodes_per_window]);
-  }
-};
 
 template <class T, class Set>
 struct UniformConcentrationAtRest {
@@ -181,24 +42,16 @@ SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, do
 template <class Set, class T, class Flow>
 void advance(const Exec& exec, const char* label, const FluidNodes& nodes, const SoluteParameters& p,
              SoluteFields<T>& s, const Flow& flow, const ScalarField<double>& correction = {}) {
-  const auto sweep = [&](auto slots) {
-    return SoluteSweep<T, Set, decltype(slots), Flow>{slots, s.h, s.C, T(1 / p.tau_h), T(1 / p.tau_h - 1 / p.tau_1),
-                                                      flow};
-  };
-  const auto sweep_nodes = [&](const auto& body) {
-    if constexpr (Flow::advective_form)
-      add_per_block(exec, label, nodes.count, body, correction);
+  visit_slots<Set>(nodes, s, [&](const auto& slots) {
+    const auto sweep = solute_sweep<Set>(slots, p, s, flow);
+    if constexpr (runs_on_host)
+      for_each_block(exec, label, nodes.count, sweep_of_block(nodes, sweep, correction),
+                     sweep_block_size<Flow>(nodes.count));
+    else if constexpr (Flow::advective_form)
+      add_per_block(exec, label, nodes.count, sweep, correction);
     else
-      for_each_node(exec, label, nodes.count, body);
-  };
-  const InPlaceFromHome<Set> home{nodes.source, nodes.capacity};
-  if (s.turned)
-    sweep_nodes(sweep(InPlaceFromTurned<Set>{nodes.capacity}));
-  else if constexpr (has_source_windows)
-    for_each_block(exec, label, nodes.count, EightSweeps<T, Set, Flow>{sweep(home), nodes.windows, correction},
-                   Flow::advective_form ? nodes_per_block : block_of_list(nodes.count));
-  else
-    sweep_nodes(sweep(home));
+      for_each_node(exec, label, nodes.count, sweep);
+  });
   s.turned = 1 - s.turned;
 }
 

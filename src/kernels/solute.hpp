@@ -2,9 +2,9 @@
 // Transport of one dissolved species over the fluid nodes: the lattice kinetic scheme (paper Eqs. 14-20) as one sweep
 // over any velocity set.
 //
-// Order within a lattice step: dress the outgoing populations in `h` (solute_boundary.hpp, reactive_wall.hpp), then
-// advance_solute, which pulls, collides and stores in place (streaming.hpp). Births come between two steps
-// (dissolution.hpp).
+// Order within a lattice step: dress the outgoing populations in `h` (solute_boundary.hpp), then advance_solute, which
+// pulls, collides and stores in place (streaming.hpp), then react_at_wall (reactive_wall.hpp), which dresses what has
+// just gone out. Births come between two steps (dissolution.hpp).
 #include "kernels/displacement.hpp"
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/velocity_set.hpp"

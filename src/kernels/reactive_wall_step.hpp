@@ -1,0 +1,72 @@
+#pragma once
+// The reaction at one link, by either law.
+#include "kernels/reactive_wall.hpp"
+#include "kernels/require.hpp"
+
+namespace vug {
+
+/// Product policies.
+struct NoProduct {
+  static constexpr bool exists = false;
+};
+template <class T>
+struct WithProduct {
+  static constexpr bool exists = true;
+  ScalarField<T> h;
+  Kokkos::View<const T*> C;
+};
+
+/// Kinetic law: J from both outgoing populations, A1 - J and A2 + J return.
+template <class T, class Product>
+struct KineticStep {
+  T q;
+  ReactiveLinks<T> links;
+  ScalarField<T> h;
+  Product product;
+  KOKKOS_FUNCTION void operator()(int l) const {
+    const int slot = links.slot(l);
+    T A2 = 0;
+    if constexpr (Product::exists) A2 = product.h(slot);
+    const T J = links.conductance(l) * (h(slot) - q * A2);
+    h(slot) -= J;
+    if constexpr (Product::exists) product.h(slot) = A2 + J;
+    links.acid(l) += double(J);
+  }
+};
+
+/// Paper's law: Eq. 22 from the concentration at the fluid node, Eq. 23 for the populations of all links, Eq. 24 for
+/// the solid over the four faces.
+template <class T, class Set, class Product>
+struct PaperStep {
+  T q, D1, D2;
+  int capacity;
+  ReactiveLinks<T> links;
+  ScalarField<T> h;
+  Kokkos::View<const T*> C;
+  Product product;
+  KOKKOS_FUNCTION void operator()(int l) const {
+    const int slot = links.slot(l), outgoing = Set::opposite(links.root(l) % 8 + 1);
+    const int fluid = slot - outgoing * capacity;
+    T C2 = 0;
+    if constexpr (Product::exists) C2 = product.C(fluid);
+    const PaperWall<T> w = paper_wall(links.conductance(l), q, D1, D2, C(fluid), C2);
+    const T weight = T(Set::w(outgoing));
+    const T A1 = h(slot);
+    h(slot) = 2 * weight * w.C1 - A1;
+    links.acid(l) += double(A1) - double(h(slot));
+    if constexpr (Product::exists) {
+      const T A2 = product.h(slot);
+      product.h(slot) = 2 * weight * w.C2 - A2;
+      links.product(l) += double(product.h(slot)) - double(A2);
+    }
+    if (outgoing < D2Q5::Q) links.solid(l) += double(w.rate);
+  }
+};
+
+/// Throws InputError where a reaction that comes to an equilibrium lacks its product.
+inline void require_product(const ReactiveWall& wall, bool has_product) {
+  if (!has_product && wall.inverse_equilibrium != 0)
+    throw InputError("reaction: a finite equilibrium constant needs a product species");
+}
+
+}  // namespace vug

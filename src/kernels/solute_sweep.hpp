@@ -1,0 +1,181 @@
+#pragma once
+// The sweep of the lattice kinetic scheme, node by node and by eights, and how a host runs a block of it.
+#include "kernels/launch.hpp"
+#include "kernels/scalar_equilibrium.hpp"
+#include "kernels/solute.hpp"
+#include "kernels/streaming.hpp"
+#include "kernels/unroll.hpp"
+
+namespace vug {
+
+/// Advection policies: what the sweep reads of the flow.
+struct NoAdvection {
+  static constexpr bool moves = false;
+  static constexpr bool advective_form = false;
+};
+
+template <class T>
+struct Advection {
+  static constexpr bool moves = true;
+  static constexpr bool advective_form = false;
+  Displacement<T> u;
+};
+
+template <class T>
+struct AdvectiveForm {
+  static constexpr bool moves = true;
+  static constexpr bool advective_form = true;
+  Displacement<T> u;
+  Kokkos::View<const T*> e;
+};
+
+/// Pull, collide, store, in place. With C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 - 3/2 u^2]):
+///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
+/// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h; with the
+/// advective form it returns what it adds to it, -C e with C (1 + e) = sum of the pulled populations. Bytes per node,
+/// size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights 2.5 (Q - 1)), + 2 s with advection, + s with the
+/// advective form.
+template <class T, class Set, class Slots, class Flow>
+struct SoluteSweep {
+  Slots slots;
+  ScalarField<T> h, C;
+  T rate_h, rate_difference;
+  Flow flow;
+
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
+    T g[Set::Q];
+    g[0] = h(i);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) g[q] = h(slots.arriving(q, i));
+    const double added = finish(i, g);
+    h(i) = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) h(slots.leaving(q, i)) = g[q];
+    return added;
+  }
+
+  /// Concentration and collision of the populations that have arrived.
+  KOKKOS_FORCEINLINE_FUNCTION double finish(int i, T (&g)[Set::Q]) const {
+    T c = g[0], flux_x = 0, flux_y = 0;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      c += g[q];
+      flux_x += T(Set::c(q, 0)) * g[q];
+      flux_y += T(Set::c(q, 1)) * g[q];
+    }
+    T added = 0;
+    if constexpr (Flow::advective_form) {
+      added = -c * flow.e(i) / (T(1) + flow.e(i));
+      g[0] += added;
+      c += added;
+    }
+    C(i) = c;
+    collide(i, g, c, flux_x, flux_y);
+    return double(added);
+  }
+
+  /// The population at rest is what the others leave of C: rounded weights do not add up to one, and what they miss
+  /// (5e-17 of C in double, 3e-8 in float) would be gained or lost at every node in every step.
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, T* g, T c, T flux_x, T flux_y) const {
+    T ux = 0, uy = 0;
+    if constexpr (Flow::moves) {
+      ux = flow.u(i, 0);
+      uy = flow.u(i, 1);
+      flux_x -= c * ux;
+      flux_y -= c * uy;
+    }
+    flux_x *= rate_difference;
+    flux_y *= rate_difference;
+    T rest = c;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      T wc = T(Set::w(q)) * c;
+      if constexpr (Flow::moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
+      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * (T(Set::c(q, 0)) * flux_x + T(Set::c(q, 1)) * flux_y);
+      rest -= g[q];
+    }
+    g[0] = rest;
+  }
+};
+
+/// A block of nodes from home, by eights. What they add is summed as add_per_block does.
+template <class T, class Set, class Flow>
+struct EightSweeps {
+  using Sweep = SoluteSweep<T, Set, InPlaceFromHome<Set>, Flow>;
+  Sweep sweep;
+  Kokkos::View<const SourceWindow*> windows;
+  ScalarField<double> correction;
+
+  void operator()(int first, int last) const {
+    const detail::LocalBody<Sweep> copy(sweep);
+    const Sweep& local = copy.body;
+    const EightNodes<T, Set> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
+    constexpr int several = 4 * nodes_per_window;
+    double sum[nodes_per_window] = {};
+    int i = first;
+    for (; i + several <= last; i += several) by_eights<several>(local, eight, i, sum);
+    for (; i + nodes_per_window <= last; i += nodes_per_window) by_eights<nodes_per_window>(local, eight, i, sum);
+    for (int l = 0; i < last; ++i, ++l) sum[l] += local(i);
+    if constexpr (Flow::advective_form)
+      correction(first / nodes_per_block) +=
+          ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  }
+
+ private:
+  /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
+  template <int count>
+  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes<T, Set>& eight, int first,
+                                                    double (&sum)[nodes_per_window]) {
+    alignas(64) T g[count / nodes_per_window][Set::Q][nodes_per_window];
+    T* const h = local.h.data();
+    for (int k = 0; k < count; k += nodes_per_window) eight.pull(h, first + k, g[k / nodes_per_window]);
+    for (int k = 0; k < count; k += nodes_per_window) {
+      VUG_VECTORISE
+      for (int l = 0; l < nodes_per_window; ++l) {
+        T own[Set::Q];
+        VUG_UNROLL
+        for (int q = 0; q < Set::Q; ++q) own[q] = g[k / nodes_per_window][q][l];
+        sum[l] += local.finish(first + k + l, own);
+        VUG_UNROLL
+        for (int q = 0; q < Set::Q; ++q) g[k / nodes_per_window][q][l] = own[q];
+      }
+    }
+    for (int k = 0; k < count; k += nodes_per_window) eight.push(h, first + k, g[k / nodes_per_window]);
+  }
+};
+
+/// visit(slots): where the sweep of these fields finds the populations.
+template <class Set, class T, class Visit>
+void visit_slots(const FluidNodes& nodes, const SoluteFields<T>& s, const Visit& visit) {
+  if (s.turned)
+    visit(InPlaceFromTurned<Set>{nodes.capacity});
+  else
+    visit(InPlaceFromHome<Set>{nodes.source, nodes.capacity});
+}
+
+/// The sweep of a species.
+template <class Set, class T, class Slots, class Flow>
+SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SoluteParameters& p, const SoluteFields<T>& s,
+                                              const Flow& flow) {
+  return {slots, s.h, s.C, T(1 / p.tau_h), T(1 / p.tau_h - 1 / p.tau_1), flow};
+}
+
+/// How a host sweeps a block of nodes, of sweep_block_size: body(first, last).
+template <class T, class Set, class Slots, class Flow>
+auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Flow>& sweep,
+                    const ScalarField<double>& correction) {
+  using Sweep = SoluteSweep<T, Set, Slots, Flow>;
+  if constexpr (has_source_windows && std::is_same_v<Slots, InPlaceFromHome<Set>>)
+    return EightSweeps<T, Set, Flow>{sweep, nodes.windows, correction};
+  else if constexpr (Flow::advective_form)
+    return detail::BlockSum<Sweep>{sweep, correction};
+  else
+    return detail::NodeLoop<Sweep>{sweep};
+}
+
+template <class Flow>
+int sweep_block_size(int count) {
+  return Flow::advective_form ? nodes_per_block : block_of_list(count);
+}
+
+}  // namespace vug
