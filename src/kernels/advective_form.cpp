@@ -46,7 +46,7 @@ struct AdvectiveDefect {
 
   /// From the velocities of the nodes that the directions come from.
   KOKKOS_FORCEINLINE_FUNCTION void finish(int i, const T (&ux)[Set::Q], const T (&uy)[Set::Q]) const {
-    const int closed = solid_links(i) | (side_links(i) & ~open_links(i));
+    const int closed = static_cast<int>(closed_links(solid_links(i), side_links(i), open_links(i)));
     T sum = T(Set::w(0)) * deviation(0, ux[0], uy[0]);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {

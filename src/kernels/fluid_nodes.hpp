@@ -44,6 +44,11 @@ struct FluidNodes {
   Kokkos::View<std::uint16_t*> open_links;  ///< (fluid) the side links through which fluid may flow (see mark_open)
 };
 
+/// Of the link masks of a fluid node those that nothing is carried along: into rock or through a closed side.
+KOKKOS_FORCEINLINE_FUNCTION constexpr unsigned closed_links(unsigned solid, unsigned side, unsigned open) {
+  return solid | (side & ~open);
+}
+
 /// Numbers the fluid nodes of `type` (dense, Lattice numbering) row by row and builds the tables.
 FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokkos::View<NodeType*>& type,
                             std::array<bool, 2> periodic = {false, false});

@@ -6,7 +6,7 @@
 // flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
 // fluid's volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
 #include "kernels/displacement.hpp"
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/fluid_rows.hpp"
 
 #include <type_traits>
 
@@ -96,13 +96,6 @@ template <class T>
 void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
             const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
             const ScalarField<double>& created);
-
-/// The fluid nodes in the order of the dense lattice, row by row. Empty on a GPU, which does not use it.
-struct FluidRows {
-  IndexList first;  ///< (row + 1) entries of row y are [first(y), first(y + 1))
-  IndexList fluid;  ///< (entry) fluid index
-};
-FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes);
 
 /// `conduct` and `advect` in one go: on a host every row is finished while it is in the cache, which takes half the
 /// time in rock, where the fluid nodes lie scattered. `created` has an entry per row at least, and one per block of

@@ -72,8 +72,8 @@ struct SetAsideBesideBand {
   }
 };
 
-/// Conducts a band of rows, calling finish(y) when the populations of row y are those after the step.
-template <class T, class Set, bool Openings, class Finish>
+/// Conducts a band of rows; what follows in every row, `rows`, gets each part of it while that is in the nearest cache.
+template <class T, class Set, bool Openings, class Rows>
 struct ConductBand {
   /// Nodes of a row at a time, of which some things are staged in the nearest cache: eight lines of it, since longer
   /// segments ask the memory for one stream after the other, and shorter ones are mostly beginnings and ends.
@@ -83,15 +83,17 @@ struct ConductBand {
   Conduction<T, Set> law;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> theta;
-  Finish finish;
+  Rows rows;
 
   KOKKOS_FUNCTION void operator()(int band) const {
     const Conduction<T, Set> local = law;
     const BandLines<T, Set> lines = bands.lines_of(band);
     const int first = bands.first_row(band), last = bands.first_row(band + 1) - 1;
     for (int y = first; y <= last; ++y) {
-      conduct(row_at(y, y == last, (y - first) % 2, lines), local);
-      finish(y);
+      auto following = rows.row(y);
+      conduct(row_at(y, y == last, (y - first) % 2, lines), local,
+              [&, start = bands.lattice.node(0, y)](int x) { following.up_to(start + x); });
+      following.end();
     }
   }
 
@@ -136,7 +138,10 @@ struct ConductBand {
     for (int x = 0; x < segment; x += line) prefetch_far(row.theta + start + ahead + x);
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Conduction<T, Set>& conduction) const {
+  /// Calls conducted(x) when the nodes before x are.
+  template <class Conducted>
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Conduction<T, Set>& conduction,
+                                           const Conducted& conducted) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;
     T before = row.g[1][-1];  // moves to the right, from the node before the segment
     for (int start = 0; start < nx; start += segment) {
@@ -171,6 +176,7 @@ struct ConductBand {
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) row.g[q][start + x] = g[q];
       }
+      conducted(start + n);
     }
   }
 };

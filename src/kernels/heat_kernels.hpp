@@ -139,7 +139,9 @@ struct Advect {
   ScalarField<T> lagged, g, theta;
 
   /// Bit q: nothing is carried along q.
-  KOKKOS_FORCEINLINE_FUNCTION unsigned walls(int i) const { return solid_links(i) | (side_links(i) & ~open_links(i)); }
+  KOKKOS_FORCEINLINE_FUNCTION unsigned walls(int i) const {
+    return closed_links(solid_links(i), side_links(i), open_links(i));
+  }
 
   KOKKOS_FUNCTION double operator()(int i) const {
     const int n = node(i);

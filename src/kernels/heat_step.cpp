@@ -1,95 +1,12 @@
 // The heat step: on a host in place, conduction and convection of a row while it is in the cache; on a GPU with two
 // lattices, one after the other.
 #include "kernels/heat_bands.hpp"
+#include "kernels/heat_convection.hpp"
 #include "kernels/row_launch.hpp"
 
 #include <utility>
 
 namespace vug {
-
-/// One row of fluid nodes convects: what lies scattered is brought together for some of them, so that their law runs on
-/// vectors.
-template <class T, class Set>
-struct ConvectRow {
-  static constexpr int some = 64, lanes = 16;
-
-  /// The state of some nodes and what is added to it.
-  struct Staged {
-    alignas(64) T theta[some], ux[some], uy[some], lagged[some], defect[some], added[some], rest[some];
-    alignas(64) T change[Set::Q][some];
-    alignas(64) int node[some], walls[some];
-  };
-
-  Advect<T, Set> advect;
-  FluidRows rows;
-  ScalarField<double> created;
-
-  KOKKOS_FUNCTION void operator()(int y) const {
-    const detail::LocalBody<Advect<T, Set>> copy(advect);
-    const Advect<T, Set>& local = copy.body;
-    Staged staged{};
-    double sum = 0;
-    for (int k = rows.first(y), last = rows.first(y + 1); k < last; k += some) {
-      const int* const fluid = &rows.fluid(k);
-      const int count = last - k < some ? last - k : some;
-      gather(local, fluid, count, staged);
-      convect(local.law, (count + lanes - 1) / lanes * lanes, staged);
-      sum = scatter(local, fluid, count, staged, sum);
-    }
-    created(y) += sum;
-  }
-
- private:
-  KOKKOS_FORCEINLINE_FUNCTION static void gather(const Advect<T, Set>& at, const int* fluid, int count, Staged& s) {
-    for (int k = 0; k < count; ++k) {
-      const int i = fluid[k];
-      s.node[k] = at.node(i);
-      s.walls[k] = static_cast<int>(at.walls(i));
-      s.ux[k] = at.u(i, 0);
-      s.uy[k] = at.u(i, 1);
-      s.lagged[k] = at.lagged(i);
-      s.defect[k] = at.defect(i);
-      s.theta[k] = at.theta(s.node[k]);
-    }
-  }
-
-  /// In whole vectors: what lies behind the last node is an older one's and goes nowhere.
-  KOKKOS_FORCEINLINE_FUNCTION static void convect(const Convection<T, Set>& law, int count, Staged& s) {
-    VUG_VECTORISE
-    for (int k = 0; k < count; ++k) {
-      s.lagged[k] = law.follow(s.lagged[k], s.defect[k]);
-      s.added[k] = law.added(s.theta[k], s.lagged[k]);
-      s.theta[k] += s.added[k];
-      T rest = s.added[k];
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) {
-        s.change[q][k] = law.change(q, s.theta[k], s.added[k], s.ux[k], s.uy[k], s.walls[k] >> q & 1);
-        rest -= T(Set::w(q)) * s.change[q][k];
-      }
-      s.rest[k] = rest;
-    }
-  }
-
-  /// Adds what the advective form adds to `sum`, in the order of the nodes.
-  KOKKOS_FORCEINLINE_FUNCTION static double scatter(const Advect<T, Set>& at, const int* fluid, int count,
-                                                    const Staged& s, double sum) {
-    for (int k = 0; k < count; ++k) {
-      T* const g = &at.g(s.node[k]);
-      g[0] += s.rest[k];
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) g[q * at.plane] += T(Set::w(q)) * s.change[q][k];
-      at.theta(s.node[k]) = s.theta[k];
-      at.lagged(fluid[k]) = s.lagged[k];
-      sum += static_cast<double>(s.added[k]);
-    }
-    return sum;
-  }
-};
-
-/// Where nothing flows.
-struct NoConvection {
-  KOKKOS_FUNCTION void operator()(int) const {}
-};
 
 namespace {
 
@@ -104,14 +21,14 @@ void visit_kind(const HeatFields<T>& fields, const Visit& visit) {
   });
 }
 
-/// Conduction in place; finish(y) follows when row y is done.
-template <class Set, bool Openings, class T, class Finish>
-void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Finish& finish) {
+/// Conduction in place, and what follows it in every row (heat_convection.hpp).
+template <class Set, bool Openings, class T, class Rows>
+void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Rows& rows) {
   const HeatBands<T, Set> bands(fields);
   const Kokkos::RangePolicy<Exec> all(exec, 0, bands.count);
   Kokkos::parallel_for("vug::heat::set_aside", all, SetAsideBesideBand<T, Set>{bands});
-  const ConductBand<T, Set, Openings, Finish> band{bands, Conduction<T, Set>(fields.rates), fields.solid, fields.theta,
-                                                   finish};
+  const ConductBand<T, Set, Openings, Rows> band{bands, Conduction<T, Set>(fields.rates), fields.solid, fields.theta,
+                                                 rows};
   Kokkos::parallel_for("vug::heat::rows", all, band);
 }
 
@@ -150,7 +67,7 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
   if constexpr (runs_on_host) {
     visit_kind(fields, [&](auto set, auto openings) {
       using Set = decltype(set);
-      const ConvectRow<T, Set> convection{advect_body<T, Set>(nodes, u, defect, lagged, fields), rows, created};
+      const auto convection = convect_rows(nodes, rows, advect_body<T, Set>(nodes, u, defect, lagged, fields), created);
       conduct_in_place<Set, decltype(openings)::value>(exec, fields, convection);
     });
   } else {

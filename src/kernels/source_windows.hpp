@@ -3,26 +3,16 @@
 // direction lie within two runs of eight, almost always (99.9 % in rock of three-node pathways): two loads and a
 // permutation of registers then take the place of eight loads, a permutation and masked stores that of eight stores.
 // The processor's own gathers and scatters are no faster than single loads and stores.
-#include "kernels/base.hpp"
+#include "kernels/eight_lanes.hpp"
 #include "kernels/unroll.hpp"
 #include "kernels/velocity_set.hpp"
 
 #include <cstdint>
 
-#if defined(__AVX512F__) && defined(__AVX512VL__) && !defined(__CUDACC__) && !defined(__HIPCC__)
-#define VUG_EIGHT_LANES
-#include <immintrin.h>
-#endif
-
 namespace vug {
 
-#ifdef VUG_EIGHT_LANES
-inline constexpr bool has_source_windows = runs_on_host;
-#else
-inline constexpr bool has_source_windows = false;
-#endif
-
-inline constexpr int nodes_per_window = 8;
+inline constexpr bool has_source_windows = has_eight_lanes;
+inline constexpr int nodes_per_window = eight_lanes;
 
 /// Where eight consecutive nodes, the first a multiple of eight, pull one direction from: FluidNodes::source of them
 /// once more, in 20 bytes instead of 32. Numbers 0 to 7 are the slots from `first` on, 8 to 15 those from first + gap.
@@ -63,64 +53,6 @@ KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, 
   w.gap = static_cast<std::uint32_t>(second - first);
   return w;
 }
-
-/// Registers of eight numbers.
-template <class T>
-struct Eight;
-
-#ifdef VUG_EIGHT_LANES
-template <>
-struct Eight<double> {
-  using Register = __m512d;
-  static Register load(const double* p) { return _mm512_loadu_pd(p); }
-  static void store(double* p, Register v) { _mm512_storeu_pd(p, v); }
-  static void store(double* p, std::uint32_t lanes, Register v) {
-    _mm512_mask_storeu_pd(p, static_cast<__mmask8>(lanes), v);
-  }
-  /// Lane l: `b` where bit l of `lanes` is set, else `a`.
-  static Register blend(std::uint32_t lanes, Register a, Register b) {
-    return _mm512_mask_blend_pd(static_cast<__mmask8>(lanes), a, b);
-  }
-  /// Lane l: number (order >> 4 l) % 16 of the sixteen in `a` and `b`.
-  static Register pick(std::uint32_t order, Register a, Register b) {
-    return _mm512_permutex2var_pd(a, fields(order, 4), b);
-  }
-  /// Lane l: number (order >> 3 l) % 8 of `a`.
-  static Register pick(std::uint32_t order, Register a) {
-    return _mm512_maskz_permutexvar_pd(all, fields(order, 3), a);
-  }
-
- private:
-  static constexpr __mmask8 all = 0xff;  // the forms with a mask: the others draw a false warning from GCC 12
-  static __m512i fields(std::uint32_t order, int width) {
-    const __m512i lane = _mm512_set_epi64(7 * width, 6 * width, 5 * width, 4 * width, 3 * width, 2 * width, width, 0);
-    return _mm512_maskz_srlv_epi64(all, _mm512_set1_epi64(order), lane);
-  }
-};
-
-template <>
-struct Eight<float> {
-  using Register = __m256;
-  static Register load(const float* p) { return _mm256_loadu_ps(p); }
-  static void store(float* p, Register v) { _mm256_storeu_ps(p, v); }
-  static void store(float* p, std::uint32_t lanes, Register v) {
-    _mm256_mask_storeu_ps(p, static_cast<__mmask8>(lanes), v);
-  }
-  static Register blend(std::uint32_t lanes, Register a, Register b) {
-    return _mm256_mask_blend_ps(static_cast<__mmask8>(lanes), a, b);
-  }
-  static Register pick(std::uint32_t order, Register a, Register b) {
-    return _mm256_permutex2var_ps(a, fields(order, 4), b);
-  }
-  static Register pick(std::uint32_t order, Register a) { return _mm256_permutevar8x32_ps(a, fields(order, 3)); }
-
- private:
-  static __m256i fields(std::uint32_t order, int width) {
-    const __m256i lane = _mm256_set_epi32(7 * width, 6 * width, 5 * width, 4 * width, 3 * width, 2 * width, width, 0);
-    return _mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(order)), lane);
-  }
-};
-#endif
 
 /// Populations of eight consecutive nodes over a velocity set, and how they are fetched and put back.
 template <class T, class Set>

@@ -104,6 +104,7 @@ class HeatBox {
   void open(Side which) {
     const int length = which == Side::left || which == Side::right ? lattice.ny : lattice.nx;
     mark_open(exec, nodes, find_boundary_links(exec, nodes, which, 0, length - 1, directions()));
+    rows = fluid_rows(exec, nodes);
   }
 
   void run(int steps) {
