@@ -1,11 +1,15 @@
-// Conduction in place gives what two lattices give, to the last bit.
+// Conduction in place gives what two lattices give, to the last bit, and convection behind it what it gives node by
+// node.
 #include "kernels/heat_boundary.hpp"
 #include "kernels/heat_kernels.hpp"
 #include "kernels/row_launch.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace vug {
@@ -112,6 +116,90 @@ TYPED_TEST(ConductionInPlace, HasTheBitsOfTwoLattices) {
 TYPED_TEST(ConductionInPlace, HasTheBitsOfTwoLatticesAroundOpenings) {
   expect_plain_steps_of_all_sizes<TypeParam, D2Q5, true>();
   expect_plain_steps_of_all_sizes<TypeParam, D2Q9, true>();
+}
+
+/// Fluid nodes of which every fifth was born later, so that neighbours do not follow each other in the list, with the
+/// upper side open.
+FluidNodes nodes_with_births(const Exec& exec, const Lattice& lattice, const Kokkos::View<NodeType*>& type) {
+  const Kokkos::View<NodeType*> before("type", lattice.size());
+  Kokkos::deep_copy(before, type);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, before);
+  int fluid = 0;
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x)
+      if (NodeType& kind = host(lattice.node(x, y)); kind == NodeType::fluid && ++fluid % 5 == 0)
+        kind = NodeType::solid;
+  Kokkos::deep_copy(before, host);
+  FluidNodes nodes = make_fluid_nodes(exec, lattice, before, {true, false});
+  EXPECT_EQ(append_births(exec, type, nodes), fluid / 5);
+  mark_open(exec, nodes, find_boundary_links(exec, nodes, Side::top, 0, lattice.nx - 1, D2Q9::Q));
+  return nodes;
+}
+
+template <class T, class Set, bool Openings>
+void expect_convection_node_by_node(int nx, int ny, int bands, double tolerance) {
+  std::mt19937 random(nx * 1000 + ny);
+  const Exec exec;
+  const Lattice lattice(nx, ny);
+  const ScalarVelocitySet set = Set::Q == D2Q9::Q ? ScalarVelocitySet::d2q9 : ScalarVelocitySet::d2q5;
+  const Kokkos::View<NodeType*> type = random_types(lattice, Openings, random);
+  const FluidNodes nodes = nodes_with_births(exec, lattice, type);
+  HeatFields<T> rows = make_heat_fields<T>(exec, lattice, {0.056, 0.14, 0.625, set}, type, {true, false}, 0, Openings);
+  if (runs_on_host && bands > 0) set_heat_bands(exec, bands, rows);
+  fill_at_random(rows.g, random);
+  const VectorField<T> u("u", nodes.capacity);
+  const ScalarField<T> defect("defect", nodes.capacity), lagged("lagged", nodes.capacity),
+      lagged_apart("lagged", nodes.capacity);
+  const auto velocity = Kokkos::create_mirror_view(u);
+  const auto divergence = Kokkos::create_mirror_view(defect);
+  std::uniform_real_distribution<T> small(-0.1, 0.1);
+  for (int i = 0; i < nodes.count; ++i) {
+    for (int axis = 0; axis < 2; ++axis) velocity(i, axis) = small(random);
+    divergence(i) = small(random);
+  }
+  Kokkos::deep_copy(u, velocity);
+  Kokkos::deep_copy(defect, divergence);
+  HeatFields<T> apart = rows;
+  apart.g = ScalarField<T>("g", rows.g.extent(0));
+  apart.theta = ScalarField<T>("theta", rows.theta.extent(0));
+  Kokkos::deep_copy(apart.g, rows.g);
+
+  const auto sums = [&] { return ScalarField<double>("created", std::max(block_count(lattice.size()), ny)); };
+  const ScalarField<double> created = sums(), created_apart = sums();
+  for (int step = 0; step < 3; ++step) {
+    join_heat_sides(exec, rows, 0);
+    conduct_and_advect(exec, nodes, fluid_rows(exec, nodes), {u, 2}, defect, lagged, rows, created);
+    join_heat_sides(exec, apart, 0);
+    conduct(exec, apart);
+    advect(exec, nodes, {u, 2}, defect, lagged_apart, apart, created_apart);
+    exec.fence();
+  }
+  const auto expect_near = [&](const auto& a, const auto& b, int first, int last, const char* what) {
+    const auto one = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, a);
+    const auto other = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, b);
+    for (int i = first; i < last; ++i)
+      ASSERT_NEAR(one(i), other(i), tolerance) << what << ' ' << i << " of " << nx << " x " << ny;
+  };
+  for (int y = 0; y < ny; ++y) {
+    const int first = lattice.node(0, y), last = lattice.node(nx, y);
+    expect_near(rows.theta, apart.theta, first, last, "temperature");
+    for (int q = 0; q < Set::Q; ++q)
+      expect_near(rows.g, apart.g, q * lattice.size() + first, q * lattice.size() + last, "population");
+  }
+  expect_near(lagged, lagged_apart, 0, nodes.count, "lagging defect");
+  EXPECT_NEAR(sum_in_order(created), sum_in_order(created_apart), tolerance * nx * ny);
+  EXPECT_NE(sum_in_order(created), 0);
+}
+
+TYPED_TEST(ConductionInPlace, IsFollowedByTheConvectionOfEveryNode) {
+  using T = TypeParam;
+  const double tolerance = 100 * std::numeric_limits<T>::epsilon();
+  for (const auto& [nx, ny, bands] : {std::array{37, 7, 0}, {37, 7, 3}, {131, 101, 0}, {131, 101, 4}, {333, 2, 0}}) {
+    expect_convection_node_by_node<T, D2Q5, false>(nx, ny, bands, tolerance);
+    expect_convection_node_by_node<T, D2Q9, false>(nx, ny, bands, tolerance);
+    expect_convection_node_by_node<T, D2Q5, true>(nx, ny, bands, tolerance);
+    expect_convection_node_by_node<T, D2Q9, true>(nx, ny, bands, tolerance);
+  }
 }
 
 }  // namespace
