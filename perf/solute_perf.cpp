@@ -1,7 +1,7 @@
 // The solute kernels and the reactive wall: velocity sets, precisions, geometries.
 #include "kernels/advective_form.hpp"
+#include "kernels/reacting_solutes.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
-#include "kernels/solute.hpp"
 #include "kernels/surface_normal.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
@@ -118,6 +118,21 @@ void react(benchmark::State& state, const Geometry* geometry) {
                 [&] { react_at_wall<Set>(s.exec, s.nodes, s.wall, s.links, s.acid, &s.product); });
 }
 
+/// As a run with both does it: two sweeps in advective form and the reaction behind them in one pass.
+template <class T, class Set>
+void sweep_and_react(benchmark::State& state, const Geometry* geometry) {
+  WallSetting<T, Set> s(*geometry);
+  const int blocks = block_count(s.nodes.count);
+  const SoluteCarrier<T> carrier{s.u, s.e};
+  const SteppingSolute<T> acid{s.parameters, s.acid, ScalarField<double>("correction", blocks)};
+  const SteppingSolute<T> product{s.parameters, s.product, ScalarField<double>("correction", blocks)};
+  const double links_per_node = static_cast<double>(s.links.count) / s.nodes.count;
+  measure<T, 2 * Set::Q>(
+      state, s.nodes.count,
+      2 * (sweep_bytes<T, Set> + 3 * sizeof(T)) + links_per_node * (sizeof(T) + sizeof(int) + 2 * sizeof(double)),
+      [&] { advance_reacting_solutes<Set>(s.exec, s.nodes, carrier, s.wall, s.links, acid, &product); });
+}
+
 /// Of each link slot, root, both temperatures, conductance; of each surface node its number and normal.
 template <class T, class Set>
 void conductances(benchmark::State& state, const Geometry* geometry) {
@@ -152,6 +167,7 @@ void add_set(const std::string& suffix) {
     add("solute/defect" + end, find_defect<T, Set>, &geometry);
     if (geometry.share_of_edges == 0) continue;  // no walls
     add("wall/react" + end, react<T, Set>, &geometry);
+    add("solute/two_reacting" + end, sweep_and_react<T, Set>, &geometry);
     add("wall/conductances" + end, conductances<T, Set>, &geometry);
     add("wall/book" + end, book<T, Set>, &geometry);
     if (std::is_same_v<T, double> && Set::Q == D2Q5::Q) add("wall/normals" + end, normals<T, Set>, &geometry);
