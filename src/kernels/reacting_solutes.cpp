@@ -13,7 +13,7 @@ struct NoSweep {
 
 /// A sweep goes over so many blocks before the next: fewer are mostly beginnings of streams that the processor does not
 /// foresee, more do not stay in the cache.
-constexpr int blocks_at_a_time = 4;
+[[maybe_unused]] constexpr int blocks_at_a_time = 4;
 
 /// The sweeps of some nodes, then their links.
 template <class Reactant, class Product, class React>
