@@ -89,17 +89,15 @@ T even_defect_weight(const HeatFields<T>& fields) {
 
 /// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` is the displacement in this
 /// step, `defect` (fluid) the e of kernels/advective_form.hpp for that in the heat step before, its even part weighed
-/// with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
-/// start and at births, part of a checkpoint. `created` (block) grows by the energy that the advective form adds; give
-/// an empty View to leave it out.
+/// with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the start and at births, part of a
+/// checkpoint. `created` (block) grows by the energy that the advective form adds; give an empty View to leave it out.
 template <class T>
 void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
             const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
             const ScalarField<double>& created);
 
-/// `conduct` and `advect` in one go: on a host every row is finished while it is in the cache, which takes half the
-/// time in rock, where the fluid nodes lie scattered. `created` has an entry per row at least, and one per block of
-/// nodes.
+/// `conduct` and `advect` in one go: on a host every part of a row is finished while it is in the nearest cache, since
+/// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes.
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
                         const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,

@@ -25,11 +25,11 @@ struct ReactiveWall {
 template <class T>
 struct ReactiveLinks {
   int count = 0;
-  IndexList first;            ///< (fluid + 1) fluid node i has the links [first(i), first(i + 1))
-  IndexList of_surface;       ///< (surface + 1) surface node s has the links
-  IndexList of_surface_link;  ///< of_surface_link(of_surface(s)), ..., (of_surface(s + 1) - 1), in order of direction
-  IndexList slot;   ///< (link) slot of the population that leaves the fluid through it
-  IndexList root;   ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
+  IndexList first;             ///< (fluid + 1) fluid node i has the links [first(i), first(i + 1))
+  IndexList of_surface;        ///< (surface + 1) surface node s has entries [of_surface(s), of_surface(s + 1)) of
+  IndexList of_surface_link;   ///< (entry) the link, in order of direction from s
+  IndexList slot;              ///< (link) slot of the population that leaves the fluid through it
+  IndexList root;              ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
   ScalarField<T> rate;         ///< (link) rate constant times share of true area, when that was last asked for
   ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances
   ScalarField<double> acid;    ///< (link) moles taken from the acid

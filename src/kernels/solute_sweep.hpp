@@ -6,6 +6,8 @@
 #include "kernels/streaming.hpp"
 #include "kernels/unroll.hpp"
 
+#include <type_traits>
+
 namespace vug {
 
 /// Advection policies: what the sweep reads of the flow.
@@ -173,6 +175,7 @@ auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Fl
     return detail::NodeLoop<Sweep>{sweep};
 }
 
+/// Nodes of such a block: where sums are taken, those of add_per_block.
 template <class Flow>
 int sweep_block_size(int count) {
   return Flow::advective_form ? nodes_per_block : block_of_list(count);
