@@ -25,7 +25,7 @@ struct AdvectiveDefect {
     if constexpr (Set::Q == D2Q5::Q) {
       return whole;
     } else {
-      const T odd = T(3) * (T(Set::c(q, 0)) * ux + T(Set::c(q, 1)) * uy);
+      const T odd = T(3) * along(q, ux, uy);
       return odd + even_weight * (whole - odd);
     }
   }
@@ -68,7 +68,7 @@ struct EightDefects {
   void operator()(int first, int last) const {
     const detail::LocalBody<Defect> copy(defect);
     const Defect& local = copy.body;
-    const EightNodes<T, Set> eight{windows.data(), local.source.data(), local.capacity};
+    const EightFromHome<T, Set> eight{windows.data(), local.source.data(), local.capacity};
     constexpr int some = shortest_block;
     int i = first;
     for (; i + some <= last; i += some) {

@@ -26,7 +26,7 @@ struct Eight;
 #ifdef VUG_EIGHT_LANES
 template <>
 struct Eight<double> {
-  using Register = __m512d;
+  typedef double Register __attribute__((vector_size(64)));  // with operators, as __m512d
   static Register load(const double* p) { return _mm512_loadu_pd(p); }
   static Register load(const double* p, std::uint32_t lanes) {
     return _mm512_maskz_loadu_pd(static_cast<__mmask8>(lanes), p);
@@ -35,6 +35,8 @@ struct Eight<double> {
   static void store(double* p, std::uint32_t lanes, Register v) {
     _mm512_mask_storeu_pd(p, static_cast<__mmask8>(lanes), v);
   }
+  /// Whether some lane of `a` is above that of `b`.
+  static bool any_above(Register a, Register b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ) != 0; }
   /// Lane l: `b` where bit l of `lanes` is set, else `a`.
   static Register blend(std::uint32_t lanes, Register a, Register b) {
     return _mm512_mask_blend_pd(static_cast<__mmask8>(lanes), a, b);
@@ -56,13 +58,13 @@ struct Eight<double> {
   static constexpr __mmask8 all = 0xff;  // the forms with a mask: the others draw a false warning from GCC 12
   static __m512i fields(std::uint32_t order, int width) {
     const __m512i lane = _mm512_set_epi64(7 * width, 6 * width, 5 * width, 4 * width, 3 * width, 2 * width, width, 0);
-    return _mm512_maskz_srlv_epi64(all, _mm512_set1_epi64(order), lane);
+    return _mm512_maskz_srlv_epi64(all, _mm512_set1_epi32(static_cast<int>(order)), lane);
   }
 };
 
 template <>
 struct Eight<float> {
-  using Register = __m256;
+  typedef float Register __attribute__((vector_size(32)));
   static Register load(const float* p) { return _mm256_loadu_ps(p); }
   static Register load(const float* p, std::uint32_t lanes) {
     return _mm256_maskz_loadu_ps(static_cast<__mmask8>(lanes), p);
@@ -71,6 +73,7 @@ struct Eight<float> {
   static void store(float* p, std::uint32_t lanes, Register v) {
     _mm256_mask_storeu_ps(p, static_cast<__mmask8>(lanes), v);
   }
+  static bool any_above(Register a, Register b) { return _mm256_cmp_ps_mask(a, b, _CMP_GT_OQ) != 0; }
   static Register blend(std::uint32_t lanes, Register a, Register b) {
     return _mm256_mask_blend_ps(static_cast<__mmask8>(lanes), a, b);
   }
@@ -89,5 +92,21 @@ struct Eight<float> {
   }
 };
 #endif
+
+/// The number at `from`, or where V is a register those of eight neighbours.
+template <class V, class T>
+KOKKOS_FORCEINLINE_FUNCTION V fetch(const T* from) {
+  if constexpr (sizeof(V) == sizeof(T))
+    return *from;
+  else
+    return Eight<T>::load(from);
+}
+template <class V, class T>
+KOKKOS_FORCEINLINE_FUNCTION void put(T* to, const V& value) {
+  if constexpr (sizeof(V) == sizeof(T))
+    *to = value;
+  else
+    Eight<T>::store(to, value);
+}
 
 }  // namespace vug

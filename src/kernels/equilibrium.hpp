@@ -7,20 +7,6 @@
 
 namespace vug {
 
-/// c_q . (x, y) for a direction known to the compiler: no multiplications, no zeros added.
-template <int q, class T>
-KOKKOS_FORCEINLINE_FUNCTION constexpr T along(T x, T y) {
-  constexpr int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
-  if constexpr (cx == 0 && cy == 0)
-    return T(0);
-  else if constexpr (cy == 0)
-    return cx > 0 ? x : -x;
-  else if constexpr (cx == 0)
-    return cy > 0 ? y : -y;
-  else
-    return (cx > 0 ? x : -x) + (cy > 0 ? y : -y);
-}
-
 /// On a lambda inside a kernel: a call left standing in a loop over nodes keeps the loop from vectorising.
 #define VUG_INLINED __attribute__((always_inline))
 
@@ -48,7 +34,7 @@ struct Macroscopic {
 /// feq_q = w_q [rho' + 3 c.u + 9/2 (c.u)^2 - 3/2 u^2], the incompressible form of He and Luo.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION constexpr T equilibrium(int q, T rho, T ux, T uy) {
-  const T cu = T(D2Q9::c(q, 0)) * ux + T(D2Q9::c(q, 1)) * uy;
+  const T cu = along(q, ux, uy);
   return T(D2Q9::w(q)) * (rho + T(3) * cu + T(4.5) * cu * cu - T(1.5) * (ux * ux + uy * uy));
 }
 

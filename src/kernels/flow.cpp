@@ -27,7 +27,7 @@ struct SpeedLimiter {
     const T dx = excess * m.ux, dy = excess * m.uy;
     m.ux += dx;
     m.uy += dy;
-    unroll<D2Q9::Q>([&](auto q) VUG_INLINED { f[q] += T(3 * D2Q9::w(q)) * along<q>(dx, dy); });
+    unroll<D2Q9::Q>([&](auto q) VUG_INLINED { f[q] += T(3 * D2Q9::w(q)) * along(q, dx, dy); });
     return over ? 1 : 0;
   }
 };
@@ -51,21 +51,27 @@ struct CollideAndStream {
     g[0] = f(i);
     for (int q = 1; q < D2Q9::Q; ++q) g[q] = f(slots.arriving(q, i));
   }
-  KOKKOS_FORCEINLINE_FUNCTION Macroscopic<T> moments(const T (&g)[9]) const {
-    Macroscopic<T> m = macroscopic(g);
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION Macroscopic<V> moments(const V (&g)[9]) const {
+    Macroscopic<V> m = macroscopic(g);
     if constexpr (Force::present) {
       m.ux += force.x / 2;
       m.uy += force.y / 2;
     }
     return m;
   }
+  /// Of one node, or of eight neighbours.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
+    relax(g, m, force);
+    put(&density(i), m.rho);
+    put(&u(i, 0), m.ux);
+    put(&u(i, 1), m.uy);
+  }
   KOKKOS_FORCEINLINE_FUNCTION int collide(int i, T (&g)[9]) const {
     Macroscopic<T> m = moments(g);
     const int limited = limit(g, m);
-    relax(g, m, force);
-    density(i) = m.rho;
-    u(i, 0) = m.ux;
-    u(i, 1) = m.uy;
+    collide(i, g, m);
     return limited;
   }
   KOKKOS_FORCEINLINE_FUNCTION int operator()(int i) const {
@@ -118,58 +124,68 @@ struct LimitedBlock {
   }
 };
 
-/// A block of nodes from home, by eights: the indices are 20 bytes per node instead of 32 (178 and 94 bytes per node).
-/// The limiter as above; eight nodes that it is for are pulled again.
-template <class T, class Node>
-struct EightFromHome {
+/// A block of nodes in place, by eights that stay in registers; from home the indices are 24 bytes per node instead of
+/// 32. The limiter as above: lane by lane, where one of eight is too fast.
+template <class T, class Node, class EightNodes>
+struct EightBlock {
   Node node;
-  Kokkos::View<const SourceWindow*> windows;
+  EightNodes eight;
   ScalarField<double> limited;
+  using E = Eight<T>;
+  using Register = typename E::Register;
+
   void operator()(int first, int last) const {
     const detail::LocalBody<Node> copy(node);
     const Node& local = copy.body;
-    const detail::LocalBody<typename Node::Unlimited> free(node.unlimited());
-    const EightNodes<T, D2Q9> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
+    const EightNodes nodes = eight;
     T* const f = local.f_next.data();
     int uses = 0, i = first;
-    for (; i + nodes_per_window <= last; i += nodes_per_window) {
-      alignas(64) T g[D2Q9::Q][nodes_per_window];
-      eight.pull(f, i, g);
-      uses += collide(free.body, i, g);
-      if constexpr (Node::limits)
-        if (has_fast_node(local, i)) [[unlikely]] {
-          eight.pull(f, i, g);
-          uses += collide(local, i, g);
-        }
-      eight.push(f, i, g);
+    for (; i + eight_lanes <= last; i += eight_lanes) {
+      Register g[D2Q9::Q];
+      nodes.pull(f, i, g);
+      const Macroscopic<Register> m = local.moments(g);
+      if (has_fast_node(local, m)) [[unlikely]]
+        uses += one_by_one(local, i, g);
+      else
+        local.collide(i, g, m);
+      nodes.push(f, i, g);
     }
     for (; i < last; ++i) uses += local(i);
     if constexpr (Node::limits) limited(first / nodes_per_block) += uses;
   }
 
  private:
-  static bool has_fast_node(const Node& node, int first) {
-    int above = 0;
-    VUG_VECTORISE
-    for (int i = first; i < first + nodes_per_window; ++i)
-      above += node.limit.is_above(node.u(i, 0), node.u(i, 1)) ? 1 : 0;
-    return above > 0;
+  static bool has_fast_node(const Node& node, const Macroscopic<Register>& m) {
+    if constexpr (Node::limits)
+      return E::any_above(m.ux * m.ux + m.uy * m.uy, Register{} + node.limit.limit * node.limit.limit);
+    else
+      return false;
   }
-  template <class Body>
-  KOKKOS_FORCEINLINE_FUNCTION static int collide(const Body& body, int first, T (&g)[D2Q9::Q][nodes_per_window]) {
+  /// What it changes passes through memory here, so that the populations of all others need not.
+  static int one_by_one(const Node& node, int first, Register (&g)[D2Q9::Q]) {
+    alignas(64) T lane[D2Q9::Q][eight_lanes];
+    VUG_UNROLL
+    for (int q = 0; q < D2Q9::Q; ++q) E::store(lane[q], g[q]);
     int uses = 0;
-    VUG_VECTORISE
-    for (int l = 0; l < nodes_per_window; ++l) {
+    for (int l = 0; l < eight_lanes; ++l) {
       T own[D2Q9::Q];
-      for (int q = 0; q < D2Q9::Q; ++q) own[q] = g[q][l];
-      uses += body.collide(first + l, own);
-      for (int q = 0; q < D2Q9::Q; ++q) g[q][l] = own[q];
+      for (int q = 0; q < D2Q9::Q; ++q) own[q] = lane[q][l];
+      uses += node.collide(first + l, own);
+      for (int q = 0; q < D2Q9::Q; ++q) lane[q][l] = own[q];
     }
+    VUG_UNROLL
+    for (int q = 0; q < D2Q9::Q; ++q) g[q] = E::load(lane[q]);
     return uses;
   }
 };
 
 namespace {
+
+template <class T, class Node>
+auto eight_block(const Node& node, const FluidNodes& nodes, const ScalarField<double>& limited) {
+  const auto eight = eight_nodes<T>(node.slots, nodes);
+  return EightBlock<T, Node, std::decay_t<decltype(eight)>>{node, eight, limited};
+}
 
 /// One sweep, its choices made one after the other: collision (above), force, streaming, limiter.
 template <class T>
@@ -209,27 +225,24 @@ struct Sweep {
       return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{
           fields.f, target, fields.density, fields.u, slots, relax, force, limiter};
     };
-    constexpr bool by_eights = has_source_windows && std::is_same_v<Slots, InPlaceFromHome<D2Q9>>;
-    const auto eights = [&](const auto& node, const ScalarField<double>& uses) {
-      return EightFromHome<T, std::decay_t<decltype(node)>>{node, nodes.windows, uses};
-    };
-    if (step.speed_limit > T(0)) {
-      assert(static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));
-      const auto node = body(SpeedLimiter<T>{step.speed_limit});
-      if constexpr (by_eights)
-        for_each_block(exec, label, nodes.count, eights(node, step.limited), nodes_per_block);
-      else if constexpr (runs_on_host)
-        for_each_block(exec, label, nodes.count, LimitedBlock<T, std::decay_t<decltype(node)>>{node, step.limited},
-                       nodes_per_block);
-      else
+    const bool limits = step.speed_limit > T(0);
+    assert(!limits || static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));
+    const int size = limits ? nodes_per_block : block_of_list(nodes.count);
+    const auto run = [&](const auto& node) {
+      using Node = std::decay_t<decltype(node)>;
+      if constexpr (has_eight_lanes && !std::is_same_v<Slots, TwoLattices<D2Q9>>)
+        for_each_block(exec, label, nodes.count, eight_block<T>(node, nodes, step.limited), size);
+      else if constexpr (runs_on_host && Node::limits)
+        for_each_block(exec, label, nodes.count, LimitedBlock<T, Node>{node, step.limited}, size);
+      else if constexpr (Node::limits)
         add_per_block(exec, label, nodes.count, node, step.limited);
-    } else {
-      const auto node = body(NoLimiter<T>{});
-      if constexpr (by_eights)
-        for_each_block(exec, label, nodes.count, eights(node, {}), block_of_list(nodes.count));
       else
         for_each_node(exec, label, nodes.count, node);
-    }
+    };
+    if (limits)
+      run(body(SpeedLimiter<T>{step.speed_limit}));
+    else
+      run(body(NoLimiter<T>{}));
   }
 };
 

@@ -118,7 +118,7 @@ struct Convection {
  private:
   /// Carried along direction q, over w_q T.
   KOKKOS_FORCEINLINE_FUNCTION T carried(int q, T ux, T uy) const {
-    const T odd = 3 * (Set::c(q, 0) * ux + Set::c(q, 1) * uy);
+    const T odd = 3 * along(q, ux, uy);
     if constexpr (Set::Q == D2Q5::Q)
       return rate * odd;
     else

@@ -2,6 +2,8 @@
 // Collisions of the flow populations (paper Sec. 3.1: multiple relaxation times), each a small pure function object:
 //   f* = f - M^-1 S (M f - meq) + M^-1 (1 - S/2) F,
 // with M the moment basis of Lallemand and Luo. All conserve rho' = sum f and add exactly the body force to sum c f.
+// They take the populations of one node, numbers of type T, or of several at once: V is T or a register of such
+// numbers.
 #include "kernels/choices.hpp"
 #include "kernels/equilibrium.hpp"
 
@@ -84,21 +86,21 @@ struct TwoRelaxationTimes {
   T even, odd;
   TwoRelaxationTimes(const RelaxationRates& rates) : even(T(rates.s_nu)), odd(T(rates.s_q)) {}
 
-  template <class Force>
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&f)[9], const Macroscopic<T>& m, const Force& force) const {
-    const T isotropic = m.rho - T(1.5) * (m.ux * m.ux + m.uy * m.uy);
-    const T power = m.ux * force.x + m.uy * force.y;
+  template <class V, class Force>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
+    const V isotropic = m.rho - T(1.5) * (m.ux * m.ux + m.uy * m.uy);
+    const V power = m.ux * force.x + m.uy * force.y;
     f[0] -= even * (f[0] - T(D2Q9::w(0)) * isotropic);
     if constexpr (Force::present) f[0] -= (T(1) - even / 2) * T(3 * D2Q9::w(0)) * power;
     unroll<D2Q9::Q>([&](auto direction) VUG_INLINED {
       constexpr int q = direction, opposite = D2Q9::opposite(q);
       if constexpr (q < opposite) {
         constexpr T w = T(D2Q9::w(q));
-        const T cu = along<q>(m.ux, m.uy);
-        T even_change = even * (w * (isotropic + T(4.5) * cu * cu) - T(0.5) * (f[q] + f[opposite]));
-        T odd_change = odd * (T(3) * w * cu - T(0.5) * (f[q] - f[opposite]));
+        const V cu = along(q, m.ux, m.uy);
+        V even_change = even * (w * (isotropic + T(4.5) * cu * cu) - T(0.5) * (f[q] + f[opposite]));
+        V odd_change = odd * (T(3) * w * cu - T(0.5) * (f[q] - f[opposite]));
         if constexpr (Force::present) {
-          const T cF = along<q>(force.x, force.y);
+          const T cF = along(q, force.x, force.y);
           even_change += (T(1) - even / 2) * w * (T(9) * cu * cF - T(3) * power);
           odd_change += (T(1) - odd / 2) * T(3) * w * cF;
         }
@@ -116,28 +118,28 @@ struct MultipleRelaxationTimes {
   MultipleRelaxationTimes(const RelaxationRates& r)
       : s_nu(T(r.s_nu)), s_e(T(r.s_e)), s_eps(T(r.s_eps)), s_q(T(r.s_q)) {}
 
-  template <class Force>
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&f)[9], const Macroscopic<T>& m, const Force& force) const {
+  template <class V, class Force>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
     using M = MomentBasis;
-    const T ux = m.ux, uy = m.uy, u2 = ux * ux + uy * uy;
+    const V ux = m.ux, uy = m.uy, u2 = ux * ux + uy * uy, zero{};
     const T rate[9] = {T(0), s_e, s_eps, T(0), s_q, T(0), s_q, s_nu, s_nu};
-    const T meq[9] = {T(0),   T(3) * u2 - T(2) * m.rho, m.rho - T(3) * u2, T(0), -ux, T(0), -uy, ux * ux - uy * uy,
+    const V meq[9] = {zero,   T(3) * u2 - T(2) * m.rho, m.rho - T(3) * u2, zero, -ux, zero, -uy, ux * ux - uy * uy,
                       ux * uy};
-    const T power = ux * force.x + uy * force.y;
-    const T source[9] = {T(0),
+    const V power = ux * force.x + uy * force.y;
+    const V source[9] = {zero,
                          T(6) * power,
                          T(-6) * power,
-                         force.x,
-                         -force.x,
-                         force.y,
-                         -force.y,
+                         zero + force.x,
+                         zero - force.x,
+                         zero + force.y,
+                         zero - force.y,
                          T(2) * (ux * force.x - uy * force.y),
                          ux * force.y + uy * force.x};
-    T change[9] = {};
+    V change[9] = {};
     unroll<9>([&](auto moment) VUG_INLINED {
       constexpr int k = moment;
       if constexpr (k == M::rho || ((k == M::jx || k == M::jy) && !Force::present)) return;
-      T value = 0;
+      V value = zero;
       if constexpr (k != M::jx && k != M::jy) {
         unroll<9>([&](auto q) VUG_INLINED {
           if constexpr (M::row(k, q) != 0) value += T(M::row(k, q)) * f[q];
@@ -160,10 +162,10 @@ struct Regularised {
   T s_nu;
   Regularised(const RelaxationRates& rates) : s_nu(T(rates.s_nu)) {}
 
-  template <class Force>
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&f)[9], const Macroscopic<T>& m, const Force& force) const {
-    const T isotropic = m.rho - T(1.5) * (m.ux * m.ux + m.uy * m.uy);
-    T xx = 0, yy = 0, xy = 0;
+  template <class V, class Force>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
+    const V isotropic = m.rho - T(1.5) * (m.ux * m.ux + m.uy * m.uy);
+    V xx{}, yy{}, xy{};
     unroll<9>([&](auto direction) VUG_INLINED {
       constexpr int q = direction, cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
       if constexpr (cx != 0) xx += f[q];
@@ -171,8 +173,8 @@ struct Regularised {
       if constexpr (cx * cy != 0) xy += T(cx * cy) * f[q];
     });
     // second moments of the equilibrium: rho'/3 I + u u
-    xx = (T(1) - s_nu) * (xx - m.rho / 3 - m.ux * m.ux);
-    yy = (T(1) - s_nu) * (yy - m.rho / 3 - m.uy * m.uy);
+    xx = (T(1) - s_nu) * (xx - m.rho / T(3) - m.ux * m.ux);
+    yy = (T(1) - s_nu) * (yy - m.rho / T(3) - m.uy * m.uy);
     xy = (T(1) - s_nu) * (xy - m.ux * m.uy);
     if constexpr (Force::present) {
       xx += (T(2) - s_nu) * m.ux * force.x;
@@ -181,11 +183,11 @@ struct Regularised {
     }
     unroll<9>([&](auto direction) VUG_INLINED {
       constexpr int q = direction, cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
-      const T cu = along<q>(m.ux, m.uy);
-      T stress = (T(cx * cx) - T(1.0 / 3.0)) * xx + (T(cy * cy) - T(1.0 / 3.0)) * yy;
+      const V cu = along(q, m.ux, m.uy);
+      V stress = (T(cx * cx) - T(1.0 / 3.0)) * xx + (T(cy * cy) - T(1.0 / 3.0)) * yy;
       if constexpr (cx * cy != 0) stress += T(2 * cx * cy) * xy;
-      T value = isotropic + T(3) * cu + T(4.5) * (cu * cu + stress);
-      if constexpr (Force::present) value += T(1.5) * along<q>(force.x, force.y);
+      V value = isotropic + T(3) * cu + T(4.5) * (cu * cu + stress);
+      if constexpr (Force::present) value += T(1.5) * along(q, force.x, force.y);
       f[q] = T(D2Q9::w(q)) * value;
     });
   }

@@ -35,7 +35,7 @@ struct AdvectiveForm {
 ///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
 /// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h; with the
 /// advective form it returns what it adds to it, -C e with C (1 + e) = sum of the pulled populations. Bytes per node,
-/// size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights 2.5 (Q - 1)), + 2 s with advection, + s with the
+/// size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights 3 (Q - 1)), + 2 s with advection, + s with the
 /// advective form.
 template <class T, class Set, class Slots, class Flow>
 struct SoluteSweep {
@@ -44,105 +44,101 @@ struct SoluteSweep {
   T rate_h, rate_difference;
   Flow flow;
 
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
+  static constexpr int Q = Set::Q;
+  static constexpr bool adds = Flow::advective_form;
+
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int i) const {
     T g[Set::Q];
     g[0] = h(i);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) g[q] = h(slots.arriving(q, i));
-    const double added = finish(i, g);
+    const T added = finish(i, g);
     h(i) = g[0];
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) h(slots.leaving(q, i)) = g[q];
     return added;
   }
 
-  /// Concentration and collision of the populations that have arrived.
-  KOKKOS_FORCEINLINE_FUNCTION double finish(int i, T (&g)[Set::Q]) const {
-    T c = g[0], flux_x = 0, flux_y = 0;
+  /// Concentration and collision of the populations that have arrived, of one node or of eight neighbours; returns what
+  /// is added.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V finish(int i, V (&g)[Set::Q]) const {
+    V c = g[0], flux_x{}, flux_y{}, added{};
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       c += g[q];
-      flux_x += T(Set::c(q, 0)) * g[q];
-      flux_y += T(Set::c(q, 1)) * g[q];
+      if (Set::c(q, 0) != 0) flux_x += Set::c(q, 0) > 0 ? g[q] : -g[q];
+      if (Set::c(q, 1) != 0) flux_y += Set::c(q, 1) > 0 ? g[q] : -g[q];
     }
-    T added = 0;
     if constexpr (Flow::advective_form) {
-      added = -c * flow.e(i) / (T(1) + flow.e(i));
+      const V e = fetch<V>(&flow.e(i));
+      added = -c * e / (T(1) + e);
       g[0] += added;
       c += added;
     }
-    C(i) = c;
+    put(&C(i), c);
     collide(i, g, c, flux_x, flux_y);
-    return double(added);
+    return added;
   }
 
   /// The population at rest is what the others leave of C: rounded weights do not add up to one, and what they miss
   /// (5e-17 of C in double, 3e-8 in float) would be gained or lost at every node in every step.
-  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, T* g, T c, T flux_x, T flux_y) const {
-    T ux = 0, uy = 0;
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[Set::Q], const V& c, V flux_x, V flux_y) const {
+    V ux{}, uy{};
     if constexpr (Flow::moves) {
-      ux = flow.u(i, 0);
-      uy = flow.u(i, 1);
+      ux = flow.u.steps * fetch<V>(&flow.u.u(i, 0));
+      uy = flow.u.steps * fetch<V>(&flow.u.u(i, 1));
       flux_x -= c * ux;
       flux_y -= c * uy;
     }
     flux_x *= rate_difference;
     flux_y *= rate_difference;
-    T rest = c;
+    V rest = c;
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      T wc = T(Set::w(q)) * c;
+      V wc = T(Set::w(q)) * c;
       if constexpr (Flow::moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
-      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * (T(Set::c(q, 0)) * flux_x + T(Set::c(q, 1)) * flux_y);
+      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * along(q, flux_x, flux_y);
       rest -= g[q];
     }
     g[0] = rest;
   }
 };
 
-/// A block of nodes from home, by eights. What they add is summed as add_per_block does.
-template <class T, class Set, class Flow>
+/// A block of nodes by eights that stay in registers. What they add is summed as add_per_block does.
+template <class T, class Sweep, class EightNodes>
 struct EightSweeps {
-  using Sweep = SoluteSweep<T, Set, InPlaceFromHome<Set>, Flow>;
   Sweep sweep;
-  Kokkos::View<const SourceWindow*> windows;
+  EightNodes eight;
   ScalarField<double> correction;
 
   void operator()(int first, int last) const {
     const detail::LocalBody<Sweep> copy(sweep);
     const Sweep& local = copy.body;
-    const EightNodes<T, Set> eight{windows.data(), local.slots.source.data(), local.slots.capacity};
-    constexpr int several = 4 * nodes_per_window;
-    double sum[nodes_per_window] = {};
+    const EightNodes nodes = eight;
+    constexpr int several = 4;
+    Sums sum{};
     int i = first;
-    for (; i + several <= last; i += several) by_eights<several>(local, eight, i, sum);
-    for (; i + nodes_per_window <= last; i += nodes_per_window) by_eights<nodes_per_window>(local, eight, i, sum);
-    for (int l = 0; i < last; ++i, ++l) sum[l] += local(i);
-    if constexpr (Flow::advective_form)
+    for (; i + several * eight_lanes <= last; i += several * eight_lanes) by_eights<several>(local, nodes, i, sum);
+    for (; i + eight_lanes <= last; i += eight_lanes) by_eights<1>(local, nodes, i, sum);
+    for (int l = 0; i < last; ++i, ++l) sum[l] += static_cast<double>(local(i));
+    if constexpr (Sweep::adds)
       correction(first / nodes_per_block) +=
           ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
 
  private:
+  using Sums = Eight<double>::Register;
+
   /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
   template <int count>
-  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes<T, Set>& eight, int first,
-                                                    double (&sum)[nodes_per_window]) {
-    alignas(64) T g[count / nodes_per_window][Set::Q][nodes_per_window];
+  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes& nodes, int first, Sums& sum) {
+    typename Eight<T>::Register g[count][Sweep::Q];
     T* const h = local.h.data();
-    for (int k = 0; k < count; k += nodes_per_window) eight.pull(h, first + k, g[k / nodes_per_window]);
-    for (int k = 0; k < count; k += nodes_per_window) {
-      VUG_VECTORISE
-      for (int l = 0; l < nodes_per_window; ++l) {
-        T own[Set::Q];
-        VUG_UNROLL
-        for (int q = 0; q < Set::Q; ++q) own[q] = g[k / nodes_per_window][q][l];
-        sum[l] += local.finish(first + k + l, own);
-        VUG_UNROLL
-        for (int q = 0; q < Set::Q; ++q) g[k / nodes_per_window][q][l] = own[q];
-      }
-    }
-    for (int k = 0; k < count; k += nodes_per_window) eight.push(h, first + k, g[k / nodes_per_window]);
+    for (int k = 0; k < count; ++k) nodes.pull(h, first + k * eight_lanes, g[k]);
+    for (int k = 0; k < count; ++k) sum += __builtin_convertvector(local.finish(first + k * eight_lanes, g[k]), Sums);
+    for (int k = 0; k < count; ++k) nodes.push(h, first + k * eight_lanes, g[k]);
   }
 };
 
@@ -167,12 +163,14 @@ template <class T, class Set, class Slots, class Flow>
 auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Flow>& sweep,
                     const ScalarField<double>& correction) {
   using Sweep = SoluteSweep<T, Set, Slots, Flow>;
-  if constexpr (has_source_windows && std::is_same_v<Slots, InPlaceFromHome<Set>>)
-    return EightSweeps<T, Set, Flow>{sweep, nodes.windows, correction};
-  else if constexpr (Flow::advective_form)
+  if constexpr (has_eight_lanes) {
+    const auto eight = eight_nodes<T>(sweep.slots, nodes);
+    return EightSweeps<T, Sweep, std::decay_t<decltype(eight)>>{sweep, eight, correction};
+  } else if constexpr (Flow::advective_form) {
     return detail::BlockSum<Sweep>{sweep, correction};
-  else
+  } else {
     return detail::NodeLoop<Sweep>{sweep};
+  }
 }
 
 /// Nodes of such a block: where sums are taken, those of add_per_block.

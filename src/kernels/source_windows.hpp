@@ -15,66 +15,79 @@ inline constexpr bool has_source_windows = has_eight_lanes;
 inline constexpr int nodes_per_window = eight_lanes;
 
 /// Where eight consecutive nodes, the first a multiple of eight, pull one direction from: FluidNodes::source of them
-/// once more, in 20 bytes instead of 32. Numbers 0 to 7 are the slots from `first` on, 8 to 15 those from first + gap.
+/// once more, in 24 bytes instead of 32. Numbers 0 to 7 are the slots from `near` on, 8 to 15 those from `far` on.
 struct SourceWindow {
-  int first = -1;             ///< -1: the slots do not lie in two runs
-  std::uint32_t from = 0;     ///< 4 bits per node: the number of its slot
-  std::uint32_t to[2] = {};   ///< per run: 3 bits per slot, its node; bit 24 + slot: has one
-  std::uint32_t bounced : 8;  ///< bit per node: pulls from its own opposite slot instead
-  std::uint32_t gap : 24;
+  static constexpr std::uint32_t none = 0xffffffff;
 
-  static constexpr int owned_from = 24, widest_gap = (1 << 24) - 1;
-  KOKKOS_FORCEINLINE_FUNCTION SourceWindow() : bounced(0), gap(nodes_per_window) {}
-  KOKKOS_FORCEINLINE_FUNCTION int run(int number) const { return number == 0 ? first : first + static_cast<int>(gap); }
+  std::uint32_t near = none, far = 0;          ///< first slots of the two runs; none: the slots do not lie in two
+  std::uint32_t from = 0;                      ///< 4 bits per node: the number of its slot
+  std::uint32_t to_near = 0, to_far = 0;       ///< 3 bits per slot of a run: its node
+  std::uint8_t owned_near = 0, owned_far = 0;  ///< bit per slot of a run: it is some node's
+  std::uint8_t bounced = 0;                    ///< bit per node: pulls from its own opposite slot instead
+
+  KOKKOS_FORCEINLINE_FUNCTION bool is_irregular() const { return near == none; }
+  friend bool operator==(const SourceWindow&, const SourceWindow&) = default;
 };
 
-/// The window over eight entries of FluidNodes::source of one direction, whose slots are [plane, plane + capacity).
-KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity) {
+/// The window over eight entries of FluidNodes::source of one direction, whose slots are [plane, plane + capacity). Its
+/// runs begin at multiples of `step` slots of the plane.
+KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity, int step) {
   const auto inside = [&](int slot) { return slot >= plane && slot < plane + capacity; };
+  const auto run_of = [&](int slot) { return slot - (slot - plane) % step; };
   SourceWindow w;
-  int first = plane + capacity - 2 * nodes_per_window, second = plane + capacity - nodes_per_window;
+  int near = plane + capacity - 2 * nodes_per_window, far = plane + capacity - nodes_per_window;
   for (int l = 0; l < nodes_per_window; ++l)
-    if (inside(source[l]) && source[l] < first) first = source[l];
+    if (inside(source[l]) && source[l] < near) near = run_of(source[l]);
   for (int l = 0; l < nodes_per_window; ++l)
-    if (inside(source[l]) && source[l] >= first + nodes_per_window && source[l] < second) second = source[l];
+    if (inside(source[l]) && source[l] >= near + nodes_per_window && source[l] < far) far = run_of(source[l]);
   for (int l = 0; l < nodes_per_window; ++l) {
+    const auto node = static_cast<std::uint32_t>(l);
     if (!inside(source[l])) {
-      w.bounced |= 1u << l;
+      w.bounced = static_cast<std::uint8_t>(w.bounced | 1u << node);
       continue;
     }
-    const int run = source[l] < first + nodes_per_window ? 0 : 1, slot = source[l] - (run == 0 ? first : second);
+    const bool is_near = source[l] < near + nodes_per_window;
+    const auto slot = static_cast<std::uint32_t>(source[l] - (is_near ? near : far));
     if (slot >= nodes_per_window) return {};
-    w.from |= static_cast<std::uint32_t>(run * nodes_per_window + slot) << 4 * l;
-    w.to[run] |= static_cast<std::uint32_t>(l) << 3 * slot | 1u << (SourceWindow::owned_from + slot);
+    w.from |= (is_near ? slot : nodes_per_window + slot) << 4 * node;
+    (is_near ? w.to_near : w.to_far) |= node << 3 * slot;
+    std::uint8_t& owned = is_near ? w.owned_near : w.owned_far;
+    owned = static_cast<std::uint8_t>(owned | 1u << slot);
   }
-  if (w.to[1] == 0) second = first + nodes_per_window;
-  if (second - first > SourceWindow::widest_gap) return {};
-  w.first = first;
-  w.gap = static_cast<std::uint32_t>(second - first);
+  w.near = static_cast<std::uint32_t>(near);
+  w.far = static_cast<std::uint32_t>(w.owned_far == 0 ? near + nodes_per_window : far);
   return w;
+}
+
+/// The same, its runs in line with the cache where two of that kind do.
+KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity) {
+  const SourceWindow aligned = source_window(source, plane, capacity, nodes_per_window);
+  return aligned.is_irregular() ? source_window(source, plane, capacity, 1) : aligned;
 }
 
 /// Populations of eight consecutive nodes over a velocity set, and how they are fetched and put back.
 template <class T, class Set>
-struct EightNodes {
+struct EightFromHome {
   const SourceWindow* windows;  ///< (eight nodes, direction - 1)
   const int* source;            ///< FluidNodes::source, where a window does not do
   int capacity;
 
+  using E = Eight<T>;
+  using Register = typename E::Register;
+
   /// What arrives at nodes i .. i + 7, i a multiple of eight.
-  void pull(const T* f, int i, T (&g)[Set::Q][nodes_per_window]) const {
-    using E = Eight<T>;
+  void pull(const T* f, int i, Register (&g)[Set::Q]) const {
     const SourceWindow* const window = windows + i;
-    E::store(g[0], E::load(f + i));
+    g[0] = E::load(f + i);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const SourceWindow& w = window[q - 1];
-      if (w.first < 0) [[unlikely]] {
-        for (int l = 0; l < nodes_per_window; ++l) g[q][l] = f[source[q * capacity + i + l]];
+      if (w.is_irregular()) [[unlikely]] {
+        g[q] = one_by_one(f, source + q * capacity + i);
         continue;
       }
-      const auto pulled = E::pick(w.from, E::load(f + w.run(0)), E::load(f + w.run(1)));
-      E::store(g[q], E::blend(w.bounced, pulled, E::load(f + Set::opposite(q) * capacity + i)));
+      const Register pulled = E::pick(w.from, E::load(f + w.near), E::load(f + w.far));
+      g[q] = E::blend(w.bounced, pulled, E::load(f + Set::opposite(q) * capacity + i));
     }
   }
 
@@ -82,46 +95,55 @@ struct EightNodes {
   /// a side that of the node itself. Of directions other than those that `matters` says true of, nothing.
   template <int some, class Matters>
   void upstream(const T* field, int i, T (&value)[Set::Q][some], int at, const Matters& matters) const {
-    using E = Eight<T>;
-    const auto own = E::load(field + i);
+    const Register own = E::load(field + i);
     E::store(value[0] + at, own);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       if (!matters(q)) continue;
       const SourceWindow& w = windows[i + q - 1];
-      const int plane = q * capacity;
-      if (w.first < 0) [[unlikely]] {
+      const auto plane = static_cast<std::uint32_t>(q * capacity);
+      if (w.is_irregular()) [[unlikely]] {
         for (int l = 0; l < nodes_per_window; ++l) {
-          const int from = source[plane + i + l] - plane;
+          const int from = source[q * capacity + i + l] - q * capacity;
           value[q][at + l] = field[from >= 0 && from < capacity ? from : i + l];
         }
         continue;
       }
-      const auto there = E::pick(w.from, E::load(field + (w.run(0) - plane)), E::load(field + (w.run(1) - plane)));
+      const Register there = E::pick(w.from, E::load(field + (w.near - plane)), E::load(field + (w.far - plane)));
       E::store(value[q] + at, E::blend(w.bounced, there, own));
     }
   }
 
   /// Leaves what goes out against direction q where what came in along q was. Stores without a lane cost less than
   /// branches that the processor guesses wrong.
-  void push(T* f, int i, const T (&g)[Set::Q][nodes_per_window]) const {
-    using E = Eight<T>;
+  void push(T* f, int i, const Register (&g)[Set::Q]) const {
     const SourceWindow* const window = windows + i;
-    E::store(f + i, E::load(g[0]));
+    E::store(f + i, g[0]);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const SourceWindow& w = window[q - 1];
       const int opposite = Set::opposite(q);
-      if (w.first < 0) [[unlikely]] {
-        for (int l = 0; l < nodes_per_window; ++l) f[source[q * capacity + i + l]] = g[opposite][l];
+      const Register out = g[opposite];
+      if (w.is_irregular()) [[unlikely]] {
+        one_by_one(f, source + q * capacity + i, out);
         continue;
       }
-      const auto out = E::load(g[opposite]);
-      const std::uint32_t near = w.to[0] >> SourceWindow::owned_from, far = w.to[1] >> SourceWindow::owned_from;
-      E::store(f + w.run(0), near, E::pick(w.to[0], out));
-      E::store(f + w.run(1), far, E::pick(w.to[1], out));
+      E::store(f + w.near, w.owned_near, E::pick(w.to_near, out));
+      E::store(f + w.far, w.owned_far, E::pick(w.to_far, out));
       E::store(f + opposite * capacity + i, w.bounced, out);
     }
+  }
+
+ private:
+  static Register one_by_one(const T* f, const int* slot) {
+    alignas(64) T lanes[nodes_per_window];
+    for (int l = 0; l < nodes_per_window; ++l) lanes[l] = f[slot[l]];
+    return E::load(lanes);
+  }
+  static void one_by_one(T* f, const int* slot, Register out) {
+    alignas(64) T lanes[nodes_per_window];
+    E::store(lanes, out);
+    for (int l = 0; l < nodes_per_window; ++l) f[slot[l]] = lanes[l];
   }
 };
 

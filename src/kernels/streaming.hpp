@@ -7,6 +7,7 @@
 // that leaves the fluid is at home always: what dresses walls and openings need not know.
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/unroll.hpp"
 
 #include <string>
 
@@ -36,6 +37,33 @@ struct InPlaceFromTurned {
   KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return Set::opposite(q) * capacity + i; }
   KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
 };
+
+/// Eight consecutive nodes of populations that are turned: as EightFromHome.
+template <class T, class Set>
+struct EightFromTurned {
+  int capacity;
+  using E = Eight<T>;
+  using Register = typename E::Register;
+
+  void pull(const T* f, int i, Register (&g)[Set::Q]) const {
+    g[0] = E::load(f + i);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) g[q] = E::load(f + Set::opposite(q) * capacity + i);
+  }
+  void push(T* f, int i, const Register (&g)[Set::Q]) const {
+    VUG_UNROLL
+    for (int q = 0; q < Set::Q; ++q) E::store(f + q * capacity + i, g[q]);
+  }
+};
+
+template <class T, class Set>
+EightFromHome<T, Set> eight_nodes(const InPlaceFromHome<Set>& slots, const FluidNodes& nodes) {
+  return {nodes.windows.data(), slots.source.data(), slots.capacity};
+}
+template <class T, class Set>
+EightFromTurned<T, Set> eight_nodes(const InPlaceFromTurned<Set>& slots, const FluidNodes&) {
+  return {slots.capacity};
+}
 
 /// Exchanges the two populations of every link between fluid nodes; each pair is met once, from one end.
 template <class T, class Set>

@@ -35,6 +35,16 @@ struct D2Q5 {
   KOKKOS_FORCEINLINE_FUNCTION static constexpr double w(int q) { return q == 0 ? 1.0 / 3.0 : 1.0 / 6.0; }
 };
 
+/// c_q . (x, y) of either set; without multiplications and added zeros where the compiler knows q.
+template <class V>
+KOKKOS_FORCEINLINE_FUNCTION constexpr V along(int q, const V& x, const V& y) {
+  const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
+  if (cx == 0 && cy == 0) return V{};
+  if (cy == 0) return cx > 0 ? x : -x;
+  if (cx == 0) return cy > 0 ? y : -y;
+  return (cx > 0 ? x : -x) + (cy > 0 ? y : -y);
+}
+
 /// visit(D2Q5{}) or visit(D2Q9{}), as chosen.
 template <class Visit>
 auto visit_velocity_set(ScalarVelocitySet set, const Visit& visit) {

@@ -32,17 +32,17 @@ template <class T, class Set>
 void expect_as_the_table() {
   if constexpr (has_source_windows) {
     const FluidNodes nodes = loose_rock();
-    const EightNodes<T, Set> eight{nodes.windows.data(), nodes.source.data(), nodes.capacity};
+    const EightFromHome<T, Set> eight{nodes.windows.data(), nodes.source.data(), nodes.capacity};
     const int slots = Set::Q * nodes.capacity;
     std::vector<T> f(slots), turned(slots, T(-1)), expected(slots, T(-1));
     for (int s = 0; s < slots; ++s) f[s] = static_cast<T>(s);
     int windows = 0, irregular = 0;
     for (int i = 0; i + nodes_per_window <= nodes.count; i += nodes_per_window) {
-      T g[Set::Q][nodes_per_window];
+      typename Eight<T>::Register g[Set::Q];
       eight.pull(f.data(), i, g);
       for (int q = 1; q < Set::Q; ++q) {
         ++windows;
-        if (nodes.windows(i + q - 1).first < 0) ++irregular;
+        if (nodes.windows(i + q - 1).is_irregular()) ++irregular;
       }
       for (int q = 0; q < Set::Q; ++q)
         for (int l = 0; l < nodes_per_window; ++l) {
