@@ -65,20 +65,15 @@ struct BondModel {
   }
 };
 
-/// One bond as if it held: opening at two Gauss points, damage by the unified linear law (Eqs. 11, 12, 26-29), stress
-/// with viscosity eta M v, forces and torques on both ends at the midpoint of the opening. No branches, so that a
-/// host computes eight bonds at once; bonds that have failed are put right by BondFailure.
-/// Reads about 27 numbers of the bond and 18 of its particles, writes 9; the forces of the two ends cancel exactly.
+/// One bond as if it held: opening at two Gauss points and stress with viscosity eta M v (Eq. 12), forces and torques
+/// on both ends at the midpoint of the opening. No branches, so that a host computes eight bonds at once: whether a
+/// point asks for more damage is told by products alone, and the law of damage, which is all quotients and roots, is
+/// left to BondFailure, as are bonds that have failed. Reads about 25 numbers of the bond and 18 of its particles,
+/// writes 7; the forces of the two ends cancel exactly.
 template <class Keeper>
 struct CohesiveForces {
   BondModel model;
   Keeper accounts;
-
-  KOKKOS_FORCEINLINE_FUNCTION double damage_of(int k, int s, const BondPoint& material, const PointOpening& o) const {
-    const double asked = damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t),
-                 had = model.bonds.point_damage(k, s);
-    return asked > had ? asked : had;
-  }
 
   KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(const BondPoint& point, double d_m, double d_c,
                                                     const PointOpening& o) const {
@@ -86,6 +81,11 @@ struct CohesiveForces {
     const double viscous = law.damping * (1 - d_c);
     return {normal_integrity(d_m, o.delta_n) * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
             (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t), 0};
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION bool asks_for_damage(int k, int s, const BondPoint& material,
+                                                   const PointOpening& o) const {
+    return is_overstressed(model.pressed(material, o), o.delta_n, o.delta_t) & (model.bonds.point_damage(k, s) < 1);
   }
 
   /// Stored energy that new damage releases, and what viscosity takes; nothing for a bond that failed before.
@@ -114,10 +114,30 @@ struct CohesiveForces {
     const BondMotion motion = motion_of_bond(model.particles, bonds, model.expansion, k);
     const double d_c = model.chemical_damage(k);
     const BondPoint material = model.material(k, d_c);
-    const double damage[2] = {damage_of(k, 0, material, motion.opening[0]),
-                              damage_of(k, 1, material, motion.opening[1])};
+    const double damage[2] = {bonds.point_damage(k, 0), bonds.point_damage(k, 1)};
     const PointStress stress[2] = {stress_of(material, damage[0], d_c, motion.opening[0]),
                                    stress_of(material, damage[1], d_c, motion.opening[1])};
+    const bool more =
+        asks_for_damage(k, 0, material, motion.opening[0]) | asks_for_damage(k, 1, material, motion.opening[1]);
+    bonds.overstressed(k) = more ? 1 : 0;
+    if constexpr (Keeper::kept)
+      if (!more) keep_account(k, material, damage, motion.opening, stress);
+    model.store(k, motion, stress);
+  }
+
+  /// A bond of which that has been found: damage by the unified linear law (Eqs. 11, 26-29), and the stress it leaves.
+  KOKKOS_FUNCTION void damage(int k, const BondMotion& motion) const {
+    const Bonds& bonds = model.bonds;
+    const double d_c = model.chemical_damage(k);
+    const BondPoint material = model.material(k, d_c);
+    double damage[2];
+    PointStress stress[2];
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening& o = motion.opening[s];
+      damage[s] =
+          at_least(bonds.point_damage(k, s), damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t));
+      stress[s] = stress_of(material, damage[s], d_c, o);
+    }
     if constexpr (Keeper::kept) keep_account(k, material, damage, motion.opening, stress);
     bonds.point_damage(k, 0) = damage[0];
     bonds.point_damage(k, 1) = damage[1];
@@ -126,12 +146,14 @@ struct CohesiveForces {
   }
 };
 
-/// The bonds to which something happens: names the mode of first damage, fails a bond whose two points are broken or
-/// whose solid is dissolved, and replaces the forces of a failed one by those of a crack, whose faces press and rub
-/// at the same two points with the bond's own stiffness and the contact's friction and dashpot.
+/// The bonds to which something happens: damages those that are overstressed, names the mode of first damage, fails a
+/// bond whose two points are broken or whose solid is dissolved, and replaces the forces of a failed one by those of a
+/// crack, whose faces press and rub at the same two points with the bond's own stiffness and the contact's friction and
+/// dashpot.
 template <class Keeper>
 struct BondFailure {
   BondModel model;
+  CohesiveForces<Keeper> hold;
   Keeper accounts;
 
   KOKKOS_FUNCTION BondState first_damage(int k, const BondMotion& motion) const {
@@ -222,9 +244,11 @@ struct BondFailure {
 
   KOKKOS_FUNCTION void operator()(int k) const {
     BondState state = model.bonds.state(k);
-    const bool quiet = model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
+    const bool overstressed = model.bonds.overstressed(k) != 0;
+    const bool quiet = !overstressed && model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
     if (!has_failed(state) && quiet) return;
     const BondMotion motion = motion_of_bond(model.particles, model.bonds, model.expansion, k);
+    if (overstressed) hold.damage(k, motion);
     const bool fresh = !has_failed(state);
     if (fresh) {
       state = settled(k, state, motion);
@@ -251,7 +275,7 @@ void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters
   const BondModel model{
       parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds};
   const CohesiveForces<Keeper> hold{model, accounts};
-  const BondFailure<Keeper> fail{model, accounts};
+  const BondFailure<Keeper> fail{model, hold, accounts};
   if (awake)
     for_each_group_in_turn(exec, label, *awake, hold, fail);
   else

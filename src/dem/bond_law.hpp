@@ -55,6 +55,13 @@ KOKKOS_FORCEINLINE_FUNCTION double ellipse(const BondPoint& p, double delta_n, d
   return at_most(largest, n * n + t * t);
 }
 
+/// Whether the undamaged stress is on the strength ellipse or beyond, by products alone: a strength may be zero.
+KOKKOS_FORCEINLINE_FUNCTION constexpr bool is_overstressed(const BondPoint& p, double delta_n, double delta_t) {
+  const double n = p.k_n * at_least(0, delta_n) * p.sigma_t, t = p.k_t * delta_t * p.sigma_n;
+  const double strength = p.sigma_n * p.sigma_t;
+  return n * n + t * t >= strength * strength;
+}
+
 /// Damage that the opening asks for on the unified linear law. With the mixity of the current opening delta_e,
 ///   delta_0 = delta_e / r,                       r = sqrt(ellipse)                     (onset, Eq. 11)
 ///   delta_f = 2 delta_e r / W,                   W = k_n <delta_n>^2 / G_I + k_t delta_t^2 / G_II

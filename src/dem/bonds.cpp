@@ -34,6 +34,7 @@ void allocate(Bonds& b, int n, int particles) {
   b.point_damage = fresh<decltype(b.point_damage)>("bond_point_damage", size);
   b.d_m = fresh<ScalarField<double>>("bond_d_m", size);
   b.d_c = fresh<ScalarField<double>>("bond_d_c", size);
+  b.overstressed = fresh<decltype(b.overstressed)>("bond_overstressed", size);
   b.state = fresh<decltype(b.state)>("bond_state", size);
   b.joint = fresh<decltype(b.joint)>("bond_joint", size);
   b.events = fresh<IndexList>("bond_events", 2);

@@ -75,9 +75,9 @@ struct SetAsideBesideBand {
 /// Conducts a band of rows; what follows in every row, `rows`, gets each part of it while that is in the nearest cache.
 template <class T, class Set, bool Openings, class Rows>
 struct ConductBand {
-  /// Nodes of a row at a time, of which some things are staged in the nearest cache: eight lines of it, since longer
+  /// Nodes of a row at a time, of which some things are staged in the nearest cache: four lines of it, since longer
   /// segments ask the memory for one stream after the other, and shorter ones are mostly beginnings and ends.
-  static constexpr int segment = 512 / sizeof(T);
+  static constexpr int segment = 256 / sizeof(T);
 
   HeatBands<T, Set> bands;
   Conduction<T, Set> law;

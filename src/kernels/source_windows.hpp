@@ -4,6 +4,7 @@
 // permutation of registers then take the place of eight loads, a permutation and masked stores that of eight stores.
 // The processor's own gathers and scatters are no faster than single loads and stores.
 #include "kernels/eight_lanes.hpp"
+#include "kernels/prefetch.hpp"
 #include "kernels/unroll.hpp"
 #include "kernels/velocity_set.hpp"
 
@@ -78,6 +79,7 @@ struct EightFromHome {
   /// What arrives at nodes i .. i + 7, i a multiple of eight.
   void pull(const T* f, int i, Register (&g)[Set::Q]) const {
     const SourceWindow* const window = windows + i;
+    announce(window + 8 * nodes_per_window);
     g[0] = E::load(f + i);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
@@ -135,6 +137,12 @@ struct EightFromHome {
   }
 
  private:
+  /// Among so many streams the processor does not foresee this one.
+  static void announce(const SourceWindow* later) {
+    constexpr int line = 64, bytes = (Set::Q - 1) * static_cast<int>(sizeof(SourceWindow));
+    VUG_UNROLL
+    for (int b = 0; b < bytes; b += line) prefetch(reinterpret_cast<const char*>(later) + b);
+  }
   static Register one_by_one(const T* f, const int* slot) {
     alignas(64) T lanes[nodes_per_window];
     for (int l = 0; l < nodes_per_window; ++l) lanes[l] = f[slot[l]];

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 namespace {
 
@@ -42,6 +43,21 @@ TEST(BondLaw, DamageRisesWithTheOpeningUntilOne) {
   EXPECT_EQ(before, 1);
 }
 
+TEST(BondLaw, IsOverstressedWhereOpeningsDamage) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> opening(-2e-6, 2e-6), share(0, 1);
+  int damaged = 0, sound = 0;
+  for (int trial = 0; trial < 10000; ++trial) {
+    const BondPoint p{3e13, 1.4e13, 15e6 * share(random), 95e6 * share(random), 20, 64};
+    const double delta_n = opening(random), delta_t = 5 * opening(random);
+    const double d = damage_of_opening(p, delta_n, delta_t);
+    EXPECT_EQ(is_overstressed(p, delta_n, delta_t), d > 0) << delta_n << ' ' << delta_t;
+    ++(d > 0 ? damaged : sound);
+  }
+  EXPECT_GT(damaged, 1000);
+  EXPECT_GT(sound, 1000);
+}
+
 TEST(BondLaw, StaysFiniteAtTheExtremes) {
   for (const double strength : {0.0, 1e-30, 15e6, 1e30}) {
     for (const double energy : {0.0, 1e-30, 20.0, 1e30}) {
@@ -49,6 +65,8 @@ TEST(BondLaw, StaysFiniteAtTheExtremes) {
         for (const double opening : {-1.0, 0.0, 1e-12, 1e-6, 1.0}) {
           const double d = damage_of_opening({k, k, strength, strength, energy, energy}, opening, opening);
           EXPECT_TRUE(d >= 0 && d <= 1) << strength << " " << energy << " " << k << " " << opening << ": " << d;
+          EXPECT_TRUE(d == 0 || is_overstressed({k, k, strength, strength, energy, energy}, opening, opening))
+              << strength << " " << k << " " << opening;
         }
       }
     }
