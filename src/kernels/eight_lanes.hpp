@@ -35,6 +35,8 @@ struct Eight<double> {
   static void store(double* p, std::uint32_t lanes, Register v) {
     _mm512_mask_storeu_pd(p, static_cast<__mmask8>(lanes), v);
   }
+  /// Adds each lane to its sum.
+  static void add_to(double (&sums)[eight_lanes], Register v) { store(sums, load(sums) + v); }
   /// Whether some lane of `a` is above that of `b`.
   static bool any_above(Register a, Register b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ) != 0; }
   /// Lane l: `b` where bit l of `lanes` is set, else `a`.
@@ -72,6 +74,9 @@ struct Eight<float> {
   static void store(float* p, Register v) { _mm256_storeu_ps(p, v); }
   static void store(float* p, std::uint32_t lanes, Register v) {
     _mm256_mask_storeu_ps(p, static_cast<__mmask8>(lanes), v);
+  }
+  static void add_to(double (&sums)[eight_lanes], Register v) {
+    Eight<double>::add_to(sums, __builtin_convertvector(v, Eight<double>::Register));
   }
   static bool any_above(Register a, Register b) { return _mm256_cmp_ps_mask(a, b, _CMP_GT_OQ) != 0; }
   static Register blend(std::uint32_t lanes, Register a, Register b) {

@@ -118,7 +118,7 @@ struct EightSweeps {
     const Sweep& local = copy.body;
     const EightNodes nodes = eight;
     constexpr int several = 4;
-    Sums sum{};
+    alignas(64) double sum[eight_lanes] = {};
     int i = first;
     for (; i + several * eight_lanes <= last; i += several * eight_lanes) by_eights<several>(local, nodes, i, sum);
     for (; i + eight_lanes <= last; i += eight_lanes) by_eights<1>(local, nodes, i, sum);
@@ -129,15 +129,18 @@ struct EightSweeps {
   }
 
  private:
-  using Sums = Eight<double>::Register;
-
   /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
   template <int count>
-  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes& nodes, int first, Sums& sum) {
-    typename Eight<T>::Register g[count][Sweep::Q];
+  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes& nodes, int first,
+                                                    double (&sum)[eight_lanes]) {
+    using E = Eight<T>;
+    typename E::Register g[count][Sweep::Q];
     T* const h = local.h.data();
     for (int k = 0; k < count; ++k) nodes.pull(h, first + k * eight_lanes, g[k]);
-    for (int k = 0; k < count; ++k) sum += __builtin_convertvector(local.finish(first + k * eight_lanes, g[k]), Sums);
+    for (int k = 0; k < count; ++k) {
+      const typename E::Register added = local.finish(first + k * eight_lanes, g[k]);
+      if constexpr (Sweep::adds) E::add_to(sum, added);
+    }
     for (int k = 0; k < count; ++k) nodes.push(h, first + k * eight_lanes, g[k]);
   }
 };
