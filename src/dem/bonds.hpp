@@ -47,7 +47,9 @@ struct Bonds {
   Kokkos::View<double* [2], Kokkos::LayoutLeft> point_damage;  ///< (bond, point) d_m of each integration point
   ScalarField<double> d_m;                                     ///< mean of the two; 1 exactly when the bond has failed
   ScalarField<double> d_c;                                     ///< chemical damage
-  Kokkos::View<std::uint8_t*> overstressed;  ///< within a step: 1 if a point is beyond its strength and may yet break
+  /// Within a step: 1 if a point is beyond its strength and may yet break. An int: of bytes a host would take so many
+  /// at once that eight bonds would go one by one.
+  IndexList overstressed;
   Kokkos::View<BondState*> state;
   Kokkos::View<std::uint8_t*> joint;  ///< 0 once the faces of the crack have parted by half an edge: ordinary contact
   IndexList events;                   ///< [bond_has_failed] for good, [cracks_have_changed] until contacts have noticed
