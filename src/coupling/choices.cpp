@@ -35,9 +35,9 @@ bool rests(const Scene& scene, double low, double high) {
 const std::vector<MeasuredChoice>& measured_choices() {
   using S = const Scene&;
   static const std::vector<MeasuredChoice> choices = {
-      {"preset = balanced", "0.71", "5.8e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
-      {"preset = fast", "0.38", "2.6e-05", [](S s) { return s.accuracy.preset == "fast"; }},
-      {"preset = reference", "1.22", "2.0e-07", [](S s) { return s.accuracy.preset == "reference"; }},
+      {"preset = balanced", "0.53", "5.8e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
+      {"preset = fast", "0.28", "2.6e-05", [](S s) { return s.accuracy.preset == "fast"; }},
+      {"preset = reference", "1.35", "2.0e-07", [](S s) { return s.accuracy.preset == "reference"; }},
       {"precision = single", "0.85", "3.4e-06",
        [](S s) {
          return s.accuracy.precision == Precision::single_precision && given(s, &AccuracySection::precision);
