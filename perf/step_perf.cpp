@@ -76,12 +76,13 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   bytes[reaction] = book / every + refresh / scene.accuracy.wall_interval;
   // of each link its population, slot and lever; force and torque of the particles
   bytes[fluid_force] = (s.links9 * (T + 4 + 4) + s.particles * (24 + 4)) / scene.accuracy.exchange_interval;
-  // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (32), chemical damage
-  // (8); read and write: damage of its points (32); write: d_m, stress, forces, which its particles read (8 + 16 + 64).
+  // What a bond must read: pair, length, spacing, normal, arms (8 + 8 + 8 + 16 + 64), strengths (16), chemical damage
+  // (8), damage of its points (16); write: stress, forces, which its particles read, and whether it is overstressed,
+  // which is looked at (16 + 64 + 8). What damage costs beyond that few bonds need.
   // A particle: motion for its bonds (64); bonds (12), mass, inertia, solid share, temperature, outside and boundary
   // forces, stiffness, reference, supports (32 + 24 + 32 + 32 + 17); u, v, angle, spin and rotation both ways,
   // reaction.
-  const double bond = 264, particle = 64 + 12 + 137 + 2 * 64 + 16;
+  const double bond = 232, particle = 64 + 12 + 137 + 2 * 64 + 16;
   // What sleeps is evaluated at looks alone, and its particles are not moved.
   const double looks = (1 - s.awake) / steps_between_looks, looked_at = 64 + 12 + 137;
   bytes[mechanics] =

@@ -16,7 +16,8 @@ struct PointStress {
   double slip = 0;  ///< of a crack: where its slider stands afterwards, m
 };
 
-/// What both kernels of a bond need, and the way in which they leave forces.
+/// What both kernels of a bond need: its stress and energy while it holds, and the way in which they leave forces.
+template <class Keeper>
 struct BondModel {
   BondParameters law;
   ContactParameters contact;
@@ -25,6 +26,7 @@ struct BondModel {
   double dt;
   Particles particles;
   Bonds bonds;
+  Keeper accounts;
 
   KOKKOS_FORCEINLINE_FUNCTION double chemical_damage(int k) const {
     const double d_c = bonds.d_c(k);
@@ -50,6 +52,35 @@ struct BondModel {
     return point;
   }
 
+  /// Of a bond with damage d_m and d_c.
+  KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(const BondPoint& point, double d_m, double d_c,
+                                                    const PointOpening& o) const {
+    const double viscous = law.damping * (1 - d_c);
+    return {normal_integrity(d_m, o.delta_n) * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
+            (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t), 0};
+  }
+
+  /// Stored energy that new damage releases, and what viscosity takes; nothing for a bond that failed before.
+  KOKKOS_FORCEINLINE_FUNCTION void keep_cohesive(int k, const BondPoint& material, const double (&damage)[2],
+                                                 const PointOpening (&opening)[2],
+                                                 const PointStress (&stress)[2]) const {
+    if (has_failed(bonds.state(k))) return;
+    const BondMotion before = motion_of_bond_before(particles, bonds, expansion, dt, k);
+    double fracture = 0, viscous = 0;
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening &o = opening[s], &b = before.opening[s];
+      fracture += (damage[s] - bonds.point_damage(k, s)) *
+                  undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
+      const double drag_n = stress[s].normal - normal_integrity(damage[s], o.delta_n) * material.k_n * o.delta_n;
+      const double drag_t = stress[s].tangential - (1 - damage[s]) * material.k_t * o.delta_t;
+      viscous +=
+          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
+      accounts.keep_drag(k, s, drag_n, drag_t);
+    }
+    const double width = 0.5 * bonds.length(k);
+    accounts.add_bond(k, width * fracture, 0, 0.5 * dt * width * viscous);
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION void store(int k, const BondMotion& motion, const PointStress (&stress)[2]) const {
     const double width = 0.5 * bonds.length(k);
     const Vec2 n = motion.frame.n(), t = motion.frame.t();
@@ -72,41 +103,11 @@ struct BondModel {
 /// writes 7; the forces of the two ends cancel exactly.
 template <class Keeper>
 struct CohesiveForces {
-  BondModel model;
-  Keeper accounts;
-
-  KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(const BondPoint& point, double d_m, double d_c,
-                                                    const PointOpening& o) const {
-    const BondParameters& law = model.law;
-    const double viscous = law.damping * (1 - d_c);
-    return {normal_integrity(d_m, o.delta_n) * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
-            (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t), 0};
-  }
+  BondModel<Keeper> model;
 
   KOKKOS_FORCEINLINE_FUNCTION bool asks_for_damage(int k, int s, const BondPoint& material,
                                                    const PointOpening& o) const {
     return is_overstressed(model.pressed(material, o), o.delta_n, o.delta_t) & (model.bonds.point_damage(k, s) < 1);
-  }
-
-  /// Stored energy that new damage releases, and what viscosity takes; nothing for a bond that failed before.
-  KOKKOS_FORCEINLINE_FUNCTION void keep_account(int k, const BondPoint& material, const double (&damage)[2],
-                                                const PointOpening (&opening)[2],
-                                                const PointStress (&stress)[2]) const {
-    if (has_failed(model.bonds.state(k))) return;
-    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
-    double fracture = 0, viscous = 0;
-    for (int s = 0; s < 2; ++s) {
-      const PointOpening &o = opening[s], &b = before.opening[s];
-      fracture += (damage[s] - model.bonds.point_damage(k, s)) *
-                  undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
-      const double drag_n = stress[s].normal - normal_integrity(damage[s], o.delta_n) * material.k_n * o.delta_n;
-      const double drag_t = stress[s].tangential - (1 - damage[s]) * material.k_t * o.delta_t;
-      viscous +=
-          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
-      accounts.keep_drag(k, s, drag_n, drag_t);
-    }
-    const double width = 0.5 * model.bonds.length(k);
-    accounts.add_bond(k, width * fracture, 0, 0.5 * model.dt * width * viscous);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
@@ -115,33 +116,13 @@ struct CohesiveForces {
     const double d_c = model.chemical_damage(k);
     const BondPoint material = model.material(k, d_c);
     const double damage[2] = {bonds.point_damage(k, 0), bonds.point_damage(k, 1)};
-    const PointStress stress[2] = {stress_of(material, damage[0], d_c, motion.opening[0]),
-                                   stress_of(material, damage[1], d_c, motion.opening[1])};
+    const PointStress stress[2] = {model.stress_of(material, damage[0], d_c, motion.opening[0]),
+                                   model.stress_of(material, damage[1], d_c, motion.opening[1])};
     const bool more =
         asks_for_damage(k, 0, material, motion.opening[0]) | asks_for_damage(k, 1, material, motion.opening[1]);
     bonds.overstressed(k) = more ? 1 : 0;
     if constexpr (Keeper::kept)
-      if (!more) keep_account(k, material, damage, motion.opening, stress);
-    model.store(k, motion, stress);
-  }
-
-  /// A bond of which that has been found: damage by the unified linear law (Eqs. 11, 26-29), and the stress it leaves.
-  KOKKOS_FUNCTION void damage(int k, const BondMotion& motion) const {
-    const Bonds& bonds = model.bonds;
-    const double d_c = model.chemical_damage(k);
-    const BondPoint material = model.material(k, d_c);
-    double damage[2];
-    PointStress stress[2];
-    for (int s = 0; s < 2; ++s) {
-      const PointOpening& o = motion.opening[s];
-      damage[s] =
-          at_least(bonds.point_damage(k, s), damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t));
-      stress[s] = stress_of(material, damage[s], d_c, o);
-    }
-    if constexpr (Keeper::kept) keep_account(k, material, damage, motion.opening, stress);
-    bonds.point_damage(k, 0) = damage[0];
-    bonds.point_damage(k, 1) = damage[1];
-    bonds.d_m(k) = 0.5 * (damage[0] + damage[1]);
+      if (!more) model.keep_cohesive(k, material, damage, motion.opening, stress);
     model.store(k, motion, stress);
   }
 };
@@ -152,9 +133,27 @@ struct CohesiveForces {
 /// dashpot.
 template <class Keeper>
 struct BondFailure {
-  BondModel model;
-  CohesiveForces<Keeper> hold;
-  Keeper accounts;
+  BondModel<Keeper> model;
+
+  /// An overstressed bond: damage by the unified linear law (Eqs. 11, 26-29), and the stress it leaves.
+  KOKKOS_FUNCTION void take_damage(int k, const BondMotion& motion) const {
+    const Bonds& bonds = model.bonds;
+    const double d_c = model.chemical_damage(k);
+    const BondPoint material = model.material(k, d_c);
+    double damage[2];
+    PointStress stress[2];
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening& o = motion.opening[s];
+      damage[s] =
+          at_least(bonds.point_damage(k, s), damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t));
+      stress[s] = model.stress_of(material, damage[s], d_c, o);
+    }
+    if constexpr (Keeper::kept) model.keep_cohesive(k, material, damage, motion.opening, stress);
+    bonds.point_damage(k, 0) = damage[0];
+    bonds.point_damage(k, 1) = damage[1];
+    bonds.d_m(k) = 0.5 * (damage[0] + damage[1]);
+    model.store(k, motion, stress);
+  }
 
   KOKKOS_FUNCTION BondState first_damage(int k, const BondMotion& motion) const {
     const int s = model.bonds.point_damage(k, 0) > 0 ? 0 : 1;
@@ -184,11 +183,11 @@ struct BondFailure {
       const PointOpening &o = motion.opening[s], &b = before.opening[s];
       released +=
           (1 - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
-      viscous += accounts.drag_before(k, s, 0) * o.rate_n + accounts.drag_before(k, s, 1) * o.rate_t;
-      accounts.keep_drag(k, s, 0, 0);
+      viscous += model.accounts.drag_before(k, s, 0) * o.rate_n + model.accounts.drag_before(k, s, 1) * o.rate_t;
+      model.accounts.keep_drag(k, s, 0, 0);
     }
     const double width = 0.5 * model.bonds.length(k);
-    accounts.add_bond(k, width * released, 0, -0.5 * model.dt * width * viscous);
+    model.accounts.add_bond(k, width * released, 0, -0.5 * model.dt * width * viscous);
   }
 
   KOKKOS_FUNCTION BondState settled(int k, BondState state, const BondMotion& motion) const {
@@ -234,12 +233,12 @@ struct BondFailure {
       friction += 0.5 * point.k_t * (stretch_before * (o.delta_t - slip_before) + stretch * (slip - b.delta_t));
       const double drag_n = stress[s].normal - point.k_n * at_most(0, o.delta_n);
       const double drag_t = stress[s].tangential - point.k_t * stretch;
-      damped +=
-          (accounts.drag_before(k, s, 0) + drag_n) * o.rate_n + (accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
-      accounts.keep_drag(k, s, drag_n, drag_t);
+      damped += (model.accounts.drag_before(k, s, 0) + drag_n) * o.rate_n +
+                (model.accounts.drag_before(k, s, 1) + drag_t) * o.rate_t;
+      model.accounts.keep_drag(k, s, drag_n, drag_t);
     }
     const double width = 0.5 * model.bonds.length(k);
-    accounts.add_bond(k, 0, width * friction, 0.5 * model.dt * width * damped);
+    model.accounts.add_bond(k, 0, width * friction, 0.5 * model.dt * width * damped);
   }
 
   KOKKOS_FUNCTION void operator()(int k) const {
@@ -248,7 +247,7 @@ struct BondFailure {
     const bool quiet = !overstressed && model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
     if (!has_failed(state) && quiet) return;
     const BondMotion motion = motion_of_bond(model.particles, model.bonds, model.expansion, k);
-    if (overstressed) hold.damage(k, motion);
+    if (overstressed) take_damage(k, motion);
     const bool fresh = !has_failed(state);
     if (fresh) {
       state = settled(k, state, motion);
@@ -272,10 +271,11 @@ template <class Keeper>
 void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
                          const Bonds& bonds, const Keeper& accounts, const Groups* awake) {
   const char* label = "vug::dem::bond_forces";
-  const BondModel model{
-      parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds};
-  const CohesiveForces<Keeper> hold{model, accounts};
-  const BondFailure<Keeper> fail{model, hold, accounts};
+  const BondModel<Keeper> model{
+      parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds,
+      accounts};
+  const CohesiveForces<Keeper> hold{model};
+  const BondFailure<Keeper> fail{model};
   if (awake)
     for_each_group_in_turn(exec, label, *awake, hold, fail);
   else

@@ -106,6 +106,7 @@ KOKKOS_FORCEINLINE_FUNCTION V fetch(const T* from) {
   else
     return Eight<T>::load(from);
 }
+/// Leaves it, or them, there.
 template <class V, class T>
 KOKKOS_FORCEINLINE_FUNCTION void put(T* to, const V& value) {
   if constexpr (sizeof(V) == sizeof(T))

@@ -79,7 +79,7 @@ struct EightFromHome {
   /// What arrives at nodes i .. i + 7, i a multiple of eight.
   void pull(const T* f, int i, Register (&g)[Set::Q]) const {
     const SourceWindow* const window = windows + i;
-    announce(window + 8 * nodes_per_window);
+    announce(window + windows_ahead);
     g[0] = E::load(f + i);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
@@ -137,6 +137,8 @@ struct EightFromHome {
   }
 
  private:
+  static constexpr int windows_ahead = 8 * nodes_per_window;
+
   /// Among so many streams the processor does not foresee this one.
   static void announce(const SourceWindow* later) {
     constexpr int line = 64, bytes = (Set::Q - 1) * static_cast<int>(sizeof(SourceWindow));

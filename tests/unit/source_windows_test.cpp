@@ -36,13 +36,18 @@ void expect_as_the_table() {
     const int slots = Set::Q * nodes.capacity;
     std::vector<T> f(slots), turned(slots, T(-1)), expected(slots, T(-1));
     for (int s = 0; s < slots; ++s) f[s] = static_cast<T>(s);
-    int windows = 0, irregular = 0;
+    int windows = 0, irregular = 0, aligned = 0;
     for (int i = 0; i + nodes_per_window <= nodes.count; i += nodes_per_window) {
       typename Eight<T>::Register g[Set::Q];
       eight.pull(f.data(), i, g);
       for (int q = 1; q < Set::Q; ++q) {
         ++windows;
-        if (nodes.windows(i + q - 1).is_irregular()) ++irregular;
+        const SourceWindow& w = nodes.windows(i + q - 1);
+        const auto plane = static_cast<std::uint32_t>(q * nodes.capacity);
+        if (w.is_irregular())
+          ++irregular;
+        else if ((w.near - plane) % nodes_per_window == 0 && (w.far - plane) % nodes_per_window == 0)
+          ++aligned;
       }
       for (int q = 0; q < Set::Q; ++q)
         for (int l = 0; l < nodes_per_window; ++l) {
@@ -53,7 +58,9 @@ void expect_as_the_table() {
       eight.push(turned.data(), i, g);
     }
     EXPECT_EQ(turned, expected);
-    EXPECT_GT(irregular, 0);  // both ways are taken
+    EXPECT_GT(irregular, 0);  // every way is taken
+    EXPECT_GT(aligned, windows / 8);
+    EXPECT_LT(irregular + aligned, windows);
     EXPECT_LT(irregular, windows / 2);
   } else {
     GTEST_SKIP() << "this host has no registers of eight numbers with masks";
