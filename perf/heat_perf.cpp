@@ -25,11 +25,11 @@ struct HeatSetting {
         fields(make_heat_fields<T>(exec, lattice, {0.056, 0.14, 0.625, set}, type, {false, false}, 1.0)) {}
 };
 
-/// Q populations read and written, temperature written, the mask read.
+/// Q populations read and written, the mask read.
 template <class T>
 void conduct_all(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
   HeatSetting<T> s(*geometry, set);
-  const double bytes = (2 * directions_of(set) + 1) * sizeof(T) + 1;
+  const double bytes = 2 * directions_of(set) * sizeof(T) + 1;
   const auto step = [&] { conduct(s.exec, s.fields); };
   if (set == ScalarVelocitySet::d2q5)
     measure<T, D2Q5::Q>(state, nx * ny, bytes, step);
@@ -37,7 +37,7 @@ void conduct_all(benchmark::State& state, const Geometry* geometry, ScalarVeloci
     measure<T, D2Q9::Q>(state, nx * ny, bytes, step);
 }
 
-/// Q populations and theta read and written, velocity and defect read, the lagged defect read and written, node, links.
+/// Q populations read and written, velocity and defect read, the lagged defect read and written, node, links.
 template <class T>
 void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
   HeatSetting<T> s(*geometry, set);
@@ -45,7 +45,7 @@ void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVeloc
   const VectorField<T> u("u", nodes.capacity);
   const ScalarField<T> defect("defect", nodes.capacity), lagged("lagged", nodes.capacity);
   Kokkos::deep_copy(u, T(1e-4));
-  const double bytes = (2 * directions_of(set) + 7) * sizeof(T) + sizeof(int) + 3 * sizeof(std::uint16_t);
+  const double bytes = (2 * directions_of(set) + 5) * sizeof(T) + sizeof(int) + 3 * sizeof(std::uint16_t);
   const auto step = [&] { advect(s.exec, nodes, u, defect, lagged, s.fields, {}); };
   if (set == ScalarVelocitySet::d2q5)
     measure<T, D2Q5::Q>(state, nodes.count, bytes, step);
@@ -65,8 +65,8 @@ void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVeloc
   const ScalarField<double> created("created", std::max(block_count(s.lattice.size()), ny));
   Kokkos::deep_copy(u, T(1e-4));
   const double fluid = static_cast<double>(nodes.count) / (nx * ny);
-  const double bytes = (2 * directions_of(set) + 1) * sizeof(T) + 1 +
-                       fluid * (5 * sizeof(T) + 2 * sizeof(int) + 3 * sizeof(std::uint16_t));
+  const double bytes =
+      2 * directions_of(set) * sizeof(T) + 1 + fluid * (5 * sizeof(T) + 2 * sizeof(int) + 3 * sizeof(std::uint16_t));
   const auto step = [&] { conduct_and_advect(s.exec, nodes, rows, u, defect, lagged, s.fields, created); };
   if (set == ScalarVelocitySet::d2q5)
     measure<T, D2Q5::Q>(state, nx * ny, bytes, step);

@@ -31,9 +31,10 @@ FluidNodes open_box(int n) {
 template <class T>
 Step flow_step(const FluidNodes& nodes) {
   auto fields = std::make_shared<FlowFields<T>>(make_flow_fields<T>(Exec{}, nodes, Streaming::in_place));
-  Kokkos::deep_copy(fields->density, T(1e-3));
+  const ScalarField<T> density("density", nodes.capacity);
+  Kokkos::deep_copy(density, T(1e-3));
   Kokkos::deep_copy(fields->u, T(1e-4));
-  set_equilibrium(Exec{}, nodes, *fields);
+  set_equilibrium(Exec{}, nodes, density, *fields);
   FlowStep<T> step;
   step.rates = relaxation_rates(Collision::trt, 0.764);
   return [=](const Exec& exec) { collide_and_stream(exec, nodes, *fields, step); };

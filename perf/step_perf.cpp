@@ -59,10 +59,12 @@ std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
   const double heat_every = scene.accuracy.heat_interval, solute_every = scene.accuracy.solute_interval;
   const double carriers = heat_every == solute_every ? 1 / heat_every : 1 / heat_every + 1 / solute_every;
   std::array<double, part_count> bytes{};
-  // nine populations both ways, three moments, eight indices in every second step
-  bytes[flow] = s.fluid * (21 * T + 16);
-  // five populations both ways, temperature, link mask; of the fluid velocity, defect and its lag, places, links
-  bytes[heat] = (s.nodes * (11 * T + 1) + s.fluid * (5 * T + 14)) / heat_every;
+  // nine populations both ways, velocity, eight indices in every second step
+  bytes[flow] = s.fluid * (20 * T + 16);
+  // five populations both ways, link mask, temperatures for the rock; of the fluid velocity, defect and its lag,
+  // places, links
+  bytes[heat] =
+      (s.nodes * (10 * T + 1) + s.fluid * (5 * T + 14)) / heat_every + s.nodes * T / std::max(heat_every, every);
   // velocity in, defect out, four indices, links
   bytes[carried] = s.fluid * carriers * (3 * T + 22);
   // Five populations both ways, concentration out, velocity and defect in, four indices in every second step; of each

@@ -64,6 +64,8 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
     if (is_open(flow)) mark_open(exec, fluid, boundary.links);
     if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
       boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
+    if (flow.kind == FlowBoundaryKind::outflow)
+      boundary.density = ScalarField<double>("vug::flow::outflow_density", boundary.links.count);
   }
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }
@@ -90,7 +92,7 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
                      boundary.gain.recent());
       break;
     case FlowBoundaryKind::outflow:
-      dress_outflow(exec, geometry_.fluid, boundary.links, fields_, boundary.gain.recent());
+      dress_outflow(exec, geometry_.fluid, boundary.links, boundary.density, fields_, boundary.gain.recent());
       break;
     case FlowBoundaryKind::wall:
       if (flow.velocity[0] != 0 || flow.velocity[1] != 0)
@@ -135,6 +137,9 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   if (steady_.held()) {
     steady_.pass();
   } else {
+    for (const StretchLinks& boundary : boundaries_)
+      if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::outflow)
+        take_density(exec, fluid, boundary.links, fields_, boundary.density);
     for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
     collide_and_stream(exec, fluid, fields_, step_);
   }
@@ -240,7 +245,7 @@ void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
 template <class T>
 void FlowModule<T>::fields(FieldList& list) const {
   list.lattice.push_back({"pressure", "Pa", 1, [this](std::span<double> out) {
-                            read_fluid(geometry_.fluid, fields_.density,
+                            read_fluid(geometry_.fluid, densities(Exec{}, geometry_.fluid, fields_),
                                        {units_.pressure() / 3, units_.reference_pressure, units_.reference_pressure},
                                        out);
                           }});
@@ -255,7 +260,6 @@ template <class T>
 void FlowModule<T>::state(StateList& list) {
   list.add("flow/f", fields_.f);
   list.add_value("flow/turned", fields_.turned);
-  list.add("flow/density", fields_.density);
   list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);
   for (std::size_t c = 0; c < carriers_.size(); ++c) {  // in the order in which the modules asked for them

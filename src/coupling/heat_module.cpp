@@ -41,6 +41,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       units_(units),
       geometry_(geometry),
       interval_(scene.accuracy.heat_interval),
+      update_interval_(scene.accuracy.update_interval),
       periodic_(periodic_sides(scene)),
       initial_theta_(units.lattice_temperature(section_.initial_temperature)),
       coldest_(section_.initial_temperature),
@@ -78,6 +79,8 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   const int sums = std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // per block or per row
   created_ = LongSum("vug::heat::created", carrier_ ? sums : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  if (scene.mechanics || scene.reaction)
+    theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), geometry.lattice.size());
   initial_energy_ = energy();
 }
 
@@ -95,16 +98,29 @@ double HeatModule<T>::value_of(const HeatBoundary& heat) {
 
 template <class T>
 double HeatModule<T>::energy() const {
-  ScalarField<double> partial("vug::heat::partial", heat_energy_blocks(geometry_.lattice));
+  ScalarField<double> partial("vug::heat::partial", heat_energy_sums(geometry_.lattice));
   add_heat_energy(Exec{}, fields_, partial);
   return sum_in_order(partial);
 }
 
 template <class T>
-FaceTemperature<T> HeatModule<T>::face_temperature() const {
+bool HeatModule<T>::rock_asks_before_next_step(const Clock& clock) const {
+  const std::int64_t asks = (clock.step + update_interval_ - 1) / update_interval_ * update_interval_;
+  return asks < clock.step + interval_;
+}
+
+template <class T>
+const ScalarField<T>& HeatModule<T>::temperature(const Exec& exec) const {
+  if (!fresh_) take_temperatures(exec, fields_, theta_);
+  fresh_ = true;
+  return theta_;
+}
+
+template <class T>
+FaceTemperature<T> HeatModule<T>::face_temperature(const Exec& exec) const {
   const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
   const double solid = section_.solid_density * section_.solid_heat_capacity * section_.solid_diffusivity;
-  return {fields_.theta, solid / (fluid + solid), units_.reference_temperature};
+  return {temperature(exec), solid / (fluid + solid), units_.reference_temperature};
 }
 
 template <class T>
@@ -118,11 +134,13 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
+  fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);
+  const ScalarField<T> theta = fresh_ ? theta_ : ScalarField<T>();
   if (carrier_)
     conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->displacement(), carrier_->e, lagged_, fields_,
-                       created_.recent());
+                       created_.recent(), theta);
   else
-    conduct(exec, fields_);
+    conduct(exec, fields_, theta);
 }
 
 template <class T>
@@ -138,11 +156,11 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
 template <class T>
 void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const double margin = heated_ ? runaway_margin_with_flux : runaway_margin;
-  const int node =
-      first_outside(exec, fields_.theta, fields_.lattice.size(), units_.lattice_temperature(coldest_ - margin),
-                    units_.lattice_temperature(hottest_ + margin));
-  if (node < 0) return;
+  const double lowest = units_.lattice_temperature(coldest_ - margin);
+  const double highest = units_.lattice_temperature(hottest_ + margin);
   const HeatExtremes extremes = heat_extremes(exec, fields_);
+  if (extremes.not_finite == 0 && extremes.lowest > lowest && extremes.highest < highest) return;
+  const int node = first_outside(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest);
   throw StabilityError(fmt::format(
       "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "
       "{:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise the diffusivities",
@@ -193,15 +211,16 @@ void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
 
 template <class T>
 void HeatModule<T>::fields(FieldList& list) const {
-  list.lattice.push_back({"temperature", "K", 1, [this](std::span<double> out) {
-                            read_dense(geometry_.lattice, fields_.theta, {1, units_.reference_temperature, 0}, out);
-                          }});
+  list.lattice.push_back(
+      {"temperature", "K", 1, [this](std::span<double> out) {
+         read_dense(geometry_.lattice, temperatures(Exec{}, fields_), {1, units_.reference_temperature, 0}, out);
+       }});
 }
 
 template <class T>
 void HeatModule<T>::state(StateList& list) {
+  fresh_ = false;  // other populations may come
   list.add("heat/g", fields_.g);
-  list.add("heat/theta", fields_.theta);
   if (carrier_) list.add("heat/lagged", lagged_);
   add_state(list, "heat/created", created_);
   list.add("heat/born", born_);

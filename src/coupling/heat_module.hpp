@@ -28,15 +28,18 @@ class HeatModule final : public Module {
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
-  const HeatFields<T>& heat() const { return fields_; }
+  /// (node) temperatures of now, except in openings, for rock and reaction: taken together with a heat step before the
+  /// rock asks, or else when they are asked for, once between two steps.
+  const ScalarField<T>& temperature(const Exec& exec) const;
   double initial_theta() const { return initial_theta_; }
   /// Temperature of the faces between solid and fluid, for the reaction.
-  FaceTemperature<T> face_temperature() const;
+  FaceTemperature<T> face_temperature(const Exec& exec) const;
   double coldest() const { return coldest_; }  ///< K, of everything the case names
   double hottest() const { return hottest_; }  ///< K
 
  private:
   double energy() const;
+  bool rock_asks_before_next_step(const Clock& clock) const;
   /// What the kernels call the value of a condition; widens the range of temperatures that the case names.
   double value_of(const HeatBoundary& heat);
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
@@ -47,6 +50,9 @@ class HeatModule final : public Module {
   const Carrier<T>* carrier_ = nullptr;  ///< null: the fluid is at rest
   int interval_;
   HeatFields<T> fields_;
+  ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
+  mutable bool fresh_ = false;      ///< no step since
+  int update_interval_;             ///< the rock asks in the lattice steps that are multiples of it
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::vector<HeatOpening> openings_;  ///< those of the geometry, in the same order

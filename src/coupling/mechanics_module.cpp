@@ -87,7 +87,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   }
   if (clock.step % update_interval_ == 0) {
     if (heat_)
-      warm_particles(exec, nodes_of_particle_, heat_->heat().theta, heat_->initial_theta(),
+      warm_particles(exec, nodes_of_particle_, heat_->temperature(exec), heat_->initial_theta(),
                      particles.temperature_change);
     if (dissolved_)
       dissolved_->update(exec, *wet_, geometry_.dissolved, particles.solid_fraction, mechanics_.bonds().d_c);

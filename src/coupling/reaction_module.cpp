@@ -74,7 +74,7 @@ void ReactionModule<T, Set>::refresh(const Exec& exec, std::int64_t step) {
   const double activation = section_.activation_energy / gas_constant;
   if (heat_) {
     const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
-                                                 heat_->face_temperature()};
+                                                 heat_->face_temperature(exec)};
     set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_, ahead);
   } else {
     const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};

@@ -12,9 +12,10 @@ namespace vug {
 struct StretchLinks {
   Stretch stretch;
   BoundaryLinks links;
-  LongSum gain;                ///< (link)
-  double entered = 0;          ///< sum over links of former times, lattice units
-  ScalarField<double> area{};  ///< (link) surface it stands for, cells; of openings with a given speed only
+  LongSum gain;                   ///< (link)
+  double entered = 0;             ///< sum over links of former times, lattice units
+  ScalarField<double> area{};     ///< (link) surface it stands for, cells; of openings with a given speed only
+  ScalarField<double> density{};  ///< (link) of its node in this step; of outflows only
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions) {
     entered = total();

@@ -33,13 +33,13 @@ struct SpeedLimiter {
 };
 
 /// The sweep: populations after streaming, f_q(x, t+1) = f*_q(x - c_q, t) or bounced back, then collided.
-/// Conserves sum rho' to rounding; adds the body force to the momentum. Moves per node 2 x 9 populations, 3 moments
-/// and 8 indices (4 on average in place): 184 bytes in double and 100 in float in place, 200 and 116 with two lattices,
+/// Conserves sum rho' to rounding; adds the body force to the momentum. Moves per node 2 x 9 populations, the velocity
+/// and 8 indices (4 on average in place): 176 bytes in double and 96 in float in place, 192 and 112 with two lattices,
 /// without the write-allocate of what it stores.
 template <class T, class Slots, class Relaxation, class Force, class Limiter>
 struct CollideAndStream {
   Kokkos::View<const T*> f;
-  ScalarField<T> f_next, density;
+  ScalarField<T> f_next;
   VectorField<T> u;
   Slots slots;
   Relaxation relax;
@@ -64,7 +64,6 @@ struct CollideAndStream {
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
     relax(g, m, force);
-    put(&density(i), m.rho);
     put(&u(i, 0), m.ux);
     put(&u(i, 1), m.uy);
   }
@@ -84,7 +83,7 @@ struct CollideAndStream {
   }
 
   using Unlimited = CollideAndStream<T, Slots, Relaxation, Force, NoLimiter<T>>;
-  KOKKOS_FORCEINLINE_FUNCTION Unlimited unlimited() const { return {f, f_next, density, u, slots, relax, force, {}}; }
+  KOKKOS_FORCEINLINE_FUNCTION Unlimited unlimited() const { return {f, f_next, u, slots, relax, force, {}}; }
 };
 
 /// A block of nodes on a host. The root and the quotient of the limiter would cost every node as much as its collision:
@@ -222,8 +221,8 @@ struct Sweep {
   void limit(const Slots& slots, const ScalarField<T>& target, const Relaxation& relax, const Force& force) const {
     const char* label = "vug::flow::collide_and_stream";
     const auto body = [&](auto limiter) {
-      return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{
-          fields.f, target, fields.density, fields.u, slots, relax, force, limiter};
+      return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{fields.f, target, fields.u, slots,
+                                                                              relax,    force,  limiter};
     };
     const bool limits = step.speed_limit > T(0);
     assert(!limits || static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));

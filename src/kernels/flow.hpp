@@ -11,14 +11,31 @@
 
 namespace vug {
 
-/// Populations and moments of the fluid nodes, lattice units, as deviations from rest at the reference pressure.
+/// Populations and velocity of the fluid nodes, lattice units, as deviations from rest at the reference pressure.
 template <class T>
 struct FlowFields {
-  ScalarField<T> f;        ///< (q * capacity + fluid) after collision
-  ScalarField<T> f_next;   ///< (q * capacity + fluid) of the sweep with two lattices, exchanged with f; else empty
-  int turned = 0;          ///< 1 after an odd number of steps in place (see settle); belongs to f in a checkpoint
-  ScalarField<T> density;  ///< (fluid) rho' = 3 p'
-  VectorField<T> u;        ///< (fluid, axis) velocity, with half the body force
+  ScalarField<T> f;       ///< (q * capacity + fluid) after collision
+  ScalarField<T> f_next;  ///< (q * capacity + fluid) of the sweep with two lattices, exchanged with f; else empty
+  int turned = 0;         ///< 1 after an odd number of steps in place (see settle); belongs to f in a checkpoint
+  VectorField<T> u;       ///< (fluid, axis) velocity, with half the body force
+};
+
+/// rho' = 3 p' of a node: the sum of what it sent out in the last sweep, until something is dressed.
+template <class T>
+struct Density {
+  Kokkos::View<const T*> f;
+  Kokkos::View<const int*> source;
+  int capacity, turned;
+
+  Density(const FluidNodes& nodes, const FlowFields<T>& fields)
+      : f(fields.f), source(nodes.source), capacity(nodes.capacity), turned(fields.turned) {}
+
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int i) const {
+    if (!turned) return sum_of_populations<D2Q9, T>(&f(i), capacity);
+    T sum = f(i);
+    for (int q = 1; q < D2Q9::Q; ++q) sum += f(source(q * capacity + i));
+    return sum;
+  }
 };
 
 /// What one step needs to know beside the fields.
@@ -50,9 +67,13 @@ void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>&
 template <class T>
 void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
 
-/// f = feq(density, u) on every node, from the density and velocity that the fields hold.
+/// f = feq(density, u) on every node, from a density (fluid) and the velocity that the fields hold.
 template <class T>
-void set_equilibrium(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields);
+void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const ScalarField<T>& density, FlowFields<T>& fields);
+
+/// (fluid) the density of every node; allocated, for output.
+template <class T>
+ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);
 
 /// One time step: pulls the populations, takes their moments, limits, collides and stores.
 template <class T>

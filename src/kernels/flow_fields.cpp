@@ -12,18 +12,16 @@ FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Stream
   FlowFields<T> fields;
   fields.f = ScalarField<T>(named("f"), populations);
   if (streaming == Streaming::two_lattices) fields.f_next = ScalarField<T>(named("f_next"), populations);
-  fields.density = ScalarField<T>(named("density"), nodes.capacity);
   fields.u = VectorField<T>(named("u"), nodes.capacity);
   return fields;
 }
 
 template <class T>
 void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
-  const int old = static_cast<int>(fields.density.extent(0));
+  const int old = static_cast<int>(fields.u.extent(0));
   if (old == nodes.capacity) return;
   fields.f = restride(exec, fields.f, D2Q9::Q, count, old, nodes.capacity);
   if (fields.f_next.extent(0) > 0) Kokkos::resize(exec, fields.f_next, fields.f.extent(0));
-  Kokkos::resize(exec, fields.density, nodes.capacity);
   Kokkos::resize(exec, fields.u, nodes.capacity);
 }
 
@@ -40,10 +38,24 @@ struct SetEquilibrium {
 };
 
 template <class T>
-void set_equilibrium(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields) {
+void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const ScalarField<T>& density, FlowFields<T>& fields) {
   fields.turned = 0;
   for_each_node(exec, "vug::flow::set_equilibrium", nodes.count,
-                SetEquilibrium<T>{fields.f, fields.density, fields.u, nodes.capacity});
+                SetEquilibrium<T>{fields.f, density, fields.u, nodes.capacity});
+}
+
+template <class T>
+struct StoreDensity {
+  Density<T> value;
+  ScalarField<T> density;
+  KOKKOS_FUNCTION void operator()(int i) const { density(i) = value(i); }
+};
+
+template <class T>
+ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields) {
+  const ScalarField<T> density(Kokkos::view_alloc(exec, "vug::flow::density"), nodes.capacity);
+  for_each_node(exec, "vug::flow::densities", nodes.count, StoreDensity<T>{Density<T>(nodes, fields), density});
+  return density;
 }
 
 template <class T>
@@ -55,7 +67,8 @@ void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>&
 /// the result does not depend on their order.
 template <class T>
 struct InitialiseBirths {
-  ScalarField<T> f, density;
+  Density<T> density;  ///< of populations that are at home
+  ScalarField<T> f;
   VectorField<T> u;
   Kokkos::View<const int*> source;
   int first, capacity;
@@ -71,7 +84,6 @@ struct InitialiseBirths {
     }
     const T mean = neighbours > 0 ? T(sum / neighbours) : T(0);
     for (int q = 0; q < D2Q9::Q; ++q) f(q * capacity + i) = T(D2Q9::w(q)) * mean;
-    density(i) = mean;
     u(i, 0) = u(i, 1) = 0;
   }
 };
@@ -79,8 +91,9 @@ struct InitialiseBirths {
 template <class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, FlowFields<T>& fields) {
   settle(exec, nodes, first, fields);  // the links to new nodes were walls until now: their populations are at home
-  for_each_node(exec, "vug::flow::initialise_births", last - first,
-                InitialiseBirths<T>{fields.f, fields.density, fields.u, nodes.source, first, nodes.capacity});
+  for_each_node(
+      exec, "vug::flow::initialise_births", last - first,
+      InitialiseBirths<T>{Density<T>(nodes, fields), fields.f, fields.u, nodes.source, first, nodes.capacity});
 }
 
 /// Sum of the slots of node i in double: its rho', or, turned, what is about to arrive there.
@@ -88,11 +101,7 @@ template <class T>
 struct SumOfSlots {
   Kokkos::View<const T*> f;
   int capacity;
-  KOKKOS_FUNCTION double operator()(int i) const {
-    double sum = 0;
-    for (int q = 0; q < D2Q9::Q; ++q) sum += double(f(q * capacity + i));
-    return sum;
-  }
+  KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<D2Q9, double>(&f(i), capacity); }
 };
 
 template <class T>
@@ -101,12 +110,13 @@ void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fi
   add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T>{fields.f, nodes.capacity}, total);
 }
 
-#define VUG_INSTANTIATE(T)                                                                   \
-  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&, Streaming);        \
-  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                 \
-  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);        \
-  template void set_equilibrium(const Exec&, const FluidNodes&, FlowFields<T>&);             \
-  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&); \
+#define VUG_INSTANTIATE(T)                                                                              \
+  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&, Streaming);                   \
+  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                            \
+  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);                   \
+  template void set_equilibrium(const Exec&, const FluidNodes&, const ScalarField<T>&, FlowFields<T>&); \
+  template ScalarField<T> densities(const Exec&, const FluidNodes&, const FlowFields<T>&);              \
+  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&);            \
   template void add_mass(const Exec&, const FluidNodes&, const FlowFields<T>&, const ScalarField<double>&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

@@ -7,7 +7,7 @@ namespace vug {
 /// Largest speed and density and lowest bad index; max and min do not depend on the order of reduction.
 template <class T>
 struct FindExtremes {
-  Kokkos::View<const T*> rho;
+  Density<T> rho;
   VectorField<T> u;
   double speed_bound, density_bound;
   KOKKOS_FUNCTION void operator()(int i, double& speed2, double& density, int& bad) const {
@@ -27,7 +27,7 @@ FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const Flow
   double speed2 = 0;
   int bad = std::numeric_limits<int>::max();
   Kokkos::parallel_reduce("vug::guards::flow_extremes", Kokkos::RangePolicy<Exec>(exec, 0, nodes.count),
-                          FindExtremes<T>{fields.density, fields.u, speed_bound, density_bound},
+                          FindExtremes<T>{Density<T>(nodes, fields), fields.u, speed_bound, density_bound},
                           Kokkos::Max<double>(speed2), Kokkos::Max<double>(found.density), Kokkos::Min<int>(bad));
   found.speed = speed2 > 0 ? Kokkos::sqrt(speed2) : 0;
   if (!(found.density > 0)) found.density = 0;  // the reduction's identity, where all is NaN
@@ -76,8 +76,7 @@ double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorFi
 }
 
 template double velocity_change(const Exec&, const FluidNodes&, const VectorField<float>&, const VectorField<float>&);
-template double velocity_change(const Exec&, const FluidNodes&, const VectorField<double>&,
-                                const VectorField<double>&);
+template double velocity_change(const Exec&, const FluidNodes&, const VectorField<double>&, const VectorField<double>&);
 template int first_outside(const Exec&, const ScalarField<float>&, int, double, double);
 template int first_outside(const Exec&, const ScalarField<double>&, int, double, double);
 template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<float>&, double, double);

@@ -97,20 +97,33 @@ struct StartHeat {
 };
 
 template <class T>
-void start_heat(const Exec& exec, HeatFields<T>& fields) {
+void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields) {
   const int plane = fields.lattice.size();
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    for_each_node(exec, "vug::heat::start", plane, StartHeat<T, decltype(set)>{plane, fields.theta, fields.g});
+    for_each_node(exec, "vug::heat::start", plane, StartHeat<T, decltype(set)>{plane, theta, fields.g});
   });
 }
 
 template <class T>
-struct FillTemperature {
-  T value;
+struct TakeTemperature {
+  Temperature<T> value;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> theta;
-  KOKKOS_FUNCTION void operator()(int node) const { theta(node) = solid(node) > 1 ? T(0) : value; }
+  KOKKOS_FUNCTION void operator()(int node) const { theta(node) = solid(node) > 1 ? T(0) : value(node); }
 };
+
+template <class T>
+void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta) {
+  for_each_dense_node(exec, "vug::heat::take_temperatures", fields.lattice,
+                      TakeTemperature<T>{Temperature<T>(fields), fields.solid, theta});
+}
+
+template <class T>
+ScalarField<T> temperatures(const Exec& exec, const HeatFields<T>& fields) {
+  const ScalarField<T> theta(Kokkos::view_alloc(exec, "vug::heat::theta"), fields.lattice.size());
+  take_temperatures(exec, fields, theta);
+  return theta;
+}
 
 template <class T>
 void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields) {
@@ -137,12 +150,11 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
     set_heat_bands(exec, band_count(exec, lattice), fields);
   else
     fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
-  fields.theta = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), size);
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   set_heat_geometry(exec, type, periodic, fields);
-  for_each_dense_node(exec, "vug::heat::fill", lattice,
-                      FillTemperature<T>{static_cast<T>(theta), fields.solid, fields.theta});
-  start_heat(exec, fields);
+  const ScalarField<T> start(Kokkos::view_alloc(exec, "vug::heat::start"), size);
+  Kokkos::deep_copy(exec, start, static_cast<T>(theta));
+  start_heat(exec, start, fields);
   return fields;
 }
 
@@ -150,7 +162,9 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                    \
   template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                 \
                                              const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool); \
-  template void start_heat(const Exec&, HeatFields<T>&);                                                         \
+  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                  \
+  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                     \
+  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                       \
   template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                \
   template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
 VUG_INSTANTIATE(float);

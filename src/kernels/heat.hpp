@@ -36,22 +36,37 @@ HeatRates<T> heat_rates(const HeatParameters& parameters);
 /// (D2Q9; see HeatFields), and in an opening. All that is above 1 is such.
 inline constexpr std::uint8_t outside_lattice = 2, inside_opening = 3;
 
-/// Per node Q populations, in two lattices on a GPU, a temperature and a byte: on a host 25 bytes in float and 49 in
-/// double with D2Q5, 41 and 81 with D2Q9.
+/// Per node Q populations, in two lattices on a GPU, and a byte: on a host 21 bytes in float and 41 in double with
+/// D2Q5, 37 and 73 with D2Q9.
 template <class T>
 struct HeatFields {
   Lattice lattice;
   HeatRates<T> rates;
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
-  bool openings = false;  ///< some nodes are in openings (opening.hpp), where theta is 0 and g what was filled in
+  bool openings = false;  ///< some nodes are in openings (opening.hpp), where g is what was filled in
   ScalarField<T> g;       ///< (q * lattice.size() + node) post-collision populations, with halo
   ScalarField<T> g_next;  ///< of a step with two lattices, exchanged with g; empty on a host, which steps in place
-  ScalarField<T> theta;   ///< (node) temperature, deviation from the reference; 0 outside the lattice
   /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
   /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
   Kokkos::View<std::uint8_t*> solid;
   int bands = 0;         ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
   ScalarField<T> lines;  ///< (band, line, x) what they set aside
+};
+
+/// Temperature of a node, deviation from the reference: the sum of its populations, which every step conserves and
+/// leaves at their node. Not of nodes in openings and outside the lattice.
+template <class T>
+struct Temperature {
+  Kokkos::View<const T*> g;
+  int plane;
+  bool diagonals;  ///< there are those of D2Q9
+
+  explicit Temperature(const HeatFields<T>& fields)
+      : g(fields.g), plane(fields.lattice.size()), diagonals(fields.velocity_set == ScalarVelocitySet::d2q9) {}
+
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int node) const {
+    return diagonals ? sum_of_populations<D2Q9, T>(&g(node), plane) : sum_of_populations<D2Q5, T>(&g(node), plane);
+  }
 };
 
 /// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
@@ -60,12 +75,20 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
                                bool openings = false);
 
-/// Sets populations at rest from the temperatures in fields.theta.
+/// Sets populations at rest from the temperatures theta (node).
 template <class T>
-void start_heat(const Exec& exec, HeatFields<T>& fields);
+void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields);
 
-/// Takes over a changed geometry. Populations and temperature of a node stay as they are when its kind changes; the
-/// energy it gains is booked by add_birth_energy (heat_sums.hpp), to be called before.
+/// theta (node) = temperature of every node inside the lattice, 0 in openings.
+template <class T>
+void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta);
+
+/// The same in a field of its own, 0 outside the lattice: for output.
+template <class T>
+ScalarField<T> temperatures(const Exec& exec, const HeatFields<T>& fields);
+
+/// Takes over a changed geometry. The populations of a node stay as they are when its kind changes; the energy it gains
+/// is booked by add_birth_energy (heat_sums.hpp), to be called before.
 template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields);
@@ -75,10 +98,11 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
 template <class T>
 void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields);
 
-/// Conduction through fluid and solid: pull, conjugate link, collide at rest, store; writes theta. The halo must have
-/// been filled.
+/// Conduction through fluid and solid: pull, conjugate link, collide at rest, store. The halo must have been filled.
+/// If `theta` (node) is given, it holds the temperatures afterwards, except in openings: on a host that costs a sixth
+/// of taking them later.
 template <class T>
-void conduct(const Exec& exec, HeatFields<T>& fields);
+void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta = {});
 
 /// How much faster than the odd part of the carried populations their even part builds up, (2 - s) / s; 1 on D2Q5,
 /// where they have none.
@@ -97,10 +121,12 @@ void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_
             const ScalarField<double>& created);
 
 /// `conduct` and `advect` in one go: on a host every part of a row is finished while it is in the nearest cache, since
-/// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes.
+/// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes; `theta`
+/// as in `conduct`.
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
                         const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
-                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created);
+                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created,
+                        const std::type_identity_t<ScalarField<T>>& theta = {});
 
 }  // namespace vug

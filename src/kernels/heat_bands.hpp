@@ -82,7 +82,6 @@ struct ConductBand {
   HeatBands<T, Set> bands;
   Conduction<T, Set> law;
   Kokkos::View<const std::uint8_t*> solid;
-  ScalarField<T> theta;
   Rows rows;
 
   KOKKOS_FUNCTION void operator()(int band) const {
@@ -103,14 +102,12 @@ struct ConductBand {
     T* g[Set::Q];             ///< its populations
     const T* pulled[Set::Q];  ///< what arrives at it
     T* kept[Set::Q];          ///< where it sets aside what moves upwards; of other directions not set
-    T* theta;
     const std::uint8_t* solid;
   };
 
   KOKKOS_FORCEINLINE_FUNCTION Row row_at(int y, bool is_last, int turn, const BandLines<T, Set>& lines) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch, node = bands.lattice.node(0, y);
     Row row;
-    row.theta = &theta(node);
     row.solid = &solid(node);
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) {
@@ -135,7 +132,6 @@ struct ConductBand {
       const T* const read = row.g[q] + (Set::c(q, 1) < 0 ? bands.lattice.pitch : 0) + start + ahead;
       for (int x = 0; x < segment; x += line) prefetch_far(read + x);
     }
-    for (int x = 0; x < segment; x += line) prefetch_far(row.theta + start + ahead + x);
   }
 
   /// Calls conducted(x) when the nodes before x are.
@@ -172,7 +168,7 @@ struct ConductBand {
         }
         if constexpr (Openings)
           if (here > 1) continue;
-        row.theta[start + x] = conduction(g, pulled, here, beyond);
+        conduction(g, pulled, here, beyond);
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) row.g[q][start + x] = g[q];
       }

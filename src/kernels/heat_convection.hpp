@@ -1,6 +1,6 @@
 #pragma once
-// Convection on a host, right behind the conduction of a row: row(y) is what follows it, up_to(end) when the nodes of
-// the row before dense node `end` are conducted, and end() after the last of them.
+// Convection and temperatures on a host, right behind the conduction of a row: row(y) is what follows it, up_to(end)
+// when the nodes of the row before dense node `end` are conducted, and end() after the last of them.
 #include "kernels/heat_kernels.hpp"
 #include "kernels/launch.hpp"
 
@@ -32,9 +32,7 @@ struct ConvectEights {
           one_by_one(local.body, all.index, eight, sum);
       }
     }
-    KOKKOS_FORCEINLINE_FUNCTION void end() {
-      all.created(y) += ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-    }
+    KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum_of_lanes(sum); }
   };
   KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const {
     return {*this, detail::LocalBody<Advect<T, Set>>(advect), y, rows.first(y), rows.first(y + 1)};
@@ -63,11 +61,10 @@ struct ConvectEights {
     VUG_VECTORISE
     for (int l = 0; l < eight_lanes; ++l) walls[l] = eight.closed[l];
     T* const g = &at.g(eight.node);
-    T* const theta = &at.theta(eight.node);
     VUG_VECTORISE
     for (int l = 0; l < eight_lanes; ++l) {
-      const T added = at.law.added(theta[l], lagged[l]);
-      const T temperature = theta[l] + added;
+      const T conducted = sum_of_populations<Set, T>(g + l, at.plane);
+      const T added = at.law.added(conducted, lagged[l]), temperature = conducted + added;
       T rest = added;
       VUG_UNROLL
       for (int q = 1; q < Set::Q; ++q) {
@@ -77,7 +74,6 @@ struct ConvectEights {
         rest -= change;
       }
       g[l] += rest;
-      theta[l] = temperature;
       sum[l] += static_cast<double>(added);
     }
   }
@@ -146,7 +142,7 @@ struct ConvectScattered {
       s.uy[k] = at.u(i, 1);
       s.lagged[k] = at.lagged(i);
       s.defect[k] = at.defect(i);
-      s.theta[k] = at.theta(s.node[k]);
+      s.theta[k] = sum_of_populations<Set, T>(&at.g(s.node[k]), at.plane);
     }
     return k;
   }
@@ -176,7 +172,6 @@ struct ConvectScattered {
       g[0] += s.rest[k];
       VUG_UNROLL
       for (int q = 1; q < Set::Q; ++q) g[q * at.plane] += T(Set::w(q)) * s.change[q][k];
-      at.theta(s.node[k]) = s.theta[k];
       at.lagged(fluid[k]) = s.lagged[k];
       sum += static_cast<double>(s.added[k]);
     }
@@ -191,6 +186,33 @@ struct NoConvection {
     KOKKOS_FORCEINLINE_FUNCTION void end() {}
   };
   KOKKOS_FORCEINLINE_FUNCTION Row row(int) const { return {}; }
+};
+
+/// What follows in a row, and then the temperatures of what is done, if there is a place for them.
+template <class T, class Set, class Rows>
+struct ThenTemperatures {
+  Rows rows;
+  Lattice lattice;
+  ScalarField<T> g, theta;
+
+  struct Row {
+    typename Rows::Row before;
+    const T* g;
+    T* theta;
+    int plane, node;
+
+    KOKKOS_FORCEINLINE_FUNCTION void up_to(int end) {
+      before.up_to(end);
+      if (!theta) return;
+      VUG_VECTORISE
+      for (int n = node; n < end; ++n) theta[n] = sum_of_populations<Set, T>(g + n, plane);
+      node = end;
+    }
+    KOKKOS_FORCEINLINE_FUNCTION void end() { before.end(); }
+  };
+  KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const {
+    return {rows.row(y), g.data(), theta.data(), lattice.size(), lattice.node(0, y)};
+  }
 };
 
 /// The form that this host is made for.

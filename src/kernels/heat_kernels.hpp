@@ -20,10 +20,10 @@ struct Conduction {
   explicit Conduction(const HeatRates<T>& rates)
       : fluid_rate(rates.fluid), rate_step(rates.solid - rates.fluid), reflection(rates.reflection) {}
 
-  /// Turns the populations `g` of a node into those after the step and returns its temperature. `pulled` (q) left the
-  /// neighbour that q comes from; `beyond` (q) is 1 if that neighbour is solid, `solid` if the node is, else 0.
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T solid,
-                                           const T (&beyond)[Set::Q]) const {
+  /// Turns the populations `g` of a node into those after the step. `pulled` (q) left the neighbour that q comes from;
+  /// `beyond` (q) is 1 if that neighbour is solid, `solid` if the node is, else 0.
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T solid,
+                                              const T (&beyond)[Set::Q]) const {
     T in[Set::Q];
     T temperature = g[0];
     VUG_UNROLL
@@ -37,7 +37,6 @@ struct Conduction {
       g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
       g[0] -= g[q];
     }
-    return temperature;
   }
 };
 
@@ -51,15 +50,15 @@ KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
     return beyond > 1 ? solid : beyond;
 }
 
-/// Conduction at one node with two lattices: pulls from g, writes g_next and theta. Dense fields; lattice units. Reads
-/// Q populations and a byte, writes Q and theta. With `Openings` it passes over the nodes inside them.
+/// Conduction at one node with two lattices: pulls from g, writes g_next. Dense fields; lattice units. Reads Q
+/// populations and a byte, writes Q. With `Openings` it passes over the nodes inside them.
 template <class T, class Set, bool Openings>
 struct Conduct {
   Conduction<T, Set> law;
   int pitch, plane;
   Kokkos::View<const T*> g;
   Kokkos::View<const std::uint8_t*> solid;
-  ScalarField<T> g_next, theta;
+  ScalarField<T> g_next;
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
     if constexpr (Openings)
@@ -74,7 +73,7 @@ struct Conduct {
       pulled[q] = g(q * plane + from);
       beyond[q] = solid_beyond<T, Set, Openings>(static_cast<T>(solid(from)), here);
     }
-    theta(node) = law(own, pulled, here, beyond);
+    law(own, pulled, here, beyond);
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = own[q];
   }
@@ -83,13 +82,8 @@ struct Conduct {
 /// One node of a conduction step of these fields from `fields.g` to `g_next`.
 template <class T, class Set, bool Openings>
 Conduct<T, Set, Openings> conduct_body(const HeatFields<T>& fields, const ScalarField<T>& g_next) {
-  return {Conduction<T, Set>(fields.rates),
-          fields.lattice.pitch,
-          fields.lattice.size(),
-          fields.g,
-          fields.solid,
-          g_next,
-          fields.theta};
+  return {
+      Conduction<T, Set>(fields.rates), fields.lattice.pitch, fields.lattice.size(), fields.g, fields.solid, g_next};
 }
 
 /// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow
@@ -136,7 +130,7 @@ struct Advect {
   Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
   Displacement<T> u;
   Kokkos::View<const T*> defect;
-  ScalarField<T> lagged, g, theta;
+  ScalarField<T> lagged, g;
 
   /// Bit q: nothing is carried along q.
   KOKKOS_FORCEINLINE_FUNCTION unsigned walls(int i) const {
@@ -146,8 +140,8 @@ struct Advect {
   KOKKOS_FUNCTION double operator()(int i) const {
     const int n = node(i);
     const T excess = law.follow(lagged(i), defect(i));
-    const T added = law.added(theta(n), excess);
-    const T temperature = theta(n) + added;
+    const T conducted = sum_of_populations<Set, T>(&g(n), plane);
+    const T added = law.added(conducted, excess), temperature = conducted + added;
     const unsigned walled = walls(i);
     T rest = added;
     VUG_UNROLL
@@ -157,7 +151,6 @@ struct Advect {
       rest -= change;
     }
     g(n) += rest;
-    theta(n) = temperature;
     lagged(i) = excess;
     return static_cast<double>(added);
   }
@@ -176,8 +169,7 @@ Advect<T, Set> advect_body(const FluidNodes& nodes, const Displacement<T>& u, co
           u,
           defect,
           lagged,
-          fields.g,
-          fields.theta};
+          fields.g};
 }
 
 }  // namespace vug

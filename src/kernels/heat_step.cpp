@@ -22,29 +22,34 @@ void visit_kind(const HeatFields<T>& fields, const Visit& visit) {
 }
 
 /// Conduction in place, and what follows it in every row (heat_convection.hpp).
-template <class Set, bool Openings, class T, class Rows>
-void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Rows& rows) {
+template <class Set, bool Openings, class T, class Convection>
+void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Convection& convection,
+                      const ScalarField<T>& theta) {
+  using Rows = ThenTemperatures<T, Set, Convection>;
+  const Rows rows{convection, fields.lattice, fields.g, theta};
   const HeatBands<T, Set> bands(fields);
   const Kokkos::RangePolicy<Exec> all(exec, 0, bands.count);
   Kokkos::parallel_for("vug::heat::set_aside", all, SetAsideBesideBand<T, Set>{bands});
-  const ConductBand<T, Set, Openings, Rows> band{bands, Conduction<T, Set>(fields.rates), fields.solid, fields.theta,
-                                                 rows};
+  const ConductBand<T, Set, Openings, Rows> band{bands, Conduction<T, Set>(fields.rates), fields.solid, rows};
   Kokkos::parallel_for("vug::heat::rows", all, band);
 }
 
 }  // namespace
 
 template <class T>
-void conduct(const Exec& exec, HeatFields<T>& fields) {
+void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta) {
   visit_kind(fields, [&](auto set, auto openings) {
     using Set = decltype(set);
     if constexpr (runs_on_host)
-      conduct_in_place<Set, decltype(openings)::value>(exec, fields, NoConvection{});
+      conduct_in_place<Set, decltype(openings)::value>(exec, fields, NoConvection{}, theta);
     else
       for_each_dense_node(exec, "vug::heat::conduct", fields.lattice,
                           conduct_body<T, Set, decltype(openings)::value>(fields, fields.g_next));
   });
-  if constexpr (!runs_on_host) std::swap(fields.g, fields.g_next);
+  if constexpr (!runs_on_host) {
+    std::swap(fields.g, fields.g_next);
+    if (theta.extent(0) > 0) take_temperatures(exec, fields, theta);
+  }
 }
 
 template <class T>
@@ -63,26 +68,28 @@ void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
                         const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
-                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created) {
+                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created,
+                        const std::type_identity_t<ScalarField<T>>& theta) {
   if constexpr (runs_on_host) {
     visit_kind(fields, [&](auto set, auto openings) {
       using Set = decltype(set);
       const auto convection = convect_rows(nodes, rows, advect_body<T, Set>(nodes, u, defect, lagged, fields), created);
-      conduct_in_place<Set, decltype(openings)::value>(exec, fields, convection);
+      conduct_in_place<Set, decltype(openings)::value>(exec, fields, convection, theta);
     });
   } else {
     conduct(exec, fields);
     advect(exec, nodes, u, defect, lagged, fields, created);
+    if (theta.extent(0) > 0) take_temperatures(exec, fields, theta);
   }
 }
 
 #define VUG_INSTANTIATE(T)                                                                                   \
-  template void conduct(const Exec&, HeatFields<T>&);                                                        \
+  template void conduct(const Exec&, HeatFields<T>&, const ScalarField<T>&);                                 \
   template void advect(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&,        \
                        const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&);                   \
   template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const Displacement<T>&, \
                                    const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,             \
-                                   const ScalarField<double>&)
+                                   const ScalarField<double>&, const ScalarField<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);
 #undef VUG_INSTANTIATE

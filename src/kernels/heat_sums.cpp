@@ -1,28 +1,29 @@
 #include "kernels/heat_sums.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/row_launch.hpp"
 
 namespace vug {
 
-/// Energy of one entry of the dense fields; outside the lattice and in openings theta is 0.
+/// Energy of one node; none in openings.
 template <class T>
 struct NodeEnergy {
   double capacity_ratio;
   Kokkos::View<const std::uint8_t*> solid;
-  Kokkos::View<const T*> theta;
+  Temperature<T> theta;
   KOKKOS_FUNCTION double operator()(int node) const {
-    return (solid(node) ? capacity_ratio : 1.0) * static_cast<double>(theta(node));
+    const double energy = (solid(node) ? capacity_ratio : 1.0) * static_cast<double>(theta(node));
+    return solid(node) > 1 ? 0.0 : energy;
   }
 };
 
-int heat_energy_blocks(const Lattice& lattice) {
-  return block_count(lattice.size());
+int heat_energy_sums(const Lattice& lattice) {
+  return dense_sums(lattice);
 }
 
 template <class T>
 void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total) {
-  add_per_block(exec, "vug::heat::energy", fields.lattice.size(),
-                NodeEnergy<T>{fields.rates.capacity_ratio, fields.solid, fields.theta}, total);
+  add_per_dense_row(exec, "vug::heat::energy", fields.lattice,
+                    NodeEnergy<T>{fields.rates.capacity_ratio, fields.solid, Temperature<T>(fields)}, total);
 }
 
 /// (1 - sigma) theta of a solid node that becomes fluid.
@@ -32,7 +33,7 @@ struct BirthEnergy {
   double capacity_ratio;
   IndexList list;
   Kokkos::View<const std::uint8_t*> solid;
-  Kokkos::View<const T*> theta;
+  Temperature<T> theta;
   KOKKOS_FUNCTION double operator()(int item) const {
     const int node = list(first + item);
     return solid(node) ? (1 - capacity_ratio) * static_cast<double>(theta(node)) : 0.0;
@@ -43,7 +44,7 @@ template <class T>
 void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
                       const ScalarField<double>& total) {
   add_per_block(exec, "vug::heat::birth_energy", last - first,
-                BirthEnergy<T>{first, fields.rates.capacity_ratio, list, fields.solid, fields.theta}, total);
+                BirthEnergy<T>{first, fields.rates.capacity_ratio, list, fields.solid, Temperature<T>(fields)}, total);
 }
 
 /// Extremes of one node, of a row on a host: there in lanes, of which vectors take several.
@@ -53,7 +54,7 @@ struct Extremes {
 
   Lattice lattice;
   Kokkos::View<const std::uint8_t*> solid;
-  Kokkos::View<const T*> theta;
+  Temperature<T> theta;
 
   KOKKOS_FORCEINLINE_FUNCTION void look(int node, T& lowest, T& highest, int& not_finite) const {
     const T value = theta(node);
@@ -93,7 +94,7 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   int not_finite;
   Kokkos::parallel_reduce("vug::heat::extremes",
                           Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? lattice.ny : lattice.nx * lattice.ny),
-                          Extremes<T>{lattice, fields.solid, fields.theta}, Kokkos::Min<T>(lowest),
+                          Extremes<T>{lattice, fields.solid, Temperature<T>(fields)}, Kokkos::Min<T>(lowest),
                           Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
   return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
 }

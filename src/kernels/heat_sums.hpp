@@ -5,9 +5,9 @@
 namespace vug {
 
 /// Entries that the sums of add_heat_energy need.
-int heat_energy_blocks(const Lattice& lattice);
+int heat_energy_sums(const Lattice& lattice);
 
-/// total(block) += energy of the block's nodes: theta in fluid, sigma theta in solid.
+/// Adds the energy of the nodes to the entries of `total`: theta in fluid, sigma theta in solid.
 template <class T>
 void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total);
 

@@ -21,6 +21,11 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
   return (n + nodes_per_block - 1) / nodes_per_block;
 }
 
+/// Of eight interleaved sums.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]) {
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
 namespace detail {
 
 /// A body's bytes in a local that nobody else can see, so that its constants and pointers stay in registers whatever
@@ -70,22 +75,27 @@ struct Block {
 
 /// On a host: the terms of a block into a buffer, so that the loop over nodes vectorises, then eight interleaved sums.
 template <class Body>
+KOKKOS_FORCEINLINE_FUNCTION double sum_of_block(const Body& body, int first, int last) {
+  constexpr int lanes = 8;
+  double term[nodes_per_block];
+  const int count = last - first;
+  VUG_VECTORISE
+  for (int i = 0; i < count; ++i) term[i] = static_cast<double>(body(first + i));
+  double sum[lanes] = {};
+  int i = 0;
+  for (; i + lanes <= count; i += lanes)
+    for (int l = 0; l < lanes; ++l) sum[l] += term[i + l];
+  for (int l = 0; i < count; ++i, ++l) sum[l] += term[i];
+  return sum_of_lanes(sum);
+}
+
+template <class Body>
 struct BlockSum {
   Body body;
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(int first, int last) const {
     const LocalBody<Body> copy(body);
-    const Body& local = copy.body;
-    constexpr int lanes = 8;
-    double term[nodes_per_block];
-    const int count = last - first;
-    VUG_VECTORISE
-    for (int i = 0; i < count; ++i) term[i] = static_cast<double>(local(first + i));
-    for (int i = count; i < (count + lanes - 1) / lanes * lanes; ++i) term[i] = 0;
-    double sum[lanes] = {};
-    for (int i = 0; i < count; i += lanes)
-      for (int l = 0; l < lanes; ++l) sum[l] += term[i + l];
-    total(first / nodes_per_block) += ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    total(first / nodes_per_block) += sum_of_block(copy.body, first, last);
   }
 };
 

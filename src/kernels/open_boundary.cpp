@@ -23,10 +23,10 @@ struct PressureRule {
 /// Density and velocity of the node.
 template <class T>
 struct OutflowRule {
-  ScalarField<T> density;
+  Kokkos::View<const double*> density;
   VectorField<T> u;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T outgoing) const {
-    return anti_bounce_back(q, outgoing, density(i), u(i, 0), u(i, 1));
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T outgoing) const {
+    return anti_bounce_back(q, outgoing, T(density(link)), u(i, 0), u(i, 1));
   }
 };
 
@@ -100,9 +100,24 @@ void dress_normal_speed(const Exec& exec, const FluidNodes& nodes, const Boundar
 }
 
 template <class T>
-void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
-                   const ScalarField<double>& gain) {
-  dress(exec, "vug::open_boundary::outflow", nodes, links, fields, gain, OutflowRule<T>{fields.density, fields.u});
+struct TakeDensity {
+  Kokkos::View<const int*> fluid;
+  Density<T> value;
+  ScalarField<double> density;
+  KOKKOS_FUNCTION void operator()(int link) const { density(link) = static_cast<double>(value(fluid(link))); }
+};
+
+template <class T>
+void take_density(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
+                  const ScalarField<double>& density) {
+  for_each_node(exec, "vug::open_boundary::density", links.count,
+                TakeDensity<T>{links.fluid, Density<T>(nodes, fields), density});
+}
+
+template <class T>
+void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                   const ScalarField<double>& density, const FlowFields<T>& fields, const ScalarField<double>& gain) {
+  dress(exec, "vug::open_boundary::outflow", nodes, links, fields, gain, OutflowRule<T>{density, fields.u});
 }
 
 #define VUG_INSTANTIATE(T)                                                                                           \
@@ -112,8 +127,10 @@ void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLink
                                const FlowFields<T>&, const ScalarField<double>&);                                    \
   template void dress_normal_speed(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<double>&, \
                                    double, const FlowFields<T>&, const ScalarField<double>&);                        \
-  template void dress_outflow(const Exec&, const FluidNodes&, const BoundaryLinks&, const FlowFields<T>&,            \
-                              const ScalarField<double>&);
+  template void take_density(const Exec&, const FluidNodes&, const BoundaryLinks&, const FlowFields<T>&,             \
+                             const ScalarField<double>&);                                                            \
+  template void dress_outflow(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<double>&,      \
+                              const FlowFields<T>&, const ScalarField<double>&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)
 #undef VUG_INSTANTIATE

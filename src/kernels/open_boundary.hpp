@@ -26,11 +26,17 @@ void dress_normal_speed(const Exec& exec, const FluidNodes& nodes, const Boundar
                         const ScalarField<double>& area, double speed, const FlowFields<T>& fields,
                         const ScalarField<double>& gain);
 
-/// Outflow by zero gradient: the pressure rule with the pressure of the node itself. (Handing back the population that
-/// already moves inwards, the other common form, diverges where a sliding wall meets the outflow.) Only what enters
-/// elsewhere and the friction behind it fix the level of pressure.
+/// density(link) = rho' of the node of each link, for dress_outflow. Before any condition is dressed, since they
+/// overwrite what it adds up.
 template <class T>
-void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
-                   const ScalarField<double>& gain);
+void take_density(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
+                  const ScalarField<double>& density);
+
+/// Outflow by zero gradient: the pressure rule with the density (link) of the node itself. (Handing back the population
+/// that already moves inwards, the other common form, diverges where a sliding wall meets the outflow.) Only what
+/// enters elsewhere and the friction behind it fix the level of pressure.
+template <class T>
+void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                   const ScalarField<double>& density, const FlowFields<T>& fields, const ScalarField<double>& gain);
 
 }  // namespace vug

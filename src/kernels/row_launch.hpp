@@ -26,7 +26,23 @@ template <class Body>
 struct NodeOfRows {
   Body body;
   Lattice lattice;
-  KOKKOS_FUNCTION void operator()(int item) const { body(lattice.node(item % lattice.nx, item / lattice.nx)); }
+  KOKKOS_FUNCTION auto operator()(int item) const { return body(lattice.node(item % lattice.nx, item / lattice.nx)); }
+};
+
+/// Adds up a row in blocks.
+template <class Body>
+struct RowSum {
+  Body body;
+  Lattice lattice;
+  ScalarField<double> total;
+  KOKKOS_FUNCTION void operator()(int y) const {
+    const LocalBody<Body> copy(body);
+    const int last = lattice.node(lattice.nx, y);
+    double sum = 0;
+    for (int node = lattice.node(0, y); node < last; node += nodes_per_block)
+      sum += sum_of_block(copy.body, node, node + nodes_per_block < last ? node + nodes_per_block : last);
+    total(y) += sum;
+  }
 };
 
 }  // namespace detail
@@ -41,6 +57,22 @@ void for_each_dense_node(const Exec& exec, const std::string& label, const Latti
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
                          detail::NodeOfRows<Body>{body, lattice});
   }
+}
+
+/// Entries that the sums of add_per_dense_row need.
+inline int dense_sums(const Lattice& lattice) {
+  return runs_on_host ? lattice.ny : block_count(lattice.nx * lattice.ny);
+}
+
+/// total(row; on a GPU block) += sum of body(node) over its nodes inside the lattice, as add_per_block.
+template <class Body>
+void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice& lattice, const Body& body,
+                       const ScalarField<double>& total) {
+  if constexpr (runs_on_host)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lattice.ny),
+                         detail::RowSum<Body>{body, lattice, total});
+  else
+    add_per_block(exec, label, lattice.nx * lattice.ny, detail::NodeOfRows<Body>{body, lattice}, total);
 }
 
 }  // namespace vug

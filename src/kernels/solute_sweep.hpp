@@ -123,9 +123,7 @@ struct EightSweeps {
     for (; i + several * eight_lanes <= last; i += several * eight_lanes) by_eights<several>(local, nodes, i, sum);
     for (; i + eight_lanes <= last; i += eight_lanes) by_eights<1>(local, nodes, i, sum);
     for (int l = 0; i < last; ++i, ++l) sum[l] += static_cast<double>(local(i));
-    if constexpr (Sweep::adds)
-      correction(first / nodes_per_block) +=
-          ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    if constexpr (Sweep::adds) correction(first / nodes_per_block) += sum_of_lanes(sum);
   }
 
  private:

@@ -8,11 +8,7 @@ template <class T, class Set>
 struct SoluteContent {
   Kokkos::View<const T*> h;
   int capacity;
-  KOKKOS_FUNCTION double operator()(int i) const {
-    double sum = 0;
-    for (int q = 0; q < Set::Q; ++q) sum += double(h(q * capacity + i));
-    return sum;
-  }
+  KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<Set, double>(&h(i), capacity); }
 };
 
 template <class Set, class T>

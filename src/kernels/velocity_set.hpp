@@ -2,6 +2,7 @@
 // The discrete velocity sets. D2Q5 is the first five directions of D2Q9, so one table of neighbours serves both.
 #include "kernels/base.hpp"
 #include "kernels/choices.hpp"
+#include "kernels/unroll.hpp"
 
 namespace vug {
 
@@ -43,6 +44,15 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr V along(int q, const V& x, const V& y) {
   if (cy == 0) return cx > 0 ? x : -x;
   if (cx == 0) return cy > 0 ? y : -y;
   return (cx > 0 ? x : -x) + (cy > 0 ? y : -y);
+}
+
+/// Sum, in type V, of a node's populations, which lie `plane` apart from that at `rest` on.
+template <class Set, class V, class T>
+KOKKOS_FORCEINLINE_FUNCTION V sum_of_populations(const T* rest, int plane) {
+  V sum = static_cast<V>(*rest);
+  VUG_UNROLL
+  for (int q = 1; q < Set::Q; ++q) sum += static_cast<V>(rest[q * plane]);
+  return sum;
 }
 
 /// visit(D2Q5{}) or visit(D2Q9{}), as chosen.

@@ -67,7 +67,8 @@ struct Flow {
   template <class State>
   void set(const State& state) {
     const auto node = on_host(nodes.node);
-    const auto density = Kokkos::create_mirror_view(fields.density);
+    const ScalarField<T> rho("rho", nodes.capacity);
+    const auto density = Kokkos::create_mirror_view(rho);
     const auto u = Kokkos::create_mirror_view(fields.u);
     for (int i = 0; i < nodes.count; ++i) {
       const Macroscopic<double> m = state(lattice.x(node(i)), lattice.y(node(i)));
@@ -75,15 +76,15 @@ struct Flow {
       u(i, 0) = T(m.ux);
       u(i, 1) = T(m.uy);
     }
-    Kokkos::deep_copy(fields.density, density);
+    Kokkos::deep_copy(rho, density);
     Kokkos::deep_copy(fields.u, u);
-    set_equilibrium(exec, nodes, fields);
+    set_equilibrium(exec, nodes, rho, fields);
   }
 
   /// Moments of the last sweep at node (x, y).
   Macroscopic<double> at(int x, int y) const {
     const int i = on_host(nodes.index)(lattice.node(x, y));
-    return {on_host(fields.density)(i), on_host(fields.u)(i, 0), on_host(fields.u)(i, 1)};
+    return {on_host(densities(exec, nodes, fields))(i), on_host(fields.u)(i, 0), on_host(fields.u)(i, 1)};
   }
 
   double mass() const {

@@ -48,11 +48,11 @@ class HeatBox {
       : lattice(nx, ny), periodic_(periodic), type("type", lattice.size()) {
     set_type(is_solid);
     fields = make_heat_fields<T>(exec, lattice, parameters, type, periodic, 0.0);
-    const auto host = Kokkos::create_mirror_view(fields.theta);
-    Kokkos::deep_copy(host, fields.theta);
+    const ScalarField<T> start("start", lattice.size());
+    const auto host = Kokkos::create_mirror_view(start);
     for_all([&](int x, int y) { host(lattice.node(x, y)) = static_cast<T>(theta(x, y)); });
-    Kokkos::deep_copy(fields.theta, host);
-    start_heat(exec, fields);
+    Kokkos::deep_copy(start, host);
+    start_heat(exec, start, fields);
   }
 
   void set_type(const IsSolid& is_solid) {
@@ -138,7 +138,7 @@ class HeatBox {
 
   /// theta of all nodes, row by row.
   std::vector<double> theta() const {
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fields.theta);
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, temperatures(exec, fields));
     std::vector<double> values;
     for (int y = 0; y < lattice.ny; ++y)
       for (int x = 0; x < lattice.nx; ++x) values.push_back(host(lattice.node(x, y)));
@@ -146,7 +146,7 @@ class HeatBox {
   }
 
   double energy() const {
-    const ScalarField<double> total("total", heat_energy_blocks(lattice));
+    const ScalarField<double> total("total", heat_energy_sums(lattice));
     add_heat_energy(exec, fields, total);
     return sum_in_order(total);
   }

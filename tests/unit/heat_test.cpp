@@ -251,10 +251,10 @@ TEST(FirstOutside, IsTheLowestNodeThatIsNotFiniteOrBeyondTheBounds) {
                                 : x == 1 && y == 3 ? -9.0
                                                    : 0.5 * y; });
   const auto first = [&](const HeatFields<double>& fields, double lowest, double highest) {
-    return first_outside(box.exec, fields.theta, box.lattice.size(), lowest, highest);
+    return first_outside(box.exec, temperatures(box.exec, fields), box.lattice.size(), lowest, highest);
   };
   EXPECT_EQ(first(box.fields, -1, 2), box.lattice.node(3, 2));
-  EXPECT_EQ(first(box.fields, -1, 0.5), box.lattice.node(0, 1));
+  EXPECT_EQ(first(box.fields, -1, 0.4), box.lattice.node(0, 1));
   HeatBox<double> calm(
       5, 4, {0.1, 0.1, 1}, [](int, int) { return false; }, [](int, int) { return 0.0; });
   EXPECT_EQ(first(calm.fields, -1, 1), -1);
