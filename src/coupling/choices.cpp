@@ -35,54 +35,54 @@ bool rests(const Scene& scene, double low, double high) {
 const std::vector<MeasuredChoice>& measured_choices() {
   using S = const Scene&;
   static const std::vector<MeasuredChoice> choices = {
-      {"preset = balanced", "0.53", "5.8e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
-      {"preset = fast", "0.28", "2.6e-05", [](S s) { return s.accuracy.preset == "fast"; }},
-      {"preset = reference", "1.35", "2.0e-07", [](S s) { return s.accuracy.preset == "reference"; }},
-      {"precision = single", "0.85", "3.4e-06",
+      {"preset = balanced", "0.57", "4.9e-05", [](S s) { return s.accuracy.preset == "balanced"; }},
+      {"preset = fast", "0.31", "1.7e-05", [](S s) { return s.accuracy.preset == "fast"; }},
+      {"preset = reference", "1.29", "1.7e-05", [](S s) { return s.accuracy.preset == "reference"; }},
+      {"precision = single", "0.86", "1.8e-05",
        [](S s) {
          return s.accuracy.precision == Precision::single_precision && given(s, &AccuracySection::precision);
        }},
-      {"update_interval = 50", "1.03", "8.4e-05", [](S s) { return s.accuracy.update_interval >= 50; }},
-      {"wall_interval = 50", "1.07", "2.8e-05",
+      {"update_interval = 50", "0.96", "9.3e-05", [](S s) { return s.accuracy.update_interval >= 50; }},
+      {"wall_interval = 50", "0.98", "1.8e-05",
        [](S s) {
          return s.reaction && s.accuracy.wall_interval >= 50 && s.accuracy.wall_interval < 400 &&
                 given(s, &AccuracySection::wall_interval);
        }},
-      {"wall_interval = 400", "0.97", "1.3e-03",
+      {"wall_interval = 400", "0.96", "1.3e-03",
        [](S s) { return s.reaction && s.accuracy.wall_interval >= 400 && given(s, &AccuracySection::wall_interval); }},
-      {"heat_interval = 2", "0.93", "3.8e-05",
+      {"heat_interval = 2", "0.92", "1.8e-05",
        [](S s) { return s.heat && s.accuracy.heat_interval == 2 && given(s, &AccuracySection::heat_interval); }},
-      {"heat_interval = 4", "0.86", "2.9e-06",
+      {"heat_interval = 4", "0.88", "1.1e-05",
        [](S s) { return s.heat && s.accuracy.heat_interval >= 4 && given(s, &AccuracySection::heat_interval); }},
-      {"solute_interval = 2", "0.98", "1.7e-04",
+      {"solute_interval = 2", "1.03", "1.6e-04",
        [](S s) { return s.solute && s.accuracy.solute_interval == 2 && given(s, &AccuracySection::solute_interval); }},
-      {"solute_interval = 4", "0.93", "3.6e-04",
+      {"solute_interval = 4", "1.01", "3.5e-04",
        [](S s) { return s.solute && s.accuracy.solute_interval >= 4 && given(s, &AccuracySection::solute_interval); }},
-      {"exchange_interval = 2", "0.91", "1.7e-06",
+      {"exchange_interval = 2", "1.02", "2.7e-05",
        [](S s) {
          return s.mechanics && s.flow && s.accuracy.exchange_interval >= 2 && s.accuracy.exchange_interval < 8 &&
                 given(s, &AccuracySection::exchange_interval);
        }},
-      {"exchange_interval = 8", "0.96", "1.9e-05",
+      {"exchange_interval = 8", "0.97", "2.9e-05",
        [](S s) {
          return s.mechanics && s.flow && s.accuracy.exchange_interval >= 8 &&
                 given(s, &AccuracySection::exchange_interval);
        }},
-      {"mass_scaling = 4", "0.63", "4.6e-05", [](S s) { return mass_scaled(s, 1, 16); }},
-      {"mass_scaling = 16", "0.46", "1.2e-04", [](S s) { return mass_scaled(s, 16, 64); }},
-      {"mass_scaling = 64", "0.43", "1.2e-04", [](S s) { return mass_scaled(s, 64, 1e300); }},
-      {"rest_tolerance = 2e-3", "1.00", "2.5e-06", [](S s) { return rests(s, 1e-3, 5e-3); }},
-      {"rest_tolerance = 5e-3", "1.03", "2.5e-06", [](S s) { return rests(s, 5e-3, 2e-2); }},
-      {"rest_tolerance = 2e-2", "0.73", "3.3e-05", [](S s) { return rests(s, 2e-2, 1e300); }},
-      {"reaction.wall = paper", "1.03", "2.5e-02",
+      {"mass_scaling = 4", "0.68", "4.7e-05", [](S s) { return mass_scaled(s, 1, 16); }},
+      {"mass_scaling = 16", "0.52", "1.3e-04", [](S s) { return mass_scaled(s, 16, 64); }},
+      {"mass_scaling = 64", "0.43", "1.6e-04", [](S s) { return mass_scaled(s, 64, 1e300); }},
+      {"rest_tolerance = 2e-3", "0.97", "7.2e-06", [](S s) { return rests(s, 1e-3, 5e-3); }},
+      {"rest_tolerance = 5e-3", "1.05", "4.0e-07", [](S s) { return rests(s, 5e-3, 2e-2); }},
+      {"rest_tolerance = 2e-2", "0.75", "2.7e-04", [](S s) { return rests(s, 2e-2, 1e300); }},
+      {"reaction.wall = paper", "1.04", "2.5e-02",
        [](S s) { return s.reaction && s.reaction->wall == ReactiveWallLaw::paper; }},
-      {"reaction.surface_normal = false", "0.94", "6.8e-02",
+      {"reaction.surface_normal = false", "0.98", "6.8e-02",
        [](S s) { return s.reaction && !s.reaction->surface_normal; }},
-      {"solute.velocity_set = d2q9", "1.10", "9.0e-03",
+      {"solute.velocity_set = d2q9", "1.15", "9.0e-03",
        [](S s) { return s.solute && s.solute->velocity_set == ScalarVelocitySet::d2q9; }},
-      {"heat.velocity_set = d2q9", "1.18", "8.4e-03",
+      {"heat.velocity_set = d2q9", "1.23", "8.4e-03",
        [](S s) { return s.heat && s.heat->velocity_set == ScalarVelocitySet::d2q9; }},
-      {"solute.advective_form = false", "0.98", "2.0e-01", [](S s) { return s.solute && !s.solute->advective_form; }},
+      {"solute.advective_form = false", "0.99", "2.0e-01", [](S s) { return s.solute && !s.solute->advective_form; }},
   };
   return choices;
 }
