@@ -49,10 +49,10 @@ class HeatModule final : public Module {
   const Geometry& geometry_;
   const Carrier<T>* carrier_ = nullptr;  ///< null: the fluid is at rest
   int interval_;
+  int update_interval_;  ///< the rock asks for temperatures in the lattice steps that are multiples of it
   HeatFields<T> fields_;
   ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
   mutable bool fresh_ = false;      ///< no step since
-  int update_interval_;             ///< the rock asks in the lattice steps that are multiples of it
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::vector<HeatOpening> openings_;  ///< those of the geometry, in the same order

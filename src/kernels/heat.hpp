@@ -99,7 +99,7 @@ template <class T>
 void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields);
 
 /// Conduction through fluid and solid: pull, conjugate link, collide at rest, store. The halo must have been filled.
-/// If `theta` (node) is given, it holds the temperatures afterwards, except in openings: on a host that costs a sixth
+/// If `theta` (node) is given, it holds the temperatures afterwards, except in openings: on a host that costs a third
 /// of taking them later.
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta = {});
