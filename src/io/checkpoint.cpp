@@ -82,7 +82,6 @@ class Reader {
     at_ += size + padding(size);
     return found;
   }
-  std::size_t position() const { return at_; }
   bool at_end() const { return at_ == data_.size(); }
   void skip(std::size_t bytes) { at_ += bytes; }
 

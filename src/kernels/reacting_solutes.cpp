@@ -8,7 +8,7 @@ namespace vug {
 namespace {
 
 struct NoSweep {
-  void operator()(int, int) const {}
+  [[maybe_unused]] void operator()(int, int) const {}
 };
 
 /// A sweep goes over so many blocks before the next: fewer are mostly beginnings of streams that the processor does not
