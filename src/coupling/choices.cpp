@@ -4,9 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 namespace vug {
 
 namespace {
+
+/// Two runs that only round differently differ by this much on the paper's rock (docs/accuracy.md).
+constexpr const char* rounding = "5e-05";
 
 /// Whether the case says otherwise than its preset.
 template <class Value>
@@ -91,9 +96,9 @@ std::vector<std::string> choice_notes(const Scene& scene) {
   std::vector<std::string> notes;
   for (const MeasuredChoice& choice : measured_choices())
     if (choice.made(scene))
-      notes.push_back(
-          fmt::format("{}: {} of the time of preset = careful, dissolved volume within {} of its, on the paper's rock",
-                      choice.name, choice.cost, choice.error));
+      notes.push_back(fmt::format(
+          "{}: {} of the time of preset = careful, dissolved volume within {} of its, on the paper's rock", choice.name,
+          choice.cost, std::stod(choice.error) < std::stod(rounding) ? rounding : choice.error));
   return notes;
 }
 

@@ -18,7 +18,7 @@ struct MeasuredChoice {
 /// All that were measured and that a case can make.
 const std::vector<MeasuredChoice>& measured_choices();
 
-/// One line for every choice that the case makes.
+/// One line for every choice that the case makes; no error below what rounding alone does.
 std::vector<std::string> choice_notes(const Scene& scene);
 
 }  // namespace vug

@@ -96,18 +96,10 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
       InitialiseBirths<T>{Density<T>(nodes, fields), fields.f, fields.u, nodes.source, first, nodes.capacity});
 }
 
-/// Sum of the slots of node i in double: its rho', or, turned, what is about to arrive there.
-template <class T>
-struct SumOfSlots {
-  Kokkos::View<const T*> f;
-  int capacity;
-  KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<D2Q9, double>(&f(i), capacity); }
-};
-
 template <class T>
 void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields,
               const ScalarField<double>& total) {
-  add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T>{fields.f, nodes.capacity}, total);
+  add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T, D2Q9>{fields.f, nodes.capacity}, total);
 }
 
 #define VUG_INSTANTIATE(T)                                                                              \

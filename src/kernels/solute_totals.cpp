@@ -1,20 +1,13 @@
 #include "kernels/solute_totals.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/streaming.hpp"
 
 namespace vug {
-
-template <class T, class Set>
-struct SoluteContent {
-  Kokkos::View<const T*> h;
-  int capacity;
-  KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<Set, double>(&h(i), capacity); }
-};
 
 template <class Set, class T>
 double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s) {
   const ScalarField<double> total("vug::solute_totals::total", block_count(nodes.count));
-  add_per_block(exec, "vug::solute_totals::sum", nodes.count, SoluteContent<T, Set>{s.h, nodes.capacity}, total);
+  add_per_block(exec, "vug::solute_totals::sum", nodes.count, SumOfSlots<T, Set>{s.h, nodes.capacity}, total);
   exec.fence();
   return sum_in_order(total);
 }

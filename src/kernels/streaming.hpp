@@ -65,6 +65,14 @@ EightFromTurned<T, Set> eight_nodes(const InPlaceFromTurned<Set>& slots, const F
   return {slots.capacity};
 }
 
+/// Sum of the slots of node i in double: what it holds, or, turned, what is about to arrive there.
+template <class T, class Set>
+struct SumOfSlots {
+  Kokkos::View<const T*> f;
+  int capacity;
+  KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<Set, double>(&f(i), capacity); }
+};
+
 /// Exchanges the two populations of every link between fluid nodes; each pair is met once, from one end.
 template <class T, class Set>
 struct TurnBack {

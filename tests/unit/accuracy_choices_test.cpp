@@ -65,10 +65,13 @@ TEST(MeasuredChoices, AreThoseOfThePage) {
 
 TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
   EXPECT_TRUE(choice_notes(parse_scene(channel, "case.toml")).empty());
-  const auto notes = choice_notes(parse_scene(channel, "case.toml", {"accuracy.precision=single", "reaction.wall=paper"}));
+  const auto notes =
+      choice_notes(parse_scene(channel, "case.toml", {"accuracy.precision=single", "reaction.wall=paper"}));
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_EQ(notes[0].rfind("precision = single: ", 0), 0u);
   EXPECT_EQ(notes[1].rfind("reaction.wall = paper: ", 0), 0u);
+  for (const std::string& note : notes)  // none claims more than rounding leaves
+    EXPECT_GE(std::stod(note.substr(note.find("within ") + 7)), 5e-5) << note;
   EXPECT_EQ(choice_notes(parse_scene(channel, "case.toml", {"accuracy.preset=fast"})).size(), 1u);
 }
 
