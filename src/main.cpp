@@ -3,10 +3,12 @@
 #include "coupling/laboratory_run.hpp"
 #include "coupling/run.hpp"
 #include "coupling/run_directory.hpp"
+#include "io/message.hpp"
 #include "io/run_record.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/require.hpp"
 #include "kernels/subnormals.hpp"
+#include "kernels/threads.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -14,6 +16,8 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <charconv>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -48,6 +52,22 @@ struct CommandLine {
   CLI::App* info = nullptr;
 };
 
+/// What is wrong with a number of steps; empty where it is one.
+std::string not_negative(const std::string& text) {
+  std::int64_t steps = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && steps >= 0 ? "" : "must be a whole number, 0 or more";
+}
+
+/// The same of a strength.
+std::string positive(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  return number && value > 0 && std::isfinite(value) ? "" : "must be a number above 0";
+}
+
 void describe(CLI::App& app, CommandLine& line) {
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help of all commands");
@@ -55,14 +75,14 @@ void describe(CLI::App& app, CommandLine& line) {
   line.run->add_option("case", line.case_file, "Case file (TOML)")->required();
   line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
   line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
-  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(CLI::NonNegativeNumber);
-  line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(not_negative);
+  line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
   line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory");
   line.run->add_flag("--quiet", line.quiet, "No progress");
   line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
   line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
   line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
-  line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+  line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
   line.check->add_flag("--json", line.json, "Machine-readable");
   line.lab = app.add_subcommand("lab", "Run the laboratory test of a case: compression, tension, splitting, heat");
   line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
@@ -72,8 +92,8 @@ void describe(CLI::App& app, CommandLine& line) {
       ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
       ->check(CLI::Range(1, 1000));
   line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
-      ->check(CLI::PositiveNumber);
-  line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+      ->check(positive);
+  line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
   line.lab->add_flag("--quiet", line.quiet, "No progress");
   line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
   line.info->add_flag("--json", line.json, "Machine-readable");
@@ -133,8 +153,8 @@ int run(const CommandLine& line) {
   return vug::run_case(scene, options) == vug::RunEnd::done ? done : interrupted;
 }
 
-int fail(ExitCode code, const char* what) {
-  fmt::print(stderr, "vug: {}\n", what);
+int fail(ExitCode code, const std::string& what) {
+  fmt::print(stderr, "vug: {}\n", vug::excerpt(what, 2000));
   return code;
 }
 
@@ -142,7 +162,9 @@ int dispatch(const CommandLine& line) {
   try {
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
-    if (line.threads > 0) settings.set_num_threads(line.threads);
+    const vug::ThreadChoice threads = vug::choose_threads(line.threads);
+    if (!threads.remark.empty() && !line.quiet) fmt::print(stderr, "vug: {}\n", threads.remark);
+    if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);
     vug::flush_subnormals();
@@ -171,7 +193,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", error.what()).c_str());
+    return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
   }
   return dispatch(line);
 }

@@ -1,6 +1,7 @@
 #include "io/image_reader.hpp"
 
-#include "io/detail/files.hpp"
+#include "io/detail/input_file.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +76,9 @@ float grey_of(const png_byte* pixel) {
 
 GreyImage read_png(const std::string& data, const std::string& path, int nx, int ny) {
   PngReader reader(data);
-  const auto fail = [&] { throw FileError(fmt::format("{}: not a readable PNG: {}", path, reader.message)); };
+  const auto fail = [&] {
+    throw InputError(one_line(fmt::format("{}: not a readable PNG: {}", path, reader.message)));
+  };
   if (!reader.read_header()) fail();
   require_size(path, png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), nx,
                ny);
@@ -106,7 +109,7 @@ GreyImage read_raw(const std::string& data, const std::string& path, std::array<
 
 GreyImage read_image(const GeometrySection& geometry, int nx, int ny) {
   const auto& path = geometry.image_file;
-  const auto data = detail::read_file(path);
+  const auto data = detail::read_input_file(path);
   const bool raw = geometry.raw_size[0] != 0 || geometry.raw_size[1] != 0;
   return raw ? read_raw(data, path, geometry.raw_size, nx, ny) : read_png(data, path, nx, ny);
 }

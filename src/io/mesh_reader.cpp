@@ -1,8 +1,9 @@
 #include "io/mesh_reader.hpp"
 
 #include "io/assembly_quality.hpp"
-#include "io/detail/files.hpp"
+#include "io/detail/input_file.hpp"
 #include "io/detail/mesh_text.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -140,7 +141,8 @@ void read_format(MeshText& text, int& format) {
   text.expect("$MeshFormat");
   const auto version = std::string(text.word());
   if (version != "2.2" && version != "4.1")
-    text.fail(fmt::format("mesh format {} is not supported; save as version 2.2 or 4.1 (gmsh -format msh41)", version));
+    text.fail(fmt::format("mesh format {} is not supported; save as version 2.2 or 4.1 (gmsh -format msh41)",
+                          excerpt(version)));
   format = version == "2.2" ? 2 : 4;
   if (text.integer() != 0) text.fail("a binary mesh is not supported; save as ASCII (gmsh without -bin)");
   text.skip(1);
@@ -154,7 +156,7 @@ RawMesh read_sections(MeshText& text) {
   while (!text.at_end()) {
     const std::string section(text.word());
     if (section.size() < 2 || section[0] != '$')
-      text.fail(fmt::format("found '{}', expected a section ($Nodes, ...)", section));
+      text.fail(fmt::format("found '{}', expected a section ($Nodes, ...)", excerpt(section)));
     const std::string end = "$End" + section.substr(1);
     if (section == "$PhysicalNames")
       read_physical_names(text, mesh);
@@ -220,7 +222,7 @@ Assembly parse_mesh(const std::string& content, const std::string& path) {
 }
 
 Assembly read_mesh(const std::string& path) {
-  return parse_mesh(detail::read_file(path), path);
+  return parse_mesh(detail::read_input_file(path), path);
 }
 
 }  // namespace vug

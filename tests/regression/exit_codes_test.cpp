@@ -60,6 +60,84 @@ TEST(ExitCodes, WrongArgumentsGiveTwo) {
     EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
   }
   EXPECT_EQ(run_vug("--help").exit_code, 0);
+  for (const char* number : {"-1", "1e3", "99999999999999999999", "x"}) {
+    const Outcome outcome = run_vug(std::string("run x.toml --steps ") + number);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("must be a whole number, 0 or more"));
+    EXPECT_LT(outcome.output.size(), 120u) << outcome.output;
+  }
+  for (const char* strength : {"0", "-1", "nan", "inf", "1e999"})
+    EXPECT_THAT(run_vug(std::string("lab x.toml --fit-cohesion ") + strength).output,
+                HasSubstr("must be a number above 0"));
+}
+
+// One rule: a name that leads to no file and a file of the wrong content are mistakes of the input.
+TEST(ExitCodes, InputFilesThatAreNoneOrDamagedGiveTwoAtOnce) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "damaged.png", "\x89PNG\r\n\x1a\n and no more");
+  test::write_text(folder / "damaged.msh", "$MeshFormat\n\x1b[31m 0 8\n");
+  ASSERT_EQ(run_command("mkfifo " + (folder / "pipe.png") + " " + (folder / "pipe.msh") + " " + (folder / "pipe.toml"))
+                .exit_code,
+            0);
+  const auto refused = [&](const std::string& path, const std::string& why) {
+    const Outcome outcome =
+        run_command("OMP_PROC_BIND=false timeout 20 " VUG_EXECUTABLE " run " + path + " -o " + (folder / "out"));
+    EXPECT_EQ(outcome.exit_code, 2) << path << outcome.output;
+    EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr(why));
+    EXPECT_EQ(outcome.output.find('\x1b'), std::string::npos);
+  };
+  refused(folder / "pipe.toml", "is a pipe");
+  refused("/dev/zero", "is a device");
+  refused(folder.path(), "is a folder");
+  const std::string head =
+      "[lattice]\nsize = [0.01, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n[time]\nsteps = 10\n"
+      "[heat]\nfluid_diffusivity = 1e-3\nsolid_diffusivity = 1e-3\n[geometry]\n";
+  const struct {
+    const char *file, *why;
+  } files[] = {{"damaged", "damaged."}, {"pipe", "is a pipe"}, {"missing", "does not exist"}};
+  for (const auto& [file, why] : files) {
+    test::write_text(folder / "case.toml", head + "type = \"image\"\nfile = \"" + file + ".png\"\n");
+    refused(folder / "case.toml", why);
+    test::write_text(folder / "case.toml", head + "type = \"rock\"\n[rock]\nmesh = \"" + file + ".msh\"\n");
+    refused(folder / "case.toml", why);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// Each of these once ended in an abort or in a wait without end.
+TEST(Threads, ThatOpenMpDoesNotGiveAreSaidOrRefused) {
+  const auto with = [](const std::string& environment, const std::string& arguments) {
+    return run_command("OMP_PROC_BIND=false OMP_WAIT_POLICY=passive " + environment +
+                       " timeout 60 " VUG_EXECUTABLE " " + arguments);
+  };
+  for (const char* environment :
+       {"KOKKOS_NUM_THREADS=abc", "KOKKOS_NUM_THREADS=0", "KOKKOS_NUM_THREADS=4x", "KOKKOS_NUM_THREADS=99999999999",
+        "KOKKOS_DISABLE_WARNINGS=perhaps", "KOKKOS_DEVICE_ID=-1", "KOKKOS_MAP_DEVICE_ID_BY=$(printf '\\033[31m')"}) {
+    const Outcome outcome = with(environment, "info");
+    EXPECT_EQ(outcome.exit_code, 2) << environment << outcome.output;
+    EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
+    EXPECT_EQ(outcome.output.find('\x1b'), std::string::npos);
+  }
+  EXPECT_EQ(run_vug("info --threads 2").exit_code, 2);
+  EXPECT_EQ(run_vug("check x.toml --threads 513").exit_code, 2);
+  if (run_vug("info").output.find("OpenMP") == std::string::npos) GTEST_SKIP() << "no threads on the host";
+  const std::string run = "run " + small_rock + " --steps 2 --threads 3 -o ";
+  const struct {
+    const char *environment, *remark;
+  } settings[] = {{"OMP_THREAD_LIMIT=1", "threads: 1 instead of 3: OMP_THREAD_LIMIT"},
+                  {"OMP_DYNAMIC=true", ""},
+                  {"OMP_MAX_ACTIVE_LEVELS=0", ""},
+                  {"OMP_NUM_THREADS=1000", ""}};
+  for (const auto& [environment, remark] : settings) {
+    const TemporaryFolder folder;
+    const Outcome outcome = with(environment, run + (folder / "out"));
+    EXPECT_EQ(outcome.exit_code, 0) << environment << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr(remark));
+  }
+  const Outcome many = with("OMP_NUM_THREADS=1000", "info");
+  EXPECT_EQ(many.exit_code, 0) << many.output;
+  EXPECT_THAT(many.output, HasSubstr("instead of 1000: at most 512"));
 }
 
 TEST(ExitCodes, UnwritableFolderAndFullDiskGiveFour) {

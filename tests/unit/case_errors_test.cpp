@@ -145,7 +145,7 @@ TEST(CaseErrors, FilesThatAreNoCase) {
     }
     return std::string();
   };
-  EXPECT_THAT(refused("/nonexistent/case.toml"), HasSubstr("no such file"));
+  EXPECT_THAT(refused("/nonexistent/case.toml"), HasSubstr("does not exist"));
   EXPECT_THAT(refused("/"), HasSubstr("is a folder"));
   EXPECT_THAT(message(""), HasSubstr("is empty"));
   EXPECT_THAT(message("\xEF\xBB\xBF"), HasSubstr("is empty"));

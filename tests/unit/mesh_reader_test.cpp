@@ -123,8 +123,8 @@ TEST(MeshReader, ReadsFromAFileAndNamesOneThatIsMissing) {
   try {
     read_mesh(folder / "b.msh");
     FAIL() << "accepted";
-  } catch (const FileError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("b.msh: cannot open: No such file or directory"));
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("b.msh: does not exist"));
   }
 }
 
@@ -161,6 +161,25 @@ TEST(MeshReader, SaysWhatIsWrongAndWhere) {
       ADD_FAILURE() << fault.message << " accepted";
     } catch (const InputError& e) {
       EXPECT_THAT(e.what(), HasSubstr(fault.message));
+    }
+  }
+}
+
+TEST(MeshReader, EchoesNeitherEscapesNorMegabytes) {
+  const std::string million(1000000, 'y');
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{{"2.2 0 8", million},
+                                                                                 {"$Nodes", million},
+                                                                                 {"$EndNodes", "\x1b[2J" + million},
+                                                                                 {"1 1 0\n4", "\x9b" + million}}) {
+    auto text = square_22;
+    text.replace(text.find(from), from.size(), to);
+    try {
+      parse_mesh(text, "a.msh");
+      ADD_FAILURE() << from << " accepted";
+    } catch (const InputError& e) {
+      const std::string message = e.what();
+      EXPECT_LT(message.size(), 200u);
+      EXPECT_EQ(message.find_first_of("\x1b\x9b"), std::string::npos);
     }
   }
 }

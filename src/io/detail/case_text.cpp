@@ -1,24 +1,15 @@
 #include "io/detail/case_text.hpp"
 
-#include "io/detail/toml_document.hpp"
+#include "io/detail/input_file.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
 
 namespace vug {
 namespace {
 
 constexpr std::size_t largest = 4u << 20;  // bytes; a long list of shapes fits many times
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 [[noreturn]] void refuse(const std::string& path, const std::string& problem) {
   throw InputError(one_line(fmt::format("{}: {}", path, problem)));
@@ -27,23 +18,9 @@ struct CloseFile {
 }  // namespace
 
 std::string read_case_text(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    refuse(path, "no such file; give the path of a case file (.toml)");
-  if (error) refuse(path, fmt::format("cannot be opened: {}", error.message()));
-  if (std::filesystem::is_directory(status)) refuse(path, "is a folder; give the path of a case file (.toml)");
-  errno = 0;
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (!file) refuse(path, fmt::format("cannot be opened: {}", std::strerror(errno)));
-  std::string text;
-  char block[1 << 16];
-  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
-    text.append(block, count);
-    if (text.size() > largest) refuse(path, fmt::format("is larger than {} MiB, which no case file is", largest >> 20));
-  }
-  if (std::ferror(file.get()) != 0) throw FileError(fmt::format("{}: reading failed: {}", path, std::strerror(errno)));
-  return text;
+  if (const std::string why = detail::why_no_file(path); !why.empty())
+    refuse(path, why + "; give the path of a case file (.toml)");
+  return detail::read_input_file(path, largest);
 }
 
 void check_text(const std::string& text, const std::string& path) {

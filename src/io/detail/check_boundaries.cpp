@@ -1,6 +1,7 @@
 // Conditions on the sides of the lattice against the modules they need and against each other.
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
+#include "io/message.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ void check_concentrations(const TomlDocument& document, const Scene& scene, cons
   for (const auto& [species, value] : boundary.concentration) {
     if (std::find(known.begin(), known.end(), species) != known.end()) continue;
     document.fail(fmt::format("boundary.{}.solute.concentration.{}", name, species),
-                  fmt::format("is for \"{}\", which is not the name of a [[solute.species]]{}", species,
+                  fmt::format("is for \"{}\", which is not the name of a [[solute.species]]{}", excerpt(species),
                               suggestion(species, known)));
   }
 }
@@ -142,8 +143,8 @@ void check_openings(const TomlDocument& document, const Scene& scene) {
     const std::string name(key.str());
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     document.fail_at("boundary.shape." + name,
-                     fmt::format("[boundary.shape.{}] is for no shape of that name among [[geometry.shapes]]{}", name,
-                                 names.empty() ? "" : suggestion(name, names)));
+                     fmt::format("[boundary.shape.{}] is for no shape of that name among [[geometry.shapes]]{}",
+                                 excerpt(name), names.empty() ? "" : suggestion(name, names)));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "io/case_keys.hpp"
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +108,7 @@ struct NameCheck {
                             const std::vector<std::string>& names, const std::string& documented) const {
     const auto valid = spelled_out(names);
     const std::string what = documented.empty() ? "table" : "key";
-    const std::string shown_key = key.size() > 100 ? key.substr(0, 96) + " ..." : key;
+    const std::string shown_key = excerpt(key, 100);
     const std::string hint = suggestion(own, valid) + elsewhere(own, tree);
     throw InputError(
         one_line(fmt::format("{}: unknown {} \"{}\"{}", position(document, key, name), what, shown_key, hint)));

@@ -1,7 +1,9 @@
 // Which table of a case needs which other, names of species, times, places and files.
 #include "io/detail/case_checks.hpp"
+#include "io/detail/input_file.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/toml_cursor.hpp"
+#include "io/message.hpp"
 
 #include <fmt/format.h>
 
@@ -57,13 +59,9 @@ void check_file(const TomlDocument& document, const std::string& key, std::strin
   if (file.empty()) document.fail(key, "must name a file");
   fs::path path(file);
   if (path.is_relative()) path = fs::path(document.path()).parent_path() / path;
-  std::error_code error;
-  const auto status = fs::status(path, error);
   const std::string where = path.lexically_normal().string();
-  if (status.type() == fs::file_type::not_found)
-    document.fail(key, fmt::format("does not exist (looked for {})", where));
-  if (error) document.fail(key, fmt::format("cannot be opened ({}: {})", where, error.message()));
-  if (fs::is_directory(status)) document.fail(key, fmt::format("is a folder, not a file ({})", where));
+  if (const std::string why = detail::why_no_file(where); !why.empty())
+    document.fail(key, fmt::format("{} (looked for {})", why, excerpt(where, 200)));
   file = where;
 }
 

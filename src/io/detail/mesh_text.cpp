@@ -1,5 +1,6 @@
 #include "io/detail/mesh_text.hpp"
 
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ bool is_blank(char c) {
 }  // namespace
 
 void MeshText::fail(const std::string& message) const {
-  throw InputError(fmt::format("{}:{}: {}", path_, line_, message));
+  throw InputError(one_line(fmt::format("{}:{}: {}", path_, line_, message)));
 }
 
 void MeshText::skip_blanks() {
@@ -45,7 +46,7 @@ std::int64_t MeshText::integer() {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    fail(fmt::format("found '{}', expected a whole number", text));
+    fail(fmt::format("found '{}', expected a whole number", excerpt(text)));
   return value;
 }
 
@@ -54,7 +55,7 @@ double MeshText::number() {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    fail(fmt::format("found '{}', expected a finite number", text));
+    fail(fmt::format("found '{}', expected a finite number", excerpt(text)));
   return value;
 }
 
@@ -80,7 +81,8 @@ void MeshText::skip(std::int64_t words) {
 }
 
 void MeshText::expect(std::string_view wanted) {
-  if (const auto found = word(); found != wanted) fail(fmt::format("found '{}', expected {}", found, wanted));
+  if (const auto found = word(); found != wanted)
+    fail(fmt::format("found '{}', expected {}", excerpt(found), excerpt(wanted)));
 }
 
 void MeshText::skip_past(std::string_view end) {

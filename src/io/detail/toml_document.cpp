@@ -1,6 +1,7 @@
 #include "io/detail/toml_document.hpp"
 
 #include "io/detail/toml_hazards.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -38,13 +39,6 @@ std::vector<std::string> split_key(std::string_view key) {
   return segments;
 }
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return text;
-}
-
 std::string shown(const toml::node& node) {
   std::string text;
   if (const auto* value = node.as_string()) text = fmt::format("\"{}\"", value->get());
@@ -60,12 +54,7 @@ std::string shown(const toml::node& node) {
     }
     text = "[" + text + "]";
   }
-  if (text.size() > 60) {
-    std::size_t cut = 56;  // not inside a character of several bytes
-    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80) --cut;
-    text = text.substr(0, cut) + " ...";
-  }
-  return one_line(text);
+  return excerpt(text);
 }
 
 TomlDocument::TomlDocument(const std::string& text, std::string path, const std::vector<std::string>& overrides)
@@ -76,7 +65,7 @@ TomlDocument::TomlDocument(const std::string& text, std::string path, const std:
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw InputError(one_line(fmt::format("{}:{}:{}: not valid TOML: {}", path_, std::max(begin.line, 1u),
-                                          std::max(begin.column, 1u), error.description())));
+                                          std::max(begin.column, 1u), excerpt(error.description(), 300))));
   }
   for (const std::string& line : overrides) overrides_.push_back(apply_override(root_, line));
 }
@@ -109,8 +98,9 @@ std::string TomlDocument::where(std::string_view key) const {
 
 void TomlDocument::fail(std::string_view key, std::string_view problem) const {
   const toml::node* node = find(key);
+  const std::string name = excerpt(key, 120);
   const bool plain = node != nullptr && !node->is_table() && !node->is_array_of_tables();
-  fail_at(key, plain ? fmt::format("{} = {} {}", key, shown(*node), problem) : fmt::format("{} {}", key, problem));
+  fail_at(key, plain ? fmt::format("{} = {} {}", name, shown(*node), problem) : fmt::format("{} {}", name, problem));
 }
 
 void TomlDocument::fail_at(std::string_view key, std::string_view message) const {

@@ -48,7 +48,4 @@ std::vector<std::string> split_key(std::string_view key);
 /// A value as it may appear in a message: at most 60 characters, on one line.
 std::string shown(const toml::node& node);
 
-/// `text` with control characters replaced, so that a message stays one line.
-std::string one_line(std::string text);
-
 }  // namespace vug

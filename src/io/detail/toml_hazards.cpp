@@ -1,6 +1,6 @@
 #include "io/detail/toml_hazards.hpp"
 
-#include "io/detail/toml_document.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +23,7 @@ bool is_quote(char c) {
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Walks through TOML knowing what is string, comment, value and key, as far as the text is valid: beyond its first
 /// error toml++ does not read either.
@@ -31,6 +32,7 @@ class HazardScan {
   HazardScan(const std::string& text, const std::string& path) : text_(text), path_(path) {}
 
   void run() {
+    if (std::string_view(text_).starts_with(byte_order_mark)) at_ = byte_order_mark.size();
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '#') {
@@ -50,6 +52,8 @@ class HazardScan {
 
  private:
   void step(char c) {
+    if (is_beyond_ascii(c))
+      refuse(fmt::format("not valid TOML: '{}' stands outside of quotation marks", first_letter()));
     if (!in_header_ && (c == '[' || c == '{')) ++depth_;
     if (!in_header_ && (c == ']' || c == '}') && depth_ > 0) --depth_;
     if (c == '.') {
@@ -102,6 +106,12 @@ class HazardScan {
     const char c = text_[at_];
     if (!is_bare_key(c) && !is_quote(c) && c != ']')
       refuse("not valid TOML: a table header must begin with a name, [name]");
+  }
+
+  std::string first_letter() const {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && end < at_ + 4 && (static_cast<unsigned char>(text_[end]) & 0xc0) == 0x80) ++end;
+    return one_line(std::string_view(text_).substr(at_, end - at_));
   }
 
   [[noreturn]] void refuse(const std::string& problem) const {

@@ -1,6 +1,7 @@
 // `--set table.key=value`: a value on the command line in place of the one in the file.
 #include "io/detail/toml_document.hpp"
 #include "io/detail/toml_hazards.hpp"
+#include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ constexpr std::size_t deepest = 16;  // no key of a case lies deeper
 
 /// An override as it may appear in a message.
 std::string shortened(const std::string& text) {
-  return one_line(text.size() > 120 ? text.substr(0, 116) + " ..." : text);
+  return excerpt(text, 120);
 }
 
 [[noreturn]] void refuse(const std::string& text, const std::string& problem) {
@@ -37,22 +38,24 @@ bool is_index(const std::string& segment) {
 /// The value as a one-entry table { value = ... }: TOML where it parses, otherwise the text itself.
 toml::table parsed_value(const std::string& text, const std::string& value) {
   if (value.find_first_of("\r\n") != std::string::npos) refuse(text, "the value must stand on one line");
+  const bool looks_structured = std::string_view("[{\"'").find(value.front()) != std::string_view::npos;
+  toml::table bare;
+  bare.insert("value", value);
+  // toml++ may only see letters beyond ASCII between quotes (toml_hazards.cpp)
+  if (!looks_structured && std::any_of(value.begin(), value.end(), is_beyond_ascii)) return bare;
   refuse_toml_hazards("value = " + value, "--set " + shortened(text));
   try {
     toml::table table = toml::parse("value = " + value);
     if (table.size() == 1 && table.contains("value")) return table;
   } catch (const toml::parse_error& error) {
-    const bool looks_structured = std::string_view("[{\"'").find(value.front()) != std::string_view::npos;
     if (looks_structured) refuse(text, fmt::format("the value is not valid TOML: {}", error.description()));
   }
-  toml::table bare;
-  bare.insert("value", value);
   return bare;
 }
 
 toml::node& element(toml::array& array, const std::string& segment, const std::string& text, bool last) {
   if (!is_index(segment)) {
-    refuse(text, fmt::format("\"{}\" must be the number of an element, counted from 0", segment));
+    refuse(text, fmt::format("\"{}\" must be the number of an element, counted from 0", excerpt(segment)));
   }
   std::size_t index = 0;
   std::from_chars(segment.data(), segment.data() + segment.size(), index);
@@ -73,7 +76,7 @@ toml::node& element(toml::array& array, const std::string& segment, const std::s
 toml::node& descend(toml::node& node, const std::string& segment, const std::string& next, const std::string& text) {
   if (auto* array = node.as_array()) return element(*array, segment, text, false);
   auto* table = node.as_table();
-  if (table == nullptr) refuse(text, fmt::format("\"{}\" is looked for inside a plain value", segment));
+  if (table == nullptr) refuse(text, fmt::format("\"{}\" is looked for inside a plain value", excerpt(segment)));
   if (!table->contains(segment)) {
     if (next == "0") {
       table->insert(segment, toml::array{});
@@ -89,6 +92,7 @@ toml::node& descend(toml::node& node, const std::string& segment, const std::str
 Override apply_override(toml::table& root, const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) refuse(text, "expected table.key=value");
+  if (!is_utf8(text)) refuse(text, "is no UTF-8 text");
   const std::string key = trimmed(text.substr(0, equals));
   const std::string value = trimmed(text.substr(equals + 1));
   const std::vector<std::string> segments = split_key(key);
@@ -110,7 +114,7 @@ Override apply_override(toml::table& root, const std::string& text) {
   } else if (auto* table = node->as_table()) {
     parsed.visit([&](const auto& typed) { table->insert_or_assign(segments.back(), typed); });
   } else {
-    refuse(text, fmt::format("\"{}\" is looked for inside a plain value", segments.back()));
+    refuse(text, fmt::format("\"{}\" is looked for inside a plain value", excerpt(segments.back())));
   }
   return {key, shortened(text)};
 }
