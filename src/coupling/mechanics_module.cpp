@@ -67,6 +67,7 @@ void MechanicsModule<T>::choose_substeps() {
 
 template <class T>
 void MechanicsModule<T>::begin(const Exec& exec) {
+  if (section_.static_preload && mechanics_.preload_statically(exec)) return;
   mechanics_.preload(exec, section_.preload_time, section_.preload_damping);
 }
 

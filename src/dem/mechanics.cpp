@@ -4,10 +4,13 @@
 #include "dem/contact_forces.hpp"
 #include "dem/critical_step.hpp"
 #include "dem/require_parameters.hpp"
+#include "dem/static_equilibrium.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <type_traits>
 
 namespace vug {
 
@@ -105,10 +108,34 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
   report.bonds = bond_counts();
   Kokkos::deep_copy(exec, particles_.v, 0.0);
   Kokkos::deep_copy(exec, particles_.spin, 0.0);
+  take_as_reference(exec);
+  return report;
+}
+
+void Mechanics::take_as_reference(const Exec& exec) {
   Kokkos::deep_copy(exec, particles_.u_reference, particles_.u);
   reset_ledger(exec);
   exec.fence("vug::dem::preload");
-  return report;
+}
+
+bool Mechanics::preload_statically(const Exec& exec) {
+  if (!servos_.empty()) return false;
+  std::vector<std::function<void()>> restore;
+  visit_state([&](const char*, const auto& view) {
+    std::decay_t<decltype(view)> copy("vug::dem::before_preload", view.layout());
+    Kokkos::deep_copy(copy, view);
+    restore.push_back([copy, view] { Kokkos::deep_copy(view, copy); });
+  });
+  const BondCounts before = bond_counts();
+  const bool found =
+      find_static_equilibrium(exec, parameters_, grid_, loads_, particles_, bonds_, contacts_).found;
+  const BondCounts after = bond_counts();
+  if (!found || after.damaged != before.damaged || after.failed() != before.failed()) {
+    for (const auto& put_back : restore) put_back();
+    return false;
+  }
+  take_as_reference(exec);
+  return true;
 }
 
 void Mechanics::set_platen_velocity(RockSide side, std::array<double, 2> velocity) {

@@ -48,6 +48,11 @@ class Mechanics {
   /// rest. Velocities are then zero and u_reference holds the displacements reached.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
+  /// The same state without the way to it: where the loads balance, solved for. False, and nothing changed, where that
+  /// does not lead there (see find_static_equilibrium), where platens move by themselves, or where it would damage a
+  /// bond: how far damage goes then depends on the way.
+  bool preload_statically(const Exec& exec);
+
   /// Velocity of the platen of a held side from now on, m/s.
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
   /// Force that holds a side, N per m of thickness.
@@ -86,6 +91,8 @@ class Mechanics {
   void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest);
   long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
+  /// What both ways of preloading end with: the rock is at rest, its displacements are the reference.
+  void take_as_reference(const Exec& exec);
 
   MechanicsParameters parameters_;
   std::vector<BoundaryEdge> boundary_;

@@ -124,6 +124,7 @@ struct MechanicsSection {
   std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
   bool force_unstable = false;         ///< accept a sub-step above the critical one
+  bool static_preload = true;          ///< the outer stress by a direct solver, by a ramp where that does not lead there
   double preload_time = 150e-6;        ///< s over which the outer stress is ramped before the run
   double preload_damping = 0.7;        ///< Cundall's alpha until the rock is at rest
 };

@@ -1,0 +1,282 @@
+#include "dem/static_equilibrium.hpp"
+
+#include "dem/bond_forces.hpp"
+#include "dem/bond_kinematics.hpp"
+#include "dem/contact_forces.hpp"
+#include "dem/gather_contacts.hpp"
+#include "dem/push.hpp"
+#include "kernels/launch.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace vug {
+
+namespace {
+
+constexpr double balanced = 1e-11;         // largest force left over the largest load
+constexpr double least_pivot = 1e-12;      // over the largest: smaller ones are rigid motion that nothing holds
+constexpr int most_solves = 40;            // an increment; without sliding it takes three
+constexpr int increments_with_cracks = 8;  // friction depends on the way
+constexpr double long_time = 1e9;          // s that an increment takes: no dashpot feels it
+
+using ForceField = Kokkos::View<double* [3], Kokkos::LayoutLeft>;
+/// (bond, point, normal or tangential) stiffness, N/m.
+using StiffnessField = Kokkos::View<double* [2][2], Kokkos::LayoutLeft>;
+
+/// A copy on the host that is nobody else's.
+template <class ViewType>
+typename ViewType::host_mirror_type host_copy(const ViewType& view) {
+  typename ViewType::host_mirror_type copy = Kokkos::create_mirror(view);
+  Kokkos::deep_copy(copy, view);
+  return copy;
+}
+
+/// Force and torque that each particle is left with.
+struct Imbalance {
+  ParticlePush push;
+  ForceField force;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const Push all = push.total(i, push.outside(i));
+    force(i, 0) = all.x;
+    force(i, 1) = all.y;
+    force(i, 2) = all.torque;
+  }
+};
+
+/// Stiffness of both points of a bond as they are now: none across a crack that gapes, none along one that slides.
+struct PointStiffness {
+  MechanicsParameters parameters;
+  Particles particles;
+  Bonds bonds;
+  Kokkos::View<double* [2], Kokkos::LayoutLeft> slip_before;
+  StiffnessField stiffness;
+  KOKKOS_FUNCTION void operator()(int k) const {
+    const BondParameters& law = parameters.bond;
+    const bool crack = has_failed(bonds.state(k));
+    const double left = 1 - Kokkos::min(bonds.d_c(k), parameters.chemical.failure_at);
+    const double area = 0.5 * bonds.length(k) * left / (law.length_factor * bonds.spacing(k));
+    const BondMotion motion = motion_of_bond(particles, bonds, parameters.thermal_expansion, k);
+    for (int s = 0; s < 2; ++s) {
+      const bool gapes = crack && (bonds.joint(k) == 0 || motion.opening[s].delta_n > 0);
+      const bool slides = crack && bonds.slip(k, s) != slip_before(k, s);
+      const double undamaged = 1 - bonds.point_damage(k, s);
+      const double normal = crack || motion.opening[s].delta_n < 0 ? 1 : undamaged;
+      stiffness(k, s, 0) = gapes ? 0 : area * normal * law.normal_modulus;
+      stiffness(k, s, 1) = gapes || slides ? 0 : area * (crack ? 1 : undamaged) * law.tangential_modulus;
+    }
+  }
+};
+
+/// The rock as a linear system in the free displacements and rotations of its particles.
+class LinearRock {
+ public:
+  LinearRock(const Particles& particles, const Bonds& bonds)
+      : pair_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair)),
+        normal_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.normal)),
+        arm_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.arm)),
+        row_(static_cast<std::size_t>(3 * particles.count), -1) {
+    const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.held);
+    for (int i = 0; i < particles.count; ++i)
+      for (int c = 0; c < 3; ++c)
+        if (!(held(i) & 1 << c)) row_[static_cast<std::size_t>(3 * i + c)] = rows_++;
+  }
+
+  int rows() const { return rows_; }
+  /// Row of component c (x, y, rotation) of particle i; -1 where it is held.
+  int row(int i, int c) const { return row_[static_cast<std::size_t>(3 * i + c)]; }
+
+  /// False when some motion meets no resistance.
+  bool factorise(const StiffnessField::host_mirror_type& stiffness) {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(static_cast<std::size_t>(pair_.extent_int(0)) * 144);
+    for (int k = 0; k < pair_.extent_int(0); ++k)
+      for (int s = 0; s < 2; ++s)
+        for (int c = 0; c < 2; ++c) add_spring(entries, k, s, c, stiffness(k, s, c));
+    Eigen::SparseMatrix<double> matrix(rows_, rows_);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    factors_.compute(matrix);
+    if (factors_.info() != Eigen::Success) return false;
+    const Eigen::VectorXd pivots = factors_.vectorD();
+    return pivots.minCoeff() > least_pivot * pivots.maxCoeff();
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factors_.solve(force); }
+
+ private:
+  /// Adds k g g^T with g the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
+  void add_spring(std::vector<Eigen::Triplet<double>>& entries, int k, int s, int c, double stiffness) const {
+    if (stiffness == 0) return;
+    const Vec2 n{normal_(k, 0), normal_(k, 1)}, along = c == 0 ? n : Vec2{-n.y, n.x};
+    std::array<int, 6> row;
+    std::array<double, 6> g;
+    for (int end = 0; end < 2; ++end) {
+      const double sign = end == 0 ? -1 : 1;
+      const Vec2 arm{arm_(k, s, end, 0), arm_(k, s, end, 1)};
+      const std::array<double, 3> change{along.x, along.y, cross(arm, along)};
+      for (int j = 0; j < 3; ++j) {
+        row[static_cast<std::size_t>(3 * end + j)] = this->row(pair_(k, end), j);
+        g[static_cast<std::size_t>(3 * end + j)] = sign * change[static_cast<std::size_t>(j)];
+      }
+    }
+    for (std::size_t a = 0; a < 6; ++a)
+      for (std::size_t b = 0; b < 6; ++b)
+        if (row[a] >= 0 && row[b] >= 0) entries.emplace_back(row[a], row[b], stiffness * g[a] * g[b]);
+  }
+
+  decltype(Bonds::pair)::host_mirror_type pair_;
+  VectorField<double>::host_mirror_type normal_;
+  decltype(Bonds::arm)::host_mirror_type arm_;
+  std::vector<int> row_;
+  int rows_ = 0;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+};
+
+/// One search; the members are what its steps share.
+class Search {
+ public:
+  Search(const Exec& exec, const MechanicsParameters& parameters, const NeighbourGrid& grid, const BoundaryLoads& loads,
+         const Particles& particles, const Bonds& bonds, const Contacts& contacts)
+      : exec_(exec),
+        parameters_(parameters),
+        grid_(grid),
+        loads_(loads),
+        particles_(particles),
+        bonds_(bonds),
+        contacts_(contacts),
+        linear_(particles, bonds),
+        force_("vug::dem::imbalance", static_cast<std::size_t>(particles.count)),
+        stiffness_("vug::dem::point_stiffness", static_cast<std::size_t>(bonds.count)),
+        slip_("vug::dem::slip_before", static_cast<std::size_t>(bonds.count)),
+        stretch_("vug::dem::stretch_before", contacts.stretch.extent(0)) {}
+
+  StaticEquilibrium operator()() {
+    const int increments = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds_.events)(bond_has_failed)
+                               ? increments_with_cracks
+                               : 1;
+    report_.found = linear_.rows() > 0;
+    for (int n = 1; n <= increments && report_.found; ++n) report_.found = settle(static_cast<double>(n) / increments);
+    Kokkos::deep_copy(exec_, particles_.v, 0.0);
+    Kokkos::deep_copy(exec_, particles_.spin, 0.0);
+    exec_.fence("vug::dem::static_equilibrium");
+    return report_;
+  }
+
+ private:
+  /// Newton's method for one increment of the loads.
+  bool settle(double load_factor) {
+    update_contacts(exec_, grid_, particles_, bonds_, contacts_);
+    Kokkos::deep_copy(exec_, slip_, bonds_.slip);
+    Kokkos::deep_copy(exec_, stretch_, contacts_.stretch);
+    start();
+    moved_ = Eigen::VectorXd::Zero(linear_.rows());
+    for (int solve = 0; solve <= most_solves; ++solve) {
+      const Eigen::VectorXd left = imbalance(load_factor);
+      if (solve == 0) load_ = std::max(load_, largest_);
+      if (!std::isfinite(largest_)) return false;
+      report_.imbalance = load_ > 0 ? largest_ / load_ : 0;
+      if (largest_ <= balanced * load_) return true;
+      if (!factorise()) return false;
+      moved_ += linear_.solve(left);
+      ++report_.solves;
+      move();
+    }
+    return false;
+  }
+
+  /// Force and torque that the free components are left with; notes the largest, torques over the particles' size.
+  Eigen::VectorXd imbalance(double load_factor) {
+    Kokkos::deep_copy(exec_, bonds_.slip, slip_);
+    Kokkos::deep_copy(exec_, contacts_.stretch, stretch_);
+    compute_bond_forces(exec_, parameters_, long_time, particles_, bonds_, NoAccounts{}, nullptr);
+    compute_contact_forces(exec_, parameters_, long_time, particles_, bonds_, contacts_, NoAccounts{});
+    for_each_node(exec_, "vug::dem::gather_contacts", particles_.count,
+                  GatherContacts{bonds_, contacts_, contacts_.load, contacts_.push});
+    for_each_node(exec_, "vug::dem::imbalance", particles_.count,
+                  Imbalance{{load_factor, 0, bonds_, contacts_, loads_, particles_}, force_});
+    const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, force_);
+    Eigen::VectorXd left(linear_.rows());
+    largest_ = 0;
+    for (int i = 0; i < particles_.count; ++i)
+      for (int c = 0; c < 3; ++c) {
+        const int row = linear_.row(i, c);
+        if (row < 0) continue;
+        left[row] = force(i, c);
+        largest_ = std::max(largest_, std::abs(force(i, c)) / (c < 2 ? 1 : grid_.reach));
+      }
+    return left;
+  }
+
+  /// Factors anew only where a crack has opened, closed, or begun or ceased to slide.
+  bool factorise() {
+    for_each_node(exec_, "vug::dem::point_stiffness", bonds_.count,
+                  PointStiffness{parameters_, particles_, bonds_, slip_, stiffness_});
+    const auto now = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
+    const std::vector<double> values(now.data(), now.data() + now.size());
+    if (values == factored_) return true;
+    factored_ = values;
+    return linear_.factorise(now);
+  }
+
+  /// Where the increment begins.
+  void start() {
+    u_ = host_copy(particles_.u);
+    angle_ = host_copy(particles_.angle);
+  }
+
+  /// Puts all particles where `moved_` has them, with the velocities that take them there in a long time.
+  void move() {
+    const auto u = host_copy(particles_.u), v = host_copy(particles_.v), rotation = host_copy(particles_.rotation);
+    const auto angle = host_copy(particles_.angle), spin = host_copy(particles_.spin);
+    for (int i = 0; i < particles_.count; ++i) {
+      const auto by = [&](int c) { return linear_.row(i, c) < 0 ? 0.0 : moved_[linear_.row(i, c)]; };
+      for (int c = 0; c < 2; ++c) {
+        u(i, c) = u_(i, c) + by(c);
+        v(i, c) = by(c) / long_time;
+      }
+      angle(i) = angle_(i) + by(2);
+      spin(i) = by(2) / long_time;
+      const Rotation turned = Rotation::by(angle(i));
+      rotation(i, 0) = turned.cos_minus_1;
+      rotation(i, 1) = turned.sin;
+    }
+    Kokkos::deep_copy(particles_.u, u);
+    Kokkos::deep_copy(particles_.v, v);
+    Kokkos::deep_copy(particles_.angle, angle);
+    Kokkos::deep_copy(particles_.spin, spin);
+    Kokkos::deep_copy(particles_.rotation, rotation);
+  }
+
+  Exec exec_;
+  MechanicsParameters parameters_;
+  NeighbourGrid grid_;
+  BoundaryLoads loads_;
+  Particles particles_;
+  Bonds bonds_;
+  Contacts contacts_;
+  LinearRock linear_;
+  ForceField force_;
+  StiffnessField stiffness_;
+  Kokkos::View<double* [2], Kokkos::LayoutLeft> slip_;
+  decltype(Contacts::stretch) stretch_;
+  VectorField<double>::host_mirror_type u_;      ///< at the start of the increment
+  ScalarField<double>::host_mirror_type angle_;  ///< likewise
+  Eigen::VectorXd moved_;                        ///< since then, of the free components
+  std::vector<double> factored_;                 ///< the stiffnesses that linear_ was made of
+  double load_ = 0, largest_ = 0;                ///< largest load and imbalance, N
+  StaticEquilibrium report_;
+};
+
+}  // namespace
+
+StaticEquilibrium find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters,
+                                          const NeighbourGrid& grid, const BoundaryLoads& loads,
+                                          const Particles& particles, const Bonds& bonds, const Contacts& contacts) {
+  return Search(exec, parameters, grid, loads, particles, bonds, contacts)();
+}
+
+}  // namespace vug
