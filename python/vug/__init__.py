@@ -1,0 +1,19 @@
+"""Runs of vug: open what one has written, and start one.
+
+    import vug
+
+    run = vug.run("cases/quickstart.toml", "runs/short", {"time.end": 0.01})   # or vug.open("runs/short")
+    run.history["dissolved_volume"]        # over run.history["time"]; run.history.units["dissolved_volume"]
+    pressure = run[-1]["pressure"]         # of the last snapshot; nothing is read before it is used
+    pressure.values, pressure.units, pressure.x, pressure.y
+"""
+from .errors import (CaseError, Diverged, FileTrouble, Interrupted, OutOfMemory, VugError)
+from .field import Field
+from .history import History
+from .launch import check, executable, run
+from .run_folder import Rock, Run, Snapshot
+
+open = Run  # noqa: A001 (vug.open reads as what it does)
+
+__all__ = ["CaseError", "Diverged", "Field", "FileTrouble", "History", "Interrupted", "OutOfMemory", "Rock", "Run",
+           "Snapshot", "VugError", "check", "executable", "open", "run"]

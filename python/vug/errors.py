@@ -1,0 +1,40 @@
+"""What a run of vug may end with, by its exit codes."""
+
+
+class VugError(Exception):
+    """A call of vug that failed; `exit_code` as in the README, the text is the line that vug has said."""
+
+    exit_code = 1
+
+
+class CaseError(VugError, ValueError):
+    """The case or the command line is invalid; nothing was written."""
+
+    exit_code = 2
+
+
+class Diverged(VugError, ArithmeticError):
+    """The run diverged; its last good checkpoint is named."""
+
+    exit_code = 3
+
+
+class FileTrouble(VugError, OSError):
+    """Reading or writing a file failed."""
+
+    exit_code = 4
+
+
+class OutOfMemory(VugError, MemoryError):
+    """The case needs more memory than there is."""
+
+    exit_code = 5
+
+
+class Interrupted(VugError):
+    """The run was stopped by a signal, after it had written a checkpoint."""
+
+    exit_code = 130
+
+
+BY_CODE = {error.exit_code: error for error in (CaseError, Diverged, FileTrouble, OutOfMemory, Interrupted)}

@@ -1,0 +1,63 @@
+"""One quantity of one snapshot."""
+import numpy as np
+
+
+class Field:
+    """An array on disk with its unit and its place; read when it is used, `field[rows, columns]` in parts.
+
+    On the lattice: `values` (ny, nx), row 0 at the bottom, or (ny, nx, 3) of a vector, and `x`, `y` of the nodes'
+    centres in m. Of triangles and bonds: (count,) or (count, 3), and no `x`, `y`.
+    """
+
+    def __init__(self, name, dataset):
+        self.name = name
+        self._dataset = dataset
+        unit = dataset.attrs.get("units", b"")
+        self.units = unit.decode() if isinstance(unit, bytes) else str(unit)
+        self.time = float(dataset.attrs["time"])
+        self.spacing = float(dataset.attrs["dx"]) if "dx" in dataset.attrs else None
+
+    @property
+    def shape(self):
+        return self._dataset.shape
+
+    @property
+    def values(self):
+        return self._dataset[...]
+
+    def _centres(self, axis):
+        if self.spacing is None:
+            raise AttributeError(f"{self.name} does not lie on the lattice")
+        count = self.shape[1 - axis]
+        return float(self._dataset.attrs["origin"][axis]) + (np.arange(count) + 0.5) * self.spacing
+
+    @property
+    def x(self):
+        """(nx) m."""
+        return self._centres(0)
+
+    @property
+    def y(self):
+        """(ny) m."""
+        return self._centres(1)
+
+    def __getitem__(self, key):
+        return self._dataset[key]
+
+    def __array__(self, dtype=None, copy=None):
+        values = self.values
+        return values if dtype is None else values.astype(dtype)
+
+    def to_xarray(self):
+        """A DataArray with coordinates and units, where xarray is installed."""
+        import xarray
+
+        if self.spacing is None:
+            dims, coords = (self.name + "_index", "axis")[:len(self.shape)], {}
+        else:
+            dims, coords = ("y", "x", "axis")[:len(self.shape)], {"y": self.y, "x": self.x}
+        return xarray.DataArray(self.values, dims=dims, coords={**coords, "time": self.time}, name=self.name,
+                                attrs={"units": self.units})
+
+    def __repr__(self):
+        return f"<vug.Field {self.name} {self.shape} {self.units}, t = {self.time:g} s>"

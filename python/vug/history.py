@@ -1,0 +1,63 @@
+"""history.csv as columns."""
+import csv
+
+import numpy as np
+
+# the words that units in the names of columns are made of: "kinetic_energy_J_per_m", "time_s"
+UNITS = {"s", "1", "m", "m2", "m3", "kg", "mol", "J", "K", "Pa", "N", "W", "MPa"}
+
+
+def name_and_unit(column):
+    """("kinetic_energy", "J/m") of "kinetic_energy_J_per_m"; the unit is "" where the column names none."""
+    words = column.split("_")
+    for i in range(1, len(words)):
+        if all(word == "per" or set(word.split("/")) <= UNITS for word in words[i:]):
+            return "_".join(words[:i]), "_".join(words[i:]).replace("_per_", "/").replace("_", " ")
+    return column, ""
+
+
+class History:
+    """Numbers over time: a mapping of names to arrays, all as long as the history; SI.
+
+    `history["dissolved_volume"]` and `history["dissolved_volume_m3_per_m"]` are the same column. `units` has the unit
+    of every name. A line that a running simulation has not finished writing is left out.
+    """
+
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8") as file:
+            text = file.read()
+        complete = text[:text.rfind("\n") + 1]
+        rows = list(csv.reader(complete.splitlines()))
+        header = rows[0] if rows else []
+        data = np.array([[float(value) for value in row] for row in rows[1:] if len(row) == len(header)], dtype=float)
+        data = data.reshape(-1, len(header))
+        self._column = {}
+        self.units = {}
+        for k, column in enumerate(header):
+            name, unit = name_and_unit(column)
+            self._column[name] = self._column[column] = data[:, k]
+            self.units[name] = unit
+        self._length = len(data)
+
+    def __getitem__(self, name):
+        try:
+            return self._column[name]
+        except KeyError:
+            raise KeyError(f"no column {name!r}; there are {', '.join(self)}") from None
+
+    def __contains__(self, name):
+        return name in self._column
+
+    def __iter__(self):
+        return iter(self.units)
+
+    def __len__(self):
+        """Number of rows."""
+        return self._length
+
+    def keys(self):
+        """Names without units, in the order of the file."""
+        return self.units.keys()
+
+    def __repr__(self):
+        return f"<vug.History: {len(self.units)} columns, {self._length} rows>"

@@ -1,0 +1,56 @@
+"""Starting vug from Python."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+
+from .errors import BY_CODE, VugError
+from .run_folder import Run
+
+
+def executable():
+    """The vug that calls use: of the environment variable VUG, of the path, or of the checkout that this package lies in."""
+    checkout = pathlib.Path(__file__).resolve().parents[2] / "build" / "openmp" / "src" / "vug"
+    for candidate in (os.environ.get("VUG"), shutil.which("vug"), str(checkout) if checkout.exists() else None):
+        if candidate:
+            return candidate
+    raise VugError("no vug found: set the environment variable VUG to its path, or build it with scripts/run")
+
+
+def _call(words):
+    """Runs vug; returns what it has printed, raises what it ended with."""
+    done = subprocess.run([executable(), *words], capture_output=True, text=True, check=False)
+    if done.returncode == 0:
+        return done.stdout
+    lines = [line for line in done.stderr.splitlines() if line.strip()]
+    error = BY_CODE.get(done.returncode, VugError)(lines[-1] if lines else f"vug ended with code {done.returncode}")
+    error.exit_code = done.returncode
+    raise error
+
+
+def _overrides(overrides):
+    """--set words of {"flow.viscosity": 1e-3, "heat.velocity_set": "d2q9"}: JSON's values are TOML's."""
+    return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={json.dumps(value)}")]
+
+
+def run(case, directory=None, overrides=None, *, steps=None, threads=None, resume=False, overwrite=False):
+    """Runs a case to its end and opens what it has written.
+
+    `overrides` are values in place of the case's, as of --set: {"flow.viscosity": 1e-3}. `directory` is where results
+    go, runs/<name of the case> without it. Raises CaseError, Diverged, FileTrouble, OutOfMemory or Interrupted, with
+    the line that vug has said.
+    """
+    directory = pathlib.Path(directory) if directory else pathlib.Path("runs") / pathlib.Path(case).stem
+    words = ["run", str(case), "-o", str(directory), "--quiet", *_overrides(overrides)]
+    for flag, value in (("--steps", steps), ("--threads", threads)):
+        if value is not None:
+            words += [flag, str(value)]
+    words += [flag for flag, wanted in (("--resume", resume), ("--overwrite", overwrite)) if wanted]
+    _call(words)
+    return Run(directory)
+
+
+def check(case, overrides=None):
+    """What `vug check --json` says of a case."""
+    return json.loads(_call(["check", str(case), "--json", *_overrides(overrides)]))

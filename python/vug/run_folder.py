@@ -1,0 +1,121 @@
+"""What a run has left behind, opened."""
+import json
+import os
+import pathlib
+import tomllib
+
+from .errors import FileTrouble
+from .field import Field
+from .history import History
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # a run under way may be looked at
+
+
+class Fields:
+    """Names to Field of one group of a file; follows the links of fields.h5 and particles.h5."""
+
+    def __init__(self, group):
+        self._group = group
+
+    def __getitem__(self, name):
+        if name not in self._group:
+            raise KeyError(f"no field {name!r}; there are {', '.join(self._group)}")
+        return Field(name, self._group[name])
+
+    def __iter__(self):
+        return iter(self._group)
+
+    def __contains__(self, name):
+        return name in self._group
+
+    def __len__(self):
+        return len(self._group)
+
+    def keys(self):
+        return list(self._group)
+
+
+class Rock:
+    """Triangles and bonds of one snapshot, each a mapping of names to Field."""
+
+    def __init__(self, group):
+        self.triangles = Fields(group["triangles"])
+        self.bonds = Fields(group["bonds"]) if "bonds" in group else {}
+
+
+class Snapshot(Fields):
+    """The fields on the lattice at one time, by name; `rock` where the run has any."""
+
+    def __init__(self, group, rock):
+        super().__init__(group)
+        self.time = float(group.attrs["time"])
+        self.step = int(group.attrs["step"])
+        self.rock = rock
+
+    def __repr__(self):
+        return f"<vug.Snapshot t = {self.time:g} s: {', '.join(self)}>"
+
+
+class Run:
+    """A run directory: a sequence of snapshots, with a history and a record. Also a context, which closes its files.
+
+    Opening reads nothing but the names; a run under way shows what it had written when it was opened.
+    """
+
+    def __init__(self, directory):
+        import h5py
+
+        self.directory = pathlib.Path(directory)
+        fields, rock = self.directory / "fields.h5", self.directory / "particles.h5"
+        if not fields.exists():
+            raise FileTrouble(f"{fields}: there is no such file; is {self.directory} a run directory?")
+        self._fields = h5py.File(fields, "r")
+        self._rock = h5py.File(rock, "r") if rock.exists() else None
+        self._names = sorted(name for name in self._fields if name.startswith("step_"))
+
+    def close(self):
+        self._fields.close()
+        if self._rock:
+            self._rock.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    @property
+    def record(self):
+        """run.json: version, commit, compiler, how it ended, ..."""
+        return json.loads((self.directory / "run.json").read_text(encoding="utf-8"))
+
+    @property
+    def status(self):
+        """"done", "interrupted", "diverged", "failed" or "running"."""
+        return self.record["status"]
+
+    @property
+    def case(self):
+        """The tables of its case file, as they were read; what --set has changed is in record["overrides"]."""
+        return tomllib.loads(self.record["case_text"])
+
+    @property
+    def history(self):
+        return History(self.directory / "history.csv")
+
+    @property
+    def times(self):
+        """Of the snapshots, s."""
+        return [float(self._fields[name].attrs["time"]) for name in self._names]
+
+    def __len__(self):
+        return len(self._names)
+
+    def __getitem__(self, index):
+        """The snapshot of that number; -1 is the last."""
+        name = self._names[index]
+        rock = self._rock[name] if self._rock is not None and name in self._rock else None
+        return Snapshot(self._fields[name], Rock(rock) if rock is not None and "triangles" in rock else None)
+
+    def __repr__(self):
+        return f"<vug.Run {str(self.directory)!r}: {len(self)} snapshots>"

@@ -1,0 +1,78 @@
+"""The Python package on runs that the executable has just made."""
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+root = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(root / "python"))
+os.chdir(root)
+
+import numpy as np
+import vug
+
+
+class OpenRuns(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_case(self, case, overrides=None, **options):
+        run = vug.run(case, self.folder / "run", overrides, **options)
+        self.addCleanup(run.close)
+        return run
+
+    def test_channel_has_its_profile_in_si(self):
+        run = self.run_case("cases/poiseuille.toml")
+        velocity = run[-1]["velocity"]
+        self.assertEqual(velocity.units, "m/s")
+        case = run.case
+        height, spacing = case["lattice"]["size"][1], case["lattice"]["spacing"]
+        force, viscosity = case["flow"]["body_force"][0], case["flow"]["viscosity"]
+        self.assertEqual((velocity.x[0], velocity.y[0]), (spacing / 2, spacing / 2))
+        np.testing.assert_allclose(velocity[:, 0, 0], force * velocity.y * (height - velocity.y) / (2 * viscosity),
+                                   rtol=1e-6)
+
+    def test_history_has_columns_with_units(self):
+        run = self.run_case("tests/cases/coupled/small_rock.toml", steps=20)
+        history = run.history
+        self.assertEqual(history.units["time"], "s")
+        self.assertEqual(history.units["kinetic_energy"], "J/m")
+        self.assertEqual(len(history["time"]), len(history))
+        np.testing.assert_array_equal(history["time"], history["time_s"])
+        self.assertAlmostEqual(history["time"][-1], 20 * run.case["lattice"]["time_step"])
+        with self.assertRaisesRegex(KeyError, "dissolved_volume"):
+            history["disolved_volume"]
+
+    def test_rock_follows_the_links(self):
+        run = self.run_case("tests/cases/coupled/small_rock.toml", steps=20)
+        last = run[-1]
+        self.assertEqual(last.step, 20)
+        bonds, triangles = last.rock.bonds, last.rock.triangles
+        self.assertEqual(bonds["stress"].units, "Pa")
+        self.assertEqual(bonds["stress"].shape, (bonds["state"].shape[0], 3))
+        self.assertEqual(triangles["displacement"].shape[1], 3)
+        with self.assertRaises(AttributeError):
+            bonds["state"].x
+
+    def test_overrides_reach_the_run(self):
+        run = self.run_case("tests/cases/coupled/small_rock.toml",
+                            {"output.fields": ["pressure"], "accuracy.precision": "single"}, steps=2)
+        self.assertEqual(run.record["precision"], "single")
+        self.assertEqual(run[-1].keys(), ["pressure"])
+
+    def test_errors_have_types(self):
+        with self.assertRaisesRegex(vug.CaseError, "viscosity.*must be") as caught:
+            vug.run("cases/poiseuille.toml", self.folder / "bad", {"flow.viscosity": -1})
+        self.assertEqual(caught.exception.exit_code, 2)
+        self.assertFalse((self.folder / "bad").exists())
+        with self.assertRaises(vug.FileTrouble):
+            vug.open(self.folder)
+        self.assertAlmostEqual(vug.check("cases/poiseuille.toml", {"flow.viscosity": 2e-6})["limits"][0]["value"], 1.1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
