@@ -58,4 +58,21 @@ def arrows(records, figures):
         table(["arrow", "test", "error"], rows), "coupling_arrows.png")
 
 
-entries = [settling_disc, arrows]
+def strips(records, _):
+    rows = records["pathway_strip"]
+    if not rows:
+        return None
+    apertures = sorted({r["aperture"] for r in rows})
+    error = {(r["degrees"], r["aperture"]): r["error"] for r in rows}
+    cell = lambda degrees, w: f"{100 * error[degrees, w]:+.1f} %" if (degrees, w) in error else ""
+    return section(
+        "Pathways in every direction", "PathwayStrip.ConductsAlikeInEveryDirection",
+        "Stokes flow along a crack of four bonds that closes on itself on a periodic lattice, against the plane slot of its "
+        "aperture in cells, (w³ + w/2)/12. Whole apertures along an axis are exact wherever the line lies "
+        "(`PathwayStrip.ObeysTheCubicLawWhereverAnAxisParallelLineLies`). The narrowest strip that is one piece across faces "
+        "of cells is wider than one cell in oblique directions.",
+        table(["direction"] + [f"w = {w:g}" for w in apertures],
+              [[f"{d}°"] + [cell(d, w) for w in apertures] for d in sorted({r["degrees"] for r in rows})]))
+
+
+entries = [settling_disc, arrows, strips]

@@ -4,27 +4,27 @@
 
 namespace vug {
 
-/// Half the aperture of a bond now; counts the bonds where it differs from that of the last look.
+/// Aperture of a bond now; counts the bonds where it differs from that of the last look.
 struct WidenBonds {
   PathwayNodes nodes;
   Kokkos::View<const double*> d_m;
-  ScalarField<double> reach;
+  ScalarField<double> aperture;
   KOKKOS_FUNCTION void operator()(int b, int& changed) const {
-    const double half = 0.5 * pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
-    changed += half != reach(b);
-    reach(b) = half;
+    const double now = pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
+    changed += now != aperture(b);
+    aperture(b) = now;
   }
 };
 
 /// Marks the candidates that the damage of their bond opens now and counts them.
 struct MarkOpening {
   PathwayNodes nodes;
-  Kokkos::View<const double*> reach;
+  Kokkos::View<const double*> aperture;
   Kokkos::View<NodeType*> type;
   Kokkos::View<std::uint8_t*> opening;
   KOKKOS_FUNCTION bool opens(int c) const {
     for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k)
-      if (nodes.distance(k) <= reach(nodes.bond(k))) return true;
+      if (nodes.least(k) <= aperture(nodes.bond(k))) return true;
     return false;
   }
   KOKKOS_FUNCTION void operator()(int c, int& count) const {
@@ -76,20 +76,20 @@ PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, NodeGro
     : nodes_(std::move(nodes)),
       nodes_of_particle_(std::move(nodes_of_particle)),
       opening_("vug::pathways::opening", lattice.size()),
-      reach_("vug::pathways::reach", nodes_.closed.extent(0)),
+      aperture_("vug::pathways::aperture", nodes_.closed.extent(0)),
       stranded_("vug::pathways::stranded", nodes_of_particle_.count()) {
-  Kokkos::deep_copy(reach_, -1.0);
+  Kokkos::deep_copy(aperture_, -1.0);
 }
 
 int PathwayOpener::open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
                         const ScalarField<double>& volume) {
-  const int candidates = static_cast<int>(nodes_.node.extent(0)), bonds = static_cast<int>(reach_.extent(0));
+  const int candidates = static_cast<int>(nodes_.node.extent(0)), bonds = static_cast<int>(aperture_.extent(0));
   int changed = 0, opened = 0;
   Kokkos::parallel_reduce("vug::pathways::widen", Kokkos::RangePolicy<Exec>(exec, 0, bonds),
-                          WidenBonds{nodes_, d_m, reach_}, changed);
+                          WidenBonds{nodes_, d_m, aperture_}, changed);
   if (changed == 0) return 0;
   Kokkos::parallel_reduce("vug::pathways::mark", Kokkos::RangePolicy<Exec>(exec, 0, candidates),
-                          MarkOpening{nodes_, reach_, type, opening_}, opened);
+                          MarkOpening{nodes_, aperture_, type, opening_}, opened);
   if (opened == 0) return 0;
   if (volume.extent(0) > 0)
     Kokkos::parallel_for("vug::pathways::share", Kokkos::RangePolicy<Exec>(exec, 0, nodes_of_particle_.count()),

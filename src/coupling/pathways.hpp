@@ -11,18 +11,18 @@ KOKKOS_FORCEINLINE_FUNCTION double pathway_aperture(double d_m, double closed, d
   return closed + d_m * (open - closed);
 }
 
-/// The solid nodes near bonds, each with the bonds whose strip it may belong to and its distance from them.
+/// The solid nodes near bonds, each with the bonds whose strip it may belong to.
 struct PathwayNodes {
-  IndexList node;                ///< (candidate) dense node
-  IndexList offset;              ///< (candidate + 1) its entries are [offset(c), offset(c + 1))
-  IndexList bond;                ///< (entry)
-  ScalarField<double> distance;  ///< (entry) to the bond's edge, cells
-  ScalarField<double> closed;    ///< (bond) aperture w_0 at d_m = 0, cells
-  ScalarField<double> open;      ///< (bond) aperture w_1 at d_m = 1, cells
+  IndexList node;              ///< (candidate) dense node
+  IndexList offset;            ///< (candidate + 1) its entries are [offset(c), offset(c + 1))
+  IndexList bond;              ///< (entry)
+  ScalarField<double> least;   ///< (entry) aperture from which the bond's strip holds the node, cells (strip_nodes)
+  ScalarField<double> closed;  ///< (bond) aperture w_0 at d_m = 0, cells
+  ScalarField<double> open;    ///< (bond) aperture w_1 at d_m = 1, cells
 };
 
-/// Turns fluid the nodes within half the aperture of a bond, never back, and hands the solid
-/// volume of each to the other solid nodes of its particle in equal parts, so that mass is conserved (section 3.3);
+/// Turns fluid the nodes that the aperture of a bond opens, never back, and hands the solid volume
+/// of each to the other solid nodes of its particle in equal parts, so that mass is conserved (section 3.3);
 /// what a particle without solid left cannot take is added to `stranded` (particle). `volume` may be empty (a scene
 /// without dissolution). Returns how many nodes opened.
 class PathwayOpener {
@@ -37,7 +37,7 @@ class PathwayOpener {
   PathwayNodes nodes_;
   NodeGroups nodes_of_particle_;
   Kokkos::View<std::uint8_t*> opening_;  ///< (dense node) 1 while its volume is being handed on
-  ScalarField<double> reach_;            ///< (bond) half the aperture at the last look, cells; -1 before the first
+  ScalarField<double> aperture_;         ///< (bond) at the last look, cells; -1 before the first
   ScalarField<double> stranded_;
 };
 

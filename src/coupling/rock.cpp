@@ -2,6 +2,7 @@
 
 #include "coupling/geometry.hpp"
 #include "coupling/initial_pathways.hpp"
+#include "coupling/strip.hpp"
 #include "dem/edges.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
@@ -74,7 +75,7 @@ SectorPairs sectors_of_bonds(const Assembly& assembly, const BondEdges& bonds) {
   return sectors;
 }
 
-/// The rock's nodes within half of `aperture` (bond, cells) of each bond.
+/// The rock's nodes that a pathway of `aperture` (bond, cells) along each bond opens.
 std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
                                                 const BondEdges& bonds, const RockRaster& raster,
                                                 const std::vector<double>& aperture) {
@@ -82,8 +83,7 @@ std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattic
   for (std::size_t b = 0; b < strips.size(); ++b) {
     if (aperture[b] <= 0) continue;
     const auto [p, q] = bonds.vertices[b];
-    strips[b] =
-        strip_nodes(assembly.vertices[p], assembly.vertices[q], aperture[b] / 2, lattice, scene.lattice.spacing);
+    strips[b] = strip_nodes(assembly.vertices[p], assembly.vertices[q], aperture[b], lattice, scene.lattice.spacing);
     std::erase_if(strips[b], [&](const StripNode& strip) { return raster.owner[strip.node] < 0; });
   }
   return strips;
@@ -145,24 +145,24 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
     open[b] = std::max(
         {damage.pathway_factor * bonds.spacing[b] / scene.lattice.spacing, damage.minimum_aperture, closed[b]});
   const auto strips = bond_strips(scene, lattice, assembly, bonds, raster, open);
-  std::map<int, std::vector<std::pair<int, double>>> of_node;  // bond and distance, in order of bond
+  std::map<int, std::vector<std::pair<int, double>>> of_node;  // bond and aperture, in order of bond
   for (std::size_t b = 0; b < strips.size(); ++b)
     for (const StripNode& entry : strips[b])
-      if (solid[entry.node]) of_node[entry.node].emplace_back(static_cast<int>(b), entry.distance);
+      if (solid[entry.node]) of_node[entry.node].emplace_back(static_cast<int>(b), entry.aperture);
   std::vector<int> node, offset{0}, bond;
-  std::vector<double> distance;
+  std::vector<double> aperture;
   for (const auto& [n, entries] : of_node) {
     node.push_back(lattice.node(n % lattice.nx, n / lattice.nx));
-    for (const auto& [b, d] : entries) {
+    for (const auto& [b, least] : entries) {
       bond.push_back(b);
-      distance.push_back(d);
+      aperture.push_back(least);
     }
     offset.push_back(static_cast<int>(bond.size()));
   }
   return {to_device<IndexList>("vug::pathways::node", node),
           to_device<IndexList>("vug::pathways::offset", offset),
           to_device<IndexList>("vug::pathways::bond", bond),
-          to_device<ScalarField<double>>("vug::pathways::distance", distance),
+          to_device<ScalarField<double>>("vug::pathways::least_aperture", aperture),
           to_device<ScalarField<double>>("vug::pathways::closed", closed),
           to_device<ScalarField<double>>("vug::pathways::open", open)};
 }

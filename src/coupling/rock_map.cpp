@@ -1,5 +1,7 @@
 #include "coupling/rock_map.hpp"
 
+#include "coupling/cells.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,11 +16,14 @@ double cross(const Point& o, const Point& a, const Point& b) {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const double dx = b[0] - a[0], dy = b[1] - a[1];
-  const double along = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy);
-  const double t = std::clamp(along, 0.0, 1.0);
-  return std::hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
+/// Whether p lies left of the line a-b. One on the line counts as moved right by less than anything, and up by less
+/// than that: of two triangles that share an edge exactly one holds it, as the interval [low, high) holds its lower
+/// bound.
+bool lies_left(const Point& a, const Point& b, const Point& p) {
+  const Point along{b[0] - a[0], b[1] - a[1]};
+  const double offset = cross(a, b, p) / std::hypot(along[0], along[1]);
+  if (std::abs(offset) > tie) return offset > 0;
+  return std::abs(along[1]) > tie ? along[1] < 0 : along[0] > 0;
 }
 
 }  // namespace
@@ -42,34 +47,16 @@ RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double sp
         const std::size_t n = static_cast<std::size_t>(y) * lattice.nx + x;
         if (raster.owner[n] >= 0) continue;
         const Point p{x + 0.5, y + 0.5};
+        if (!lies_left(v[0], v[1], p) || !lies_left(v[1], v[2], p) || !lies_left(v[2], v[0], p)) continue;
         // lambda[k]: barycentric coordinate opposite to the edge (k, k + 1)
         const std::array<double, 3> lambda{cross(v[0], v[1], p) / area, cross(v[1], v[2], p) / area,
                                            cross(v[2], v[0], p) / area};
         const auto smallest = std::min_element(lambda.begin(), lambda.end());
-        if (*smallest < -1e-12) continue;
         raster.owner[n] = static_cast<int>(t);
         raster.edge[n] = static_cast<int>(smallest - lambda.begin());
       }
   }
   return raster;
-}
-
-std::vector<StripNode> strip_nodes(const std::array<double, 2>& a, const std::array<double, 2>& b, double half_width,
-                                   const Lattice& lattice, double spacing) {
-  const Point p{a[0] / spacing, a[1] / spacing}, q{b[0] / spacing, b[1] / spacing};
-  const auto first = [&](int axis) {
-    return std::max(0, static_cast<int>(std::floor(std::min(p[axis], q[axis]) - half_width - 0.5)));
-  };
-  const auto last = [&](int axis, int length) {
-    return std::min(length - 1, static_cast<int>(std::ceil(std::max(p[axis], q[axis]) + half_width - 0.5)));
-  };
-  std::vector<StripNode> strip;
-  for (int y = first(1); y <= last(1, lattice.ny); ++y)
-    for (int x = first(0); x <= last(0, lattice.nx); ++x) {
-      const double distance = distance_to_segment({x + 0.5, y + 0.5}, p, q);
-      if (distance <= half_width) strip.push_back({y * lattice.nx + x, distance});
-    }
-  return strip;
 }
 
 NodeGroups group_nodes(const std::vector<int>& key, int groups, const Lattice& lattice) {

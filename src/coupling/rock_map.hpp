@@ -33,18 +33,7 @@ struct RockRaster {
   std::vector<int> edge;   ///< 0..2: the edge (vertices edge, edge + 1) whose sub-triangle holds the node
 };
 
-/// A node beside a line.
-struct StripNode {
-  int node;         ///< row by row without halo
-  double distance;  ///< to the line, cells
-};
-
-/// The nodes whose centres lie within `half_width` cells of the segment a-b (m), round ends included, in order of node:
-/// strips that share an end meet there.
-std::vector<StripNode> strip_nodes(const std::array<double, 2>& a, const std::array<double, 2>& b, double half_width,
-                                   const Lattice& lattice, double spacing);
-
-/// Draws the triangles: a node belongs to the triangle (lowest number first) that holds its centre, and within it to
+/// Draws the triangles: a node belongs to the triangle that holds its centre (on an edge as in cells.hpp), within it to
 /// the sub-triangle (centroid, p, q) of the edge whose opposite barycentric coordinate is smallest.
 RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double spacing);
 

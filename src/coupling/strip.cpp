@@ -1,0 +1,108 @@
+#include "coupling/strip.hpp"
+
+#include "coupling/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+/// A segment in cells, along the axis that it follows more closely: columns lie across that axis.
+class Line {
+ public:
+  Line(const Point& a, const Point& b)
+      : steep_(std::abs(b[1] - a[1]) > std::abs(b[0] - a[0]) + tie), from_(turned(a)), to_(turned(b)) {
+    if (from_[0] > to_[0]) std::swap(from_, to_);
+    slope_ = (to_[1] - from_[1]) / (to_[0] - from_[0]);
+  }
+
+  /// The least aperture that opens the cell with its lower left corner at (x, y).
+  double opening_aperture(int x, int y) const {
+    const Point cell = turned({static_cast<double>(x), static_cast<double>(y)});
+    if (passes(cell)) return 1;
+    const Point centre{cell[0] + 0.5, cell[1] + 0.5};
+    return std::max(across(centre), 2 * beyond(centre));
+  }
+
+ private:
+  Point turned(const Point& p) const { return steep_ ? Point{p[1], p[0]} : p; }
+  double height(double along) const { return snapped(from_[1] + slope_ * (along - from_[0])); }
+
+  /// Whether the segment passes through the cell; one that follows a boundary passes through the lower cell.
+  bool passes(const Point& cell) const {
+    const double first = std::max(cell[0], from_[0]), last = std::min(cell[0] + 1, to_[0]);
+    if (last - first < tie) return false;
+    const auto [low, high] = std::minmax({height(first), height(last)});
+    return cell[1] >= std::ceil(low) - 1 && cell[1] <= std::ceil(high) - 1;
+  }
+
+  /// For the strip along the whole line, with its columns in the order in which they open.
+  double across(const Point& centre) const {
+    const double rise = std::abs(slope_), offset = 2 * snapped(centre[1] - height(centre[0]));
+    if (offset >= -1 - rise - tie && offset < 1 + rise - tie) return 1;
+    const int nearer = static_cast<int>(offset < 0 ? std::ceil(-offset) - 1 : std::floor(offset));  // in its column
+    const double middle = (from_[0] + to_[0]) / 2, half = (to_[0] - from_[0]) / 2;
+    // share of the columns that open before it; the one in the middle opens once half of it is wanted
+    const double share = std::min(1.0, std::max(0.25, std::abs(centre[0] - middle)) / half);
+    return slot_aperture(1 / ((1 - share) / slot_conductivity(strip_aperture(nearer, rise)) +
+                              share / slot_conductivity(strip_aperture(nearer + 1, rise))));
+  }
+
+  /// Distance of a point that lies beyond an end from that end.
+  double beyond(const Point& p) const {
+    const double along = (p[0] - from_[0]) + slope_ * (p[1] - from_[1]);
+    if (along < 0) return std::hypot(p[0] - from_[0], p[1] - from_[1]);
+    if (along > (1 + slope_ * slope_) * (to_[0] - from_[0])) return std::hypot(p[0] - to_[0], p[1] - to_[1]);
+    return 0;
+  }
+
+  bool steep_;
+  Point from_, to_;
+  double slope_ = 0;
+};
+
+}  // namespace
+
+double slot_conductivity(double aperture) {
+  return aperture * (aperture * aperture + 0.5) / 12;
+}
+
+double slot_aperture(double conductivity) {
+  return 2 / std::sqrt(6.0) * std::sinh(std::asinh(36 * std::sqrt(6.0) * conductivity) / 3);
+}
+
+double strip_aperture(int n, double slope) {
+  if (n == 1) return 1 + 0.264 * slope;
+  // What the steps of its walls take from the geometric width n cos(angle), at slopes of 0, 0.1, ... 1: measured with
+  // Stokes flow (verification/pathway_strip_test.cpp), alike for all n.
+  constexpr std::array<double, 11> steps{0, 0.117, 0.184, 0.197, 0.184, 0.165, 0.184, 0.183, 0.172, 0.142, 0.080};
+  const int left = std::min(9, static_cast<int>(10 * slope));
+  const double lost = steps[left] + (10 * slope - left) * (steps[left + 1] - steps[left]);
+  return n / std::sqrt(1 + slope * slope) - lost;
+}
+
+std::vector<StripNode> strip_nodes(const Point& a, const Point& b, double aperture, const Lattice& lattice,
+                                   double spacing) {
+  const Point p{a[0] / spacing, a[1] / spacing}, q{b[0] / spacing, b[1] / spacing};
+  const Line line(p, q);
+  const double reach = aperture / std::sqrt(2.0) + 2;  // across, along the axis, with what the steps add
+  const auto first = [&](int axis) {
+    return std::max(0, static_cast<int>(std::floor(std::min(p[axis], q[axis]) - reach)));
+  };
+  const auto last = [&](int axis, int length) {
+    return std::min(length - 1, static_cast<int>(std::ceil(std::max(p[axis], q[axis]) + reach)));
+  };
+  std::vector<StripNode> strip;
+  for (int y = first(1); y <= last(1, lattice.ny); ++y)
+    for (int x = first(0); x <= last(0, lattice.nx); ++x) {
+      const double least = line.opening_aperture(x, y) - tie;
+      if (least <= aperture) strip.push_back({y * lattice.nx + x, least});
+    }
+  return strip;
+}
+
+}  // namespace vug
