@@ -1,5 +1,6 @@
 #include "coupling/geometry.hpp"
 
+#include "coupling/cells.hpp"
 #include "io/image_reader.hpp"
 #include "kernels/require.hpp"
 
@@ -21,9 +22,9 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     const char* name = name_of(which);
     if (!scene.injection || scene.injection->side != name) return add(name, which, 0, length - 1, conditions);
     const InjectionSection& injection = *scene.injection;
-    const auto edge = [&](double at) { return static_cast<int>(std::lround(at / lattice.spacing)); };
-    const int first = std::clamp(edge(injection.centre - injection.width / 2), 0, length - 1);
-    const int last = std::clamp(edge(injection.centre + injection.width / 2) - 1, first, length - 1);
+    const auto cell = [&](double at) { return first_cell(at / lattice.spacing); };
+    const int first = std::clamp(cell(injection.centre - injection.width / 2), 0, length - 1);
+    const int last = std::clamp(cell(injection.centre + injection.width / 2) - 1, first, length - 1);
     add(name, which, 0, first - 1, conditions);
     add("injection", which, first, last, injection.conditions);
     add(name, which, last + 1, length - 1, conditions);
@@ -55,13 +56,16 @@ namespace {
 
 using Point = std::array<double, 2>;
 
+// Whether a shape, in cells, holds the centre p of a cell. One that lies on the outline belongs to a shape above or to
+// the right of it; on a disc, to the disc.
+
 bool holds(const Rectangle& r, const Point& p) {
-  return p[0] >= std::min(r.from[0], r.to[0]) && p[0] <= std::max(r.from[0], r.to[0]) &&
-         p[1] >= std::min(r.from[1], r.to[1]) && p[1] <= std::max(r.from[1], r.to[1]);
+  return p[0] >= std::min(r.from[0], r.to[0]) && p[0] < std::max(r.from[0], r.to[0]) &&
+         p[1] >= std::min(r.from[1], r.to[1]) && p[1] < std::max(r.from[1], r.to[1]);
 }
 
 bool holds(const Disc& d, const Point& p) {
-  return std::hypot(p[0] - d.centre[0], p[1] - d.centre[1]) <= d.radius;
+  return std::hypot(p[0] - d.centre[0], p[1] - d.centre[1]) <= d.radius + tie;
 }
 
 /// Even-odd rule.
@@ -70,20 +74,37 @@ bool holds(const Polygon& polygon, const Point& p) {
   const auto& v = polygon.points;
   for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++)
     if ((v[a][1] > p[1]) != (v[b][1] > p[1]) &&
-        p[0] < (v[b][0] - v[a][0]) * (p[1] - v[a][1]) / (v[b][1] - v[a][1]) + v[a][0])
+        p[0] < (v[b][0] - v[a][0]) * (p[1] - v[a][1]) / (v[b][1] - v[a][1]) + v[a][0] - tie)
       in = !in;
   return in;
+}
+
+Point in_cells(const Point& p, double spacing) {
+  return {snapped(p[0] / spacing), snapped(p[1] / spacing)};
+}
+
+Rectangle in_cells(const Rectangle& r, double spacing) {
+  return {in_cells(r.from, spacing), in_cells(r.to, spacing)};
+}
+
+Disc in_cells(const Disc& d, double spacing) {
+  return {in_cells(d.centre, spacing), d.radius / spacing};
+}
+
+Polygon in_cells(Polygon polygon, double spacing) {
+  for (Point& p : polygon.points) p = in_cells(p, spacing);
+  return polygon;
 }
 
 /// Calls paint(node) for every node, row by row without halo, whose centre lies in the shape.
 template <class Paint>
 void draw(const Shape& shape, const LatticeSection& lattice, const Paint& paint) {
-  for (int y = 0; y < lattice.ny; ++y)
-    for (int x = 0; x < lattice.nx; ++x) {
-      const Point centre{(x + 0.5) * lattice.spacing, (y + 0.5) * lattice.spacing};
-      if (std::visit([&](const auto& form) { return holds(form, centre); }, shape.form))
-        paint(static_cast<std::size_t>(y) * lattice.nx + x);
-    }
+  const auto draw_form = [&](const auto& form) {
+    for (int y = 0; y < lattice.ny; ++y)
+      for (int x = 0; x < lattice.nx; ++x)
+        if (holds(form, Point{x + 0.5, y + 0.5})) paint(static_cast<std::size_t>(y) * lattice.nx + x);
+  };
+  std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape.form);
 }
 
 Point unit_vector(const Point& v) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace vug {
@@ -89,16 +90,40 @@ std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattic
   return strips;
 }
 
-/// Aperture of the notches, which are cracks from the start, in cells; 0 for all other bonds.
-std::vector<double> notch_apertures(const RockSection& section, const Assembly& assembly, const BondEdges& bonds) {
-  double aperture = 0;
-  for (const Notch& notch : section.notches) aperture = std::max(aperture, notch.aperture);
-  if (aperture == 0) aperture = section.pathway_aperture;
+double distance(const std::array<double, 2>& p, const Notch& notch) {
+  const double dx = notch.to[0] - notch.from[0], dy = notch.to[1] - notch.from[1];
+  const double along = ((p[0] - notch.from[0]) * dx + (p[1] - notch.from[1]) * dy) / (dx * dx + dy * dy);
+  const double t = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p[0] - notch.from[0] - t * dx, p[1] - notch.from[1] - t * dy);
+}
+
+/// Aperture of the bonds that are cracks from the start, in cells; 0 for all other bonds. A crack of the generator has
+/// that of the notch nearest to its middle (ends are led up to the hole), one of a mesh that of the notch it lies on or
+/// the pathways'; of notches that lie on each other the widest counts.
+std::vector<double> crack_apertures(const Scene& scene, const Assembly& assembly, const BondEdges& bonds) {
+  const RockSection& section = *scene.rock;
+  const double slack = 1e-7 * (scene.lattice.length_x + scene.lattice.length_y);
   std::vector<double> apertures(bonds.vertices.size(), 0);
+  std::vector<bool> found(section.notches.size(), false);
   for (const auto& crack : assembly.initial_cracks) {
-    const auto found = bonds.number.find(ordered(crack[0], crack[1]));
-    if (found != bonds.number.end()) apertures[found->second] = aperture;
+    const auto bond = bonds.number.find(ordered(crack[0], crack[1]));
+    if (bond == bonds.number.end()) continue;
+    const auto &p = assembly.vertices[crack[0]], &q = assembly.vertices[crack[1]];
+    const std::array<double, 2> middle{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
+    double nearest = section.mesh ? slack : std::numeric_limits<double>::infinity();
+    for (const Notch& notch : section.notches) nearest = std::min(nearest, distance(middle, notch));
+    double& aperture = apertures[bond->second];
+    for (std::size_t n = 0; n < found.size(); ++n) {
+      if (distance(middle, section.notches[n]) > nearest + slack) continue;
+      aperture = std::max(aperture, section.notches[n].aperture);
+      found[n] = true;
+    }
+    if (aperture == 0) aperture = section.pathway_aperture;
   }
+  for (std::size_t n = 0; n < found.size(); ++n)
+    if (section.mesh && !found[n])
+      throw InputError(fmt::format("{}: rock.notches.{}: no line of the group \"crack\" or \"notch\" of {} lies on it",
+                                   scene.path, n, *section.mesh));
   return apertures;
 }
 
@@ -106,7 +131,7 @@ std::vector<double> notch_apertures(const RockSection& section, const Assembly& 
 std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
                                       const BondEdges& bonds, const RockRaster& raster) {
   const RockSection& section = *scene.rock;
-  std::vector<double> aperture = notch_apertures(section, assembly, bonds);
+  std::vector<double> aperture = crack_apertures(scene, assembly, bonds);
   if (section.porosity <= 0) return aperture;
   std::vector<bool> fixed(aperture.size());
   std::vector<double> wide = aperture;
