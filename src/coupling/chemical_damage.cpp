@@ -1,6 +1,7 @@
 #include "coupling/chemical_damage.hpp"
 
 #include "coupling/run_sum.hpp"
+#include "dem/dissolved_rock.hpp"
 #include "kernels/launch.hpp"
 
 namespace vug {
@@ -44,60 +45,52 @@ struct SettleNodes {
   }
 };
 
-struct OfTriangle {
-  Kokkos::View<const double*> sum;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int t) const { return sum(3 * t) + sum(3 * t + 1) + sum(3 * t + 2); }
+/// What is left of a volume of which `dissolved` is gone: a share between 0 and 1; 1 where there was no solid.
+KOKKOS_FORCEINLINE_FUNCTION double share_left(double dissolved, double initial) {
+  const double share = initial > 0 ? 1 - dissolved / initial : 1.0;
+  return share > 0 ? share : 0.0;
+}
+
+struct StoreSolidFraction {
+  Kokkos::View<const double*> initial, sum;
+  ScalarField<double> solid_fraction;
+  KOKKOS_FUNCTION void operator()(int t) const {
+    solid_fraction(t) = share_left(sum(3 * t) + sum(3 * t + 1) + sum(3 * t + 2),
+                                   initial(3 * t) + initial(3 * t + 1) + initial(3 * t + 2));
+  }
 };
 
-struct OfBond {
+struct StoreChemicalDamage {
   SectorPairs sectors;
-  Kokkos::View<const double*> sum;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int b) const { return sum(sectors(b, 0)) + sum(sectors(b, 1)); }
-};
-
-/// volume(g) = sum over the sectors of g.
-template <class Of>
-struct StoreVolume {
-  Of of;
-  ScalarField<double> volume;
-  KOKKOS_FUNCTION void operator()(int g) const { volume(g) = of(g); }
-};
-
-/// value(g) = sum over the sectors of g over its initial volume, or what that leaves of 1.
-template <class Of>
-struct StoreShare {
-  Of of;
-  Kokkos::View<const double*> initial;
-  ScalarField<double> value;
-  bool remaining;
-  KOKKOS_FUNCTION void operator()(int g) const {
-    const double ratio = initial(g) > 0 ? of(g) / initial(g) : 0.0, share = ratio < 1 ? ratio : 1.0;
-    value(g) = remaining ? 1 - share : share;
+  Kokkos::View<const double*> initial, sum, solid_fraction;
+  ScalarField<double> d_c;
+  KOKKOS_FORCEINLINE_FUNCTION double left(int s) const {
+    return side_left(share_left(sum(s), initial(s)), solid_fraction(s / 3));
+  }
+  KOKKOS_FUNCTION void operator()(int b) const {
+    const int s = sectors(b, 0), t = sectors(b, 1);
+    d_c(b) = chemical_damage_of_sides(initial(s), left(s), initial(t), left(t));
   }
 };
 
 DissolvedShares::DissolvedShares(const Exec& exec, const NodeGroups& nodes_of_sector,
                                  const SectorPairs& sectors_of_bond, const ScalarField<double>& volume)
     : sectors_of_bond_(sectors_of_bond),
-      triangle_volume_("vug::chemical_damage::triangle_volume", nodes_of_sector.count() / 3),
-      bond_volume_("vug::chemical_damage::bond_volume", sectors_of_bond.extent(0)),
+      initial_("vug::chemical_damage::initial", nodes_of_sector.count()),
       settled_("vug::chemical_damage::settled", nodes_of_sector.count()),
-      sum_("vug::chemical_damage::sum", nodes_of_sector.count()) {
-  sum_runs(exec, "vug::chemical_damage::initial", nodes_of_sector, volume, StoreSum{sum_});
-  for_each_node(exec, "vug::chemical_damage::triangle_volume", static_cast<int>(triangle_volume_.extent(0)),
-                StoreVolume<OfTriangle>{{sum_}, triangle_volume_});
-  for_each_node(exec, "vug::chemical_damage::bond_volume", static_cast<int>(bond_volume_.extent(0)),
-                StoreVolume<OfBond>{{sectors_of_bond_, sum_}, bond_volume_});
+      sum_("vug::chemical_damage::sum", nodes_of_sector.count()),
+      solid_fraction_("vug::chemical_damage::solid_fraction", nodes_of_sector.count() / 3),
+      d_c_("vug::chemical_damage::d_c", sectors_of_bond.extent(0)) {
+  sum_runs(exec, "vug::chemical_damage::initial", nodes_of_sector, volume, StoreSum{initial_});
 }
 
-void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved,
-                             const ScalarField<double>& solid_fraction, const ScalarField<double>& d_c) const {
+void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const {
   for_each_node(exec, "vug::chemical_damage::sum", wet.sectors(),
                 SumWetNodes{wet.of_sector(), wet.node(), dissolved, settled_, sum_});
-  for_each_node(exec, "vug::chemical_damage::remaining", static_cast<int>(triangle_volume_.extent(0)),
-                StoreShare<OfTriangle>{{sum_}, triangle_volume_, solid_fraction, true});
-  for_each_node(exec, "vug::chemical_damage::share", static_cast<int>(bond_volume_.extent(0)),
-                StoreShare<OfBond>{{sectors_of_bond_, sum_}, bond_volume_, d_c, false});
+  for_each_node(exec, "vug::chemical_damage::solid_fraction", static_cast<int>(solid_fraction_.extent(0)),
+                StoreSolidFraction{initial_, sum_, solid_fraction_});
+  for_each_node(exec, "vug::chemical_damage::d_c", static_cast<int>(d_c_.extent(0)),
+                StoreChemicalDamage{sectors_of_bond_, initial_, sum_, solid_fraction_, d_c_});
 }
 
 void DissolvedShares::settle(const Exec& exec, const WetNodes& wet, const Kokkos::View<NodeType*>& type,

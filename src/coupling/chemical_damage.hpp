@@ -4,9 +4,10 @@
 
 namespace vug {
 
-/// Shares of the solid volume of triangles and bonds that have dissolved: dissolved volume of the nodes over their
-/// initial solid volume, between 0 and 1; 0 where there was no solid. For bonds this is d_c = 1 - m_c / m_c0 (Eq. 25):
-/// solid that an opening crack hands to other nodes is not dissolved and does not count.
+/// What dissolution leaves of triangles and bonds: dissolved volume of the nodes over their initial solid volume, by
+/// sectors; nothing is missing where there was no solid. A bond carries by its two sectors in series
+/// (dem/dissolved_rock.hpp), for which Eq. 25 takes their sum. Solid that an opening crack hands to other nodes is not
+/// dissolved and does not count.
 ///
 /// Rock dissolves at wet nodes only, and a node stays wet until it turns fluid. So an update sums over the wet nodes
 /// and keeps one number for all that have turned fluid: it costs the surface, not the lattice.
@@ -16,21 +17,25 @@ class DissolvedShares {
   DissolvedShares(const Exec& exec, const NodeGroups& nodes_of_sector, const SectorPairs& sectors_of_bond,
                   const ScalarField<double>& volume);
 
-  /// solid_fraction (triangle) = what remains; d_c (bond). dissolved: (dense node), pixels.
-  void update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved,
-              const ScalarField<double>& solid_fraction, const ScalarField<double>& d_c) const;
+  /// dissolved: (dense node), pixels.
+  void update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const;
   /// To be called when nodes have turned fluid, before the wet nodes are found anew.
   void settle(const Exec& exec, const WetNodes& wet, const Kokkos::View<NodeType*>& type,
               const ScalarField<double>& dissolved) const;
 
+  /// (triangle) share of the solid that remained at the last update.
+  const ScalarField<double>& solid_fraction() const { return solid_fraction_; }
+  /// (bond) chemical damage then.
+  const ScalarField<double>& d_c() const { return d_c_; }
   /// (sector) dissolved volume of the nodes that have turned fluid, pixels: belongs in a checkpoint.
   const ScalarField<double>& settled() const { return settled_; }
 
  private:
   SectorPairs sectors_of_bond_;
-  ScalarField<double> triangle_volume_, bond_volume_;  ///< initial, pixels
+  ScalarField<double> initial_;  ///< (sector) solid volume, pixels
   ScalarField<double> settled_;
-  ScalarField<double> sum_;  ///< (sector) of the present update
+  ScalarField<double> sum_;  ///< (sector) dissolved volume at the last update, pixels
+  ScalarField<double> solid_fraction_, d_c_;
 };
 
 }  // namespace vug

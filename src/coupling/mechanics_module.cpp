@@ -82,6 +82,7 @@ void MechanicsModule<T>::find_links(const Exec& exec) {
 template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
+  const double dt = units_.time_step / substeps_;
   if (flow_ && clock.step % exchange_interval_ == 0) {
     exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
                       particles.torque);
@@ -90,10 +91,12 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     if (heat_)
       warm_particles(exec, nodes_of_particle_, heat_->temperature(exec), heat_->initial_theta(),
                      particles.temperature_change);
-    if (dissolved_)
-      dissolved_->update(exec, *wet_, geometry_.dissolved, particles.solid_fraction, mechanics_.bonds().d_c);
+    if (dissolved_) {
+      dissolved_->update(exec, *wet_, geometry_.dissolved);
+      mechanics_.dissolve(exec, dt, dissolved_->solid_fraction(), dissolved_->d_c());
+    }
   }
-  mechanics_.advance(exec, units_.time_step / substeps_, substeps_);
+  mechanics_.advance(exec, dt, substeps_);
 }
 
 template <class T>
@@ -125,6 +128,14 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"bonds_failed_in_tension_1", static_cast<double>(counts.failed_in_tension)});
   row.push_back({"bonds_failed_in_shear_1", static_cast<double>(counts.failed_in_shear)});
   row.push_back({"bonds_dissolved_1", static_cast<double>(counts.dissolved)});
+  if (dissolved_) {
+    const LostWithRock lost = mechanics_.lost();
+    row.push_back({"triangles_dissolved_1", static_cast<double>(lost.triangles)});
+    row.push_back({"dissolved_rock_momentum_x_N_s_per_m", lost.momentum.x});
+    row.push_back({"dissolved_rock_momentum_y_N_s_per_m", lost.momentum.y});
+    row.push_back({"dissolved_rock_kinetic_energy_J_per_m", lost.kinetic});
+    row.push_back({"dissolved_rock_elastic_energy_J_per_m", lost.elastic});
+  }
   if (section_.parameters.rest_tolerance > 0) row.push_back({"rock_awake_1", mechanics_.awake_share()});
   const Energies energies = mechanics_.energies(Exec{});
   row.push_back({"kinetic_energy_J_per_m", energies.kinetic});

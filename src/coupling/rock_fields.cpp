@@ -30,10 +30,22 @@ void add_rock_fields(const Mechanics& rock, FieldList& list) {
                        for (std::size_t i = 0; i < out.size(); ++i) out[i] = host(i / 2, i % 2);
                      }});
   };
-  vector(list.particles, "displacement", "m", particles.u);
-  scalar(list.particles, "rotation", "rad", particles.angle);
+  list.particles.push_back({"displacement", "m", 2, [particles](std::span<double> out) {
+                              const auto u = host_copy(particles.u), reference = host_copy(particles.u_reference);
+                              for (std::size_t i = 0; i < out.size(); ++i)
+                                out[i] = u(i / 2, i % 2) - reference(i / 2, i % 2);
+                            }});
+  list.particles.push_back({"rotation", "rad", 1, [particles](std::span<double> out) {
+                              const auto angle = host_copy(particles.angle);
+                              const auto reference = host_copy(particles.angle_reference);
+                              for (std::size_t i = 0; i < out.size(); ++i) out[i] = angle(i) - reference(i);
+                            }});
   scalar(list.particles, "temperature_change", "K", particles.temperature_change);
   scalar(list.particles, "solid_fraction", "1", particles.solid_fraction);
+  list.particles.push_back({"gone", "1", 1, [particles](std::span<double> out) {
+                              const auto fraction = host_copy(particles.solid_fraction);
+                              for (std::size_t i = 0; i < out.size(); ++i) out[i] = is_gone(fraction(i)) ? 1 : 0;
+                            }});
   vector(list.particles, "force", "N/m", particles.force);
   scalar(list.bonds, "d_m", "1", bonds.d_m);
   scalar(list.bonds, "d_c", "1", bonds.d_c);

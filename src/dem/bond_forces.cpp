@@ -30,7 +30,7 @@ struct BondModel {
 
   KOKKOS_FORCEINLINE_FUNCTION double chemical_damage(int k) const {
     const double d_c = bonds.d_c(k);
-    return d_c < chemical.failure_at ? d_c : chemical.failure_at;
+    return d_c < 1 ? d_c : 1.0;
   }
 
   /// Stiffness and strengths of the bond at its chemical damage; sigma_t holds the cohesion alone.
@@ -130,7 +130,7 @@ struct CohesiveForces {
 /// The bonds to which something happens: damages those that are overstressed, names the mode of first damage, fails a
 /// bond whose two points are broken or whose solid is dissolved, and replaces the forces of a failed one by those of a
 /// crack, whose faces press and rub at the same two points with the bond's own stiffness and the contact's friction and
-/// dashpot.
+/// dashpot, all in the share that dissolution has left.
 template <class Keeper>
 struct BondFailure {
   BondModel<Keeper> model;
@@ -165,11 +165,7 @@ struct BondFailure {
   /// The sliders of the new crack stand where its faces are.
   KOKKOS_FUNCTION void fail(int k, const BondMotion& motion) const {
     if constexpr (Keeper::kept) close_account(k, motion);
-    for (int s = 0; s < 2; ++s) {
-      model.bonds.point_damage(k, s) = 1;
-      model.bonds.slip(k, s) = motion.opening[s].delta_t;
-    }
-    model.bonds.d_m(k) = 1;
+    for (int s = 0; s < 2; ++s) model.bonds.slip(k, s) = motion.opening[s].delta_t;
     Kokkos::atomic_store(&model.bonds.events(bond_has_failed), 1);
     Kokkos::atomic_store(&model.bonds.events(cracks_have_changed), 1);
   }
@@ -199,22 +195,26 @@ struct BondFailure {
     return state == BondState::damaged_in_tension ? BondState::failed_in_tension : BondState::failed_in_shear;
   }
 
-  /// The two-point law of crack faces holds while they lie opposite each other.
+  /// The two-point law of crack faces holds while they lie opposite each other and something is left of them.
   KOKKOS_FUNCTION bool faces_meet(int k, const PointOpening (&opening)[2]) const {
     const Bonds& bonds = model.bonds;
-    if (bonds.joint(k) == 0) return false;
+    const std::uint8_t before = bonds.joint(k);
+    if (before == faces_apart) return false;
     const double apart = 0.5 * Kokkos::max(opening[0].delta_n + opening[1].delta_n,
                                            Kokkos::abs(opening[0].delta_t + opening[1].delta_t));
-    if (apart < 0.5 * bonds.length(k)) return true;
-    bonds.joint(k) = 0;
-    Kokkos::atomic_store(&bonds.events(cracks_have_changed), 1);
-    return false;
+    const std::uint8_t now = !(apart < 0.5 * bonds.length(k))            ? faces_apart
+                             : bonds.d_c(k) >= model.chemical.failure_at ? faces_dissolved
+                                                                         : before;
+    if (now != before) Kokkos::atomic_store(&bonds.events(cracks_have_changed), 1);
+    bonds.joint(k) = now;
+    return now != faces_apart && bonds.d_c(k) < 1;
   }
 
   KOKKOS_FUNCTION PointStress crack_stress(int k, int s, const BondPoint& point, const PointOpening& o) const {
     const ContactParameters& c = model.contact;
-    const double width = 0.5 * model.bonds.length(k);
-    const ContactPoint joint{point.k_n, point.k_t, c.normal_damping / width, c.tangential_damping / width, c.friction};
+    const double width = 0.5 * model.bonds.length(k), left = 1 - model.chemical_damage(k);
+    const ContactPoint joint{point.k_n, point.k_t, left * c.normal_damping / width, left * c.tangential_damping / width,
+                             c.friction};
     const ContactReaction reaction =
         contact_reaction(joint, -o.delta_n, -o.rate_n, o.delta_t, o.rate_t, model.bonds.slip(k, s));
     return {-reaction.normal, -reaction.tangential, reaction.slip};
@@ -247,8 +247,8 @@ struct BondFailure {
     const bool quiet = !overstressed && model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
     if (!has_failed(state) && quiet) return;
     const BondMotion motion = motion_of_bond(model.particles, model.bonds, model.expansion, k);
-    if (overstressed) take_damage(k, motion);
     const bool fresh = !has_failed(state);
+    if (fresh && overstressed) take_damage(k, motion);
     if (fresh) {
       state = settled(k, state, motion);
       model.bonds.state(k) = state;

@@ -38,7 +38,7 @@ void allocate(Bonds& b, int n, int particles) {
   b.state = fresh<decltype(b.state)>("bond_state", size);
   b.joint = fresh<decltype(b.joint)>("bond_joint", size);
   b.events = fresh<IndexList>("bond_events", 2);
-  Kokkos::deep_copy(b.joint, std::uint8_t{1});
+  Kokkos::deep_copy(b.joint, faces_joined);
   b.slip = fresh<decltype(b.slip)>("bond_slip", size);
   b.stress = fresh<decltype(b.stress)>("bond_stress", size);
   b.load = fresh<decltype(b.load)>("bond_load", size + 1);

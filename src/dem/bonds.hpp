@@ -13,13 +13,18 @@ enum class BondState : std::uint8_t {
   damaged_in_shear = 2,
   failed_in_tension = 3,
   failed_in_shear = 4,
-  dissolved = 5,         ///< failed because d_c reached its limit
+  dissolved = 5,         ///< failed because d_c reached its limit; d_m is what it was
   cracked_at_start = 6,  ///< a pre-existing fracture
 };
 
 KOKKOS_FORCEINLINE_FUNCTION constexpr bool has_failed(BondState state) {
   return state >= BondState::failed_in_tension;
 }
+
+/// How the two triangles of a bond feel each other, beside what holds them together.
+inline constexpr std::uint8_t faces_apart = 0,  ///< parted by half an edge: by their outlines
+    faces_joined = 1,                           ///< by the faces of the crack
+    faces_dissolved = 2;                        ///< by what is left of the faces, and by the outlines behind them
 
 inline constexpr int bond_has_failed = 0, cracks_have_changed = 1;
 
@@ -45,13 +50,13 @@ struct Bonds {
   ScalarField<double> energy_II;        ///< drawn, N/m
 
   Kokkos::View<double* [2], Kokkos::LayoutLeft> point_damage;  ///< (bond, point) d_m of each integration point
-  ScalarField<double> d_m;                                     ///< mean of the two; 1 exactly when the bond has failed
+  ScalarField<double> d_m;                                     ///< mean of the two; 1 exactly when it has broken
   ScalarField<double> d_c;                                     ///< chemical damage
   /// Within a step: 1 if a point is beyond its strength and may yet break. An int: of bytes a host would take so many
   /// at once that eight bonds would go one by one.
   IndexList overstressed;
   Kokkos::View<BondState*> state;
-  Kokkos::View<std::uint8_t*> joint;  ///< 0 once the faces of the crack have parted by half an edge: ordinary contact
+  Kokkos::View<std::uint8_t*> joint;  ///< faces_joined, faces_dissolved or faces_apart
   IndexList events;                   ///< [bond_has_failed] for good, [cracks_have_changed] until contacts have noticed
   Kokkos::View<double* [2], Kokkos::LayoutLeft> slip;    ///< (bond, point) slider of the crack's friction, m
   Kokkos::View<double* [2], Kokkos::LayoutLeft> stress;  ///< (bond, normal/tangential) mean of the two points, Pa

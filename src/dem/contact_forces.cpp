@@ -10,7 +10,7 @@ namespace vug {
 
 namespace {
 
-/// The eroded outline of a particle, relative to a point, and its motion.
+/// The eroded outline of a particle, as small as dissolution has left it, relative to a point, and its motion.
 struct Body {
   Triangle outline;
   Vec2 centre;  ///< of the particle, relative to the same point
@@ -61,9 +61,10 @@ struct ContactForces {
     out.centre = Vec2{particles.x0(i, 0), particles.x0(i, 1)} - origin + m.u;
     out.v = m.v;
     out.spin = m.spin;
+    const double scale = m.scale * outline_scale(particles.solid_fraction(i));
     for (int c = 0; c < 3; ++c) {
       const Vec2 r{particles.eroded(i, c, 0), particles.eroded(i, c, 1)};
-      out.outline.corner[c] = out.centre + m.scale * m.rotation.turn(r);
+      out.outline.corner[c] = out.centre + scale * m.rotation.turn(r);
     }
     return out;
   }
@@ -117,10 +118,13 @@ struct ContactForces {
     }
   }
 
-  KOKKOS_FUNCTION void push_pair(const Body& a, Vec2 origin, int pair, int generation, PairEnergy& energy) const {
-    const Body b = body(contacts.other(pair, generation), origin);
+  KOKKOS_FUNCTION void push_pair(int low, const Body& a, Vec2 origin, int pair, int generation,
+                                 PairEnergy& energy) const {
+    const int high = contacts.other(pair, generation);
+    const Body b = body(high, origin);
     const double gap = 2 * particles.radius * (1 + 1e-9);  // beyond rounding
-    if (keeps_clear(a.outline, b.outline, gap) || keeps_clear(b.outline, a.outline, gap)) {
+    if (is_gone(particles.solid_fraction(low)) || is_gone(particles.solid_fraction(high)) ||
+        keeps_clear(a.outline, b.outline, gap) || keeps_clear(b.outline, a.outline, gap)) {
       for (int f = 0; f < pair_features; ++f) forget(contacts.stretch(pair, generation, f), energy);
       leave(pair, {}, {});
       return;
@@ -142,7 +146,7 @@ struct ContactForces {
     if (first < last) {
       const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
       const Body a = body(low, origin);
-      for (int pair = first; pair < last; ++pair) push_pair(a, origin, pair, generation, energy);
+      for (int pair = first; pair < last; ++pair) push_pair(low, a, origin, pair, generation, energy);
     }
     contacts.energy(low) = energy.stored;
     accounts.add_pair_friction(low, energy.friction);

@@ -35,7 +35,6 @@ struct Stiffness {
 struct ParticleStep {
   BondParameters law;
   ContactParameters contact;
-  ChemicalDamageLaw chemical;
   double mass_scaling;
   Particles p;
   Bonds bonds;
@@ -46,7 +45,7 @@ struct ParticleStep {
     const Vec2 n{bonds.normal(k, 0), bonds.normal(k, 1)}, t{-n.y, n.x};
     const double width = 0.5 * bonds.length(k);
     const double bond_length = law.length_factor * bonds.spacing(k);
-    const double left = 1 - Kokkos::min(bonds.d_c(k), chemical.failure_at);
+    const double left = 1 - Kokkos::min(bonds.d_c(k), 1.0);
     for (int s = 0; s < 2; ++s) {
       const Vec2 r{bonds.arm(k, s, end, 0), bonds.arm(k, s, end, 1)};
       stiffness.add(left * width * law.normal_modulus / bond_length, n, cross(r, n) / rho);
@@ -71,6 +70,7 @@ struct ParticleStep {
   }
 
   KOKKOS_FUNCTION void operator()(int i, double& smallest) const {
+    if (is_gone(p.solid_fraction(i))) return;
     const double mass = mass_scaling * mass_fraction(p.solid_fraction(i)) * p.mass(i);
     const double rho = Kokkos::sqrt(p.inertia(i) / p.mass(i));
     Stiffness stiffness, dashpot;
@@ -90,10 +90,10 @@ struct ParticleStep {
 double critical_step(const Exec& exec, const MechanicsParameters& parameters, const Particles& particles,
                      const Bonds& bonds, const BoundaryLoads& loads) {
   double smallest = 0;
-  Kokkos::parallel_reduce("vug::dem::critical_step", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
-                          ParticleStep{parameters.bond, parameters.contact, parameters.chemical,
-                                       parameters.mass_scaling, particles, bonds, loads},
-                          Kokkos::Min<double>(smallest));
+  Kokkos::parallel_reduce(
+      "vug::dem::critical_step", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
+      ParticleStep{parameters.bond, parameters.contact, parameters.mass_scaling, particles, bonds, loads},
+      Kokkos::Min<double>(smallest));
   return smallest;
 }
 

@@ -1,7 +1,6 @@
 #include "dem/energy.hpp"
 
-#include "dem/bond_kinematics.hpp"
-#include "dem/bond_law.hpp"
+#include "dem/elastic_energy.hpp"
 #include "kernels/launch.hpp"
 
 #include <string>
@@ -18,36 +17,6 @@ struct KineticEnergy {
     const double v2 = p.v(i, 0) * p.v(i, 0) + p.v(i, 1) * p.v(i, 1);
     const double share = mass_scaling * mass_fraction(p.solid_fraction(i));
     return 0.5 * share * (p.mass(i) * v2 + p.inertia(i) * p.spin(i) * p.spin(i));
-  }
-};
-
-/// (1 - d) (k_n delta_n delta_n' + k_t delta_t delta_t') / 2 over the edge of one bond, delta at the time of the last
-/// forces, delta' one step later; for a crack its compression and the stretch of its friction spring.
-struct ElasticEnergy {
-  BondParameters law;
-  double failure_at;
-  double expansion;
-  double dt;
-  Particles particles;
-  Bonds bonds;
-
-  KOKKOS_FUNCTION double operator()(int k) const {
-    if (bonds.joint(k) == 0) return 0;
-    const BondMotion now = motion_of_bond(particles, bonds, expansion, k);
-    const BondMotion before = motion_of_bond_before(particles, bonds, expansion, dt, k);
-    const double d_c = Kokkos::min(bonds.d_c(k), failure_at);
-    const double length = law.length_factor * bonds.spacing(k);
-    const bool failed = has_failed(bonds.state(k));
-    double sum = 0;
-    for (int s = 0; s < 2; ++s) {
-      const PointOpening &o = now.opening[s], &b = before.opening[s];
-      const double d_m = bonds.point_damage(k, s);
-      const double slip = failed ? bonds.slip(k, s) : 0;
-      const double held = !failed ? 1 - d_m : b.delta_n < 0 ? 1 : 0;
-      sum += normal_integrity(d_m, b.delta_n) * law.normal_modulus * b.delta_n * o.delta_n +
-             held * law.tangential_modulus * (b.delta_t - slip) * (o.delta_t - slip);
-    }
-    return 0.25 * bonds.length(k) * (1 - d_c) / length * sum;
   }
 };
 
@@ -106,8 +75,8 @@ Accounts make_accounts(const Particles& particles, const Bonds& bonds, const Con
 }
 
 void reset(const Exec& exec, const Accounts& a) {
-  for (const auto& account : {a.bond_fracture, a.bond_friction, a.bond_damping, a.pair_friction, a.particle_work,
-                              a.particle_damping}) {
+  for (const auto& account :
+       {a.bond_fracture, a.bond_friction, a.bond_damping, a.pair_friction, a.particle_work, a.particle_damping}) {
     Kokkos::deep_copy(exec, account, 0.0);
   }
   Kokkos::deep_copy(exec, a.bond_drag, 0.0);
@@ -120,8 +89,7 @@ Energies measure_energies(const Exec& exec, const MechanicsParameters& parameter
   e.kinetic =
       total(exec, "vug::dem::kinetic_energy", particles.count, KineticEnergy{parameters.mass_scaling, particles});
   e.elastic = total(exec, "vug::dem::elastic_energy", bonds.count,
-                    ElasticEnergy{parameters.bond, parameters.chemical.failure_at, parameters.thermal_expansion, dt,
-                                  particles, bonds}) +
+                    ElasticEnergy{parameters.bond, parameters.thermal_expansion, dt, particles, bonds}) +
               total(exec, contacts.energy);
   if (accounts) {
     e.work = total(exec, accounts->particle_work);

@@ -17,11 +17,12 @@ struct Energies {
   double work = 0;      ///< of loads, fluid, gravity and platens
   double fracture = 0;  ///< released by damage
   double friction = 0;
-  double damping = 0;  ///< viscosity of bonds, dashpots of contacts, local damping
+  double damping = 0;    ///< viscosity of bonds, dashpots of contacts, local damping
+  double dissolved = 0;  ///< gone with rock that dissolved (mass_loss.hpp)
 
   /// What is missing: nothing while cracks neither open nor close (accounts.hpp), else second order in the time step.
-  /// Heating and dissolution at constant opening count here as well.
-  double imbalance() const { return initial + work - kinetic - elastic - fracture - friction - damping; }
+  /// Heating at constant opening counts here as well.
+  double imbalance() const { return initial + work - kinetic - elastic - fracture - friction - damping - dissolved; }
 };
 
 /// Empty accounts.

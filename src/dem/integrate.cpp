@@ -9,8 +9,8 @@ namespace vug {
 namespace {
 
 /// One particle: local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds
-/// them in `reaction`. No branches and no calls, so that a host moves eight particles at once. Reads about 45 numbers,
-/// writes 11. Conserves momentum up to the sum of the outside forces.
+/// them in `reaction`; rock that is gone stays where it is. No branches and no calls, so that a host moves eight
+/// particles at once. Reads about 45 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
 template <class Keeper>
 struct Integrate {
   StepControl control;
@@ -38,7 +38,8 @@ struct Integrate {
   /// Moves one degree of freedom; work of `given` forces and of the platen, and damping, go to the accounts.
   KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double force, double given, double inverse_mass) const {
     const bool held = (p.held(i) & (axis == 0 ? 1 : 2)) != 0;
-    const double v = p.v(i, axis), kick = kicked(v, force, inverse_mass), w = held ? p.drive(i, axis) : kick;
+    const double v = p.v(i, axis), kick = kicked(v, force, inverse_mass);
+    const double w = presence(p.solid_fraction(i)) * (held ? p.drive(i, axis) : kick);
     p.v(i, axis) = w;
     p.u(i, axis) += control.dt * w;
     p.reaction(i, axis) = held ? -force : 0.0;
@@ -52,7 +53,8 @@ struct Integrate {
 
   KOKKOS_FORCEINLINE_FUNCTION void turn(int i, double torque, double given, double inverse_inertia) const {
     const bool held = (p.held(i) & 4) != 0;
-    const double v = p.spin(i), kick = kicked(v, torque, inverse_inertia), w = held ? 0.0 : kick;
+    const double v = p.spin(i), kick = kicked(v, torque, inverse_inertia);
+    const double w = presence(p.solid_fraction(i)) * (held ? 0.0 : kick);
     const double angle = p.angle(i) + control.dt * w;
     const Rotation rotation = Rotation::by(angle);
     p.spin(i) = w;

@@ -37,7 +37,8 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       contacts_(make_contacts(particles_, bonds_)),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
-      servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)) {
+      servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)),
+      loss_(make_mass_loss(particles_, bonds_)) {
   if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_, contacts_);
   // a ledger wants every step's losses, a servo every step's reaction
   if (parameters_.rest_tolerance > 0 && !accounts_ && servos_.empty())
@@ -77,6 +78,21 @@ void Mechanics::advance(const Exec& exec, double dt, int substeps) {
   time_ += dt * substeps;
 }
 
+/// What contacts store at the present outlines, and have lost to friction so far.
+double Mechanics::contact_energy(const Exec& exec) const {
+  compute_contact_forces(exec, parameters_, 0, particles_, bonds_, contacts_, *accounts_);
+  exec.fence("vug::dem::contact_energy");
+  return sum_in_order(contacts_.energy) + sum_in_order(accounts_->pair_friction);
+}
+
+void Mechanics::dissolve(const Exec& exec, double dt, const ScalarField<double>& solid_fraction,
+                         const ScalarField<double>& d_c) {
+  if (accounts_) lost_contact_energy_ += contact_energy(exec);
+  take_mass(exec, solid_fraction, d_c, parameters_.mass_scaling,
+            {parameters_.bond, parameters_.thermal_expansion, dt, particles_, bonds_}, loss_);
+  if (accounts_) lost_contact_energy_ -= contact_energy(exec);
+}
+
 double Mechanics::kinetic_over_elastic(const Exec& exec) const {
   const Energies e = energies(exec);
   return e.kinetic == 0 ? 0 : e.kinetic / e.elastic;
@@ -85,8 +101,7 @@ double Mechanics::kinetic_over_elastic(const Exec& exec) const {
 long Mechanics::ramp(const Exec& exec, double dt, double ramp_time, double damping) {
   const long steps = std::max(1L, std::lround(ramp_time / dt));
   for (long s = 0; s < steps; ++s) {
-    step(exec,
-         {dt, damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
+    step(exec, {dt, damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
   }
   return steps;
 }
@@ -114,6 +129,7 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
 
 void Mechanics::take_as_reference(const Exec& exec) {
   Kokkos::deep_copy(exec, particles_.u_reference, particles_.u);
+  Kokkos::deep_copy(exec, particles_.angle_reference, particles_.angle);
   reset_ledger(exec);
   exec.fence("vug::dem::preload");
 }
@@ -153,12 +169,16 @@ Vec2 Mechanics::reaction(RockSide side) const {
 Energies Mechanics::energies(const Exec& exec) const {
   Energies e = measure_energies(exec, parameters_, last_dt_, particles_, bonds_, contacts_, accounts_);
   e.initial = initial_energy_;
+  const LostWithRock gone = lost();
+  e.dissolved = gone.kinetic + gone.elastic + lost_contact_energy_;
   return e;
 }
 
 void Mechanics::reset_ledger(const Exec& exec) {
+  vug::reset(exec, loss_);
+  lost_contact_energy_ = 0;
   if (!accounts_) return;
-  reset(exec, *accounts_);
+  vug::reset(exec, *accounts_);
   const Energies e = energies(exec);
   initial_energy_ = e.kinetic + e.elastic;
 }

@@ -4,6 +4,7 @@
 #include "dem/energy.hpp"
 #include "dem/integrate.hpp"
 #include "dem/loads.hpp"
+#include "dem/mass_loss.hpp"
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
 #include "dem/rest.hpp"
@@ -28,8 +29,8 @@ struct PreloadReport {
   BondCounts bonds;  ///< damage that the preload did
 };
 
-/// Mechanics of bonded triangles. The coupling writes force, torque, solid_fraction and temperature_change of
-/// `particles()` and d_c of `bonds()`, then calls `advance`.
+/// Mechanics of bonded triangles. The coupling writes force, torque and temperature_change of `particles()`, calls
+/// `dissolve` when solid has gone, then `advance`.
 class Mechanics {
  public:
   /// Throws InputError for an assembly that is no triangulation or parameters that are out of range.
@@ -44,8 +45,12 @@ class Mechanics {
   /// does.
   void advance(const Exec& exec, double dt, int substeps);
 
+  /// What is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what is
+  /// gone are booked. Call it between steps of dt.
+  void dissolve(const Exec& exec, double dt, const ScalarField<double>& solid_fraction, const ScalarField<double>& d_c);
+
   /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at
-  /// rest. Velocities are then zero and u_reference holds the displacements reached.
+  /// rest. Velocities are then zero; u_reference and angle_reference hold what has been reached.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
   /// The same state without the way to it: where the loads balance, solved for. False, and nothing changed, where that
@@ -63,6 +68,8 @@ class Mechanics {
   void reset_ledger(const Exec& exec);
   /// The first particle that is not finite or faster than `largest_speed`.
   RunawayParticle runaway(const Exec& exec, double largest_speed) const;
+  /// What has gone with the rock that dissolved; not for use inside a step.
+  LostWithRock lost() const { return lost_with_rock(particles_, loss_); }
   BondCounts bond_counts() const { return count_bonds(bonds_); }
   /// Share of the rock that is awake, by groups of triangles.
   double awake_share() const { return rest_ ? vug::awake_share(*rest_) : 1.0; }
@@ -93,6 +100,7 @@ class Mechanics {
   double kinetic_over_elastic(const Exec& exec) const;
   /// What both ways of preloading end with: the rock is at rest, its displacements are the reference.
   void take_as_reference(const Exec& exec);
+  double contact_energy(const Exec& exec) const;
 
   MechanicsParameters parameters_;
   std::vector<BoundaryEdge> boundary_;
@@ -102,9 +110,11 @@ class Mechanics {
   NeighbourGrid grid_;
   BoundaryLoads loads_;
   std::vector<ServoPlaten> servos_;
+  MassLoss loss_;
   std::optional<Accounts> accounts_;
   std::optional<Rest> rest_;  ///< where rock may sleep
   double initial_energy_ = 0;
+  double lost_contact_energy_ = 0;  ///< with the outlines that dissolved; only with accounts_
   double last_dt_ = 0;
   double time_ = 0;
   long steps_ = 0;
@@ -116,11 +126,15 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("u_reference", particles_.u_reference);
   visit("v", particles_.v);
   visit("angle", particles_.angle);
+  visit("angle_reference", particles_.angle_reference);
   visit("spin", particles_.spin);
   if (!servos_.empty()) visit("drive", particles_.drive);
   visit("rotation", particles_.rotation);
   visit("solid_fraction", particles_.solid_fraction);
   visit("temperature_change", particles_.temperature_change);
+  visit("lost_momentum", loss_.momentum);
+  visit("lost_kinetic", loss_.kinetic);
+  visit("lost_elastic", loss_.elastic);
   visit("point_damage", bonds_.point_damage);
   visit("d_m", bonds_.d_m);
   visit("d_c", bonds_.d_c);

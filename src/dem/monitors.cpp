@@ -33,7 +33,7 @@ BondCounts count_bonds(const Bonds& bonds) {
   const auto d_m = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.d_m);
   BondCounts counts;
   for (int k = 0; k < bonds.count; ++k) {
-    counts.damaged += d_m(k) > 0 && d_m(k) < 1;
+    counts.damaged += d_m(k) > 0 && !has_failed(state(k));
     counts.failed_in_tension += state(k) == BondState::failed_in_tension;
     counts.failed_in_shear += state(k) == BondState::failed_in_shear;
     counts.dissolved += state(k) == BondState::dissolved;

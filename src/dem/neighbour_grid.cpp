@@ -74,7 +74,7 @@ struct RebuildPairs {
   KOKKOS_FUNCTION bool joined(int i, int j) const {
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
       const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
-      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) != 0) return true;
+      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) == faces_joined) return true;
     }
     return false;
   }
@@ -99,6 +99,7 @@ struct RebuildPairs {
   }
 
   KOKKOS_FUNCTION bool candidate(int i, int j) const {
+    if (is_gone(p.solid_fraction(i)) || is_gone(p.solid_fraction(j))) return false;
     const Vec2 gap = centre(j) - centre(i);
     const double near = 2 * p.radius + contacts.skin;
     if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;

@@ -66,6 +66,7 @@ void allocate(Particles& p, int n) {
   p.u_reference = fresh<VectorField<double>>("u_reference", n);
   p.v = fresh<VectorField<double>>("v", n);
   p.angle = fresh<ScalarField<double>>("angle", n);
+  p.angle_reference = fresh<ScalarField<double>>("angle_reference", n);
   p.spin = fresh<ScalarField<double>>("spin", n);
   p.rotation = fresh<VectorField<double>>("rotation", n);
   p.force = fresh<VectorField<double>>("force", n);

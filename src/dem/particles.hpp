@@ -1,6 +1,7 @@
 #pragma once
 // The rigid triangles: where they are, how they move, what pushes them from outside.
 #include "dem/assembly.hpp"
+#include "dem/dissolved_rock.hpp"
 #include "dem/parameters.hpp"
 #include "dem/triangle.hpp"
 
@@ -22,31 +23,23 @@ struct Particles {
   ScalarField<double> mass;                                 ///< of the intact particle, kg
   ScalarField<double> inertia;                              ///< of the intact particle about its centroid, kg m2
 
-  VectorField<double> u;            ///< displacement of the centroid since the assembly, m
-  VectorField<double> u_reference;  ///< displacement at the end of the preload, m
-  VectorField<double> v;            ///< velocity of the centroid, half a step behind u, m/s
-  ScalarField<double> angle;        ///< rotation since the assembly, counter-clockwise
-  ScalarField<double> spin;         ///< 1/s, half a step behind angle
-  VectorField<double> rotation;     ///< (cos(angle) - 1, sin(angle)), kept with angle
+  VectorField<double> u;                ///< displacement of the centroid since the assembly, m
+  VectorField<double> u_reference;      ///< displacement at the end of the preload, m
+  VectorField<double> v;                ///< velocity of the centroid, half a step behind u, m/s
+  ScalarField<double> angle;            ///< rotation since the assembly, counter-clockwise
+  ScalarField<double> angle_reference;  ///< rotation at the end of the preload
+  ScalarField<double> spin;             ///< 1/s, half a step behind angle
+  VectorField<double> rotation;         ///< (cos(angle) - 1, sin(angle)), kept with angle
 
   VectorField<double> force;               ///< from outside, written by the coupling, N
   ScalarField<double> torque;              ///< from outside about the moving centroid, N m
-  ScalarField<double> solid_fraction;      ///< remaining solid volume over the initial one
+  ScalarField<double> solid_fraction;      ///< remaining solid volume over the initial one; see is_gone
   ScalarField<double> temperature_change;  ///< mean of T - T_ref, K
 
   Kokkos::View<std::uint8_t*> held;  ///< bits 1, 2, 4: x, y, spin follow `drive` instead of the forces
   VectorField<double> drive;         ///< (particle, axis) velocity of held axes, m/s
   VectorField<double> reaction;      ///< (particle, axis) force that holds, N; zero on free axes
 };
-
-/// Smallest fraction of its mass that a dissolving particle keeps, so that the time step stays finite: its contacts stay
-/// as stiff as ever, so that a tenth would halve the step of all others for a crumb that nothing rests on.
-inline constexpr double smallest_mass_fraction = 0.2;
-
-/// Mass or inertia of a particle of which `solid_fraction` remains, relative to the intact one.
-KOKKOS_FORCEINLINE_FUNCTION double mass_fraction(double solid_fraction) {
-  return solid_fraction > smallest_mass_fraction ? solid_fraction : smallest_mass_fraction;
-}
 
 /// Triangle k of an assembly.
 Triangle triangle_of(const Assembly& assembly, int k);

@@ -30,14 +30,15 @@ struct ParticlePush {
     return surroundings * boundary.stiffness(i, axis) * (p.u(i, axis) - p.u_reference(i, axis));
   }
 
-  /// Of what does not come from other particles.
+  /// Of what does not come from other particles; nothing pushes rock that is gone.
   KOKKOS_FORCEINLINE_FUNCTION Push outside(int i) const {
     const double weight = p.mass(i) * mass_fraction(p.solid_fraction(i));
     const double a = boundary.moment(i, 0), b = boundary.moment(i, 1);
     const double moment = a + p.rotation(i, 0) * a - p.rotation(i, 1) * b;
-    return {p.force(i, 0) + load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x) - spring(i, 0),
-            p.force(i, 1) + load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y) - spring(i, 1),
-            p.torque(i) + load_factor * moment};
+    const double here = presence(p.solid_fraction(i));
+    return {here * (p.force(i, 0) + load_factor * (boundary.force(i, 0) + weight * boundary.gravity_x) - spring(i, 0)),
+            here * (p.force(i, 1) + load_factor * (boundary.force(i, 1) + weight * boundary.gravity_y) - spring(i, 1)),
+            here * (p.torque(i) + load_factor * moment)};
   }
 
   /// Of everything; `given` from outside(i).

@@ -69,8 +69,8 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   // barycentric coordinates; nodes on an edge may go to either side
   const int nx = run.scene().lattice.nx, ny = run.scene().lattice.ny;
   const double dx = run.scene().lattice.spacing;
-  std::vector<double> taken(particles.count, 0), nodes(particles.count, 0), bond_taken(bonds.count, 0),
-      bond_nodes(bonds.count, 0);
+  std::vector<double> taken(particles.count, 0), nodes(particles.count, 0);
+  std::vector<std::array<double, 2>> side_taken(bonds.count), side_nodes(bonds.count);
   for (int y = 0; y < ny; ++y)
     for (int x = 0; x < nx; ++x) {
       const std::array<double, 2> p{(x + 0.5) * dx, (y + 0.5) * dx};
@@ -88,23 +88,32 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
           const bool own = pair(b, 0) == t || pair(b, 1) == t;
           const int p_ = corner[edge], q_ = corner[(edge + 1) % 3];
           if (!own || std::minmax(p_, q_) != std::minmax(vertex(b, 0), vertex(b, 1))) continue;
-          bond_taken[b] += lost;
-          bond_nodes[b] += 1;
+          side_taken[b][pair(b, 1) == t] += lost;
+          side_nodes[b][pair(b, 1) == t] += 1;
         }
         break;
       }
     }
-  int touched = 0, damaged = 0;
+  int touched = 0, damaged = 0, gone = 0;
   for (int t = 0; t < particles.count; ++t) {
     EXPECT_NEAR(fraction(t), 1 - taken[t] / nodes[t], 1e-12) << "triangle " << t;
     touched += taken[t] > 0.01 * nodes[t];
+    gone += nodes[t] - taken[t] < 0.05 * nodes[t];
   }
   for (int b = 0; b < bonds.count; ++b) {
-    EXPECT_NEAR(d_c(b), bond_taken[b] / bond_nodes[b], 1e-12) << "bond " << b;
+    double compliance = 0;  // of two springs in series, each as long as its side
+    for (const int side : {0, 1}) {
+      const int t = pair(b, side);
+      const double left = std::min(1 - side_taken[b][side] / side_nodes[b][side], 3 * (fraction(t) - 0.05));
+      compliance += side_nodes[b][side] / std::max(1e-300, left);
+    }
+    EXPECT_NEAR(d_c(b), 1 - (side_nodes[b][0] + side_nodes[b][1]) / compliance, 1e-11) << "bond " << b;
     damaged += d_c(b) > 0.01;
   }
   EXPECT_GE(touched, 5);
   EXPECT_GE(damaged, 5);
+  EXPECT_GE(gone, 1);
+  EXPECT_EQ(run.now("triangles_dissolved_1"), gone);
   EXPECT_GE(run.now("nodes_dissolved_1"), 20);  // whose share is kept, and not summed again
   // all that is missing was dissolved by the acid: volume = molar volume times acid (Eq. 24)
   double sum = 0;
