@@ -35,11 +35,13 @@ struct Integrate {
     return -control.dt * accounts.particle_drag(i, component) * 0.5 * (v + w);
   }
 
-  /// Moves one degree of freedom; work of `given` forces and of the platen, and damping, go to the accounts.
-  KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double force, double given, double inverse_mass) const {
+  /// Moves one degree of freedom of a particle that is `here` (1) or gone (0); work of `given` forces and of the
+  /// platen, and damping, go to the accounts.
+  KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double here, double force, double given,
+                                        double inverse_mass) const {
     const bool held = (p.held(i) & (axis == 0 ? 1 : 2)) != 0;
     const double v = p.v(i, axis), kick = kicked(v, force, inverse_mass);
-    const double w = presence(p.solid_fraction(i)) * (held ? p.drive(i, axis) : kick);
+    const double w = here * (held ? p.drive(i, axis) : kick);
     p.v(i, axis) = w;
     p.u(i, axis) += control.dt * w;
     p.reaction(i, axis) = held ? -force : 0.0;
@@ -51,10 +53,10 @@ struct Integrate {
     }
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION void turn(int i, double torque, double given, double inverse_inertia) const {
+  KOKKOS_FORCEINLINE_FUNCTION void turn(int i, double here, double torque, double given, double inverse_inertia) const {
     const bool held = (p.held(i) & 4) != 0;
     const double v = p.spin(i), kick = kicked(v, torque, inverse_inertia);
-    const double w = presence(p.solid_fraction(i)) * (held ? 0.0 : kick);
+    const double w = here * (held ? 0.0 : kick);
     const double angle = p.angle(i) + control.dt * w;
     const Rotation rotation = Rotation::by(angle);
     p.spin(i) = w;
@@ -69,11 +71,12 @@ struct Integrate {
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
     const Push given = push.outside(i), all = push.total(i, given);
-    const double share = control.mass_scaling * mass_fraction(p.solid_fraction(i));
+    const double left = p.solid_fraction(i), here = presence(left);
+    const double share = control.mass_scaling * mass_fraction(left);
     const double inverse_mass = 1 / (share * p.mass(i)), inverse_inertia = 1 / (share * p.inertia(i));
-    move(i, 0, all.x, given.x, inverse_mass);
-    move(i, 1, all.y, given.y, inverse_mass);
-    turn(i, all.torque, given.torque, inverse_inertia);
+    move(i, 0, here, all.x, given.x, inverse_mass);
+    move(i, 1, here, all.y, given.y, inverse_mass);
+    turn(i, here, all.torque, given.torque, inverse_inertia);
   }
 };
 

@@ -105,6 +105,19 @@ std::string of_history(const std::string& folder, const std::string& expression)
       .output;
 }
 
+TEST(SameBitsOfRockThatIsGone, WithThreadsAndAfterARestart) {
+  const TemporaryFolder folder;
+  const std::string fast =
+      " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5 --set time.steps=200"
+      " --set reaction.rate_constant=30 --set rock.element_size=2e-3 --set solute.species.0.diffusivity=5e-3";
+  run(folder / "whole", "--threads 1" + fast);
+  EXPECT_EQ(of_history(folder / "whole", "[x['triangles_dissolved_1'] > 0 for x in r if x['step_1'] in (150, 200)]"),
+            "[True, True]\n");
+  run(folder / "parts", "--threads 2 --steps 150" + fast);
+  run(folder / "parts", "--threads 1 --resume" + fast);
+  EXPECT_EQ(difference(folder / "whole", folder / "parts"), "");
+}
+
 TEST(SmallRock, ExercisesWhatItIsThereFor) {
   const TemporaryFolder folder;
   run(folder / "run", "--threads 1");
