@@ -5,23 +5,24 @@
 #include "coupling/run_directory.hpp"
 #include "io/message.hpp"
 #include "io/run_record.hpp"
+#include "kernels/interruption.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/require.hpp"
 #include "kernels/subnormals.hpp"
 #include "kernels/threads.hpp"
+#include "process.hpp"
 
 #include <Kokkos_Core.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -29,12 +30,6 @@
 namespace {
 
 enum ExitCode { done = 0, invalid_input = 2, diverged = 3, file_failed = 4, out_of_memory = 5, interrupted = 130 };
-
-std::atomic<bool> stop_requested{false};
-
-void request_stop(int) {
-  stop_requested = true;
-}
 
 /// What the user typed.
 struct CommandLine {
@@ -45,7 +40,7 @@ struct CommandLine {
   int threads = 0;
   int seeds = 0;
   std::optional<double> fit_cohesion;
-  bool resume = false, quiet = false, json = false;
+  bool resume = false, overwrite = false, quiet = false, json = false;
   CLI::App* run = nullptr;
   CLI::App* check = nullptr;
   CLI::App* lab = nullptr;
@@ -77,7 +72,9 @@ void describe(CLI::App& app, CommandLine& line) {
   line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
   line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(not_negative);
   line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
-  line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory");
+  CLI::Option* resume =
+      line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory, if any");
+  line.run->add_flag("--overwrite", line.overwrite, "Replace the run that the run directory holds")->excludes(resume);
   line.run->add_flag("--quiet", line.quiet, "No progress");
   line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
   line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
@@ -94,6 +91,7 @@ void describe(CLI::App& app, CommandLine& line) {
   line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
       ->check(positive);
   line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
+  line.lab->add_flag("--overwrite", line.overwrite, "Replace the results that the directory holds");
   line.lab->add_flag("--quiet", line.quiet, "No progress");
   line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
   line.info->add_flag("--json", line.json, "Machine-readable");
@@ -101,14 +99,13 @@ void describe(CLI::App& app, CommandLine& line) {
 
 int info(const CommandLine& line) {
   const vug::BuildInfo build = vug::build_info();
-  if (line.json)
-    fmt::print(
-        "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
-        "\"device\": \"{}\", \"threads\": {}, \"precisions\": [\"single\", \"double\"]}}\n",
-        build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
-  else
-    fmt::print("vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nprecisions single, double\n",
-               build.version, build.commit, build.compiler, build.backend, build.device, build.threads);
+  const char* format =
+      line.json
+          ? "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
+            "\"device\": \"{}\", \"threads\": {}, \"precisions\": [\"single\", \"double\"]}}\n"
+          : "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nprecisions single, double\n";
+  vug::print(fmt::format(fmt::runtime(format), build.version, build.commit, build.compiler, build.backend, build.device,
+                         build.threads));
   return done;
 }
 
@@ -129,13 +126,14 @@ int lab(const CommandLine& line) {
   options.seeds = line.seeds > 0 ? line.seeds : line.fit_cohesion ? 5 : 1;
   if (line.fit_cohesion) options.fit_strength = 1e6 * *line.fit_cohesion;
   options.progress = line.quiet ? nullptr : &std::cerr;
-  fmt::print("{}", vug::run_laboratory(scene, options));
+  options.overwrite = line.overwrite;
+  vug::print(vug::run_laboratory(scene, options));
   return done;
 }
 
 int check(const CommandLine& line) {
   const vug::CheckReport report = vug::check_case(scene_of(line, false));
-  fmt::print("{}", line.json ? vug::to_json(report) : vug::to_text(report));
+  vug::print(line.json ? vug::to_json(report) : vug::to_text(report));
   return done;
 }
 
@@ -145,16 +143,15 @@ int run(const CommandLine& line) {
   options.directory = line.directory;
   options.steps = line.steps;
   options.resume = line.resume;
+  options.overwrite = line.overwrite;
   options.terminal = isatty(STDERR_FILENO) != 0;
   options.progress = line.quiet ? nullptr : &std::cerr;
-  options.interrupted = &stop_requested;
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-  return vug::run_case(scene, options) == vug::RunEnd::done ? done : interrupted;
+  vug::run_case(scene, options);
+  return done;
 }
 
 int fail(ExitCode code, const std::string& what) {
-  fmt::print(stderr, "vug: {}\n", vug::excerpt(what, 2000));
+  vug::complain("vug: " + vug::excerpt(what, 2000));
   return code;
 }
 
@@ -163,7 +160,7 @@ int dispatch(const CommandLine& line) {
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     const vug::ThreadChoice threads = vug::choose_threads(line.threads);
-    if (!threads.remark.empty() && !line.quiet) fmt::print(stderr, "vug: {}\n", threads.remark);
+    if (!threads.remark.empty() && !line.quiet) vug::complain("vug: " + threads.remark);
     if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);
@@ -178,21 +175,37 @@ int dispatch(const CommandLine& line) {
     return fail(diverged, error.what());
   } catch (const vug::FileError& error) {
     return fail(file_failed, error.what());
+  } catch (const vug::Interrupted& error) {
+    return fail(interrupted, error.what());
   } catch (const std::bad_alloc&) {
     return fail(out_of_memory, "out of memory; `vug check` says how much a case needs");
   }
 }
 
+/// What was asked for instead of a command: help.
+int help(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text, nothing;
+  app.exit(asked, text, nothing);
+  try {
+    vug::print(text.str());
+  } catch (const vug::FileError& error) {
+    return fail(file_failed, error.what());
+  }
+  return done;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  vug::occupy_standard_streams();
+  vug::listen_to_signals();
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
   CommandLine line;
   describe(app, line);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) return help(app, error);
     return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
   }
   return dispatch(line);

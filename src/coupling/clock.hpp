@@ -4,6 +4,8 @@
 
 namespace vug {
 
+inline constexpr double most_steps = 1e15;  ///< lattice steps of a run, as for time.steps
+
 /// Lattice steps done and their length; a module that steps less often asks `every`.
 struct Clock {
   std::int64_t step = 0;  ///< completed lattice steps

@@ -259,7 +259,7 @@ void FlowModule<T>::fields(FieldList& list) const {
 template <class T>
 void FlowModule<T>::state(StateList& list) {
   list.add("flow/f", fields_.f);
-  list.add_value("flow/turned", fields_.turned);
+  list.add_value("flow/turned", fields_.turned, {0, 1});
   list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);
   for (std::size_t c = 0; c < carriers_.size(); ++c) {  // in the order in which the modules asked for them

@@ -5,6 +5,8 @@
 #include "io/history_writer.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
+#include "io/run_folder.hpp"
+#include "kernels/interruption.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -237,10 +239,13 @@ QuenchTest quench_test(const Scene& scene) {
 }
 
 std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options) {
-  const Assembly specimen = build_specimen(scene);
   const std::string directory = run_directory(scene, options.directory);
-  make_directory(directory);
+  RunFolder folder(directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
+                   "--overwrite replaces it, -o DIR leaves it alone");
+  const Assembly specimen = build_specimen(scene);
   RunRecord record = first_record(scene);
+  const StopsInOrder in_order;
+  folder.take();
   write_run_record(directory, record);
   const auto start = std::chrono::steady_clock::now();
   const auto finish = [&](const char* status, const std::string& reason, int code) {
@@ -251,6 +256,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_run_record(directory, record);
   };
+  if (options.progress && !folder.warning().empty()) *options.progress << "warning: " << folder.warning() << '\n';
   if (options.progress)
     for (const std::string& warning : scene.warnings) *options.progress << "warning: " << warning << '\n';
   try {
@@ -263,6 +269,16 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
                        specimen.triangles.size(), found, "files", directory);
   } catch (const StabilityError& error) {
     finish("diverged", error.what(), 3);
+    throw;
+  } catch (const Interrupted& stop) {
+    finish("interrupted", stop.what(), 130);
+    throw;
+  } catch (const FileError& error) {
+    try {
+      finish("failed", error.what(), 4);
+    } catch (const FileError&) {
+      // the disk that refused the results refuses the record as well
+    }
     throw;
   }
 }

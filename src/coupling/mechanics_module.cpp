@@ -7,12 +7,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <utility>
 
 namespace vug {
+
+namespace {
+
+constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
+
+}  // namespace
 
 Loads boundary_loads(const Scene& scene) {
   Loads loads;
@@ -40,6 +48,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       heat_(heat),
       update_interval_(scene.accuracy.update_interval),
       exchange_interval_(scene.accuracy.exchange_interval),
+      guard_interval_(scene.accuracy.guard_interval),
       nodes_of_particle_(rock.nodes_of_particle),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)) {
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
@@ -61,7 +70,8 @@ void MechanicsModule<T>::choose_substeps() {
           "{} sub-steps, leave the key out, or set mechanics.force_unstable = true",
           substeps_, units_.time_step / substeps_, critical, std::ceil(units_.time_step / critical)));
   } else {
-    substeps_ = std::max(1, static_cast<int>(std::ceil(units_.time_step / (section_.critical_fraction * critical))));
+    const double wanted = std::ceil(units_.time_step / (section_.critical_fraction * critical));
+    substeps_ = static_cast<int>(std::clamp(wanted, 1.0, most_substeps));
   }
 }
 
@@ -109,7 +119,8 @@ template <class T>
 void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
   if (const std::string wrong = what_is_unsound(exec, mechanics_); !wrong.empty())
     throw StabilityError(fmt::format("mechanics diverged at step {}: {}", clock.step, wrong));
-  if (!section_.substeps) choose_substeps();  // dissolving particles grow lighter
+  // Dissolving particles grow lighter. At fixed steps, not whenever somebody looks: a checkpoint changes nothing.
+  if (!section_.substeps && clock.step % guard_interval_ == 0) choose_substeps();
 }
 
 template <class T>
@@ -149,7 +160,9 @@ void MechanicsModule<T>::fields(FieldList& list) const {
 
 template <class T>
 void MechanicsModule<T>::state(StateList& list) {
-  mechanics_.visit_state([&](const char* name, const auto& view) { list.add(std::string("mechanics/") + name, view); });
+  mechanics_.visit_state([&](const char* name, const auto& view, auto... range) {
+    list.add(std::string("mechanics/") + name, view, StateRange{static_cast<double>(range)...});
+  });
   if (dissolved_) list.add("mechanics/settled", dissolved_->settled());
   if (flow_ && exchange_interval_ > 1) {  // held in the first steps of a resumed run
     list.add("mechanics/force", mechanics_.particles().force);
@@ -167,10 +180,13 @@ void MechanicsModule<T>::state(StateList& list) {
                         Progress progress;
                         if (bytes.size() != sizeof progress) throw FileError("mechanics/progress does not fit");
                         std::memcpy(static_cast<void*>(&progress), bytes.data(), sizeof progress);
+                        detail::require_range<double>("mechanics/time", bytes.first(sizeof(double)), {});
+                        detail::require_range<long>("mechanics/steps", bytes.last(sizeof(long)), {0, 1e18});
                         mechanics_.set_time(progress.first);
                         mechanics_.set_steps(progress.second);
                       }});
-  list.add_value("mechanics/substeps", substeps_);
+  // the lightest particles want 2.2 times as many as intact ones
+  list.add_value("mechanics/substeps", substeps_, {1, 10.0 * substeps_});
 }
 
 template class MechanicsModule<float>;

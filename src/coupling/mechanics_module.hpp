@@ -44,7 +44,7 @@ class MechanicsModule final : public Module {
   const Geometry& geometry_;
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
-  int update_interval_, exchange_interval_;
+  int update_interval_, exchange_interval_, guard_interval_;
   NodeGroups nodes_of_particle_;
   Mechanics mechanics_;
   std::optional<WetNodes> wet_;               ///< with flow or dissolution only

@@ -37,8 +37,9 @@ void PoreGrowth::ledger(Ledger& ledger, double pixel_volume) const {
 
 void PoreGrowth::state(StateList& list) {
   if (opener_) list.add("growth/stranded", opener_->stranded());
-  list.add_value("growth/dissolved_nodes", dissolved_nodes_);
-  list.add_value("growth/opened_nodes", opened_nodes_);
+  const StateRange nodes{0, static_cast<double>(geometry_.lattice.size())};
+  list.add_value("growth/dissolved_nodes", dissolved_nodes_, nodes);
+  list.add_value("growth/opened_nodes", opened_nodes_, nodes);
 }
 
 }  // namespace vug

@@ -180,8 +180,13 @@ void ReactionModule<T, Set>::state(StateList& list) {
   if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
-  list.add_value("reaction/refreshed", refreshed_);
+  list.add_value("reaction/refreshed", refreshed_, {-1, most_steps});
   const std::pair all(0, links_.count);
+  list.add("reaction/link_acid", Kokkos::subview(links_.acid, all));  // not booked yet
+  if (wall_.law != ReactiveWallLaw::kinetic) {
+    list.add("reaction/link_product", Kokkos::subview(links_.product, all));
+    list.add("reaction/link_solid", Kokkos::subview(links_.solid, all));
+  }
   list.add("reaction/link_rate", Kokkos::subview(links_.rate, all));
   list.add("reaction/link_conductance", Kokkos::subview(links_.conductance, all));
 }

@@ -49,7 +49,7 @@ class ReactionModule final : public Module {
   LongSum consumed_;  ///< (block) reactant that has reacted
   ReactionLedger sums_;
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
-  ReactiveLinks<T> links_;      ///< their turnover is booked at every update interval, before pores and checkpoints
+  ReactiveLinks<T> links_;      ///< their turnover is booked at every update interval, before pores
   ScalarField<double> lost_;
   int wall_interval_;
   std::int64_t refreshed_ = -1;  ///< the step in which the links were refreshed last; -1: they are new

@@ -7,15 +7,16 @@
 #include "io/checkpoint.hpp"
 #include "io/history_writer.hpp"
 #include "io/progress.hpp"
+#include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
+#include "kernels/interruption.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 namespace vug {
@@ -38,12 +39,21 @@ std::int64_t output_interval(const Scene& scene) {
   return std::max<std::int64_t>(1, last_step(scene));
 }
 
-/// Lattice steps between two checkpoints: a multiple of the update interval, at which a checkpoint may be taken.
+/// Lattice steps between two checkpoints.
 std::int64_t checkpoint_interval(const Scene& scene) {
-  const std::int64_t wanted =
-      scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
-  const std::int64_t unit = scene.accuracy.update_interval;
-  return (wanted + unit - 1) / unit * unit;
+  return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
+}
+
+RunFolder::Use use_of(const RunOptions& options) {
+  if (options.resume) return RunFolder::Use::resume;
+  return options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh;
+}
+
+/// Says which of the files that a case names are not those of the run that `held` describes.
+std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
+  for (const InputFile& input : record.inputs)
+    if (held.inputs.find(input.hash) == std::string::npos) return input.path + " has changed since";
+  return "the text of the case or a --set differs";
 }
 
 std::optional<RockShape> rock_shape(const Parts& parts) {
@@ -127,28 +137,32 @@ class Run {
   Run(const Scene& scene, const RunOptions& options)
       : scene_(scene),
         options_(options),
-        directory_(run_directory(scene, options.directory)),
-        hash_(case_hash(scene.source_text, scene.overrides)),
+        folder_(run_directory(scene, options.directory), use_of(options),
+                "--resume continues it, --overwrite replaces it, -o DIR leaves it alone"),
+        record_(first_record(scene)),
+        owner_(owner()),
         last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
-        simulation_(scene),
-        record_(first_record(scene)) {}
+        simulation_(scene) {}
 
-  RunEnd operator()() {
-    make_directory(directory_);
+  void operator()() {
     resume();
-    write_run_record(directory_, record_);
+    const StopsInOrder in_order;  // from here on there is something to bring to an end
+    folder_.take();
+    if (options_.resume && !resumed_at_) folder_.clear();
+    write_run_record(folder_.path(), record_);
     std::ostream silent(nullptr);
     Progress progress(options_.progress ? *options_.progress : silent, options_.terminal && options_.progress,
                       {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step()});
     warn(progress);
     try {
-      const bool stopped = advance(progress);
-      progress.finish(stopped ? "interrupted" : "done");
-      if (stopped)
-        finish(progress, "interrupted", "interrupted by a signal", 130);
-      else
-        finish(progress, "done", "reached the last step", 0);
-      return stopped ? RunEnd::interrupted : RunEnd::done;
+      advance(progress);
+      progress.finish("done");
+      finish(progress, "done", "reached the last step", 0);
+    } catch (const Interrupted& stop) {
+      progress.finish("interrupted");
+      const std::string reason = fmt::format("{}; {}", stop.what(), last_good());
+      finish(progress, "interrupted", reason, 130);
+      throw Interrupted(reason);
     } catch (const StabilityError& error) {
       const std::string reason = fmt::format("{}; {}", error.what(), last_good());
       finish(progress, "diverged", reason, 3);
@@ -164,15 +178,39 @@ class Run {
   }
 
  private:
+  /// This run, or that which it continues: of the same case, or nothing is touched.
+  CheckpointOwner owner() {
+    const std::string hash = case_hash(record_.case_text, record_.overrides, record_.inputs);
+    if (!options_.resume) return {hash, record_.run};
+    const std::optional<RunSummary>& held = folder_.held();
+    if (!held) return {hash, ""};
+    if (held->case_hash != hash)
+      throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}",
+                                   folder_.path(), what_has_changed(record_, *held)));
+    record_.run = held->run;
+    return {hash, held->run};
+  }
+
   void resume() {
     if (!options_.resume) return;
-    const Checkpoint checkpoint = Checkpoint::latest(checkpoints(), hash_);
-    simulation_.restore([&](StateList& state) { checkpoint.load(state); });
-    resumed_at_ = checkpoint.step();
-    record_.first_step = checkpoint.step();
+    const std::optional<Checkpoint> checkpoint = Checkpoint::latest(checkpoints(), owner_);
+    if (!checkpoint) {
+      notes_.push_back(
+          fmt::format("note: {} has no checkpoint to continue from: the run begins at its first step", folder_.path()));
+      owner_.run = record_.run;
+      return;
+    }
+    for (const std::string& refused : checkpoint->refused()) notes_.push_back("warning: passed over: " + refused);
+    simulation_.restore([&](StateList& state) { checkpoint->load(state); });
+    if (simulation_.clock().step != checkpoint->step())
+      throw FileError(checkpoint->path() + ": the checkpoint is of another step than it says");
+    owner_.run = record_.run = checkpoint->run();
+    resumed_at_ = last_checkpoint_ = record_.first_step = checkpoint->step();
   }
 
   void warn(Progress& progress) const {
+    if (!folder_.warning().empty()) progress.note("warning: " + folder_.warning());
+    for (const std::string& note : notes_) progress.note(note);
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     for (const Limit& limit : simulation_.limits())
       if (!limit.inside())
@@ -180,9 +218,9 @@ class Run {
                                   limit.value, limit.advice));
   }
 
-  /// Steps until the end or a signal; true when stopped by one.
-  bool advance(Progress& progress) {
-    RunFiles files(scene_, simulation_, directory_, resumed_at_);
+  /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.
+  void advance(Progress& progress) {
+    RunFiles files(scene_, simulation_, folder_.path(), resumed_at_);
     if (!resumed_at_) {
       simulation_.begin();
       files.write();
@@ -196,28 +234,27 @@ class Run {
     while (simulation_.clock().step < last_) {
       simulation_.step();
       const std::int64_t step = simulation_.clock().step;
+      const bool stop = stop_requested();
       const bool write_now = step % output == 0 || step == last_;
-      const bool stop = options_.interrupted && *options_.interrupted && simulation_.may_checkpoint();
-      const bool save = simulation_.may_checkpoint() && (stop || step % checkpoint == 0 || step == last_);
+      const bool save = stop || step % checkpoint == 0 || step == last_;
       if (write_now || save || step % scene_.accuracy.guard_interval == 0) {
         simulation_.guard();
         tell(events.look(simulation_));
       }
       if (write_now) tell(events.look_at_row(simulation_, files.write()));
       if (save) {
-        write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), hash_);
+        write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), owner_);
         last_checkpoint_ = step;
       }
       progress.update(step, simulation_.updates_per_step());
-      if (stop) return true;
+      if (stop && step < last_) throw Interrupted(stop_reason());
     }
-    return false;
   }
 
-  std::string checkpoints() const { return directory_ + "/checkpoint"; }
+  std::string checkpoints() const { return folder_.path() + "/checkpoint"; }
 
   std::string last_good() const {
-    if (!last_checkpoint_) return "no checkpoint was written before";
+    if (!last_checkpoint_) return "there is no checkpoint yet";
     return fmt::format("the last good state is the checkpoint of step {} in {}", *last_checkpoint_, checkpoints());
   }
 
@@ -230,22 +267,24 @@ class Run {
     record_.simulated_time = simulation_.clock().time();
     record_.wall_time = progress.wall_time();
     record_.mlups = progress.mlups();
-    write_run_record(directory_, record_);
+    write_run_record(folder_.path(), record_);
   }
 
   const Scene& scene_;
   const RunOptions& options_;
-  std::string directory_, hash_;
+  RunFolder folder_;
+  RunRecord record_;
+  CheckpointOwner owner_;
   std::int64_t last_;
   Simulation simulation_;
-  RunRecord record_;
+  std::vector<std::string> notes_;  ///< of what happened before there was a log
   std::optional<std::int64_t> resumed_at_, last_checkpoint_;
 };
 
 }  // namespace
 
-RunEnd run_case(const Scene& scene, const RunOptions& options) {
-  return Run(scene, options)();
+void run_case(const Scene& scene, const RunOptions& options) {
+  Run(scene, options)();
 }
 
 }  // namespace vug

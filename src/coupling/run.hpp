@@ -2,7 +2,6 @@
 // A run from its scene to its run directory: steps, guards, snapshots, history, provenance.
 #include "io/scene.hpp"
 
-#include <atomic>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -14,18 +13,15 @@ namespace vug {
 struct RunOptions {
   std::string directory;
   std::optional<std::int64_t> steps;  ///< stop after this many lattice steps, whatever the case says
-  bool resume = false;                ///< continue from the newest checkpoint in `directory`
+  bool resume = false;     ///< continue from the newest checkpoint in `directory`, or begin where there is none
+  bool overwrite = false;  ///< replace the run that `directory` holds
   bool terminal = false;              ///< the progress goes to a terminal
   std::ostream* progress = nullptr;   ///< null: quiet
-  /// Set by a signal handler: finish the step, write a checkpoint, stop.
-  const std::atomic<bool>* interrupted = nullptr;
 };
 
-/// How a run ended.
-enum class RunEnd { done, interrupted };
-
-/// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint) or FileError.
-RunEnd run_case(const Scene& scene, const RunOptions& options);
+/// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or
+/// Interrupted (kernels/interruption.hpp) when the state has been kept in a checkpoint.
+void run_case(const Scene& scene, const RunOptions& options);
 
 /// Lattice steps that the case asks for.
 std::int64_t last_step(const Scene& scene);

@@ -1,12 +1,10 @@
 #include "coupling/run_directory.hpp"
 
 #include "kernels/launch.hpp"
-#include "kernels/require.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
 #ifndef VUG_COMMIT
 #define VUG_COMMIT "unknown"
@@ -31,6 +29,8 @@ RunRecord first_record(const Scene& scene) {
   record.case_path = scene.path;
   record.case_text = scene.source_text;
   record.overrides = scene.overrides;
+  for (const std::string& path : input_files(scene)) record.inputs.push_back(digest_of_file(path));
+  record.run = new_run_name();
   record.version = build.version;
   record.commit = build.commit;
   record.compiler = build.compiler;
@@ -40,12 +40,6 @@ RunRecord first_record(const Scene& scene) {
   record.threads = build.threads;
   record.started = utc_now();
   return record;
-}
-
-void make_directory(const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw FileError(fmt::format("{}: cannot make the run directory: {}", directory, error.message()));
 }
 
 std::string run_directory(const Scene& scene, const std::string& wanted) {

@@ -14,13 +14,10 @@ struct BuildInfo {
 };
 BuildInfo build_info();
 
-/// The record of a run of `scene` that begins now.
+/// The record of a run of `scene` that begins now; reads the files that the scene names. Throws FileError.
 RunRecord first_record(const Scene& scene);
 
 /// `wanted`, or runs/<name of the case file> where it is empty.
 std::string run_directory(const Scene& scene, const std::string& wanted);
-
-/// Makes the directory. Throws FileError.
-void make_directory(const std::string& directory);
 
 }  // namespace vug

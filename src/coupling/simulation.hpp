@@ -27,14 +27,15 @@ class Simulation {
   std::vector<HistoryValue> history() const;
   FieldList fields() const;
 
-  /// True where a checkpoint may be taken: right after an update of the pores.
-  bool may_checkpoint() const { return clock_.step % update_interval_ == 0; }
-  /// Everything a restart needs; `restore` makes room for a grown list of fluid nodes first.
+  /// Everything a restart needs, after any step.
   StateList state();
+  /// Takes a state over, from `load`, which is called with one list of blocks after the other: it makes room for a grown
+  /// list of fluid nodes first. Throws FileError for numbers that no state of this scene can have.
   void restore(const std::function<void(StateList&)>& load);
 
  private:
   StateList geometry_state();
+  void require_possible(const Kokkos::View<NodeType*>& type, const IndexList& node) const;
 
   Exec exec_;
   Scene scene_;

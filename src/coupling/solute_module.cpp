@@ -193,7 +193,7 @@ void SoluteModule<T, Set>::state(StateList& list) {
   for (SpeciesState<T>& s : species_) {
     const std::string key = "solute/" + s.section.name;
     list.add(key + "/h", s.fields.h);
-    list.add_value(key + "/turned", s.fields.turned);
+    list.add_value(key + "/turned", s.fields.turned, {0, 1});
     list.add(key + "/C", s.fields.C);
     add_state(list, key + "/correction", s.correction);
     list.add(key + "/created", s.created);

@@ -47,8 +47,8 @@ class SteadyFlow {
     list.add("flow/steady/previous", previous_);
     list.add_value("flow/steady/comparable", comparable_);
     list.add_value("flow/steady/held", held_);
-    list.add_value("flow/steady/age", age_);
-    list.add_value("flow/steady/held_steps", held_steps_);
+    list.add_value("flow/steady/age", age_, {0, most_steps});
+    list.add_value("flow/steady/held_steps", held_steps_, {0, most_steps});
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "dem/laboratory.hpp"
 
 #include "dem/soundness.hpp"
+#include "kernels/interruption.hpp"
 #include "kernels/require.hpp"
 
 #include <algorithm>
@@ -155,6 +156,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
     if (test.heating_rate != 0)
       Kokkos::deep_copy(exec, rock.particles().temperature_change,
                         test.heating_rate * (rock.time() + stride * result.time_step));
+    throw_if_stop_requested();
     rock.advance(exec, result.time_step, stride);
     require_sound(exec, rock);
     result.steps += stride;

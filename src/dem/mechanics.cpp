@@ -5,6 +5,7 @@
 #include "dem/critical_step.hpp"
 #include "dem/require_parameters.hpp"
 #include "dem/static_equilibrium.hpp"
+#include "kernels/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,7 @@ double Mechanics::kinetic_over_elastic(const Exec& exec) const {
 long Mechanics::ramp(const Exec& exec, double dt, double ramp_time, double damping) {
   const long steps = std::max(1L, std::lround(ramp_time / dt));
   for (long s = 0; s < steps; ++s) {
+    throw_if_stop_requested();
     step(exec, {dt, damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
   }
   return steps;
@@ -114,7 +116,10 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
   const long look = std::max(shortest_look, report.steps / 5), last = report.steps * (1 + longest_settling);
   int rested = 0;
   while (rested < looks_at_rest && report.steps < last) {
-    for (long s = 0; s < look; ++s) step(exec, settle);
+    for (long s = 0; s < look; ++s) {
+      throw_if_stop_requested();
+      step(exec, settle);
+    }
     report.steps += look;
     report.kinetic_over_elastic = kinetic_over_elastic(exec);
     rested = report.kinetic_over_elastic < at_rest ? rested + 1 : 0;
@@ -137,7 +142,7 @@ void Mechanics::take_as_reference(const Exec& exec) {
 bool Mechanics::preload_statically(const Exec& exec) {
   if (!servos_.empty()) return false;
   std::vector<std::function<void()>> restore;
-  visit_state([&](const char*, const auto& view) {
+  visit_state([&](const char*, const auto& view, auto...) {
     std::decay_t<decltype(view)> copy("vug::dem::before_preload", view.layout());
     Kokkos::deep_copy(copy, view);
     restore.push_back([copy, view] { Kokkos::deep_copy(view, copy); });

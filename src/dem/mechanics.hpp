@@ -50,7 +50,8 @@ class Mechanics {
   void dissolve(const Exec& exec, double dt, const ScalarField<double>& solid_fraction, const ScalarField<double>& d_c);
 
   /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at
-  /// rest. Velocities are then zero; u_reference and angle_reference hold what has been reached.
+  /// rest. Velocities are then zero; u_reference and angle_reference hold what has been reached. Throws
+  /// Interrupted.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
   /// The same state without the way to it: where the loads balance, solved for. False, and nothing changed, where that
@@ -81,6 +82,7 @@ class Mechanics {
   const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
   const std::vector<ServoPlaten>& servos() const { return servos_; }
   /// Calls visit(name, View) for everything that a resumed run must find again, to the bit; with time() and steps().
+  /// Where numbers are indices or switches, visit(name, View, least, most) says what they may be.
   template <class Visit>
   void visit_state(const Visit& visit) const;
 
@@ -130,28 +132,31 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("spin", particles_.spin);
   if (!servos_.empty()) visit("drive", particles_.drive);
   visit("rotation", particles_.rotation);
-  visit("solid_fraction", particles_.solid_fraction);
+  visit("solid_fraction", particles_.solid_fraction, 0, 1);
   visit("temperature_change", particles_.temperature_change);
   visit("lost_momentum", loss_.momentum);
   visit("lost_kinetic", loss_.kinetic);
   visit("lost_elastic", loss_.elastic);
-  visit("point_damage", bonds_.point_damage);
-  visit("d_m", bonds_.d_m);
-  visit("d_c", bonds_.d_c);
-  visit("state", bonds_.state);
+  visit("point_damage", bonds_.point_damage, 0, 1);
+  visit("d_m", bonds_.d_m, 0, 1);
+  visit("d_c", bonds_.d_c, 0, 1);
+  visit("state", bonds_.state, 0, static_cast<int>(BondState::cracked_at_start));
   visit("slip", bonds_.slip);
-  visit("joint", bonds_.joint);
-  visit("events", bonds_.events);
-  visit("contact_status", contacts_.status);
-  visit("contact_first", contacts_.first);
-  visit("contact_other", contacts_.other);
+  visit("joint", bonds_.joint, 0, static_cast<int>(faces_dissolved));
+  visit("events", bonds_.events, 0, 1);
+  visit("contact_status", contacts_.status, 0, 1);
+  visit("contact_first", contacts_.first, 0, contacts_.capacity);
+  visit("contact_other", contacts_.other, 0, particles_.count - 1);
   visit("contact_stretch", contacts_.stretch);
-  visit("contact_row", contacts_.row);
-  visit("contact_entry", contacts_.entry);
+  visit("contact_row", contacts_.row, 0, 2 * contacts_.capacity);
+  visit("contact_entry", contacts_.entry, 0, 2 * contacts_.capacity - 1);
   visit("contact_u_built", contacts_.u_built);
   visit("contact_angle_built", contacts_.angle_built);
-  if (rest_) visit("awake", rest_->particles.runs);
-  if (rest_) visit("bonds_awake", rest_->bonds.runs);
+  if (!rest_) return;
+  visit("awake", rest_->particles.runs, 0, 1);
+  visit("bonds_awake", rest_->bonds.runs, 0, 1);
+  visit("stress", bonds_.stress);  // of what sleeps, for pictures and sums until the next look
+  visit("contact_energy", contacts_.energy);
 }
 
 }  // namespace vug

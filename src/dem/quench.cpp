@@ -1,6 +1,7 @@
 #include "dem/quench.hpp"
 
 #include "dem/soundness.hpp"
+#include "kernels/interruption.hpp"
 
 #include <algorithm>
 #include <array>
@@ -86,6 +87,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
   for (int sample = 1; sample <= test.samples; ++sample) {
     const double length = test.final_length * std::sqrt((sample - 0.5) / test.samples);
     cool(slab, top, cooling, length, rock.particles());
+    throw_if_stop_requested();
     rock.advance(exec, result.time_step, stride);
     require_sound(exec, rock);
     result.steps += stride;

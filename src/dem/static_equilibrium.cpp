@@ -5,6 +5,7 @@
 #include "dem/contact_forces.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
+#include "kernels/interruption.hpp"
 #include "kernels/launch.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -175,6 +176,7 @@ class Search {
     start();
     moved_ = Eigen::VectorXd::Zero(linear_.rows());
     for (int solve = 0; solve <= most_solves; ++solve) {
+      throw_if_stop_requested();
       const Eigen::VectorXd left = imbalance(load_factor);
       if (solve == 0) load_ = std::max(load_, largest_);
       if (!std::isfinite(largest_)) return false;

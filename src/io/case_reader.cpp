@@ -52,6 +52,13 @@ const std::vector<KeyDescription>& case_keys() {
   return keys;
 }
 
+std::vector<std::string> input_files(const Scene& scene) {
+  std::vector<std::string> files;
+  if (scene.rock && scene.rock->mesh) files.push_back(*scene.rock->mesh);
+  if (scene.geometry.kind == GeometryKind::image) files.push_back(scene.geometry.image_file);
+  return files;
+}
+
 Scene parse_scene(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
   check_text(text, path);
   const TomlDocument document(text, path, overrides);

@@ -2,17 +2,20 @@
 
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
+#include "io/detail/step_names.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 // The file: "VUGSTATE", then 64-bit words in the byte order of the machine: version (which also tells the byte order),
-// step, time, length of the hash; the hash; number of blocks; for each block length of its name, name, size, data; at
-// the end the digest of everything before it. Texts and data are padded with zeros to multiples of eight bytes.
+// step, time, length of the case's hash; the hash; length of the run's name; the name; number of blocks; for each block
+// length of its name, name, size, data; at the end the digest of everything before it. Texts and data are padded with
+// zeros to multiples of eight bytes.
 namespace vug {
 
 namespace {
@@ -20,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "VUGSTATE";
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 constexpr std::string_view extension = ".checkpoint";
 
 std::size_t padding(std::size_t size) {
@@ -103,28 +106,80 @@ void require_sound(std::string_view data, const std::string& path) {
 }
 
 // Complete checkpoints of a folder, newest first: the names sort by step.
-std::vector<std::string> checkpoints(const std::string& directory) {
-  std::vector<std::string> paths;
+std::vector<fs::path> checkpoints(const std::string& directory) {
+  std::vector<fs::path> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error))
-    if (entry.path().extension() == extension) paths.push_back(entry.path().string());
+    if (entry.path().extension() == extension && detail::is_step_name(entry.path().stem().string()) &&
+        entry.is_regular_file(error))
+      paths.push_back(entry.path());
   std::sort(paths.rbegin(), paths.rend());
   return paths;
+}
+
+// What stands before the blocks, without a look at the digest.
+struct Header {
+  std::int64_t step = 0;
+  double time = 0;
+  CheckpointOwner owner;
+};
+
+Header read_header(Reader& in) {
+  in.skip(magic.size());
+  if (const auto found = in.word<std::uint64_t>(); found != version)
+    in.fail(fmt::format("the checkpoint has format {}, this program reads {}", found, version));
+  Header header;
+  header.step = in.word<std::int64_t>();
+  header.time = in.word<double>();
+  header.owner.case_hash = in.padded();
+  header.owner.run = in.padded();
+  return header;
+}
+
+// Whether a file belongs to this run, as far as its first bytes tell: a damaged one that was overwritten by nothing
+// else is ours as well.
+bool is_of(const CheckpointOwner& owner, const fs::path& path) {
+  std::string head(4096, '\0');
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file) return false;
+  head.resize(std::fread(head.data(), 1, head.size(), file));
+  std::fclose(file);
+  if (!head.starts_with(magic)) return false;
+  try {
+    const std::string name = path.string();
+    Reader in(head, name);
+    const Header header = read_header(in);
+    return header.owner.run == owner.run && header.owner.case_hash == owner.case_hash;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+// Removes what this run has no use for after `step`: all but its newest two, and states of a future that it left.
+void prune(const std::string& directory, std::int64_t step, const CheckpointOwner& owner) {
+  std::error_code error;
+  int kept = 0;
+  for (const auto& path : checkpoints(directory)) {
+    if (!is_of(owner, path)) continue;
+    const bool later = path.stem().string() > detail::step_name(step);
+    if (later || ++kept > 2) fs::remove(path, error);
+  }
 }
 
 }  // namespace
 
 void write_checkpoint(const std::string& directory, const StateList& state, std::int64_t step, double time,
-                      const std::string& case_hash) {
+                      const CheckpointOwner& owner) {
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw FileError(directory + ": cannot create the folder: " + error.message());
-  Writer out(fmt::format("{}/step_{:012d}{}", directory, step, extension));
+  Writer out(fmt::format("{}/{}{}", directory, detail::step_name(step), extension));
   out.raw(magic);
   out.word(version);
   out.word(step);
   out.word(time);
-  out.padded(case_hash);
+  out.padded(owner.case_hash);
+  out.padded(owner.run);
   out.word(static_cast<std::uint64_t>(state.blocks.size()));
   for (const auto& block : state.blocks) {
     out.padded(block.name);
@@ -132,23 +187,21 @@ void write_checkpoint(const std::string& directory, const StateList& state, std:
     out.padded({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
   out.finish();
-  const auto present = checkpoints(directory);
-  for (std::size_t i = 2; i < present.size(); ++i) fs::remove(present[i], error);
+  prune(directory, step, owner);
 }
 
-Checkpoint Checkpoint::open(const std::string& path, const std::string& case_hash) {
+Checkpoint Checkpoint::open(const std::string& path, const CheckpointOwner& owner) {
   Checkpoint checkpoint;
   checkpoint.path_ = path;
   checkpoint.data_ = detail::read_file(path);
   require_sound(checkpoint.data_, path);
   Reader in(std::string_view(checkpoint.data_).substr(0, checkpoint.data_.size() - 8), path);
-  in.skip(magic.size());
-  if (const auto found = in.word<std::uint64_t>(); found != version)
-    in.fail(fmt::format("the checkpoint has format {}, this program reads {}", found, version));
-  checkpoint.step_ = in.word<std::int64_t>();
-  checkpoint.time_ = in.word<double>();
-  if (const auto found = in.padded(); found != case_hash)
-    in.fail(fmt::format("the checkpoint belongs to another case (hash {}, this case has {})", found, case_hash));
+  const Header header = read_header(in);
+  checkpoint.step_ = header.step;
+  checkpoint.time_ = header.time;
+  checkpoint.run_ = header.owner.run;
+  if (header.owner.case_hash != owner.case_hash) in.fail("the checkpoint belongs to another case");
+  if (!owner.run.empty() && header.owner.run != owner.run) in.fail("the checkpoint belongs to another run");
   const auto count = in.word<std::uint64_t>();
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto name = in.padded();
@@ -160,18 +213,18 @@ Checkpoint Checkpoint::open(const std::string& path, const std::string& case_has
   return checkpoint;
 }
 
-Checkpoint Checkpoint::latest(const std::string& directory, const std::string& case_hash) {
+std::optional<Checkpoint> Checkpoint::latest(const std::string& directory, const CheckpointOwner& owner) {
   std::vector<std::string> refused;
   for (const auto& path : checkpoints(directory)) {
     try {
-      auto checkpoint = open(path, case_hash);
+      auto checkpoint = open(path.string(), owner);
       checkpoint.refused_ = std::move(refused);
       return checkpoint;
     } catch (const FileError& error) {
       refused.emplace_back(error.what());
     }
   }
-  if (refused.empty()) throw FileError(directory + ": there is no checkpoint to continue from");
+  if (refused.empty()) return std::nullopt;
   throw FileError(fmt::format("{}", fmt::join(refused, "; ")));
 }
 
@@ -182,7 +235,11 @@ void Checkpoint::load(const StateList& state) const {
     if (found == blocks_.end())
       throw FileError(fmt::format("{}: the checkpoint has no block '{}'", path_, wanted.name));
     const auto* data = reinterpret_cast<const std::byte*>(data_.data() + found->offset);
-    wanted.load({data, found->size});
+    try {
+      wanted.load({data, found->size});
+    } catch (const FileError& error) {
+      throw FileError(path_ + ": " + error.what());
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,16 +35,23 @@ struct StateBlock {
   std::function<void(std::span<const std::byte>)> load;  ///< throws FileError when the size does not fit
 };
 
+/// What the numbers of a block may be. No file can be trusted, and a number out of range may be an index, or the length
+/// of a loop.
+struct StateRange {
+  double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
+};
+
 /// Everything a checkpoint must hold so that a restart continues with the same bits.
 struct StateList {
   std::vector<StateBlock> blocks;
 
-  /// A View of trivially copyable values that keeps its extent from here on.
+  /// A View of numbers that keeps its extent from here on. Loading throws FileError for one that is not finite or out of
+  /// range.
   template <class ViewType>
-  void add(std::string name, ViewType view);
-  /// A plain trivially copyable value on the host.
+  void add(std::string name, ViewType view, StateRange range = {});
+  /// A plain number on the host, likewise.
   template <class Value>
-  void add_value(std::string name, Value& value);
+  void add_value(std::string name, Value& value, StateRange range = {});
   void add(StateBlock block) { blocks.push_back(std::move(block)); }
 };
 

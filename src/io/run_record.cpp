@@ -2,11 +2,13 @@
 
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
+#include "io/detail/input_file.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <ctime>
+#include <random>
 #include <sys/resource.h>
 
 namespace vug {
@@ -41,11 +43,25 @@ std::int64_t peak_memory_bytes() {
 
 }  // namespace
 
-std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides) {
+InputFile digest_of_file(const std::string& path) {
+  const std::string text = detail::read_input_file(path);
+  detail::TextDigest digest;
+  digest.add(text);
+  return {path, text.size(), fmt::format("{:016x}", digest.value())};
+}
+
+std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides,
+                      const std::vector<InputFile>& inputs) {
   detail::TextDigest digest;
   digest.add(case_text);
   for (const auto& entry : overrides) digest.add("\n" + entry);
+  for (const auto& input : inputs) digest.add("\n" + input.hash);
   return fmt::format("{:016x}", digest.value());
+}
+
+std::string new_run_name() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
 }
 
 std::string utc_now() {
@@ -67,6 +83,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
     for (const auto& entry : entries) all.push_back(quoted(entry));
     return fmt::format("[{}]", fmt::join(all, ", "));
   };
+  put("run", quoted(r.run));
   put("status", quoted(r.status));
   put("exit_reason", quoted(r.exit_reason));
   put("exit_code", fmt::format("{}", r.exit_code));
@@ -92,8 +109,13 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("precision", quoted(r.precision));
   put("threads", fmt::format("{}", r.threads));
   put("case_path", quoted(r.case_path));
-  put("case_hash", quoted(case_hash(r.case_text, r.overrides)));
+  put("case_hash", quoted(case_hash(r.case_text, r.overrides, r.inputs)));
   put("overrides", list(r.overrides));
+  std::vector<std::string> inputs;
+  for (const auto& input : r.inputs)
+    inputs.push_back(fmt::format("{{\"path\": {}, \"bytes\": {}, \"hash\": {}}}", quoted(input.path), input.bytes,
+                                 quoted(input.hash)));
+  put("inputs", fmt::format("[{}]", fmt::join(inputs, ", ")));
   put("case_text", quoted(r.case_text));
   detail::replace_file(directory + "/run.json", text + "\n}\n", true);
 }

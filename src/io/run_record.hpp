@@ -7,10 +7,22 @@
 
 namespace vug {
 
+/// A file that a case names, and what was in it.
+struct InputFile {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::string hash;  ///< 16 hexadecimal digits (FNV-1a)
+};
+
+/// Reads the file. Throws InputError when there is none, FileError.
+InputFile digest_of_file(const std::string& path);
+
 /// Provenance of a run, written at its start (status "running") and again at its end.
 struct RunRecord {
   std::string case_path, case_text;
   std::vector<std::string> overrides;
+  std::vector<InputFile> inputs;
+  std::string run;  ///< a name that no other run has; a run that is resumed keeps its own
   std::string version, commit, compiler, backend, device, precision;
   int threads = 1;
   std::string status = "running";  ///< running, done, interrupted, diverged or failed
@@ -31,8 +43,13 @@ struct RunRecord {
 /// replaced in one stroke. Throws FileError.
 void write_run_record(const std::string& directory, const RunRecord& record);
 
-/// Hash of what was asked for: the text of the case and its overrides, 16 hexadecimal digits (FNV-1a).
-std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides);
+/// Hash of what was asked for: the text of the case, its overrides and the files it names, 16 hexadecimal digits
+/// (FNV-1a).
+std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides,
+                      const std::vector<InputFile>& inputs = {});
+
+/// A name for a run that begins now, on any machine: 16 hexadecimal digits.
+std::string new_run_name();
 
 /// Now, as "2026-01-31T23:59:59Z".
 std::string utc_now();

@@ -257,6 +257,9 @@ struct Scene {
   OutputSection output;
 };
 
+/// The files that a case names beside itself: a mesh, an image.
+std::vector<std::string> input_files(const Scene& scene);
+
 /// Reads, overrides (`table.key=value`, value in TOML syntax) and validates a case. Throws InputError with
 /// `file:line:column: what is wrong, what was expected`, also for a mesh or image that is not there, or FileError when
 /// reading fails half-way.

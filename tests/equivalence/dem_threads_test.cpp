@@ -76,13 +76,13 @@ TEST(MechanicsResumed, GoesOnWithTheSameBits) {
   const double dt = 0.3 * whole.critical_step();
   whole.advance(exec, dt, 1030);
   std::vector<std::vector<std::byte>> saved;
-  whole.visit_state([&](const char*, const auto& view) {
+  whole.visit_state([&](const char*, const auto& view, auto...) {
     const auto host = host_copy(view);
     const auto* first = reinterpret_cast<const std::byte*>(host.data());
     saved.emplace_back(first, first + host.span() * sizeof(*host.data()));
   });
   std::size_t next = 0;
-  resumed.visit_state([&](const char*, const auto& view) {
+  resumed.visit_state([&](const char*, const auto& view, auto...) {
     const auto host = Kokkos::create_mirror_view(view);
     std::memcpy(host.data(), saved[next].data(), saved[next].size());
     Kokkos::deep_copy(view, host);

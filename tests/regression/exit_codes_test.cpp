@@ -165,12 +165,6 @@ TEST(ExitCodes, DivergingRunGivesThreeAndNamesTheLastGoodState) {
   EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("diverged"));
 }
 
-TEST(ExitCodes, ResumingWithoutACheckpointGivesFour) {
-  const TemporaryFolder folder;
-  const Outcome outcome = run_vug("run " + small_rock + " --quiet --resume -o " + (folder / "out"));
-  EXPECT_EQ(outcome.exit_code, 4) << outcome.output;
-}
-
 TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
   const TemporaryFolder folder;
   // strong rock under a low pressure, so that the run would go on for long

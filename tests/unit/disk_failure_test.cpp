@@ -128,13 +128,13 @@ TEST(FullDisk, StopsCheckpointsWithTheReasonAndKeepsTheOneBefore) {
   const test::TemporaryFolder folder;
   StateList state;
   state.add({"block", [] { return std::vector<std::byte>(200000); }, [](std::span<const std::byte>) {}});
-  write_checkpoint(folder.path(), state, 1, 0, "abc");
+  write_checkpoint(folder.path(), state, 1, 0, {"abc", "r1"});
   {
     const SmallDisk disk(100 * 1024);
-    expect_file_error([&] { write_checkpoint(folder.path(), state, 2, 0, "abc"); }, "step_000000000002.checkpoint",
+    expect_file_error([&] { write_checkpoint(folder.path(), state, 2, 0, {"abc", "r1"}); }, "step_000000000002.checkpoint",
                       "File too large");
   }
-  EXPECT_EQ(Checkpoint::latest(folder.path(), "abc").step(), 1);
+  EXPECT_EQ(Checkpoint::latest(folder.path(), {"abc", "r1"})->step(), 1);
   EXPECT_EQ(files_in(folder.path()), 1) << "nothing half-written is left";
 }
 
@@ -173,7 +173,7 @@ TEST(ForbiddenFolder, IsRefusedWithTheReason) {
   const std::string reason = "Permission denied";
   StateList state;
   EXPECT_TRUE(refused_without_rights([&] { noise_writer(folder.path()); }, reason));
-  EXPECT_TRUE(refused_without_rights([&] { write_checkpoint(folder / "checkpoint", state, 1, 0, ""); }, reason));
+  EXPECT_TRUE(refused_without_rights([&] { write_checkpoint(folder / "checkpoint", state, 1, 0, {}); }, reason));
   EXPECT_TRUE(refused_without_rights([&] { HistoryWriter(folder / "history.csv", {"time_s"}); }, reason));
   EXPECT_TRUE(refused_without_rights([&] { write_run_record(folder.path(), {}); }, reason));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);

@@ -1,5 +1,6 @@
 #include "io/detail/snapshot_series.hpp"
 
+#include "io/detail/step_names.hpp"
 #include "io/detail/xdmf.hpp"
 #include "kernels/require.hpp"
 
@@ -9,48 +10,43 @@
 
 namespace vug::detail {
 
-namespace {
-
-std::string snapshot_name(std::int64_t step) {
-  return fmt::format("step_{:012d}", step);
-}
-
-bool is_snapshot(const std::string& part) {
-  return part.starts_with("step_");
-}
-
-}  // namespace
-
 SnapshotSeries::SnapshotSeries(std::string directory, std::string stem, Grid grid)
     : directory_(std::move(directory)), stem_(std::move(stem)), grid_(std::move(grid)) {}
 
 void SnapshotSeries::create() {
   const auto folder = directory_ + "/" + stem_;
   std::error_code error;
-  std::filesystem::remove_all(folder, error);
-  if (!error) std::filesystem::create_directory(folder, error);
+  std::filesystem::create_directory(folder, error);
   if (error) throw FileError(folder + ": cannot create: " + error.message());
+  remove_after(-1);
   parts_.clear();
   write_index();
 }
 
-void SnapshotSeries::resume(std::int64_t step) {
+void SnapshotSeries::resume(std::int64_t step, const std::vector<std::string>& timeless) {
+  remove_after(step);
+  for (const auto& part : timeless) parts_[part];
+  for (const auto& entry : std::filesystem::directory_iterator(directory_ + "/" + stem_))
+    if (const auto part = entry.path().stem().string(); entry.path().extension() == ".h5" && is_step_name(part))
+      name_grid(part);
+  write_index();
+}
+
+/// Snapshots after `step`, and what was not finished.
+void SnapshotSeries::remove_after(std::int64_t step) const {
   const auto folder = directory_ + "/" + stem_;
   try {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      const auto part = entry.path().stem().string(), extension = entry.path().extension().string();
-      const bool later = is_snapshot(part) && part > snapshot_name(step), unfinished = extension == ".tmp";
-      if (unfinished || (extension == ".h5" && later))
-        std::filesystem::remove(entry.path());
-      else if (extension == ".h5" && is_snapshot(part))
-        name_grid(part);
-      else if (extension == ".h5")
-        parts_[part];
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+    for (const auto& file : files) {
+      const bool unfinished = file.extension() == ".tmp";
+      const auto snapshot = unfinished ? file.stem() : file.filename();
+      if (snapshot.extension() != ".h5" || !is_step_name(snapshot.stem().string())) continue;
+      if (unfinished || step < 0 || snapshot.stem().string() > step_name(step)) std::filesystem::remove(file);
     }
   } catch (const std::filesystem::filesystem_error& e) {
     throw FileError(folder + ": cannot continue: " + e.code().message());
   }
-  write_index();
 }
 
 void SnapshotSeries::add_part(const std::string& name, const Fill& fill) {
@@ -60,7 +56,7 @@ void SnapshotSeries::add_part(const std::string& name, const Fill& fill) {
 }
 
 void SnapshotSeries::append(double time, std::int64_t step, const Fill& fill) {
-  const auto name = snapshot_name(step);
+  const auto name = step_name(step);
   write_file(name, [&](Hdf5File& file) {
     file.write(Attribute{"time", time});
     file.write(Attribute{"step", step});

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <vector>
 
 namespace vug::detail {
 
@@ -17,10 +18,10 @@ class SnapshotSeries {
   using Fill = std::function<void(Hdf5File&)>;
 
   SnapshotSeries(std::string directory, std::string stem, Grid grid);
-  /// Begins anew.
+  /// Begins anew, without the snapshots that are there; files of other names stay.
   void create();
-  /// Continues the files, without the snapshots after `step`.
-  void resume(std::int64_t step);
+  /// Continues the files, without the snapshots after `step`; `timeless` names the parts that have no time.
+  void resume(std::int64_t step, const std::vector<std::string>& timeless = {});
   /// Adds a part that has no time.
   void add_part(const std::string& name, const Fill& fill);
   /// Adds a snapshot.
@@ -30,6 +31,7 @@ class SnapshotSeries {
 
  private:
   std::string path_of(const std::string& part) const { return directory_ + "/" + file_name(part); }
+  void remove_after(std::int64_t step) const;
   void write_file(const std::string& part, const Fill& fill) const;
   void name_grid(const std::string& snapshot);
   void write_index() const;

@@ -2,6 +2,7 @@
 // Bodies of StateList's templates.
 #include "kernels/require.hpp"
 
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
@@ -13,10 +14,39 @@ inline void require_size(const std::string& name, std::size_t found, std::size_t
     throw FileError("checkpoint block '" + name + "' has " + std::to_string(found) + " bytes, expected " +
                     std::to_string(expected));
 }
+
+/// Bytes of a type that not every byte is one of: bool and enumerations are read as whole numbers.
+template <class Value>
+struct NumberOf {
+  using Type = Value;
+};
+template <>
+struct NumberOf<bool> {
+  using Type = std::uint8_t;
+};
+template <class Value>
+  requires std::is_enum_v<Value>
+struct NumberOf<Value> {
+  using Type = std::underlying_type_t<Value>;
+};
+
+/// Throws FileError unless all numbers of `in` are finite and in `range`.
+template <class Value>
+void require_range(const std::string& name, std::span<const std::byte> in, StateRange range) {
+  if constexpr (std::is_same_v<Value, bool>) range = {0, 1};
+  typename NumberOf<Value>::Type number;
+  for (std::size_t at = 0; at < in.size(); at += sizeof(number)) {
+    std::memcpy(&number, in.data() + at, sizeof(number));
+    const auto value = static_cast<double>(number);
+    if (!(value >= range.least && value <= range.most))
+      throw FileError("checkpoint block '" + name + "' has the number " + std::to_string(value) + " at place " +
+                      std::to_string(at / sizeof(number)) + ", which it cannot have");
+  }
+}
 }  // namespace detail
 
 template <class ViewType>
-void StateList::add(std::string name, ViewType view) {
+void StateList::add(std::string name, ViewType view, StateRange range) {
   using Value = typename ViewType::non_const_value_type;
   static_assert(std::is_trivially_copyable_v<Value>);
   const std::size_t bytes = view.span() * sizeof(Value);
@@ -27,8 +57,9 @@ void StateList::add(std::string name, ViewType view) {
                    if (bytes > 0) std::memcpy(out.data(), host.data(), bytes);
                    return out;
                  },
-                 [view, bytes, name](std::span<const std::byte> in) {
+                 [view, bytes, name, range](std::span<const std::byte> in) {
                    detail::require_size(name, in.size(), bytes);
+                   detail::require_range<Value>(name, in, range);
                    const auto host = Kokkos::create_mirror_view(view);
                    if (bytes > 0) std::memcpy(host.data(), in.data(), bytes);
                    Kokkos::deep_copy(view, host);
@@ -36,7 +67,7 @@ void StateList::add(std::string name, ViewType view) {
 }
 
 template <class Value>
-void StateList::add_value(std::string name, Value& value) {
+void StateList::add_value(std::string name, Value& value, StateRange range) {
   static_assert(std::is_trivially_copyable_v<Value>);
   add(StateBlock{name,
                  [&value] {
@@ -44,8 +75,9 @@ void StateList::add_value(std::string name, Value& value) {
                    std::memcpy(out.data(), &value, sizeof(Value));
                    return out;
                  },
-                 [&value, name](std::span<const std::byte> in) {
+                 [&value, name, range](std::span<const std::byte> in) {
                    detail::require_size(name, in.size(), sizeof(Value));
+                   detail::require_range<Value>(name, in, range);
                    std::memcpy(&value, in.data(), sizeof(Value));
                  }});
 }

@@ -1,0 +1,28 @@
+#pragma once
+// The names of files that belong to one lattice step.
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace vug::detail {
+
+inline constexpr std::string_view step_prefix = "step_";
+inline constexpr std::size_t step_digits = 12;
+
+/// "step_000000000120": such names sort by their step.
+inline std::string step_name(std::int64_t step) {
+  return fmt::format("{}{:0{}d}", step_prefix, step, step_digits);
+}
+
+/// Whether step_name gives this name for some step: others are not ours.
+inline bool is_step_name(std::string_view name) {
+  if (!name.starts_with(step_prefix)) return false;
+  const std::string_view digits = name.substr(step_prefix.size());
+  return digits.size() >= step_digits && digits.size() < 19 &&
+         std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace vug::detail

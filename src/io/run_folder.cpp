@@ -1,0 +1,161 @@
+#include "io/run_folder.hpp"
+
+#include "io/detail/files.hpp"
+#include "io/detail/step_names.hpp"
+#include "io/run_record.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/file.h>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A path without the ending that a file has while it is written.
+fs::path finished(const fs::path& path) {
+  return path.extension() == ".tmp" ? path.parent_path() / path.stem() : path;
+}
+
+bool is_result(const fs::path& path) {
+  for (const char* name :
+       {"history.csv", "stress_strain.csv", "cracks.csv", "fields.h5", "fields.xdmf", "particles.h5", "particles.xdmf"})
+    if (path.filename() == name) return true;
+  return false;
+}
+
+bool is_snapshot(const fs::path& path) {
+  return path.extension() == ".h5" && (path.stem() == "rock" || detail::is_step_name(path.stem().string()));
+}
+
+bool is_checkpoint(const fs::path& path) {
+  return path.extension() == ".checkpoint" && detail::is_step_name(path.stem().string());
+}
+
+/// Files of a folder that a run has written, but for run.json.
+std::vector<fs::path> results_in(const std::string& folder) {
+  std::vector<fs::path> found;
+  const auto add = [&](const fs::path& where, bool (*own)(const fs::path&)) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(where, none))
+      if (own(finished(entry.path())) && !entry.is_directory(none)) found.push_back(entry.path());
+  };
+  add(folder + "/checkpoint", is_checkpoint);
+  add(folder + "/fields", is_snapshot);
+  add(folder + "/particles", is_snapshot);
+  add(folder, is_result);
+  return found;
+}
+
+/// The value of a key of run.json, which has one key a line; a text without its quotes.
+std::string value_of(const std::string& json, const std::string& key) {
+  const std::string mark = "\n  \"" + key + "\": ";
+  const auto at = json.find(mark);
+  if (at == std::string::npos) return "";
+  const auto from = at + mark.size();
+  std::string value = json.substr(from, json.find('\n', from) - from);
+  if (value.ends_with(',')) value.pop_back();
+  if (value.size() >= 2 && value.front() == '"') value = value.substr(1, value.size() - 2);
+  return value;
+}
+
+/// Who this is, for those who find the folder locked.
+std::string name_of_process() {
+  char host[256] = "";
+  if (::gethostname(host, sizeof(host) - 1) != 0) std::strcpy(host, "an unnamed host");
+  return fmt::format("process {} on {} since {}", ::getpid(), host, utc_now());
+}
+
+/// What a folder's lock says of its holder, as one harmless line.
+std::string holder(int lock) {
+  char text[400];
+  const ssize_t size = ::pread(lock, text, sizeof(text), 0);
+  std::string line;
+  for (ssize_t i = 0; i < size && text[i] != '\n'; ++i)
+    if (text[i] >= ' ' && text[i] <= '~') line += text[i];
+  return line.empty() ? "another process" : line;
+}
+
+}  // namespace
+
+std::optional<RunSummary> read_run_summary(const std::string& directory) {
+  const std::string path = directory + "/run.json";
+  std::error_code none;
+  if (!fs::is_regular_file(path, none)) return std::nullopt;
+  const std::string json = detail::read_file(path);
+  RunSummary summary{value_of(json, "run"), value_of(json, "status"), value_of(json, "case_hash"),
+                     value_of(json, "inputs"), value_of(json, "steps")};
+  if (summary.status.empty() || summary.case_hash.empty())
+    throw InputError(path + ": is no record of a run of vug; choose another folder");
+  return summary;
+}
+
+RunFolder::RunFolder(std::string path, Use use, std::string offer)
+    : path_(std::move(path)),
+      use_(use),
+      offer_(std::move(offer)) {
+  std::error_code none;
+  if (!fs::is_directory(path_, none)) return;
+  lock(false);
+  look();
+}
+
+RunFolder::Descriptor::~Descriptor() {
+  if (value >= 0) ::close(value);
+}
+
+void RunFolder::look() {
+  held_ = read_run_summary(path_);
+  if (held_ && use_ == Use::fresh)
+    throw InputError(fmt::format("{}: holds a run ({} at step {}); {}", path_, held_->status, held_->steps, offer_));
+  if (held_ || use_ == Use::resume) return;
+  for (const fs::path& file : results_in(path_))
+    throw InputError(file.string() + ": is in the way, and no run.json says that vug wrote it; choose another folder");
+}
+
+void RunFolder::lock(bool create) {
+  const std::string path = path_ + "/run.lock";
+  lock_.value = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0644);
+  if (lock_.value < 0 && !create) return;
+  if (lock_.value < 0) detail::throw_file_error(path, "create");
+  if (::flock(lock_.value, LOCK_EX | LOCK_NB) == 0) return;
+  if (errno == EWOULDBLOCK)
+    throw InputError(fmt::format("{}: is in use by {}; choose another folder", path_, holder(lock_.value)));
+  warning_ = fmt::format("{}: cannot be locked ({}): see to it that no other process writes there", path_,
+                         std::strerror(errno));
+}
+
+void RunFolder::take() {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw FileError(fmt::format("{}: cannot make the run directory: {}", path_, error.message()));
+  if (lock_.value < 0) {
+    lock(true);
+    look();
+  }
+  const std::string name = name_of_process() + "\n";
+  if (::ftruncate(lock_.value, 0) != 0 || ::pwrite(lock_.value, name.data(), name.size(), 0) < 0) {
+    // no room for a name: the lock holds without it
+  }
+  if (use_ == Use::overwrite) clear();
+}
+
+void RunFolder::clear() const {
+  std::error_code error;
+  for (const fs::path& file : results_in(path_)) {
+    fs::remove(file, error);
+    if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
+  }
+}
+
+}  // namespace vug

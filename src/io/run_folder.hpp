@@ -1,0 +1,61 @@
+#pragma once
+// The folder of a run: who may write into it, and which of its files are the run's own.
+#include <optional>
+#include <string>
+
+namespace vug {
+
+/// What a folder's run.json says of its run.
+struct RunSummary {
+  std::string run, status, case_hash;
+  std::string inputs;  ///< as in the file: paths and hashes of the files that the case names
+  std::string steps;
+};
+
+/// That of `directory`; nothing where there is no run.json. Throws InputError when that is none of vug's.
+std::optional<RunSummary> read_run_summary(const std::string& directory);
+
+/// A folder that one process writes results into at a time. The lock is the operating system's, on the file run.lock,
+/// and ends with the process, however that ends; the file itself stays and means nothing.
+class RunFolder {
+ public:
+  enum class Use {
+    fresh,      ///< nothing of a run may be there
+    resume,     ///< the run that is there goes on
+    overwrite,  ///< the run that is there is replaced
+  };
+  /// Looks, and writes nothing. Throws InputError when another process holds the folder, or when it holds results that
+  /// `use` does not give up: `offer` then says what can be done, as "--overwrite replaces it".
+  RunFolder(std::string path, Use use, std::string offer);
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  /// Makes the folder, locks it, and looks again: what has come meanwhile is not touched either. To overwrite, clears it.
+  /// Throws InputError and FileError.
+  void take();
+  /// Removes what a run has written, by the names that vug gives; other files stay, and run.json until it is replaced.
+  void clear() const;
+
+  const std::string& path() const { return path_; }
+  /// The run that is there.
+  const std::optional<RunSummary>& held() const { return held_; }
+  /// Why the folder could not be locked, on file systems that have no locks; else empty.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  void look();
+  void lock(bool create);
+
+  std::string path_;
+  Use use_;
+  std::string offer_;
+  std::optional<RunSummary> held_;
+  std::string warning_;
+  /// Closed with the folder, and when its constructor throws.
+  struct Descriptor {
+    int value = -1;
+    ~Descriptor();
+  } lock_;
+};
+
+}  // namespace vug

@@ -1,0 +1,66 @@
+#include "process.hpp"
+
+#include "kernels/interruption.hpp"
+#include "kernels/require.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <string_view>
+#include <unistd.h>
+
+namespace vug {
+
+namespace {
+
+/// All of `text`, by the system's own call: may be used by the handler of a signal. False with errno when that fails.
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+extern "C" void on_stop_signal(int signal) {
+  if (StopsInOrder::now()) return request_stop(signal);
+  write_all(STDERR_FILENO, "vug: interrupted before anything was written\n");
+  ::_exit(130);
+}
+
+}  // namespace
+
+void occupy_standard_streams() {
+  // The lowest free number is taken. Nothing can be read from the first, nothing written to the others.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+void listen_to_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_stop_signal;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1}) {
+    struct sigaction before {};
+    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+    ::sigaction(signal, &action, nullptr);
+  }
+  action.sa_handler = SIG_IGN;
+  for (const int signal : {SIGPIPE, SIGXFSZ}) ::sigaction(signal, &action, nullptr);
+}
+
+void print(const std::string& text) {
+  if (!write_all(STDOUT_FILENO, text))
+    throw FileError(std::string("standard output: cannot write: ") + std::strerror(errno));
+}
+
+void complain(const std::string& line) {
+  write_all(STDERR_FILENO, line + '\n');
+}
+
+}  // namespace vug
