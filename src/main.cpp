@@ -5,6 +5,7 @@
 #include "coupling/run_directory.hpp"
 #include "io/message.hpp"
 #include "io/run_record.hpp"
+#include "kernels/free_memory.hpp"
 #include "kernels/interruption.hpp"
 #include "kernels/memory.hpp"
 #include "kernels/require.hpp"
@@ -23,7 +24,9 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -177,8 +180,13 @@ int dispatch(const CommandLine& line) {
     return fail(file_failed, error.what());
   } catch (const vug::Interrupted& error) {
     return fail(interrupted, error.what());
+  } catch (const vug::MemoryError& error) {
+    return fail(out_of_memory, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(out_of_memory, "out of memory; `vug check` says how much a case needs");
+    return fail(out_of_memory, "out of memory: " + vug::memory_taken());
+  } catch (const std::runtime_error& error) {  // Kokkos has no type of its own for this
+    if (std::string_view(error.what()).find("failed to allocate") == std::string_view::npos) throw;
+    return fail(out_of_memory, fmt::format("out of memory: {}; {}", error.what(), vug::memory_taken()));
   }
 }
 

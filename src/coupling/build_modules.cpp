@@ -1,10 +1,15 @@
 #include "coupling/build_modules.hpp"
 
 #include "coupling/flow_module.hpp"
+#include "coupling/flow_paths.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/mechanics_module.hpp"
+#include "coupling/memory_need.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
+#include "kernels/free_memory.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -50,6 +55,11 @@ Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<boo
   return type;
 }
 
+std::int64_t count_fluid(const Geometry& geometry) {
+  const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+  return std::count(type.data(), type.data() + type.size(), NodeType::fluid);
+}
+
 template <class T, class Set>
 void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
   FlowModule<T>* flow = nullptr;
@@ -89,6 +99,8 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
 }  // namespace
 
 std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
+  require_memory(bytes_of_lattice(scene),
+                 fmt::format("{}: a lattice of {} x {} nodes", scene.path, scene.lattice.nx, scene.lattice.ny));
   auto parts = std::make_unique<Parts>();
   parts->units = units_of(scene);
   Geometry& geometry = parts->geometry;
@@ -102,9 +114,13 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
   }
   geometry.openings = make_openings(scene, geometry.lattice);
   if (scene.flow || scene.solute) {
+    const std::int64_t fluid = count_fluid(geometry);
+    require_memory(bytes_of_fluid(scene, static_cast<double>(fluid)),
+                   fmt::format("{}: the fluid in {} nodes", scene.path, fluid));
     geometry.fluid = make_fluid_nodes(exec, geometry.lattice, geometry.type, periodic_sides(scene));
     find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
     require_fluid_at_openings(exec, scene, geometry);
+    find_flow_paths(scene, geometry, parts->units);  // throws at mistakes
   }
   const bool paper_set = scene.solute && scene.solute->velocity_set == ScalarVelocitySet::d2q9;
   const bool single = scene.accuracy.precision == Precision::single_precision;

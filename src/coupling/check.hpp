@@ -18,8 +18,11 @@ struct CheckReport {
   double porosity = 0;  ///< fluid share of the lattice at the start
   double bytes = 0;     ///< held in Views
   std::int64_t steps = 0;
-  double seconds_per_step = 0;  ///< measured on this machine with a few steps of a copy of the case
-  double seconds = 0;
+  int measured_steps = 0;  ///< of a copy of the case, at the start
+  int threads = 0;
+  double seconds_per_step = 0;  ///< of the fastest ten: processor time over threads; on a GPU what the clock says
+  double slowed_by = 1;         ///< how much longer all took in the mean by the clock: far above 1 the machine is busy
+  double seconds = 0;           ///< steps x seconds_per_step
   std::string precision, preset;
 };
 

@@ -18,7 +18,8 @@ struct MeasuredChoice {
 /// All that were measured and that a case can make.
 const std::vector<MeasuredChoice>& measured_choices();
 
-/// One line for every choice that the case makes; no error below what rounding alone does.
+/// One line for every choice that the case makes, quoted where it lies near a value that was measured and said to be
+/// unknown elsewhere; no error below what rounding alone does.
 std::vector<std::string> choice_notes(const Scene& scene);
 
 }  // namespace vug

@@ -28,8 +28,8 @@ class FlowModule final : public Module {
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
-  /// Largest speed that the case can drive, lattice units: what the sides prescribe and Bernoulli's bound of their
-  /// pressures, at most the speed limit; that limit where a body force drives.
+  /// Largest speed that the case can drive, lattice units: what the sides prescribe, in the narrowest passage as well, and
+  /// Bernoulli's bound of their pressures, at most the speed limit; that limit where a body force drives.
   double largest_speed() const;
   /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities, the even
   /// part of the defect weighed (advective_form.hpp). Asked for at set-up; the reference stays valid.
@@ -37,6 +37,8 @@ class FlowModule final : public Module {
 
  private:
   double largest_pressure() const;
+  double prescribed_speed() const;
+  std::string advice_on_divergence() const;
   void find_boundaries(const Exec& exec);
   void dress(const Exec& exec, const StretchLinks& boundary, double time) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
@@ -44,6 +46,7 @@ class FlowModule final : public Module {
   FlowSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
+  double passage_speed_;  ///< lattice units, that prescribed velocities drive at the start (flow_paths.hpp)
   std::vector<StretchLinks> boundaries_;
   FlowFields<T> fields_;
   FlowStep<T> step_;

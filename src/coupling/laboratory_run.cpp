@@ -1,11 +1,14 @@
 #include "coupling/laboratory_run.hpp"
 
+#include "coupling/memory_need.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "io/history_writer.hpp"
 #include "io/mesh_reader.hpp"
+#include "io/require_fields.hpp"
 #include "io/rock_generator.hpp"
 #include "io/run_folder.hpp"
+#include "kernels/free_memory.hpp"
 #include "kernels/interruption.hpp"
 #include "kernels/require.hpp"
 
@@ -25,6 +28,12 @@ constexpr double fit_tolerance = 0.01;  // of the mean strength: below the scatt
 
 using Results = std::vector<std::pair<std::string, double>>;
 
+FieldList fields_of_rock(const Mechanics& rock) {
+  FieldList fields;
+  add_rock_fields(rock, fields);
+  return fields;
+}
+
 /// particles.h5 of the first specimen: every interval, and the end.
 class SpecimenPictures {
  public:
@@ -36,9 +45,8 @@ class SpecimenPictures {
     if (!due && !last) return;
     if (due) next_ += *scene_.output.interval;
     if (!writer_) {
-      FieldList fields;
-      add_rock_fields(rock, fields);
-      writer_.emplace(directory_, fields, SnapshotOptions{scene_.output.fields, scene_.output.compress, false, {}},
+      writer_.emplace(directory_, fields_of_rock(rock),
+                      SnapshotOptions{scene_.output.fields, scene_.output.compress, false, {}},
                       shape_of_rock(specimen_, rock.bonds()));
     }
     writer_->write(rock.time(), rock.steps());
@@ -120,8 +128,8 @@ std::string line(const char* what, const Spread& s, double unit, const char* nam
 
 std::string load_all(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
                      const std::string& directory, Results& results) {
-  HistoryWriter curve(directory + "/stress_strain.csv",
-                      {"strain_1", "stress_Pa", "seed_1", "failed_in_tension_1", "failed_in_shear_1", "confinement_Pa"});
+  HistoryWriter curve(directory + "/stress_strain.csv", {"strain_1", "stress_Pa", "seed_1", "failed_in_tension_1",
+                                                         "failed_in_shear_1", "confinement_Pa"});
   std::vector<LoadedSpecimen> specimens;
   for (int s = 0; s < options.seeds; ++s)
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
@@ -201,8 +209,10 @@ std::string fit(const Scene& scene, const LaboratoryOptions& options, const Asse
 Assembly build_specimen(const Scene& scene) {
   const LaboratorySection& laboratory = *scene.laboratory;
   if (scene.rock->mesh) return read_mesh(*scene.rock->mesh);
-  if (laboratory.test == LaboratoryTest::brazilian)
-    return generate_disc(laboratory.diameter, laboratory.flat_width, *scene.rock);
+  const bool disc = laboratory.test == LaboratoryTest::brazilian;
+  const double area = disc ? laboratory.diameter * laboratory.diameter : laboratory.size[0] * laboratory.size[1];
+  require_memory(bytes_of_triangles(*scene.rock, area), scene.path + ": the specimen");
+  if (disc) return generate_disc(laboratory.diameter, laboratory.flat_width, *scene.rock);
   return generate_rock(laboratory.size[0], laboratory.size[1], *scene.rock);
 }
 
@@ -243,6 +253,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   RunFolder folder(directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
                    "--overwrite replaces it, -o DIR leaves it alone");
   const Assembly specimen = build_specimen(scene);
+  require_fields(fields_of_rock(Mechanics(specimen, scene.mechanics->parameters, Loads{})), scene.output.fields);
   RunRecord record = first_record(scene);
   const StopsInOrder in_order;
   folder.take();

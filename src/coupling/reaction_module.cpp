@@ -121,7 +121,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
   table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
   if (faster_)
-    table.push_back({"reaction", "volume dissolved per volume of the strongest acid", wall_.molar_volume, "1", 0, 0.1,
+    table.push_back({"reaction", "volume dissolved per volume of the strongest acid", wall_.molar_volume, "1", 0, 0.1 + 1e-9,
                      "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
   if (wall_.law == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9", D, "lattice", 0.05, 1,

@@ -1,12 +1,15 @@
 #include "coupling/run.hpp"
 
 #include "coupling/events.hpp"
+#include "coupling/flow_paths.hpp"
+#include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/simulation.hpp"
 #include "io/checkpoint.hpp"
 #include "io/history_writer.hpp"
 #include "io/progress.hpp"
+#include "io/require_fields.hpp"
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
@@ -142,7 +145,9 @@ class Run {
         record_(first_record(scene)),
         owner_(owner()),
         last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
-        simulation_(scene) {}
+        simulation_(scene) {
+    require_fields(simulation_.fields(), scene.output.fields);
+  }
 
   void operator()() {
     resume();
@@ -212,10 +217,11 @@ class Run {
     if (!folder_.warning().empty()) progress.note("warning: " + folder_.warning());
     for (const std::string& note : notes_) progress.note(note);
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
+    const Parts& parts = simulation_.parts();
+    for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)
+      progress.note("warning: " + warning);
     for (const Limit& limit : simulation_.limits())
-      if (!limit.inside())
-        progress.note(fmt::format("warning: {}: {} = {:.5g} is outside its safe range; {}", limit.module, limit.name,
-                                  limit.value, limit.advice));
+      if (!limit.inside()) progress.note("warning: " + warning_of(limit));
   }
 
   /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.

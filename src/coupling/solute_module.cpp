@@ -134,15 +134,20 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
     Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, bad));
     throw StabilityError(fmt::format(
         "solute {} diverged at step {}: node ({}, {}) is not finite or beyond {:g} mol/m3; concentrations from {:.3g} "
-        "to {:.3g} mol/m3{}; lower the velocity or raise the diffusivity",
+        "to {:.3g} mol/m3{}; lower the velocity{} or raise the diffusivity",
         s.section.name, clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), bound * units_.concentration,
         range.min * units_.concentration, range.max * units_.concentration,
-        range.first_not_finite < 0 ? "" : ", and some that are not finite"));
+        range.first_not_finite < 0 ? "" : ", and some that are not finite",
+        interval_ > 1 ? " or accuracy.solute_interval" : ""));
   }
 }
 
 template <class T, class Set>
 void SoluteModule<T, Set>::limits(LimitTable& table) const {
+  // nothing faster was tried (docs/stability.md)
+  if (carrier_)
+    table.push_back({"solute", "cells per step at the largest speed", interval_ * fastest_, "1", 0, 0.4,
+                     "lower accuracy.solute_interval, lattice.time_step or flow.speed_limit"});
   for (const SpeciesState<T>& s : species_) {
     table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-3, 1,
                      "change lattice.time_step (docs/stability.md)"});

@@ -76,6 +76,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
     return scene;
   }
   check_modules(document, scene);
+  check_scales(document, scene);
   check_species(document, scene);
   check_places(document, scene);
   check_times(document, scene);

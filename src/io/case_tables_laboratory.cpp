@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace vug {
 namespace {
@@ -90,6 +91,9 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
     document.fail("rock.element_size",
                   fmt::format("leaves fewer than five elements across the specimen; at most {:g} m", smallest / 5));
+  check_triangles(document, *scene.rock,
+                  disc ? std::numbers::pi / 4 * laboratory.diameter * laboratory.diameter
+                       : laboratory.size[0] * laboratory.size[1]);
   for (const char* key : {"output.interval_steps", "output.checkpoint_interval", "output.probes"})
     if (document.find(key) != nullptr)
       document.fail_at(key, fmt::format("{} is of a run on a lattice; a test has output.interval in s", key));

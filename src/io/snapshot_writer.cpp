@@ -2,31 +2,13 @@
 
 #include "io/detail/lattice_snapshots.hpp"
 #include "io/detail/rock_snapshots.hpp"
-#include "kernels/require.hpp"
-
-#include <fmt/format.h>
-
-#include <set>
+#include "io/require_fields.hpp"
 
 namespace vug {
 
-namespace {
-
-void require_known(const FieldList& fields, const std::vector<std::string>& names) {
-  std::set<std::string> known;
-  for (const auto* list : {&fields.lattice, &fields.particles, &fields.bonds})
-    for (const auto& field : *list) known.insert(field.name);
-  for (const auto& name : names)
-    if (!known.contains(name))
-      throw InputError(
-          fmt::format("output.fields: '{}' is not computed in this case; there are: {}", name, fmt::join(known, ", ")));
-}
-
-}  // namespace
-
 SnapshotWriter::SnapshotWriter(const std::string& directory, const Lattice& lattice, double spacing, FieldList fields,
                                const SnapshotOptions& options, std::optional<RockShape> rock) {
-  require_known(fields, options.fields);
+  require_fields(fields, options.fields);
   const auto type = options.double_precision ? detail::StoredAs::float64 : detail::StoredAs::float32;
   const detail::FieldLayout layout{{}, type, options.compress};
   lattice_ = std::make_unique<detail::LatticeSnapshots>(directory, lattice, spacing,
@@ -44,7 +26,7 @@ SnapshotWriter::SnapshotWriter(const std::string& directory, const Lattice& latt
 
 SnapshotWriter::SnapshotWriter(const std::string& directory, FieldList fields, const SnapshotOptions& options,
                                RockShape rock) {
-  require_known(fields, options.fields);
+  require_fields(fields, options.fields);
   const auto type = options.double_precision ? detail::StoredAs::float64 : detail::StoredAs::float32;
   const detail::FieldLayout layout{{}, type, options.compress};
   rock_ = std::make_unique<detail::RockSnapshots>(directory, fields, options.fields, layout, std::move(rock));

@@ -140,6 +140,48 @@ TEST(Threads, ThatOpenMpDoesNotGiveAreSaidOrRefused) {
   EXPECT_THAT(many.output, HasSubstr("instead of 1000: at most 512"));
 }
 
+TEST(ExitCodes, UnknownFieldIsRefusedBeforeAnythingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", wrong = " --set output.fields=[\\\"velocty\\\"]";
+  ASSERT_EQ(run_vug("run " + small_rock + " --quiet --steps 1 -o " + out).exit_code, 0);
+  const std::string before = test::contents(out + "/run.json");
+  for (const std::string& command :
+       {"check " + small_rock, "run " + small_rock + " --quiet -o " + out,
+        "run " + small_rock + " --quiet -o " + (folder / "new"),
+        std::string("lab " VUG_SOURCE_DIR "/cases/laboratory/compression.toml -o ") + (folder / "new")}) {
+    const Outcome outcome = run_vug(command + wrong);
+    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.output;
+    EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
+  }
+  EXPECT_EQ(test::contents(out + "/run.json"), before);
+  EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+}
+
+TEST(ExitCodes, MemoryThatDoesNotSufficeGivesFiveAndNumbers) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer's own memory is beyond any limit";
+#endif
+  const TemporaryFolder folder;
+  const auto limited = [&](int mebibytes, const std::string& size) {
+    return run_command("ulimit -v " + std::to_string(1024 * mebibytes) +
+                       "; OMP_PROC_BIND=false OMP_NUM_THREADS=1 " VUG_EXECUTABLE " run " VUG_SOURCE_DIR
+                       "/cases/poiseuille.toml --quiet --steps 1 --set lattice.size=" +
+                       size + " -o " + (folder / "out"));
+  };
+  const Outcome hopeless = limited(2000, "[1.6,1.6]");  // 2^28 nodes: 1.3 GB of node numbers and 42 GB of fluid
+  EXPECT_EQ(hopeless.exit_code, 5) << hopeless.output;
+  EXPECT_EQ(lines_in(hopeless.output), 1) << hopeless.output;
+  EXPECT_THAT(hopeless.output, testing::ContainsRegex("needs [0-9.]+ GiB of memory at least, and ulimit -v leaves"));
+  // 176 MB of fluid: what passes the prediction and does not suffice after all ends in the same way
+  for (const int mebibytes : {60, 100, 140, 180, 200}) {
+    const Outcome outcome = limited(mebibytes, "[0.1,0.1]");
+    EXPECT_EQ(outcome.exit_code, 5) << mebibytes << outcome.output;
+    EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("leaves"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 TEST(ExitCodes, UnwritableFolderAndFullDiskGiveFour) {
   const TemporaryFolder folder;
   test::write_text(folder / "file", "not a folder");

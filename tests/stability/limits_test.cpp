@@ -78,6 +78,8 @@ TEST(Limits, AreKeptByAnOrdinaryCase) {
   EXPECT_THAT(warnings(simulation_of({})), testing::IsEmpty());
 }
 
+const std::string velocity = "boundary.left.flow={ type = \"velocity\", velocity = ";
+
 TEST(Limits, WarnBeforeEachMeasuredEdge) {
   const struct {
     Overrides overrides;
@@ -92,6 +94,11 @@ TEST(Limits, WarnBeforeEachMeasuredEdge) {
       // D = 0.01 is lost at 0.1
       {{"heat.fluid_diffusivity=1e-5"}, "grid Peclet number at the largest speed"},
       {{"flow.body_force=[1e-3, 0]", "heat.fluid_diffusivity=4e-5"}, "grid Peclet number at the largest speed"},
+      // what is prescribed, also where it has to squeeze through
+      {{velocity + "[0.3, 0] }"}, "Mach number of the prescribed velocities"},
+      {{velocity + "[0.15, 0] }"}, "Mach number in the narrowest passage"},
+      {{"accuracy.solute_interval=300"}, "cells per step at the largest speed"},
+      {{"accuracy.heat_interval=300"}, "cells per step at the largest speed"},
       // memory of the even populations at small D; speed for schemes other than the default
       {{"solute.species.0.diffusivity=5e-7"}, "A diffusivity"},
       {{"solute.species.0.diffusivity=1e-5", "solute.velocity_set=d2q9", "solute.relaxation_time=0.7"},
@@ -144,6 +151,16 @@ TEST(Divergence, IsAnnouncedAndThenNamesStepFieldAndNode) {
     EXPECT_THAT(message, testing::StartsWith(std::string(field) + " diverged at step "));
     EXPECT_THAT(message, testing::ContainsRegex("node \\([0-9]+, [0-9]+\\)"));
   }
+}
+
+/// The advice is about what drives the flow: only a pressure can be ramped.
+TEST(Divergence, OfAPrescribedVelocityIsAnnouncedAndAdvisesToLowerIt) {
+  Simulation simulation = simulation_of({velocity + "[0.3, 0] }", "flow.speed_limit=0"});
+  EXPECT_THAT(warnings(simulation), testing::Contains("flow: Mach number of the prescribed velocities"));
+  const std::string message = divergence(simulation, 4000);
+  EXPECT_THAT(message, testing::StartsWith("flow diverged at step "));
+  EXPECT_THAT(message, HasSubstr("lower the prescribed velocity or the time step"));
+  EXPECT_THAT(message, testing::Not(HasSubstr("ramp")));
 }
 
 /// A heated pipe across the flow, an opening without any rock beside it, is a stair-step as well.

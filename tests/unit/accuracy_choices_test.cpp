@@ -75,6 +75,26 @@ TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
   EXPECT_EQ(choice_notes(parse_scene(channel, "case.toml", {"accuracy.preset=fast"})).size(), 1u);
 }
 
+TEST(MeasuredChoices, AreNotQuotedFarFromWhatWasMeasured) {
+  const auto notes = [](const std::string& override_text) {
+    return choice_notes(parse_scene(channel, "case.toml", {override_text}));
+  };
+  const auto begins = [&](const std::string& override_text, const std::string& beginning) {
+    const auto found = notes(override_text);
+    ASSERT_EQ(found.size(), 1u) << override_text;
+    EXPECT_EQ(found[0].rfind(beginning, 0), 0u) << found[0];
+  };
+  begins("accuracy.solute_interval=4", "solute_interval = 4: 1.01 of the time");
+  begins("accuracy.solute_interval=5", "solute_interval = 4: 1.01 of the time");
+  begins("accuracy.solute_interval=300",
+         "solute_interval = 300: what it gains and costs was not measured; it was at 2, 4");
+  begins("accuracy.wall_interval=200", "wall_interval = 200: what it gains and costs was not measured");
+  begins("accuracy.wall_interval=120", "wall_interval = 100: 0.94 of the time");
+  begins("accuracy.update_interval=1000", "update_interval = 1000: what it gains and costs was not measured");
+  EXPECT_TRUE(notes("accuracy.heat_interval=300").empty());  // no heat in it
+  EXPECT_TRUE(notes("accuracy.update_interval=5").empty());  // more careful than careful
+}
+
 /// Runs n steps with the checks that `vug run` makes.
 void steps(test::CoupledRun& run, int n) {
   for (int step = 0; step < n; step += 20) run.steps(20);

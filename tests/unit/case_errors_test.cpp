@@ -109,6 +109,28 @@ TEST(CaseErrors, ContradictionsBetweenTables) {
   broken("reaction.rate_constant=1", "stands beside reaction.rate_constant");
 }
 
+TEST(CaseErrors, StepsThatLeaveNothingOfTheEquations) {
+  EXPECT_EQ(
+      message(lattice + time + flow, {"lattice.time_step=1e-300"}),
+      "--set lattice.time_step=1e-300: lattice.time_step = 1e-300 s turns flow.viscosity = 0.001 m2/s into 1e-297 "
+      "lattice units (value time_step / spacing^2); 1e-12 ... 1e+09 is accepted, and good ones lie between 1e-3 "
+      "and 1");
+  EXPECT_THAT(message(lattice + time + flow, {"lattice.time_step=1e8"}), HasSubstr("into 1e+11 lattice units"));
+  EXPECT_THAT(quickstart_message({"solute.species.1.diffusivity=1e-20"}), HasSubstr("solute.species.1.diffusivity"));
+}
+
+TEST(CaseErrors, MoreTrianglesThanAnybodyHasAUseFor) {
+  EXPECT_THAT(quickstart_message({"rock.element_size=1e-9"}),
+              AllOf(HasSubstr("rock.element_size = 1e-09 m makes 1.62e+16 triangles, at most 2^22 are accepted; use "),
+                    HasSubstr(" m or more")));
+  try {
+    read_scene(VUG_SOURCE_DIR "/cases/laboratory/compression.toml", {"rock.element_size=1e-9"});
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("triangles, at most 2^22 are accepted"));
+  }
+}
+
 TEST(CaseErrors, TablesThatNeedOthers) {
   EXPECT_THAT(message(lattice + time + flow + "[reaction]\nreactant = \"A\"\nrate_constant = 1\n"),
               HasSubstr("[reaction] needs the table [solute]"));

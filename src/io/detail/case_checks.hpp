@@ -8,13 +8,17 @@ namespace vug {
 /// Every key and table of the document is one that the reader knows.
 void check_names(const TomlDocument& document);
 
-void check_modules(const TomlDocument& document, const Scene& scene);  ///< which table needs which other
-void check_places(const TomlDocument& document, const Scene& scene);   ///< everything drawn lies on the lattice
-void check_times(const TomlDocument& document, const Scene& scene);    ///< end, intervals, ramps
-void check_species(const TomlDocument& document, const Scene& scene);  ///< names of species
-void check_boundaries(const TomlDocument& document, Scene& scene);     ///< conditions against modules and each other
+void check_modules(const TomlDocument& document, const Scene& scene);     ///< which table needs which other
+void check_places(const TomlDocument& document, Scene& scene);            ///< everything drawn lies on the lattice
+void check_times(const TomlDocument& document, const Scene& scene);       ///< end, intervals, ramps
+void check_scales(const TomlDocument& document, const Scene& scene);      ///< what the time step makes of diffusivities
+void check_species(const TomlDocument& document, const Scene& scene);     ///< names of species
+void check_boundaries(const TomlDocument& document, Scene& scene);        ///< conditions against modules and each other
 void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [laboratory] against all others
-void check_files(const TomlDocument& document, Scene& scene);          ///< meshes and images exist; resolves paths
+void check_files(const TomlDocument& document, Scene& scene);             ///< meshes and images exist; resolves paths
+
+/// The generator makes no more triangles on `area` (m2) than anybody has a use for.
+void check_triangles(const TomlDocument& document, const RockSection& rock, double area);
 
 /// Remarks on what is allowed but probably not meant.
 void collect_warnings(Scene& scene);

@@ -4,6 +4,7 @@
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/toml_cursor.hpp"
 #include "io/message.hpp"
+#include "io/triangle_count.hpp"
 
 #include <fmt/format.h>
 
@@ -105,7 +106,7 @@ void check_species(const TomlDocument& document, const Scene& scene) {
     document.fail("reaction.product", "is the reactant; it must be another species");
 }
 
-void check_places(const TomlDocument& document, const Scene& scene) {
+void check_places(const TomlDocument& document, Scene& scene) {
   const LatticeSection& lattice = scene.lattice;
   for (std::size_t i = 0; i < scene.geometry.shapes.size(); ++i) {
     const Box box = box_of(scene.geometry.shapes[i]);
@@ -114,6 +115,12 @@ void check_places(const TomlDocument& document, const Scene& scene) {
           fmt::format("geometry.shapes.{}", i),
           fmt::format("lies outside the lattice, [0, {:g}] x [0, {:g}] m", lattice.length_x, lattice.length_y));
     }
+    const auto between_centres = [&](double low, double high) {
+      return std::floor(high / lattice.spacing - 0.5) < std::ceil(low / lattice.spacing - 0.5);
+    };
+    if (scene.geometry.shapes[i].name.empty() && (between_centres(box.x0, box.x1) || between_centres(box.y0, box.y1)))
+      scene.warnings.push_back(
+          fmt::format("geometry.shapes.{} holds the centre of no cell and leaves no trace on the lattice", i));
   }
   for (std::size_t i = 0; i < scene.output.probes.size(); ++i) {
     check_point(document, lattice, fmt::format("output.probes.{}.at", i), scene.output.probes[i].at);
@@ -132,6 +139,7 @@ void check_places(const TomlDocument& document, const Scene& scene) {
   if (!rock.mesh && rock.element_size > largest) {
     document.fail("rock.element_size", fmt::format("is larger than the rock itself; at most {:g} m", largest));
   }
+  check_triangles(document, rock, lattice.length_x * lattice.length_y);
 }
 
 void check_times(const TomlDocument& document, const Scene& scene) {
@@ -155,6 +163,15 @@ void check_times(const TomlDocument& document, const Scene& scene) {
   if (scene.output.interval_steps && static_cast<double>(*scene.output.interval_steps) * step > end + slack) {
     document.fail("output.interval_steps", fmt::format("is more than the whole run, {:.0f} steps", end / step));
   }
+}
+
+void check_triangles(const TomlDocument& document, const RockSection& rock, double area) {
+  if (rock.mesh) return;
+  const double triangles = triangles_in(area, rock.element_size);
+  if (triangles > most_triangles)
+    document.fail("rock.element_size",
+                  fmt::format("m makes {:.3g} triangles, at most 2^22 are accepted; use {:.3g} m or more", triangles,
+                              rock.element_size * std::sqrt(triangles / most_triangles)));
 }
 
 void check_files(const TomlDocument& document, Scene& scene) {

@@ -43,6 +43,19 @@ void warn_about_injection(Scene& scene) {
   }
 }
 
+/// What is drawn into the rock should be found on the lattice.
+void warn_about_small_cavities(Scene& scene) {
+  const double cell = scene.lattice.spacing;
+  const RockSection& rock = *scene.rock;
+  if (rock.hole &&
+      std::min(std::abs(rock.hole->to[0] - rock.hole->from[0]), std::abs(rock.hole->to[1] - rock.hole->from[1])) < cell)
+    scene.warnings.emplace_back("rock.hole is narrower than a cell: it may hold no node");
+  for (std::size_t i = 0; i < rock.notches.size(); ++i)
+    if (std::hypot(rock.notches[i].to[0] - rock.notches[i].from[0], rock.notches[i].to[1] - rock.notches[i].from[1]) <
+        cell)
+      scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", i));
+}
+
 /// Rock that nothing holds drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
   for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
@@ -92,6 +105,7 @@ void collect_warnings(Scene& scene) {
   if (scene.laboratory) return warn_about_press(scene);
   if (scene.reaction) warn_about_reaction(scene);
   if (scene.rock && scene.rock->hole && scene.injection) warn_about_injection(scene);
+  if (scene.rock) warn_about_small_cavities(scene);
   if (scene.mechanics) warn_about_support(scene);
   if (scene.mechanics) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);

@@ -1,0 +1,29 @@
+#pragma once
+// Where the fluid can go from the sides of the lattice and from openings, and what the geometry makes of the conditions
+// there: looked at once, before the first step.
+#include "coupling/geometry.hpp"
+#include "kernels/units.hpp"
+
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// Beyond this speed, lattice units, the weakly compressible scheme has lost its meaning whatever it still computes.
+inline constexpr double speed_bound = 0.5;
+
+/// What is found in the geometry at the start.
+struct FlowPaths {
+  /// Largest mean speed, lattice units, that the prescribed velocities drive through a narrowest passage: the volume
+  /// that a piece of fluid takes in over the least number of nodes at one distance from where it does, before an
+  /// outlet.
+  double passage_speed = 0;
+  std::vector<std::string> warnings;  ///< one line each: allowed, but probably not meant
+};
+
+/// Follows the fluid from every stretch that lets some through. Throws InputError for what can only be a mistake: no
+/// fluid at all, a velocity above speed_bound, an injection that touches no fluid, fluid that is pressed into a piece
+/// without an outlet; the last two are warnings where rock may open later.
+FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const LatticeUnits& units);
+
+}  // namespace vug

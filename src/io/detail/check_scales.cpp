@@ -1,0 +1,48 @@
+// Spacing and time step against the numbers that they bring into lattice units.
+#include "io/detail/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace vug {
+namespace {
+
+// A relaxation time that differs from 1/2 by less is 1/2 for what is computed; a time step that spreads anything over
+// so many cells is a slip of the pen.
+constexpr double least = 1e-12, most = 1e9;
+
+void check_diffusivity(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
+                       double value) {
+  const double scaled = value * lattice.time_step / (lattice.spacing * lattice.spacing);
+  if (scaled >= least && scaled <= most) return;
+  document.fail("lattice.time_step",
+                fmt::format("s turns {} = {:g} m2/s into {:.3g} lattice units (value time_step / spacing^2); {:g} ... "
+                            "{:g} is accepted, and good ones lie between 1e-3 and 1",
+                            key, value, scaled, least, most));
+}
+
+}  // namespace
+
+void check_scales(const TomlDocument& document, const Scene& scene) {
+  const auto check = [&](const std::string& key, double value) {
+    check_diffusivity(document, scene.lattice, key, value);
+  };
+  if (scene.flow) check("flow.viscosity", scene.flow->viscosity);
+  if (scene.heat) {
+    check("heat.fluid_diffusivity", scene.heat->fluid_diffusivity);
+    check("heat.solid_diffusivity", scene.heat->solid_diffusivity);
+  }
+  if (scene.solute)
+    for (std::size_t i = 0; i < scene.solute->species.size(); ++i)
+      check(fmt::format("solute.species.{}.diffusivity", i), scene.solute->species[i].diffusivity);
+  if (!scene.flow) return;
+  const double velocity = scene.lattice.spacing / scene.lattice.time_step;
+  const double pressure = scene.flow->density * velocity * velocity;
+  if (!std::isnormal(pressure) || !std::isnormal(pressure * scene.lattice.spacing))
+    document.fail("lattice.time_step",
+                  "s makes a unit of pressure, density (spacing / time_step)^2, that is no number");
+}
+
+}  // namespace vug

@@ -1,0 +1,112 @@
+// What `vug check` says before a case costs anything.
+#include "coupling/check.hpp"
+
+#include "coupling/limit_text.hpp"
+#include "coupling/memory_need.hpp"
+#include "coupling/simulation.hpp"
+#include "kernels/free_memory.hpp"
+#include "kernels/memory.hpp"
+#include "kernels/require.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string obstacle = R"(
+[lattice]
+size = [200, 100]
+spacing = 1
+time_step = 1
+[time]
+steps = 1000
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "disc"
+centre = [60, 50]
+radius = 30
+[flow]
+viscosity = 0.1
+density = 1
+initial_pressure = 0
+[heat]
+fluid_diffusivity = 0.1
+solid_diffusivity = 0.1
+[solute]
+[[solute.species]]
+name = "A"
+diffusivity = 0.1
+[[solute.species]]
+name = "B"
+diffusivity = 0.1
+[boundary.left]
+flow = { type = "velocity", velocity = [0.01, 0] }
+[boundary.right]
+flow = { type = "outflow" }
+)";
+
+TEST(Limits, NumberIsToldFromTheBoundItBreaks) {
+  EXPECT_EQ(warning_of({"flow", "number", 0.2, "1", 0, 0.1, "lower it"}),
+            "flow: number = 0.2 is outside 0 to 0.1; lower it");
+  EXPECT_EQ(warning_of({"flow", "number", 0.1000003, "1", 0, 0.1, "lower it"}),
+            "flow: number = 0.1000003 is outside 0 to 0.1; lower it");
+  EXPECT_EQ(warning_of({"flow", "number", 0.49999999, "1", 0.5, std::numeric_limits<double>::infinity(), "raise it"}),
+            "flow: number = 0.49999999 is outside >= 0.5; raise it");
+}
+
+/// What is predicted is at least needed, and most of what is taken.
+TEST(MemoryNeed, IsMostOfWhatIsTaken) {
+  watch_allocations();
+  for (const std::vector<std::string>& overrides : std::vector<std::vector<std::string>>{
+           {}, {"accuracy.precision=single"}, {"solute.velocity_set=d2q9", "heat.velocity_set=d2q9"}}) {
+    const Scene scene = parse_scene(obstacle, "a.toml", overrides);
+    const double before = allocated_bytes();
+    const Simulation simulation(scene);
+    const double taken = allocated_bytes() - before;
+    const double predicted = bytes_of_lattice(scene) + bytes_of_fluid(scene, simulation.parts().geometry.fluid.count);
+    EXPECT_LE(predicted, taken);
+    EXPECT_GE(predicted, 0.6 * taken);
+  }
+}
+
+TEST(MemoryNeed, ThatCannotBeMetIsRefusedBeforeItIsTaken) {
+  EXPECT_NO_THROW(require_memory(1e6, "a case"));
+  try {
+    require_memory(1e18, "a case");
+    ADD_FAILURE() << "accepted";
+  } catch (const MemoryError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("a case needs 888 PiB of memory at least, and "));
+    EXPECT_THAT(error.what(), HasSubstr(" leaves "));
+  }
+}
+
+TEST(Check, SaysWhatItMeasured) {
+  const CheckReport report = check_case(parse_scene(obstacle, "a.toml"));
+  EXPECT_GE(report.measured_steps, 10);
+  EXPECT_GE(report.threads, 1);
+  EXPECT_GT(report.seconds_per_step, 0);
+  EXPECT_DOUBLE_EQ(report.seconds, 1000 * report.seconds_per_step);
+  const std::string text = to_text(report);
+  EXPECT_THAT(text,
+              HasSubstr("measured: the fastest 10 of the first " + std::to_string(report.measured_steps) + " steps"));
+  EXPECT_THAT(text, HasSubstr("Mach number of the prescribed velocities"));
+  EXPECT_THAT(text, HasSubstr("Mach number in the narrowest passage"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("Bernoulli")));
+}
+
+TEST(Check, KnowsTheFieldsThatARunWrites) {
+  EXPECT_NO_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocity\"]"})));
+  EXPECT_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocty\"]"})), InputError);
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,146 @@
+// What the geometry makes of the conditions on the fluid: mistakes are refused, what may be meant is remarked on.
+#include "coupling/flow_paths.hpp"
+
+#include "coupling/simulation.hpp"
+#include "kernels/require.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string rectangle(const char* from, const char* to) {
+  return std::string("[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = ") + from + "\nto = " + to + "\n";
+}
+
+/// A channel of 40 x 12 cells, lattice units, with what is drawn into it.
+std::string channel(const std::string& shapes, const std::string& sides) {
+  return "[lattice]\nsize = [40, 12]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n"
+         "[flow]\nviscosity = 0.1\ndensity = 1\ninitial_pressure = 0\n[geometry]\n" +
+         (shapes.empty() ? std::string() : "type = \"shapes\"\n" + shapes) + sides;
+}
+
+const std::string pressures =
+    "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n"
+    "[boundary.right]\nflow = { type = \"pressure\", pressure = 0 }\n";
+const std::string inflow = "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0] }\n";
+const std::string outlet = "[boundary.right]\nflow = { type = \"outflow\" }\n";
+const std::string dissolving =
+    "[solute]\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n"
+    "[reaction]\nreactant = \"A\"\nrate_constant = 1e-3\nmolar_volume = 1e-3\n";
+const std::string wall = rectangle("[20, 0]", "[23, 12]");
+
+FlowPaths paths(const std::string& text) {
+  const Scene scene = parse_scene(text, "a.toml");
+  const Simulation simulation(scene);
+  return find_flow_paths(scene, simulation.parts().geometry, simulation.parts().units);
+}
+
+std::vector<std::string> remarks(const std::string& text) {
+  return paths(text).warnings;
+}
+
+std::string refusal(const std::string& text) {
+  const Scene scene = parse_scene(text, "a.toml");
+  try {
+    const Simulation simulation(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+double passage_speed(const std::string& text) {
+  return paths(text).passage_speed;
+}
+
+TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
+  EXPECT_THAT(remarks(channel("", pressures)), IsEmpty());
+  EXPECT_THAT(remarks(channel("", inflow + outlet)), IsEmpty());
+  EXPECT_THAT(remarks(channel(rectangle("[20, 0]", "[23, 11]"), pressures)), IsEmpty());
+  // fluid goes through between two corners that touch
+  EXPECT_THAT(remarks(channel(rectangle("[20, 0]", "[21, 6]") + rectangle("[21, 6]", "[22, 12]"), pressures)),
+              IsEmpty());
+  EXPECT_THAT(remarks(channel("", inflow + "[boundary.right]\nflow = { type = \"velocity\", velocity = [0.02, 0] }\n")),
+              IsEmpty());
+}
+
+TEST(FlowPaths, GeometryWithoutFluidIsRefused) {
+  const std::string solid = rectangle("[0, 0]", "[40, 12]");
+  EXPECT_EQ(refusal(channel(solid, "")), "a.toml: the geometry has no fluid node, and [flow] is only in fluid");
+  const std::string heat_alone =
+      "[lattice]\nsize = [40, 12]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n[heat]\n"
+      "fluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\n[geometry]\ntype = \"shapes\"\n" +
+      solid;
+  EXPECT_EQ(refusal(heat_alone), "");
+}
+
+TEST(FlowPaths, WallBetweenInletAndOutletIsRemarkedOn) {
+  EXPECT_THAT(
+      remarks(channel(wall, pressures)),
+      testing::ElementsAre("no path of fluid leads from boundary.left to another open side or shape: nothing flows"));
+  EXPECT_THAT(remarks(channel(wall, pressures + dissolving)), Contains(HasSubstr("nothing flows until rock opens")));
+}
+
+TEST(FlowPaths, InflowWithoutAWayOutIsRefused) {
+  const std::string message = "a.toml: boundary.left.flow presses fluid into a space that has no other opening";
+  EXPECT_EQ(refusal(channel("", inflow)), message);
+  EXPECT_EQ(refusal(channel(wall, inflow + outlet)), message);
+  EXPECT_THAT(refusal(channel("", "[boundary.left]\nflow = { type = \"velocity\", velocity = [-0.02, 0] }\n")),
+              HasSubstr("draws fluid out of a space"));
+  EXPECT_THAT(remarks(channel(wall, inflow + outlet + dissolving)),
+              Contains(HasSubstr("has no other opening until rock opens")));
+  // what is pressed in here leaves there, as it does around the two ends of a lattice
+  EXPECT_EQ(
+      refusal(channel(
+          "", "[boundary.left]\nflow = { type = \"periodic\" }\n[boundary.right]\nflow = { type = \"periodic\" }\n")),
+      "");
+}
+
+TEST(FlowPaths, InjectionIntoRockIsRefusedUnlessRockOpens) {
+  const std::string injection =
+      "[boundary.injection]\nside = \"left\"\ncentre = 3\nwidth = 2\nflow = { type = \"pressure\", pressure = 0.01 }\n"
+      "[boundary.right]\nflow = { type = \"pressure\", pressure = 0 }\n";
+  const std::string block = rectangle("[0, 0]", "[5, 6]");
+  EXPECT_EQ(refusal(channel(block, injection)), "a.toml: boundary.injection.flow has no effect: no fluid touches it");
+  EXPECT_THAT(remarks(channel(block, injection + dissolving)),
+              Contains("boundary.injection.flow has no effect until rock opens: no fluid touches it"));
+  EXPECT_THAT(remarks(channel(rectangle("[0, 0]", "[5, 12]"), pressures)),
+              Contains("boundary.left.flow has no effect: no fluid touches it"));
+}
+
+TEST(FlowPaths, NothingMovesFasterThanTheSchemeFollows) {
+  EXPECT_THAT(refusal(channel("", "[boundary.top]\nflow = { type = \"wall\", velocity = [0.6, 0] }\n")),
+              HasSubstr("boundary.top.flow.velocity is 0.6 cells in a time step, and above 0.5 no run holds"));
+  EXPECT_EQ(refusal(channel("", "[boundary.top]\nflow = { type = \"wall\", velocity = [0.4, 0] }\n")), "");
+}
+
+/// By continuity: 12 cells of inflow go through what is left open.
+TEST(FlowPaths, SpeedInTheNarrowestPassageIsThatOfContinuity) {
+  EXPECT_DOUBLE_EQ(passage_speed(channel("", inflow + outlet)), 0.02);
+  EXPECT_DOUBLE_EQ(passage_speed(channel(rectangle("[20, 0]", "[23, 9]"), inflow + outlet)), 0.02 * 12 / 3);
+  EXPECT_DOUBLE_EQ(
+      passage_speed(channel(rectangle("[20, 0]", "[23, 5]") + rectangle("[20, 7]", "[23, 12]"), inflow + outlet)),
+      0.02 * 12 / 2);
+  // not what lies behind the outlet: a dead end
+  const std::string beside = "[boundary.top]\nflow = { type = \"outflow\" }\n";
+  EXPECT_DOUBLE_EQ(passage_speed(channel(rectangle("[20, 0]", "[23, 11]"), inflow + beside)), 0.02);
+  EXPECT_EQ(passage_speed(channel("", pressures)), 0);
+}
+
+TEST(FlowPaths, ShapesThatLeaveNoTraceAreRemarkedOn) {
+  EXPECT_THAT(parse_scene(channel(rectangle("[10.6, 3]", "[11.4, 5]"), pressures), "a.toml").warnings,
+              testing::ElementsAre("geometry.shapes.0 holds the centre of no cell and leaves no trace on the lattice"));
+  EXPECT_THAT(parse_scene(channel(rectangle("[10.4, 3]", "[10.6, 5]"), pressures), "a.toml").warnings, IsEmpty());
+}
+
+}  // namespace
+}  // namespace vug
