@@ -66,7 +66,7 @@ def arrows(records, figures):
          "w³/(12 µ), and 1/(2 n²) more on n nodes, to 1e-4: " +
          ", ".join(f"{r['flow'] / r['exact']:.4f} at {r['nodes']}" for r in cubic)],
         ["reaction → rock: mass and d_c", "`DissolvedTriangle`", "1e-12 per triangle and bond"],
-        ["rock → solid: an opened node's volume goes to its triangle", "`PathwayOpener`, `Balances`", "1e-12"],
+        ["rock → solid: an opened node's volume goes to its triangle, then its neighbours", "`PathwayOpener`, `SolidSpread`, `Balances`", "1e-12"],
         ["reaction → flow: births", "`AwkwardBirths`", "balances 1e-12"],
     ]
     return section(

@@ -88,7 +88,8 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
     parts.mechanics = &mechanics->mechanics();
     d_m = mechanics->mechanics().bonds().d_m;
     if (scene.damage && geometry.fluid.count > 0)
-      opener = std::make_unique<PathwayOpener>(geometry.lattice, parts.rock->pathways, parts.rock->nodes_of_particle);
+      opener = std::make_unique<PathwayOpener>(geometry.lattice, parts.rock->pathways,
+                                               SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours));
   }
   const bool dissolves = reaction && scene.reaction->molar_volume > 0;
   if (!dissolves && !opener) return;

@@ -45,52 +45,114 @@ struct SettleNodes {
   }
 };
 
-/// What is left of a volume of which `dissolved` is gone: a share between 0 and 1; 1 where there was no solid.
-KOKKOS_FORCEINLINE_FUNCTION double share_left(double dissolved, double initial) {
-  const double share = initial > 0 ? 1 - dissolved / initial : 1.0;
-  return share > 0 ? share : 0.0;
-}
+struct OfSector {
+  Kokkos::View<const double*> sum;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int s) const { return sum(s); }
+};
+
+struct OfTriangle {
+  Kokkos::View<const double*> sum;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int t) const { return sum(3 * t) + sum(3 * t + 1) + sum(3 * t + 2); }
+};
+
+/// Share of the solid of g that is left (see DissolvedShares).
+template <class Of>
+struct RemainingShare {
+  Of dissolved;
+  SolidMoved moved;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int g) const {
+    const double held = moved.held(g), part = held > 0 ? (dissolved(g) - moved.dissolved(g)) / held : 0.0;
+    return part < 1 ? moved.left(g) * (1 - part) : 0.0;
+  }
+};
 
 struct StoreSolidFraction {
-  Kokkos::View<const double*> initial, sum;
+  RemainingShare<OfTriangle> left;
   ScalarField<double> solid_fraction;
-  KOKKOS_FUNCTION void operator()(int t) const {
-    solid_fraction(t) = share_left(sum(3 * t) + sum(3 * t + 1) + sum(3 * t + 2),
-                                   initial(3 * t) + initial(3 * t + 1) + initial(3 * t + 2));
-  }
+  KOKKOS_FUNCTION void operator()(int t) const { solid_fraction(t) = left(t); }
 };
 
 struct StoreChemicalDamage {
   SectorPairs sectors;
-  Kokkos::View<const double*> initial, sum, solid_fraction;
+  RemainingShare<OfSector> left;
+  Kokkos::View<const double*> initial, solid_fraction;
   ScalarField<double> d_c;
-  KOKKOS_FORCEINLINE_FUNCTION double left(int s) const {
-    return side_left(share_left(sum(s), initial(s)), solid_fraction(s / 3));
+  KOKKOS_FORCEINLINE_FUNCTION double left_of_side(int s) const {
+    const double of_triangle = solid_fraction(s / 3);
+    return side_left(left.moved.held(s) > 0 ? left(s) : of_triangle, of_triangle);
   }
   KOKKOS_FUNCTION void operator()(int b) const {
     const int s = sectors(b, 0), t = sectors(b, 1);
-    d_c(b) = chemical_damage_of_sides(initial(s), left(s), initial(t), left(t));
+    d_c(b) = chemical_damage_of_sides(initial(s), left_of_side(s), initial(t), left_of_side(t));
   }
 };
 
+/// Solid has moved: the share until now, what has dissolved and what the nodes hold now.
+template <class Of>
+struct StoreMoved {
+  RemainingShare<Of> left;
+  Of held;
+  KOKKOS_FUNCTION void operator()(int g) const {
+    const SolidMoved& moved = left.moved;
+    moved.left(g) = left(g);
+    moved.dissolved(g) = left.dissolved(g);
+    moved.held(g) = held(g);
+  }
+};
+
+SolidMoved::SolidMoved(std::size_t count)
+    : left("vug::chemical_damage::left", count),
+      dissolved("vug::chemical_damage::dissolved", count),
+      held("vug::chemical_damage::held", count) {
+  Kokkos::deep_copy(left, 1.0);
+}
+
 DissolvedShares::DissolvedShares(const Exec& exec, const NodeGroups& nodes_of_sector,
                                  const SectorPairs& sectors_of_bond, const ScalarField<double>& volume)
-    : sectors_of_bond_(sectors_of_bond),
+    : nodes_of_sector_(nodes_of_sector),
+      sectors_of_bond_(sectors_of_bond),
+      triangles_(nodes_of_sector.count() / 3),
+      sectors_(nodes_of_sector.count()),
       initial_("vug::chemical_damage::initial", nodes_of_sector.count()),
       settled_("vug::chemical_damage::settled", nodes_of_sector.count()),
       sum_("vug::chemical_damage::sum", nodes_of_sector.count()),
+      held_("vug::chemical_damage::held_of_sector", nodes_of_sector.count()),
       solid_fraction_("vug::chemical_damage::solid_fraction", nodes_of_sector.count() / 3),
       d_c_("vug::chemical_damage::d_c", sectors_of_bond.extent(0)) {
-  sum_runs(exec, "vug::chemical_damage::initial", nodes_of_sector, volume, StoreSum{initial_});
+  sum_held(exec, volume);
+  Kokkos::deep_copy(exec, initial_, held_);
+  store_moved(exec);
+}
+
+void DissolvedShares::sum_dissolved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const {
+  for_each_node(exec, "vug::chemical_damage::sum", wet.sectors(),
+                SumWetNodes{wet.of_sector(), wet.node(), dissolved, settled_, sum_});
+}
+
+void DissolvedShares::sum_held(const Exec& exec, const ScalarField<double>& volume) const {
+  sum_runs(exec, "vug::chemical_damage::held", nodes_of_sector_, volume, StoreSum{held_});
+}
+
+void DissolvedShares::store_moved(const Exec& exec) const {
+  for_each_node(exec, "vug::chemical_damage::triangles_moved", static_cast<int>(triangles_.held.extent(0)),
+                StoreMoved<OfTriangle>{{{sum_}, triangles_}, {held_}});
+  for_each_node(exec, "vug::chemical_damage::sectors_moved", static_cast<int>(sectors_.held.extent(0)),
+                StoreMoved<OfSector>{{{sum_}, sectors_}, {held_}});
 }
 
 void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const {
-  for_each_node(exec, "vug::chemical_damage::sum", wet.sectors(),
-                SumWetNodes{wet.of_sector(), wet.node(), dissolved, settled_, sum_});
+  sum_dissolved(exec, wet, dissolved);
   for_each_node(exec, "vug::chemical_damage::solid_fraction", static_cast<int>(solid_fraction_.extent(0)),
-                StoreSolidFraction{initial_, sum_, solid_fraction_});
+                StoreSolidFraction{{{sum_}, triangles_}, solid_fraction_});
   for_each_node(exec, "vug::chemical_damage::d_c", static_cast<int>(d_c_.extent(0)),
-                StoreChemicalDamage{sectors_of_bond_, initial_, sum_, solid_fraction_, d_c_});
+                StoreChemicalDamage{sectors_of_bond_, {{sum_}, sectors_}, initial_, solid_fraction_, d_c_});
+}
+
+void DissolvedShares::solid_moved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved,
+                                  const ScalarField<double>& volume) const {
+  sum_dissolved(exec, wet, dissolved);
+  sum_held(exec, volume);
+  store_moved(exec);
 }
 
 void DissolvedShares::settle(const Exec& exec, const WetNodes& wet, const Kokkos::View<NodeType*>& type,

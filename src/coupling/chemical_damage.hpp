@@ -2,23 +2,47 @@
 // What dissolution takes from triangles and bonds.
 #include "coupling/wet_nodes.hpp"
 
+#include <string>
+
 namespace vug {
 
-/// What dissolution leaves of triangles and bonds: dissolved volume of the nodes over their initial solid volume, by
-/// sectors; nothing is missing where there was no solid. A bond carries by its two sectors in series
-/// (dem/dissolved_rock.hpp), for which Eq. 25 takes their sum. Solid that an opening crack hands to other nodes is not
-/// dissolved and does not count.
+/// When solid last moved between nodes, at first the start: per triangle or per sector.
+struct SolidMoved {
+  ScalarField<double> left;       ///< share of the solid that remained then
+  ScalarField<double> dissolved;  ///< volume dissolved in the nodes until then, pixels
+  ScalarField<double> held;       ///< solid volume of the nodes then, pixels
+  explicit SolidMoved(std::size_t count);
+  template <class Visit>
+  void visit_state(const std::string& of, const Visit& visit) {
+    visit(of + "/left", left);
+    visit(of + "/dissolved", dissolved);
+    visit(of + "/held", held);
+  }
+};
+
+/// What dissolution leaves of triangles and bonds, by the solid of their sectors; nothing is missing where there was
+/// none. A bond carries by its two sectors in series (dem/dissolved_rock.hpp), for which Eq. 25 takes their sum.
+///
+/// Without pathways the share that is left is 1 less the dissolved volume of the nodes over their initial solid volume.
+/// An opening pathway moves solid from node to node without dissolving any: the share stays, and from then on
+///
+///     share = share until then * (1 - (dissolved since)/(volume held then)).
+///
+/// A sector whose nodes have all been opened has the share of its triangle.
 ///
 /// Rock dissolves at wet nodes only, and a node stays wet until it turns fluid. So an update sums over the wet nodes
 /// and keeps one number for all that have turned fluid: it costs the surface, not the lattice.
 class DissolvedShares {
  public:
-  /// volume: (dense node) initial, pixels. sectors_of_bond: (bond, end) the sectors on both sides of its edge.
+  /// Takes the solid volume of every node (dense node, pixels) as the initial one.
   DissolvedShares(const Exec& exec, const NodeGroups& nodes_of_sector, const SectorPairs& sectors_of_bond,
                   const ScalarField<double>& volume);
 
   /// dissolved: (dense node), pixels.
   void update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const;
+  /// To be called when opened pathways have moved solid from node to node, before settle.
+  void solid_moved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved,
+                   const ScalarField<double>& volume) const;
   /// To be called when nodes have turned fluid, before the wet nodes are found anew.
   void settle(const Exec& exec, const WetNodes& wet, const Kokkos::View<NodeType*>& type,
               const ScalarField<double>& dissolved) const;
@@ -27,14 +51,27 @@ class DissolvedShares {
   const ScalarField<double>& solid_fraction() const { return solid_fraction_; }
   /// (bond) chemical damage then.
   const ScalarField<double>& d_c() const { return d_c_; }
-  /// (sector) dissolved volume of the nodes that have turned fluid, pixels: belongs in a checkpoint.
-  const ScalarField<double>& settled() const { return settled_; }
+  /// Visits (name, view) of what belongs in a checkpoint.
+  template <class Visit>
+  void visit_state(const Visit& visit) {
+    visit("settled", settled_);
+    triangles_.visit_state("triangles", visit);
+    sectors_.visit_state("sectors", visit);
+  }
 
  private:
+  /// sum_ = what has dissolved of each sector.
+  void sum_dissolved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const;
+  /// held_ = what the nodes of each sector hold.
+  void sum_held(const Exec& exec, const ScalarField<double>& volume) const;
+  void store_moved(const Exec& exec) const;
+
+  NodeGroups nodes_of_sector_;
   SectorPairs sectors_of_bond_;
-  ScalarField<double> initial_;  ///< (sector) solid volume, pixels
-  ScalarField<double> settled_;
-  ScalarField<double> sum_;  ///< (sector) dissolved volume at the last update, pixels
+  SolidMoved triangles_, sectors_;
+  ScalarField<double> initial_;     ///< (sector) solid volume, pixels
+  ScalarField<double> settled_;     ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
+  ScalarField<double> sum_, held_;  ///< (sector) of the present update
   ScalarField<double> solid_fraction_, d_c_;
 };
 

@@ -110,7 +110,8 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
 }
 
 template <class T>
-void MechanicsModule<T>::births(const Exec& exec, const Births&) {
+void MechanicsModule<T>::births(const Exec& exec, const Births& births) {
+  if (dissolved_ && births.solid_moved) dissolved_->solid_moved(exec, *wet_, geometry_.dissolved, geometry_.volume);
   if (dissolved_) dissolved_->settle(exec, *wet_, geometry_.type, geometry_.dissolved);
   find_links(exec);
 }
@@ -163,7 +164,9 @@ void MechanicsModule<T>::state(StateList& list) {
   mechanics_.visit_state([&](const char* name, const auto& view, auto... range) {
     list.add(std::string("mechanics/") + name, view, StateRange{static_cast<double>(range)...});
   });
-  if (dissolved_) list.add("mechanics/settled", dissolved_->settled());
+  if (dissolved_)
+    dissolved_->visit_state(
+        [&](const std::string& name, const auto& view) { list.add("mechanics/dissolved_shares/" + name, view); });
   if (flow_ && exchange_interval_ > 1) {  // held in the first steps of a resumed run
     list.add("mechanics/force", mechanics_.particles().force);
     list.add("mechanics/torque", mechanics_.particles().torque);

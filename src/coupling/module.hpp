@@ -17,6 +17,7 @@ namespace vug {
 struct Births {
   int first = 0;
   int last = 0;
+  bool solid_moved = false;  ///< some of them are opened pathways, whose solid volume has gone to other nodes
 };
 
 /// A number of history.csv.

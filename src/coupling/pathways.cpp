@@ -36,53 +36,22 @@ struct MarkOpening {
   }
 };
 
-/// Per particle: the volume of its opening nodes, shared among its solid nodes.
-struct ShareVolume {
-  NodeGroups nodes;
-  Kokkos::View<const NodeType*> type;
-  Kokkos::View<std::uint8_t*> opening;
-  ScalarField<double> volume, stranded;
-  KOKKOS_FUNCTION void operator()(int p) const {
-    double freed = 0;
-    int solid = 0;
-    nodes.for_each(p, [&](int n) {
-      if (opening(n)) {
-        freed += volume(n);
-        volume(n) = 0;
-        opening(n) = 0;
-      } else if (type(n) == NodeType::solid) {
-        ++solid;
-      }
-    });
-    if (freed == 0) return;
-    if (solid == 0) {
-      stranded(p) += freed;
-      return;
-    }
-    const double part = freed / solid;
-    nodes.for_each(p, [&](int n) {
-      if (type(n) == NodeType::solid) volume(n) += part;
-    });
-  }
-};
-
 struct ClearOpening {
   PathwayNodes nodes;
   Kokkos::View<std::uint8_t*> opening;
   KOKKOS_FUNCTION void operator()(int c) const { opening(nodes.node(c)) = 0; }
 };
 
-PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, NodeGroups nodes_of_particle)
+PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSpread spread)
     : nodes_(std::move(nodes)),
-      nodes_of_particle_(std::move(nodes_of_particle)),
+      spread_(std::move(spread)),
       opening_("vug::pathways::opening", lattice.size()),
-      aperture_("vug::pathways::aperture", nodes_.closed.extent(0)),
-      stranded_("vug::pathways::stranded", nodes_of_particle_.count()) {
+      aperture_("vug::pathways::aperture", nodes_.closed.extent(0)) {
   Kokkos::deep_copy(aperture_, -1.0);
 }
 
 int PathwayOpener::open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
-                        const ScalarField<double>& volume) {
+                        const ScalarField<double>& volume, const ScalarField<double>& dissolved) {
   const int candidates = static_cast<int>(nodes_.node.extent(0)), bonds = static_cast<int>(aperture_.extent(0));
   int changed = 0, opened = 0;
   Kokkos::parallel_reduce("vug::pathways::widen", Kokkos::RangePolicy<Exec>(exec, 0, bonds),
@@ -92,8 +61,7 @@ int PathwayOpener::open(const Exec& exec, const ScalarField<double>& d_m, const 
                           MarkOpening{nodes_, aperture_, type, opening_}, opened);
   if (opened == 0) return 0;
   if (volume.extent(0) > 0)
-    Kokkos::parallel_for("vug::pathways::share", Kokkos::RangePolicy<Exec>(exec, 0, nodes_of_particle_.count()),
-                         ShareVolume{nodes_of_particle_, type, opening_, volume, stranded_});
+    spread_(exec, type, opening_, volume, dissolved);
   else
     for_each_node(exec, "vug::pathways::clear", candidates, ClearOpening{nodes_, opening_});
   return opened;

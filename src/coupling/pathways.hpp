@@ -1,7 +1,7 @@
 #pragma once
 // How damage conducts: each bond carries a strip of nodes that turn fluid as its mechanical damage grows
 // (paper sections 2.4, 3.1; closure with c_d in docs/model.md, "Pathways").
-#include "coupling/rock_map.hpp"
+#include "coupling/solid_spread.hpp"
 #include "kernels/fluid_nodes.hpp"
 
 namespace vug {
@@ -21,24 +21,22 @@ struct PathwayNodes {
   ScalarField<double> open;    ///< (bond) aperture w_1 at d_m = 1, cells
 };
 
-/// Turns fluid the nodes that the aperture of a bond opens, never back, and hands the solid volume
-/// of each to the other solid nodes of its particle in equal parts, so that mass is conserved (section 3.3);
-/// what a particle without solid left cannot take is added to `stranded` (particle). `volume` may be empty (a scene
-/// without dissolution). Returns how many nodes opened.
+/// Turns fluid the nodes that the aperture of a bond opens, never back, and has the solid volume of each spread over
+/// the nodes around it. `volume` and `dissolved` may be empty (a scene without dissolution). Returns how many nodes
+/// opened.
 class PathwayOpener {
  public:
-  PathwayOpener(const Lattice& lattice, PathwayNodes nodes, NodeGroups nodes_of_particle);
+  PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSpread spread);
   int open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
-           const ScalarField<double>& volume);
-  /// Volume that found no solid node to go to, in pixels, per particle.
-  const ScalarField<double>& stranded() const { return stranded_; }
+           const ScalarField<double>& volume, const ScalarField<double>& dissolved);
+  /// (triangle) solid volume that has found no room, pixels.
+  const ScalarField<double>& waiting() const { return spread_.waiting(); }
 
  private:
   PathwayNodes nodes_;
-  NodeGroups nodes_of_particle_;
+  SolidSpread spread_;
   Kokkos::View<std::uint8_t*> opening_;  ///< (dense node) 1 while its volume is being handed on
   ScalarField<double> aperture_;         ///< (bond) at the last look, cells; -1 before the first
-  ScalarField<double> stranded_;
 };
 
 }  // namespace vug

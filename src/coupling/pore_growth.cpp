@@ -17,9 +17,9 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
   int dissolved = 0, opened = 0;
   if (lost_.extent(0) > 0)
     dissolved = mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_);
-  if (opener_) opened = opener_->open(exec, d_m_, geometry_.type, geometry_.volume);
+  if (opener_) opened = opener_->open(exec, d_m_, geometry_.type, geometry_.volume, geometry_.dissolved);
   if (dissolved + opened > 0) {
-    Births births{fluid.count, fluid.count};
+    Births births{fluid.count, fluid.count, opened > 0};
     append_births(exec, geometry_.type, fluid);
     births.last = fluid.count;
     find_surface(exec, fluid, geometry_.type, geometry_.surface);
@@ -32,11 +32,11 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
 
 void PoreGrowth::ledger(Ledger& ledger, double pixel_volume) const {
   if (opener_ && geometry_.volume.extent(0) > 0)
-    ledger.of("solid_volume", "m3/m").gains.push_back({"stranded", -pixel_volume * sum_in_order(opener_->stranded())});
+    ledger.of("solid_volume", "m3/m").gains.push_back({"waiting", -pixel_volume * sum_in_order(opener_->waiting())});
 }
 
 void PoreGrowth::state(StateList& list) {
-  if (opener_) list.add("growth/stranded", opener_->stranded());
+  if (opener_) list.add("growth/waiting", opener_->waiting());
   const StateRange nodes{0, static_cast<double>(geometry_.lattice.size())};
   list.add_value("growth/dissolved_nodes", dissolved_nodes_, nodes);
   list.add_value("growth/opened_nodes", opened_nodes_, nodes);

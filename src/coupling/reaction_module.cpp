@@ -5,6 +5,7 @@
 #include "coupling/sum_state.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
+#include "kernels/solid_share.hpp"
 #include "kernels/surface_normal.hpp"
 
 #include <algorithm>
@@ -69,7 +70,8 @@ void ReactionModule<T, Set>::refresh(const Exec& exec, std::int64_t step) {
   if (!links_are_new && step - refreshed_ < next) return;
   const double ahead = links_are_new ? 0 : 0.5 * static_cast<double>(next) / static_cast<double>(step - refreshed_);
   refreshed_ = step;
-  if (section_.surface_normal) find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, normal_);
+  if (section_.surface_normal)
+    find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal_);
   const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
   const double activation = section_.activation_energy / gas_constant;
   if (heat_) {
@@ -158,7 +160,8 @@ void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
 template <class T, class Set>
 void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
   VectorField<double> normal;
-  if (section_.surface_normal) find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, normal);
+  if (section_.surface_normal)
+    find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);
   const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal);
   row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
   const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
@@ -167,9 +170,8 @@ void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::fields(FieldList& list) const {
-  list.lattice.push_back({"dissolved_fraction", "1", 1, [this](std::span<double> out) {
-                            read_dense(geometry_.lattice, geometry_.dissolved, {}, out);
-                          }});
+  list.lattice.push_back(
+      {"dissolved_fraction", "1", 1, [this](std::span<double> out) { read_solid(geometry_, dissolved_share, out); }});
 }
 
 template <class T, class Set>

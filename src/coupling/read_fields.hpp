@@ -1,6 +1,6 @@
 #pragma once
 // From fields on the device to plain arrays over the lattice for output: row by row, without halo, in SI.
-#include "kernels/fluid_nodes.hpp"
+#include "coupling/geometry.hpp"
 
 #include <algorithm>
 #include <span>
@@ -36,6 +36,19 @@ void read_dense(const Lattice& lattice, const ViewType& values, const Conversion
     for (int x = 0; x < lattice.nx; ++x)
       out[static_cast<std::size_t>(y) * lattice.nx + x] =
           conversion.scale * static_cast<double>(host(lattice.node(x, y))) + conversion.shift;
+}
+
+/// share(V, dissolved) of every node of rock that can dissolve.
+template <class Share>
+void read_solid(const Geometry& geometry, const Share& share, std::span<double> out) {
+  const auto volume = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.volume);
+  const auto dissolved = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.dissolved);
+  const Lattice& lattice = geometry.lattice;
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x) {
+      const int n = lattice.node(x, y);
+      out[static_cast<std::size_t>(y) * lattice.nx + x] = share(volume(n), dissolved(n));
+    }
 }
 
 }  // namespace vug

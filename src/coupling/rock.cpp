@@ -76,6 +76,21 @@ SectorPairs sectors_of_bonds(const Assembly& assembly, const BondEdges& bonds) {
   return sectors;
 }
 
+TriangleNeighbours neighbours_of_triangles(const Assembly& assembly) {
+  const TriangleNeighbours neighbours("vug::rock::neighbours", assembly.triangles.size());
+  const auto host = Kokkos::create_mirror_view(neighbours);
+  Kokkos::deep_copy(host, -1);
+  std::vector<int> found(assembly.triangles.size(), 0);
+  for (const Edge& edge : find_edges(assembly)) {
+    const auto [left, right] = edge.triangle;
+    if (right < 0) continue;
+    host(left, found[left]++) = right;
+    host(right, found[right]++) = left;
+  }
+  Kokkos::deep_copy(neighbours, host);
+  return neighbours;
+}
+
 /// The rock's nodes that a pathway of `aperture` (bond, cells) along each bond opens.
 std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
                                                 const BondEdges& bonds, const RockRaster& raster,
@@ -230,6 +245,7 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   rock.nodes_of_particle = group_nodes(raster.owner, static_cast<int>(rock.assembly.triangles.size()), lattice);
   rock.nodes_of_sector = group_nodes(sector_of_nodes(raster), 3 * rock.nodes_of_particle.count(), lattice);
   rock.sectors_of_bond = sectors_of_bonds(rock.assembly, bonds);
+  rock.neighbours = neighbours_of_triangles(rock.assembly);
   if (scene.damage) rock.pathways = pathway_nodes(scene, lattice, rock.assembly, bonds, raster, closed, rock.solid);
   return rock;
 }

@@ -1,6 +1,8 @@
 #include "coupling/simulation.hpp"
 
+#include "coupling/read_fields.hpp"
 #include "kernels/require.hpp"
+#include "kernels/solid_share.hpp"
 
 #include <algorithm>
 
@@ -93,18 +95,13 @@ FieldList Simulation::fields() const {
                                     static_cast<double>(host(lattice.node(x, y)));
                           }});
   list.lattice.push_back({"solid_fraction", "1", 1, [&geometry](std::span<double> out) {
-                            const bool dissolves = geometry.volume.extent(0) > 0;
+                            if (geometry.volume.extent(0) > 0) return read_solid(geometry, solid_share, out);
                             const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
-                            const auto volume =
-                                Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.volume);
                             const Lattice& lattice = geometry.lattice;
                             for (int y = 0; y < lattice.ny; ++y)
-                              for (int x = 0; x < lattice.nx; ++x) {
-                                const int n = lattice.node(x, y);
-                                out[static_cast<std::size_t>(y) * lattice.nx + x] = dissolves ? volume(n)
-                                                                                    : type(n) == NodeType::solid ? 1.0
-                                                                                                                 : 0.0;
-                              }
+                              for (int x = 0; x < lattice.nx; ++x)
+                                out[static_cast<std::size_t>(y) * lattice.nx + x] =
+                                    type(lattice.node(x, y)) == NodeType::solid ? 1.0 : 0.0;
                           }});
   return list;
 }

@@ -3,6 +3,7 @@
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/link_area.hpp"
+#include "kernels/solid_share.hpp"
 #include "kernels/unroll.hpp"
 
 namespace vug {
@@ -19,8 +20,10 @@ namespace vug {
 struct SurfaceNormal {
   DenseNeighbour lattice;
   IndexList node;
-  ScalarField<double> V;
+  Kokkos::View<const double*> volume, dissolved;
   VectorField<double> normal;
+
+  KOKKOS_FORCEINLINE_FUNCTION double V(int n) const { return solid_share(volume(n), dissolved(n)); }
 
   /// Derivatives of the fitted quadratic at its centre.
   struct Fit {
@@ -32,9 +35,9 @@ struct SurfaceNormal {
     constexpr double gaussian[3] = {1, 0.77880078307140488, 0.36787944117144233};
     return gaussian[distance < 0 ? -distance : distance];
   }
-  /// `volume(dx, dy)` is V that far away. The weights are a product, so that sums along rows serve all terms.
-  template <class Volume>
-  KOKKOS_FORCEINLINE_FUNCTION static Fit fit(const Volume& volume) {
+  /// `share(dx, dy)` is V that far away. The weights are a product, so that sums along rows serve all terms.
+  template <class Share>
+  KOKKOS_FORCEINLINE_FUNCTION static Fit fit(const Share& share) {
     const double m0 = 1 + 2 * weight(1) + 2 * weight(2);
     const double m2 = 2 * weight(1) + 8 * weight(2);
     const double m4 = 2 * weight(1) + 32 * weight(2);
@@ -45,7 +48,7 @@ struct SurfaceNormal {
       double sum = 0, first = 0, second = 0;  // of the row: V, dx V, (dx^2 - spread) V
       VUG_UNROLL
       for (int dx = -2; dx <= 2; ++dx) {
-        const double wV = weight(dx) * volume(dx, dy);
+        const double wV = weight(dx) * share(dx, dy);
         sum += wV;
         first += dx * wV;
         second += (dx * dx - spread) * wV;
@@ -83,12 +86,12 @@ struct SurfaceNormal {
   }
 };
 
-void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ScalarField<double>& V,
-                  VectorField<double>& normal) {
+void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ScalarField<double>& volume,
+                  const ScalarField<double>& dissolved, VectorField<double>& normal) {
   if (static_cast<int>(normal.extent(0)) < surface.count)
     normal = VectorField<double>("vug::surface_normal::normal", surface.count + surface.count / 2);
   for_each_node(exec, "vug::surface_normal::find", surface.count,
-                SurfaceNormal{DenseNeighbour(nodes), surface.node, V, normal});
+                SurfaceNormal{DenseNeighbour(nodes), surface.node, volume, dissolved, normal});
 }
 
 /// Area of the links of one surface node.

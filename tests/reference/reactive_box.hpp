@@ -91,7 +91,7 @@ struct ReactiveBox {
   }
 
   void renew_normals() {
-    if (use_normals) find_normals(exec, nodes, surface, V, normal);
+    if (use_normals) find_normals(exec, nodes, surface, V, dissolved, normal);
     links_for = -1;
   }
 

@@ -56,7 +56,7 @@ double area2(const std::array<double, 2>& a, const std::array<double, 2>& b, con
 TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   test::CoupledRun run(pickled_rock);
   run.steps(2000);
-  const auto dissolved = run.nodes("dissolved_fraction");
+  const auto dissolved = test::host_copy(run.parts().geometry.dissolved);
   const Assembly& assembly = run.parts().rock->assembly;
   const Particles& particles = run.rock().particles();
   const Bonds& bonds = run.rock().bonds();
@@ -81,7 +81,7 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
           weight[k] = area2(assembly.vertices[corner[k]], assembly.vertices[corner[(k + 1) % 3]], p);
         const int edge = static_cast<int>(std::min_element(weight.begin(), weight.end()) - weight.begin());
         if (weight[edge] < 0) continue;
-        const double lost = dissolved[static_cast<std::size_t>(y) * nx + x];
+        const double lost = dissolved(run.parts().geometry.lattice.node(x, y));
         taken[t] += lost;
         nodes[t] += 1;
         for (int b = 0; b < bonds.count; ++b) {

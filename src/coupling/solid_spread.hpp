@@ -1,0 +1,44 @@
+#pragma once
+// Where the solid goes that lay in an opened pathway. A pathway is a model of conductivity, cells wide where the crack
+// is far below a cell: the rock is still there, and "attached to other solid nodes" (paper section 3.3).
+#include "coupling/rock_map.hpp"
+#include "kernels/fluid_nodes.hpp"
+
+namespace vug {
+
+/// (triangle, edge) the triangle beyond each edge, -1 where there is none.
+using TriangleNeighbours = Kokkos::View<int* [3], Kokkos::LayoutLeft>;
+
+/// No node is ever given more than this many cells' worth of solid: none resists acid that many times as long as rock.
+inline constexpr double most_solid = 2;
+
+/// Solid that a node takes at most, in cells: up to the bound, what has dissolved of it counted; and no more than it
+/// holds, so that a wall that is nearly gone does not grow back.
+KOKKOS_FORCEINLINE_FUNCTION double room_for_solid(double V, double dissolved) {
+  const double below_bound = most_solid - (V + dissolved), room = below_bound < V ? below_bound : V;
+  return room > 0 ? room : 0.0;
+}
+
+/// Hands the solid of opened nodes to the solid nodes of their triangle, each in proportion to its room; what finds no
+/// room goes in equal parts to the triangles beyond the edges, on and on, a few triangles far. What has found none even
+/// there waits in the triangle it has come to, for the next time. Total volume is kept to rounding.
+class SolidSpread {
+ public:
+  SolidSpread(NodeGroups nodes_of_triangle, TriangleNeighbours neighbours);
+
+  /// opening: (dense node) 1 where a node has just opened, 0 afterwards. type: dense. volume, dissolved: (dense node),
+  /// cells.
+  void operator()(const Exec& exec, const Kokkos::View<NodeType*>& type, const Kokkos::View<std::uint8_t*>& opening,
+                  const ScalarField<double>& volume, const ScalarField<double>& dissolved);
+
+  /// (triangle) volume that has found no room, cells.
+  const ScalarField<double>& waiting() const { return waiting_; }
+
+ private:
+  NodeGroups nodes_;
+  TriangleNeighbours neighbours_;
+  ScalarField<double> waiting_;
+  ScalarField<double> arriving_;  ///< (triangle) during a round
+};
+
+}  // namespace vug

@@ -1,0 +1,136 @@
+// A front of acid in cracked rock: a pathway is open to the acid, but the rock of its cells is still there to dissolve.
+#include "../reference/reactive_box.hpp"
+#include "coupling/pathways.hpp"
+#include "coupling/rock.hpp"
+#include "support/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace vug {
+namespace {
+
+/// 15 mm x 6 mm of rock in 60 x 24 cells, with acid in the two columns on the left.
+const std::string slab_case = R"(
+[lattice]
+size = [0.015, 0.006]
+spacing = 2.5e-4
+time_step = 2.5e-6
+[time]
+steps = 1
+[geometry]
+type = "rock"
+[rock]
+element_size = 4e-3
+porosity = 0
+[rock.hole]
+from = [0, 0]
+to = [5e-4, 0.006]
+[flow]
+viscosity = 2.2e-3
+initial_pressure = 100e3
+[mechanics]
+[damage]
+minimum_aperture = 3
+)";
+
+/// What opens when.
+enum class Cracks { none, all_at_the_start, as_the_front_comes };
+
+struct Front {
+  double half_time = 0;  ///< steps until half of the slab's solid has dissolved
+  double passed = 0;     ///< steps until the first half of the slab holds 1 % of its solid
+  double most = 0;       ///< most that one node was given, cells
+};
+
+/// Acid of concentration 1 at x = 0, so fast a reaction that diffusion decides.
+Front dissolve_slab(Cracks cracks) {
+  const Scene scene = parse_scene(slab_case, "case.toml");
+  const int nx = scene.lattice.nx, ny = scene.lattice.ny;
+  const Lattice lattice(nx, ny);
+  const Rock rock = build_rock(scene, lattice);
+  reference::ReactiveBox<D2Q5, double> box(
+      nx, ny, [&](int x, int y) { return rock.solid[static_cast<std::size_t>(y) * nx + x]; }, solute_parameters(1.0));
+  box.use_normals = true;
+  box.renew_normals();
+  box.wall.molar_volume = 0.2;
+  box.k = 100;
+  box.give_concentration(Side::left, [](int) { return 1.0; });
+
+  PathwayOpener opener(lattice, rock.pathways, SolidSpread(rock.nodes_of_particle, rock.neighbours));
+  const ScalarField<double> d_m("d_m", rock.bonds);
+  const auto sectors = reference::on_host(rock.sectors_of_bond);
+  const auto middle = [&](int b) {
+    double x = 0;
+    for (int end = 0; end < 2; ++end)
+      for (const int v : rock.assembly.triangles[sectors(b, end) / 3])
+        x += rock.assembly.vertices[v][0] / (6 * scene.lattice.spacing);
+    return x;
+  };
+  Front front;
+  const double start = box.solid_total();
+  const auto open = [&](double to) {  // two bonds of three
+    const auto host = Kokkos::create_mirror_view(d_m);
+    Kokkos::deep_copy(host, d_m);
+    for (int b = 0; b < rock.bonds; ++b)
+      if (b % 3 && middle(b) < to) host(b) = 1;
+    Kokkos::deep_copy(d_m, host);
+    const int first = box.nodes.count;
+    if (opener.open(box.exec, d_m, box.type, box.V, box.dissolved) == 0) return;
+    for (int n = 0; n < lattice.size(); ++n)
+      if (box.type(n) == NodeType::solid) front.most = std::max(front.most, box.V(n) + box.dissolved(n));
+    append_births(box.exec, box.type, box.nodes);
+    fit_solute_to_capacity<D2Q5>(box.exec, box.nodes, first, box.acid);
+    initialise_births<D2Q5>(box.exec, box.nodes, first, box.nodes.count, BirthFill::split, box.acid, box.created);
+    find_surface(box.exec, box.nodes, box.type, box.surface);
+    box.renew_normals();
+  };
+  if (cracks == Cracks::all_at_the_start) open(std::numeric_limits<double>::infinity());
+  EXPECT_NEAR((box.solid_total() + sum_in_order(opener.waiting())) / start, 1, 1e-12);
+
+  const auto held_before = [&](int to) {
+    double sum = 0;
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < to; ++x) sum += std::max(0.0, box.V(lattice.node(x, y)));
+    return sum;
+  };
+  const double first_half = held_before(nx / 2);
+  for (int step = 1; step <= 200000 && (front.half_time == 0 || front.passed == 0); ++step) {
+    box.step();
+    box.births(BirthFill::split);
+    if (step % 10) continue;
+    const double gone = 1 - box.solid_total() / start;
+    if (cracks == Cracks::as_the_front_comes) open(2 + 1.2 * gone * nx + 6);
+    if (front.half_time == 0 && gone >= 0.5) front.half_time = step;
+    if (front.passed == 0 && held_before(nx / 2) <= 0.01 * first_half) front.passed = step;
+  }
+  return front;
+}
+
+TEST(CrackedSlab, DissolvesAsFastAsTheSameRockUncracked) {
+  if constexpr (!runs_on_host) GTEST_SKIP() << "reads views on the host";
+  const Front whole = dissolve_slab(Cracks::none);
+  for (const Cracks cracks : {Cracks::all_at_the_start, Cracks::as_the_front_comes}) {
+    const Front front = dissolve_slab(cracks);
+    std::printf(
+        "    half gone after %.0f steps (uncracked %.0f), first half gone after %.0f (%.0f), most in a node %.3f\n",
+        front.half_time, whole.half_time, front.passed, whole.passed, front.most);
+    EXPECT_NEAR(front.half_time / whole.half_time, 1, 0.05);
+    EXPECT_NEAR(front.passed / whole.passed, 1, 0.05);
+    EXPECT_GT(front.most, 1.5);
+    EXPECT_LE(front.most, most_solid * (1 + 1e-12));
+    test::record("cracked_slab",
+                 {{"cracks", cracks == Cracks::all_at_the_start ? "at the start" : "as the front comes"},
+                  {"half", front.half_time / whole.half_time},
+                  {"passed", front.passed / whole.passed},
+                  {"most", front.most}});
+  }
+}
+
+}  // namespace
+}  // namespace vug
