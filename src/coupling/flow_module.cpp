@@ -6,6 +6,7 @@
 #include "kernels/advective_form.hpp"
 #include "kernels/guards.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/mirror_links.hpp"
 #include "kernels/open_boundary.hpp"
 #include "kernels/require.hpp"
 
@@ -30,6 +31,22 @@ double total_mass(const FluidNodes& fluid, const FlowFields<T>& fields) {
 bool is_open(const FlowBoundary& flow) {
   return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow ||
          flow.kind == FlowBoundaryKind::velocity;
+}
+
+/// Who has the link out of a corner: a side with a given velocity, so that all of its fluid enters; then a wall, which
+/// may slide; a pressure and an outflow last.
+SideOrder corner_order(const std::vector<StretchLinks>& boundaries) {
+  const auto rank = [&](Side side) {
+    for (const StretchLinks& boundary : boundaries)
+      if (!boundary.stretch.opening && boundary.stretch.name == name_of(side)) {
+        const FlowBoundaryKind kind = boundary.stretch.conditions.flow.kind;
+        return kind == FlowBoundaryKind::velocity ? 0 : is_open(boundary.stretch.conditions.flow) ? 2 : 1;
+      }
+    return 1;
+  };
+  SideOrder order = all_sides;
+  std::stable_sort(order.begin(), order.end(), [&](Side a, Side b) { return rank(a) < rank(b); });
+  return order;
 }
 
 }  // namespace
@@ -60,14 +77,18 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
 template <class T>
 void FlowModule<T>::find_boundaries(const Exec& exec) {
   const FluidNodes& fluid = geometry_.fluid;
+  const SideOrder order = corner_order(boundaries_);
   for (StretchLinks& boundary : boundaries_) {
-    boundary.find(exec, fluid, D2Q9::Q);
     const FlowBoundary& flow = boundary.stretch.conditions.flow;
-    if (is_open(flow)) mark_open(exec, fluid, boundary.links);
+    boundary.find(exec, fluid, D2Q9::Q);
+    if (is_open(flow)) mark_open(exec, fluid, boundary.links);  // in the order of the solutes
+    if (!boundary.stretch.opening) boundary.find(exec, fluid, D2Q9::Q, order);
+    const bool outflow = flow.kind == FlowBoundaryKind::outflow;
     if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
       boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
-    if (flow.kind == FlowBoundaryKind::outflow)
-      boundary.density = ScalarField<double>("vug::flow::outflow_density", boundary.links.count);
+    if (outflow || flow.kind == FlowBoundaryKind::pressure)
+      boundary.mirror = find_mirror_links(exec, fluid, boundary.links);
+    if (outflow) fit_to_links(exec, boundary.links, boundary.outflow);
   }
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }
@@ -79,7 +100,7 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
     case FlowBoundaryKind::pressure: {
       const double rise = flow.ramp_time > 0 ? std::min(1.0, time / flow.ramp_time) : 1.0;
       const double pressure = section_.initial_pressure + rise * (flow.pressure - section_.initial_pressure);
-      dress_pressure(exec, geometry_.fluid, boundary.links, units_.lattice_pressure(pressure), fields_,
+      dress_pressure(exec, geometry_.fluid, boundary.links, boundary.mirror, units_.lattice_pressure(pressure), fields_,
                      boundary.gain.recent());
       break;
     }
@@ -94,7 +115,8 @@ void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double
                      boundary.gain.recent());
       break;
     case FlowBoundaryKind::outflow:
-      dress_outflow(exec, geometry_.fluid, boundary.links, boundary.density, fields_, boundary.gain.recent());
+      dress_outflow(exec, geometry_.fluid, boundary.links, boundary.mirror, boundary.outflow, fields_,
+                    boundary.gain.recent());
       break;
     case FlowBoundaryKind::wall:
       if (flow.velocity[0] != 0 || flow.velocity[1] != 0)
@@ -139,9 +161,6 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   if (steady_.held()) {
     steady_.pass();
   } else {
-    for (const StretchLinks& boundary : boundaries_)
-      if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::outflow)
-        take_density(exec, fluid, boundary.links, fields_, boundary.density);
     for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
     collide_and_stream(exec, fluid, fields_, step_);
   }
@@ -272,11 +291,11 @@ void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
 
 template <class T>
 void FlowModule<T>::fields(FieldList& list) const {
-  list.lattice.push_back({"pressure", "Pa", 1, [this](std::span<double> out) {
-                            read_fluid(geometry_.fluid, densities(Exec{}, geometry_.fluid, fields_),
-                                       {units_.pressure() / 3, units_.reference_pressure, units_.reference_pressure},
-                                       out);
-                          }});
+  for (const auto& [name, reference] : {std::pair{"pressure", units_.reference_pressure}, {"gauge_pressure", 0.0}})
+    list.lattice.push_back({name, "Pa", 1, [this, reference = reference](std::span<double> out) {
+                              read_fluid(geometry_.fluid, densities(Exec{}, geometry_.fluid, fields_),
+                                         {units_.pressure() / 3, reference, reference}, out);
+                            }});
   list.lattice.push_back({"velocity", "m/s", 2, [this](std::span<double> out) {
                             for (int axis = 0; axis < 2; ++axis)
                               read_fluid(geometry_.fluid, Kokkos::subview(fields_.u, Kokkos::ALL, axis),
@@ -298,6 +317,8 @@ void FlowModule<T>::state(StateList& list) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
     add_state(list, key + "/gain", boundary.gain);
     list.add_value(key + "/entered", boundary.entered);
+    if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::outflow)
+      list.add(key + "/level", boundary.outflow.level);
   }
   steady_.state(list);
   list.add_value("flow/initial_mass", initial_mass_);

@@ -2,6 +2,8 @@
 // The links of one stretch of boundary or of an opening, and what has come in through them.
 #include "coupling/geometry.hpp"
 #include "kernels/long_sum.hpp"
+#include "kernels/open_boundary.hpp"
+#include "kernels/side_links.hpp"
 
 #include <vector>
 
@@ -12,15 +14,17 @@ namespace vug {
 struct StretchLinks {
   Stretch stretch;
   BoundaryLinks links;
-  LongSum gain;                   ///< (link)
-  double entered = 0;             ///< sum over links of former times, lattice units
-  ScalarField<double> area{};     ///< (link) surface it stands for, cells; of openings with a given speed only
-  ScalarField<double> density{};  ///< (link) of its node in this step; of outflows only
+  LongSum gain;                ///< (link)
+  double entered = 0;          ///< sum over links of former times, lattice units
+  ScalarField<double> area{};  ///< (link) surface it stands for, cells; of openings with a given speed only
+  IndexList mirror{};          ///< (link) see mirror_links.hpp; of pressures and outflows only
+  OutflowState outflow{};      ///< of outflows only
 
-  void find(const Exec& exec, const FluidNodes& fluid, int directions) {
+  void find(const Exec& exec, const FluidNodes& fluid, int directions, const SideOrder& order = all_sides) {
     entered = total();
-    links = stretch.opening ? find_opening_links(exec, fluid, *stretch.opening, directions)
-                            : find_boundary_links(exec, fluid, stretch.side, stretch.first, stretch.last, directions);
+    links = stretch.opening
+                ? find_opening_links(exec, fluid, *stretch.opening, directions)
+                : find_boundary_links(exec, fluid, stretch.side, stretch.first, stretch.last, directions, order);
     gain = LongSum("vug::boundary::gain", links.count);
   }
   /// Everything that has entered so far; waits for the device.

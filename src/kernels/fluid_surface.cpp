@@ -2,6 +2,7 @@
 #include "kernels/dense_neighbour.hpp"
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/marked_nodes.hpp"
+#include "kernels/side_links.hpp"
 #include "kernels/unroll.hpp"
 
 namespace vug {
@@ -50,6 +51,7 @@ struct CollectLinks {
   bool periodic_x, periodic_y;
   Side side;
   int first, directions;
+  Side order[4];
   IndexList index, fluid;
   Kokkos::View<std::uint8_t*> direction;
 
@@ -68,7 +70,6 @@ struct CollectLinks {
   }
   KOKKOS_FUNCTION bool belongs(int x, int y, int q) const {
     if (!leaves(side, x, y, q)) return false;
-    constexpr Side order[4] = {Side::left, Side::right, Side::bottom, Side::top};
     for (const Side s : order) {
       if (s == side) return true;
       if (leaves(s, x, y, q)) return false;
@@ -95,14 +96,27 @@ struct CollectLinks {
 
 BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
                                   int directions) {
+  return find_boundary_links(exec, nodes, side, first, last, directions, all_sides);
+}
+
+BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
+                                  int directions, const SideOrder& order) {
   BoundaryLinks links;
   const int length = last - first + 1;
   if (length <= 0) return links;
   links.fluid = IndexList("vug::fluid_nodes::boundary_fluid", 3 * length);
   links.direction = Kokkos::View<std::uint8_t*>("vug::fluid_nodes::boundary_direction", 3 * length);
   Kokkos::parallel_scan("vug::fluid_nodes::collect_links", Kokkos::RangePolicy<Exec>(exec, 0, length),
-                        CollectLinks{nodes.lattice, nodes.periodic[0], nodes.periodic[1], side, first, directions,
-                                     nodes.index, links.fluid, links.direction},
+                        CollectLinks{nodes.lattice,
+                                     nodes.periodic[0],
+                                     nodes.periodic[1],
+                                     side,
+                                     first,
+                                     directions,
+                                     {order[0], order[1], order[2], order[3]},
+                                     nodes.index,
+                                     links.fluid,
+                                     links.direction},
                         links.count);
   return links;
 }

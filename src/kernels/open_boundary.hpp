@@ -6,12 +6,16 @@
 
 namespace vug {
 
-/// Pressure p (gauge, lattice units) by anti-bounce-back with the velocity of the node itself:
-///   f_in = -A + 2 w [3 p + 9/2 (c.u)^2 - 3/2 u^2],  A the outgoing population.
-/// gain(link) += what entered minus what left (as for all conditions here), for the balance of mass.
+/// Pressure p (gauge, lattice units) and no velocity along the surface: what comes in along a link is
+///   f_in = -A' + 2 w [3 p + 9/2 (c'.u')^2 - 3/2 u'^2],
+/// A' the population that leaves along its mirror image (mirror_links.hpp), c' and u' the direction and node of that.
+/// Anti- bounce-back holds the pressure; taken from the image it also turns the velocity along the surface round, where
+/// anti-bounce-back of the link itself leaves the shear free. Creeping flow that runs straight out is carried on
+/// exactly: reversed in sign and mirrored it is a flow again. A link without an image is a wall. gain(link) += what
+/// entered minus what left (as for all conditions here), for the balance of mass.
 template <class T>
-void dress_pressure(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, double pressure,
-                    const FlowFields<T>& fields, const ScalarField<double>& gain);
+void dress_pressure(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const IndexList& mirror,
+                    double pressure, const FlowFields<T>& fields, const ScalarField<double>& gain);
 
 /// Velocity of the wall, or of the fluid that enters through it: f_in = A + 6 w c_in . velocity.
 /// Links to solid nodes may be in the list as well: a wall that moves, its own displacement left out.
@@ -26,17 +30,25 @@ void dress_normal_speed(const Exec& exec, const FluidNodes& nodes, const Boundar
                         const ScalarField<double>& area, double speed, const FlowFields<T>& fields,
                         const ScalarField<double>& gain);
 
-/// density(link) = rho' of the node of each link, for dress_outflow. Before any condition is dressed, since they
-/// overwrite what it adds up.
-template <class T>
-void take_density(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const FlowFields<T>& fields,
-                  const ScalarField<double>& density);
+/// What an outflow keeps from step to step, on the device.
+struct OutflowState {
+  double faces = 0;           ///< straight links
+  ScalarField<double> speed;  ///< (block of links) room for a sum
+  /// 0: mean outward speed, forgotten over the time that sound takes to cross the lattice four times;
+  /// 1: rho' at the surface in this step. At rest: zeros.
+  ScalarField<double> level;
+};
 
-/// Outflow by zero gradient: the pressure rule with the density (link) of the node itself. (Handing back the population
-/// that already moves inwards, the other common form, diverges where a sliding wall meets the outflow.) Only what
-/// enters elsewhere and the friction behind it fix the level of pressure.
+/// Room and faces for `links`; keeps the level that is there.
+void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowState& state);
+
+/// Outflow: the pressure rule with the velocity along the surface that the nodes have (no gradient) and, all over the
+/// surface, the reference pressure plus c_s times what the mean outward speed has changed by of late: sound that
+/// arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), the mean
+/// pressure returns to the reference. Only the mean: a vortex, which carries no fluid on the whole, meets a constant
+/// pressure.
 template <class T>
-void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
-                   const ScalarField<double>& density, const FlowFields<T>& fields, const ScalarField<double>& gain);
+void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const IndexList& mirror,
+                   const OutflowState& state, const FlowFields<T>& fields, const ScalarField<double>& gain);
 
 }  // namespace vug

@@ -22,9 +22,10 @@ bool obstacle(int x, int y) {
 template <class T>
 void drive(Flow<T>& flow, double pressure) {
   const BoundaryLinks left = flow.side(Side::left), right = flow.side(Side::right);
+  const IndexList left_mirror = flow.mirror(left), right_mirror = flow.mirror(right);
   for (int t = 0; t < 300; ++t) {
-    dress_pressure(flow.exec, flow.nodes, left, pressure, flow.fields, flow.gain);
-    dress_pressure(flow.exec, flow.nodes, right, 0, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, left, left_mirror, pressure, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, right, right_mirror, 0, flow.fields, flow.gain);
     flow.sweep();
   }
 }

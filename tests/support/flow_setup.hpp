@@ -2,6 +2,7 @@
 // Small flows for the tests: geometry drawn with characters, fields read and written on the host.
 #include "kernels/flow.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/mirror_links.hpp"
 
 #include <string>
 #include <vector>
@@ -97,6 +98,7 @@ struct Flow {
     const bool upright = which == Side::left || which == Side::right;
     return find_boundary_links(exec, nodes, which, 0, (upright ? lattice.ny : lattice.nx) - 1, D2Q9::Q);
   }
+  IndexList mirror(const BoundaryLinks& links) const { return find_mirror_links(exec, nodes, links); }
 };
 
 }  // namespace vug::test

@@ -53,10 +53,11 @@ inline Percolation percolate(Collision collision, double tau, double difference,
   Flow<double> flow(lattice, type, {false, false}, collision, tau);
   flow.step.speed_limit = speed_limit;
   const BoundaryLinks left = flow.side(Side::left), right = flow.side(Side::right);
+  const IndexList left_mirror = flow.mirror(left), right_mirror = flow.mirror(right);
   for (int t = 0; t < 8000; ++t) {
     const double rise = ramp > 0 ? std::min(1.0, t / double(ramp)) : 1.0;
-    dress_pressure(flow.exec, flow.nodes, left, rise * difference / 3, flow.fields, flow.gain);
-    dress_pressure(flow.exec, flow.nodes, right, 0, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, left, left_mirror, rise * difference / 3, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, right, right_mirror, 0, flow.fields, flow.gain);
     flow.sweep();
     if (t % 250 == 249 && !alive(flow)) return {false, 0, sum_in_order(flow.step.limited)};
   }

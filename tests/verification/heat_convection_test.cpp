@@ -136,6 +136,7 @@ TEST(ColdInflow, StaysBetweenTheTemperaturesOfWaterAndRock) {
   const auto solid = [](int x, int y) { return y < 8 + x / 6 || y > 20 + x / 6 || (x > 20 && x < 26 && y < 18); };
   test::Flow<double> flow(Lattice(nx, ny), test::shape(Lattice(nx, ny), solid), {false, false}, Collision::trt, 0.764);
   const BoundaryLinks in = flow.side(Side::left), out = flow.side(Side::right);
+  const IndexList in_mirror = flow.mirror(in), out_mirror = flow.mirror(out);
   HeatBox<double> box(nx, ny, {0.056, 0.14, 0.625}, solid, [](int, int) { return 1.0; });
   box.side(Side::left, HeatCondition::temperature, 0);
   box.side(Side::right, HeatCondition::outflow, 0);
@@ -144,8 +145,8 @@ TEST(ColdInflow, StaysBetweenTheTemperaturesOfWaterAndRock) {
   box.open(Side::right);
   double lowest = 1, highest = 0, fastest = 0;
   for (int step = 0; step < 6000; ++step) {
-    dress_pressure(flow.exec, flow.nodes, in, 0.02 * std::min(1.0, step / 2000.0), flow.fields, flow.gain);
-    dress_pressure(flow.exec, flow.nodes, out, 0.0, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, in, in_mirror, 0.02 * std::min(1.0, step / 2000.0), flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, out, out_mirror, 0.0, flow.fields, flow.gain);
     flow.sweep();
     Kokkos::deep_copy(box.u, flow.fields.u);
     box.run(1);

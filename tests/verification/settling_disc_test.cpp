@@ -20,6 +20,7 @@ struct SettlingDisc {
   int d;
   test::Flow<double> flow;
   BoundaryLinks below, above, left, right;
+  IndexList above_mirror;
   Surface surface;
   std::optional<test::NodeForce<double>> force;
   double speed = 0;
@@ -30,7 +31,8 @@ struct SettlingDisc {
         below(flow.side(Side::bottom)),
         above(flow.side(Side::top)),
         left(flow.side(Side::left)),
-        right(flow.side(Side::right)) {
+        right(flow.side(Side::right)),
+        above_mirror(flow.mirror(above)) {
     find_surface(flow.exec, flow.nodes, flow.type, surface);
     force.emplace(flow, surface);
   }
@@ -42,7 +44,7 @@ struct SettlingDisc {
   double step() {
     for (const BoundaryLinks* moving : {&below, &left, &right})
       dress_velocity(flow.exec, flow.nodes, *moving, {0, speed}, flow.fields, flow.gain);
-    dress_pressure(flow.exec, flow.nodes, above, 0, flow.fields, flow.gain);
+    dress_pressure(flow.exec, flow.nodes, above, above_mirror, 0, flow.fields, flow.gain);
     flow.sweep();
     const auto parts = (*force)(flow);
     double drag = 0;

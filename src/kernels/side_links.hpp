@@ -1,0 +1,14 @@
+#pragma once
+// Links through a side where it matters which of two sides has the link out of their corner.
+#include "kernels/fluid_nodes.hpp"
+
+namespace vug {
+
+using SideOrder = std::array<Side, 4>;
+
+/// As find_boundary_links of fluid_nodes.hpp, for which `order` is all_sides: a diagonal link out of a corner belongs
+/// to the side that comes first in `order`.
+BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
+                                  int directions, const SideOrder& order);
+
+}  // namespace vug
