@@ -3,6 +3,7 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
+#include "dem/toughness.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,17 @@ namespace vug {
 namespace {
 
 constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
+
+/// Up to this share of E G_I / sigma_n^2 the size of the triangles adds less than 5 % to the load of a cracked plate
+/// (docs/validation.md, toughness).
+constexpr double largest_edge = 0.5;
+
+double mean_edge(const Bonds& bonds) {
+  double sum = 0;
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.length);
+  for (int k = 0; k < bonds.count; ++k) sum += length(k);
+  return sum / std::max(1, bonds.count);
+}
 
 }  // namespace
 
@@ -131,6 +143,10 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
                    "lower lattice.time_step or raise rock.element_size"});
   table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
                    "raise mechanics.substeps or leave it out"});
+  const double longest = largest_edge * softening_length(section_.parameters.bond);
+  table.push_back(
+      {"mechanics", "mean edge of the bonds", mean_edge(mechanics_.bonds()), "m", 0, longest,
+       fmt::format("cracks take more than their fracture energy; lower rock.element_size to {:.2g} m", longest)});
 }
 
 template <class T>

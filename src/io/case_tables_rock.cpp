@@ -1,5 +1,6 @@
 // [rock], [mechanics], [damage]: the assembly of triangles, how it moves and how it breaks.
 #include "dem/paper_reading.hpp"
+#include "dem/toughness.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>
@@ -40,12 +41,15 @@ void read_bond(const TomlCursor& table, BondParameters& bond) {
   table.read("internal_friction", bond.internal_friction, unit::none, range::between(0, 10));
   table.read("fracture_energy_I", bond.fracture_energy_I, unit::newton_per_metre, range::positive);
   table.read("fracture_energy_II", bond.fracture_energy_II, unit::newton_per_metre, range::positive);
+  double path_ratio = 1;
+  table.read("path_ratio", path_ratio, unit::none, range::between(1, 10));
   table.read("damping", bond.damping, unit::second_per_metre, range::not_negative);
   table.read("weibull_shape", bond.weibull_shape, unit::none, range::between(0, 1000));
   if (bond.weibull_shape > 0 && bond.weibull_shape < 0.5) {
     table.fail("weibull_shape", "must be 0 (no scatter) or 0.5 ... 1000");
   }
   table.read("seed", bond.seed);
+  bond = bonds_of_rock(bond, path_ratio);
 }
 
 void read_contact(const TomlCursor& table, ContactParameters& contact) {

@@ -62,8 +62,12 @@ solute = { type = "outflow" }
 
 using Overrides = std::vector<std::string>;
 
+Simulation simulation_of(const std::string& text, const Overrides& overrides) {
+  return Simulation(parse_scene(text, "case.toml", overrides));
+}
+
 Simulation simulation_of(const Overrides& overrides) {
-  return Simulation(parse_scene(between_discs, "between_discs.toml", overrides));
+  return simulation_of(between_discs, overrides);
 }
 
 /// Names of the numbers outside their safe range.
@@ -111,6 +115,35 @@ TEST(Limits, WarnBeforeEachMeasuredEdge) {
   };
   for (const auto& [overrides, warning] : cases)
     EXPECT_THAT(warnings(simulation_of(overrides)), testing::Contains(HasSubstr(warning))) << overrides.front();
+}
+
+TEST(Limits, TrianglesResolveTheFractureEnergyOfTheirBonds) {
+  // E G_I / sigma_n^2 = 27.8e9 Pa 20 N/m / (15e6 Pa)^2 = 2.47 mm, of which half is resolved
+  const auto rock = [](const Overrides& overrides) {
+    return simulation_of(R"(
+[lattice]
+size = [0.02, 0.02]
+spacing = 5e-4
+time_step = 1e-5
+[time]
+steps = 10
+[geometry]
+type = "rock"
+[rock]
+element_size = 1.1e-3
+[flow]
+viscosity = 1e-2
+initial_pressure = 0
+[mechanics]
+)",
+                         overrides);
+  };
+  const char* name = "mechanics: mean edge of the bonds";
+  EXPECT_THAT(warnings(rock({})), testing::Not(testing::Contains(name)));
+  EXPECT_THAT(warnings(rock({"mechanics.bond.normal_strength=0"})), testing::Not(testing::Contains(name)));
+  EXPECT_THAT(warnings(rock({"rock.element_size=1.4e-3"})), testing::Contains(name));
+  EXPECT_THAT(warnings(rock({"mechanics.bond.normal_strength=20e6"})), testing::Contains(name));
+  EXPECT_THAT(warnings(rock({"mechanics.bond.fracture_energy_I=15"})), testing::Contains(name));
 }
 
 /// Steps until the guard stops the run; empty when it does not.

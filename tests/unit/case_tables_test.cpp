@@ -85,6 +85,13 @@ TEST(CaseTables, LaboratoryCasesHoldRockAloneAndTheirProfiles) {
   EXPECT_FALSE(rock.chemical.normalised);
 }
 
+TEST(CaseTables, BondsGetTheFractureEnergiesOverThePathRatio) {
+  const Scene scene = shipped("laboratory/compression.toml",
+                              {"mechanics.bond.path_ratio=1.25", "mechanics.bond.fracture_energy_I=30"});
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.fracture_energy_I, 24);
+  EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.fracture_energy_II, 51.2);
+}
+
 TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
   const Scene scene = parsed("");
   EXPECT_TRUE(scene.flow.has_value());
