@@ -1,11 +1,12 @@
 // Choices of speed against accuracy that change what is computed: a held flow, and rock that ages faster.
 #include "coupling/choices.hpp"
 #include "support/coupled_run.hpp"
+#include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -48,18 +49,50 @@ solute = { type = "outflow" }
 guard_interval = 20
 )";
 
-TEST(MeasuredChoices, AreThoseOfThePage) {
-  std::ifstream page(VUG_SOURCE_DIR "/docs/accuracy.md");
-  std::string text((std::istreambuf_iterator<char>(page)), {});
-  text = text.substr(text.find("## The paper's rock"));
-  for (const MeasuredChoice& choice : measured_choices()) {
-    const auto row = text.find(std::string("| ") + choice.name + " | " + choice.cost + " | ");
-    ASSERT_NE(row, std::string::npos) << choice.name;
-    const std::string line = text.substr(row, text.find('\n', row) - row);
+/// The rows of the measurement itself (perf/accuracy_cost) on the paper's rock: choice, cost, error against the
+/// default's result, and what was set for it.
+struct Measured {
+  std::string choice;
+  double cost, error;
+  std::vector<std::string> overrides;
+};
+
+std::vector<Measured> measurements() {
+  const test::Outcome read =
+      test::run_command(VUG_PYTHON
+                        " -c \"import json\n"
+                        "for row in json.load(open('" VUG_SOURCE_DIR
+                        "/perf/results/accuracy_cost.json'))['rows']:\n"
+                        "  if row['problem'] == 'rock':\n"
+                        "    given = [k + '=' + (str(v).lower() if isinstance(v, bool) else str(v)) for k, v in "
+                        "row['overrides'].items()]\n"
+                        "    print(row['choice'], row['cost'], row['errors']['to the default'], *given, sep='\\t')\"");
+  std::vector<Measured> rows;
+  std::istringstream lines(read.output);
+  for (std::string line; std::getline(lines, line);) {
     std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, '|');) cells.push_back(cell);
-    EXPECT_EQ(cells.at(4), std::string(" ") + choice.error + " ") << line;
+    std::istringstream cells_of_line(line);
+    for (std::string cell; std::getline(cells_of_line, cell, '\t');) cells.push_back(cell);
+    if (cells.size() < 3) continue;
+    rows.push_back({cells[0], std::stod(cells[1]), std::stod(cells[2]), {cells.begin() + 3, cells.end()}});
+  }
+  return rows;
+}
+
+/// What is quoted of a choice was measured, to the digits that are quoted, and is quoted of a case that makes it.
+TEST(MeasuredChoices, AreThoseOfTheMeasurement) {
+  const std::vector<Measured> rows = measurements();
+  ASSERT_GT(rows.size(), 20u);
+  for (const MeasuredChoice& choice : measured_choices()) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Measured& m) { return m.choice == choice.name; });
+    ASSERT_NE(row, rows.end()) << choice.name;
+    EXPECT_NEAR(std::stod(choice.cost), row->cost, 0.00501) << choice.name;
+    EXPECT_NEAR(std::stod(choice.error) / row->error, 1, 0.0501) << choice.name;
+    EXPECT_FALSE(row->overrides.empty()) << choice.name;
+    const std::vector<std::string> notes = choice_notes(read_scene(test::small_rock, row->overrides));
+    EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+      return note.starts_with(std::string(choice.name) + ": ");
+    })) << choice.name;
   }
 }
 

@@ -1,0 +1,107 @@
+// Stress on the sides of the rock, supports and the rock beyond, in SI: a case's rock against Hooke's law.
+#include "dem_support.hpp"
+#include "support/coupled_run.hpp"
+#include "support/rock_output.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+constexpr double width = 0.020, height = 0.014;
+// measured on larger assemblies with these bonds (docs/validation.md); small ones scatter by a few per cent
+constexpr double young = 27.8e9, poisson = 0.237;
+
+const std::string block = R"(
+[lattice]
+size = [0.020, 0.014]
+spacing = 1e-3
+time_step = 1e-6
+[time]
+steps = 100000
+[geometry]
+type = "rock"
+[rock]
+element_size = 2.5e-3
+[heat]
+fluid_diffusivity = 0.8
+solid_diffusivity = 0.8
+initial_temperature = 320
+[mechanics]
+thermal_expansion = 1e-5
+local_damping = 0.7
+[mechanics.bond]
+normal_strength = 1e12
+cohesion = 1e12
+)";
+
+std::string side(const std::string& name, const std::string& traction, double kelvin = 320) {
+  return "[boundary." + name + "]\ntraction = { " + traction +
+         " }\nheat = { type = \"temperature\", temperature = " + std::to_string(kelvin) + " }\n";
+}
+
+/// Strain along an axis: slope of the displacements of all triangles over their places.
+double strain(const test::CoupledRun& run, int axis) {
+  const auto place = test::host_copy(run.rock().particles().x0);
+  const std::vector<double> u = test::of_triangles(run.rock(), "displacement");
+  const int n = run.rock().particles().count;
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (int i = 0; i < n; ++i) {
+    x += place(i, axis) / n, y += u[2 * i + axis] / n;
+    xx += place(i, axis) * place(i, axis) / n, xy += place(i, axis) * u[2 * i + axis] / n;
+  }
+  return (xy - x * y) / (xx - x * x);
+}
+
+/// Mean displacement of the triangles whose centroid is near the right or upper end.
+double displacement_of_end(const test::CoupledRun& run, int axis) {
+  const auto place = test::host_copy(run.rock().particles().x0);
+  const std::vector<double> u = test::of_triangles(run.rock(), "displacement");
+  double sum = 0, n = 0;
+  for (int i = 0; i < run.rock().particles().count; ++i)
+    if (place(i, axis) > (axis == 0 ? width : height) - 1.5e-3) sum += u[2 * i + axis], n += 1;
+  return sum / n;
+}
+
+TEST(RockInSI, TensionOnASideStretchesIt) {
+  const test::CoupledRun run(block + side("right", "normal_stress = -2e6") + side("left", "support = \"roller\""));
+  EXPECT_NEAR(strain(run, 0) / (2e6 / young), 1, 0.1);
+  EXPECT_NEAR(strain(run, 1) / (-poisson * 2e6 / young), 1, 0.15);
+}
+
+TEST(RockInSI, GrowsFreelyWhenWarmed) {
+  test::CoupledRun run(block + side("left", "support = \"free\"", 370) + side("right", "support = \"free\"", 370) +
+                       side("bottom", "support = \"free\"", 370) + side("top", "support = \"free\"", 370));
+  run.steps(600);
+  for (const int axis : {0, 1}) EXPECT_NEAR(strain(run, axis) / (1e-5 * 50), 1, 1e-3);
+  for (const double stress : test::of_bonds(run.rock(), "stress")) EXPECT_NEAR(stress, 0, 1e-3 * 1e-5 * 50 * young);
+}
+
+/// Rock beyond that gives way by 1/S pushes back with S u: u = alpha dT L / (1 + S L / E).
+TEST(RockInSI, RockBeyondResistsItsGrowth) {
+  const double S = 1e12;  // Pa/m
+  test::CoupledRun run(block + side("left", "support = \"roller\"", 370) + side("right", "stiffness = 1e12", 370) +
+                       side("bottom", "support = \"roller\"", 370) + side("top", "support = \"free\"", 370));
+  run.steps(800);
+  const double u = displacement_of_end(run, 0), length = width - 1e-3;  // from centroid to centroid
+  EXPECT_NEAR(u / (1e-5 * 50 * length / (1 + S * length / young)), 1, 0.05);
+  EXPECT_NEAR(run.rock().reaction(RockSide::left).x / (S * u * height), 1, 0.03);
+}
+
+/// The stress of the preload is there before the rock beyond begins to answer.
+TEST(RockInSI, RockBeyondAnswersToWhatComesAfterThePreload) {
+  const std::string rest =
+      side("left", "support = \"roller\"") + side("bottom", "support = \"roller\"") + side("top", "support = \"free\"");
+  test::CoupledRun dead(block + rest + side("right", "normal_stress = 5e6"));
+  test::CoupledRun backed(block + rest + side("right", "normal_stress = 5e6, stiffness = 1e12"));
+  dead.steps(100);
+  backed.steps(100);
+  EXPECT_NEAR(displacement_of_end(backed, 0) / displacement_of_end(dead, 0), 1, 1e-4);
+}
+
+}  // namespace
+}  // namespace vug
