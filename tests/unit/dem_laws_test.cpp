@@ -1,8 +1,10 @@
 #include "dem/bond_law.hpp"
 #include "dem/contact_law.hpp"
+#include "dem_support.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -18,7 +20,26 @@ TEST(ChemicalDamage, FunctionsAreThePapersWithAHeldEnergy) {
   EXPECT_NEAR(chemical_strength_factor(0.3, false), 0.9104, 1e-12);
   EXPECT_NEAR(chemical_energy_factor(0.3, false), 0.4841, 1e-12);
   EXPECT_NEAR(chemical_energy_factor(1, false), 0.4828, 1e-4);  // the minimum, not 2.96
-  EXPECT_DOUBLE_EQ(comprehensive_damage(0.5, 0.5), 0.75);
+}
+
+/// Eqs. 12 and 26: d' = d_m + d_c - d_m d_c, and the modulus keeps 1 - d'; in compression d_c alone weakens it.
+TEST(ComprehensiveDamage, LeavesItsShareOfTheModulus) {
+  const double l = 2e-3, d_m = 0.4, d_c = 0.3;
+  MechanicsParameters parameters;
+  parameters.bond.weibull_shape = 0;
+  const double length = 0.659 * 2 * (l * std::sqrt(3.0) / 2) / 3;  // a third of its height on either side
+  for (const double opening : {1e-8, -1e-8}) {
+    Mechanics rock(test::pair_of_triangles(l), parameters, {});
+    Kokkos::deep_copy(rock.bonds().d_c, d_c);
+    Kokkos::deep_copy(rock.bonds().point_damage, d_m);
+    Kokkos::deep_copy(rock.bonds().d_m, d_m);
+    test::place(rock.particles(), 1, opening, 2e-8);
+    rock.advance(Exec(), 1e-12, 1);
+    const auto stress = test::host_copy(rock.bonds().stress);
+    const double share = 1 - (d_m + d_c - d_m * d_c);
+    EXPECT_NEAR(stress(0, 0) / ((opening > 0 ? share : 1 - d_c) * 24.03e9 * opening / length), 1, 1e-9);
+    EXPECT_NEAR(stress(0, 1) / (share * 10.68e9 * 2e-8 / length), 1, 1e-9);
+  }
 }
 
 TEST(BondLaw, CompressionStrengthensShearAndTensionDoesNotWeakenIt) {

@@ -87,6 +87,18 @@ TEST(FlowInSI, BodyForceDrivesThePoiseuilleProfileOfTheScaledForce) {
             1e-10);
 }
 
+/// At rest the pressure carries the body force, whatever the scale.
+TEST(FlowInSI, PressureOfFluidAtRestIsThatOfItsWeight) {
+  test::CoupledRun run(box, {"flow.body_force=[2.0, -9.81]"});
+  run.steps(6000);
+  const std::vector<double> pressure = run.nodes("pressure");
+  for (int y = 0; y < ny; ++y)
+    for (int x = 0; x < nx; ++x) {
+      const double exact = 3e5 + density * (2.0 * (x + 0.5 - nx / 2.0) - 9.81 * (y + 0.5 - ny / 2.0)) * dx;
+      EXPECT_NEAR(pressure[y * nx + x], exact, 1e-5) << x << ' ' << y;
+    }
+}
+
 /// 0.02 m/s through 18 mm for half a second; what has come in stands under the pressure that holds it.
 TEST(FlowInSI, InletAddsItsMassAndThePressureOfTheLattice) {
   const int steps = 500;

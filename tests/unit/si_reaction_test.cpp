@@ -162,5 +162,49 @@ TEST(ReactionInSI, RockLosesItsMolarVolume) {
   }
 }
 
+/// A plug of water with 1500 mol/m3 at 0.4 m/s.
+TEST(SolutesInSI, PlugBringsWhatItHolds) {
+  const std::string plug = R"(
+[lattice]
+size = [0.003, 0.002]
+spacing = 2.5e-4
+time_step = 1e-5
+[time]
+steps = 100000
+[geometry]
+type = "open"
+[flow]
+viscosity = 2e-3
+[solute]
+[[solute.species]]
+name = "acid"
+diffusivity = 5e-4
+initial = 1500
+[boundary.left]
+flow = { type = "velocity", velocity = [0.4, 0] }
+solute = { type = "concentration", concentration = { acid = 1500 } }
+[boundary.right]
+flow = { type = "velocity", velocity = [0.4, 0] }
+solute = { type = "outflow" }
+[boundary.bottom]
+flow = { type = "periodic" }
+solute = { type = "periodic" }
+[boundary.top]
+flow = { type = "periodic" }
+solute = { type = "periodic" }
+)";
+  for (const std::string interval : {"1", "2"})
+    for (const std::string set : {"d2q5"}) {
+      test::CoupledRun run(plug, {"accuracy.solute_interval=" + interval, "solute.velocity_set=\"" + set + "\""});
+      run.steps(6000);
+      const double in = run.gain("acid", "injected"), out = run.gain("acid", "outflow");
+      run.steps(200);
+      const double carried = 0.4 * 1500 * 0.002 * 200 * dt;  // mol/m
+      EXPECT_NEAR((run.gain("acid", "injected") - in) / carried, 1, 1e-7) << interval << set;
+      EXPECT_NEAR((run.gain("acid", "outflow") - out) / -carried, 1, 1e-7) << interval << set;
+      EXPECT_NEAR(run.now("acid_stored_mol_per_m"), 1500 * 0.003 * 0.002, 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace vug

@@ -67,6 +67,23 @@ double displacement_of_end(const test::CoupledRun& run, int axis) {
   return sum / n;
 }
 
+TEST(RockInSI, IsCompressedByTheStressOnItsSides) {
+  const std::vector<std::array<std::string, 4>> stressed_and_held = {{"right", "left", "top", "bottom"},
+                                                                     {"left", "right", "bottom", "top"}};
+  for (const auto& [x, held_x, y, held_y] : stressed_and_held) {
+    test::CoupledRun run(block + side(x, "normal_stress = 5e6") + side(held_x, "support = \"roller\"") +
+                         side(y, "normal_stress = 7.5e6") + side(held_y, "support = \"roller\""));
+    run.steps(1);  // reactions are those of a step
+    EXPECT_NEAR(strain(run, 0) / (-(5e6 - poisson * 7.5e6) / young), 1, 0.1) << x;
+    EXPECT_NEAR(strain(run, 1) / (-(7.5e6 - poisson * 5e6) / young), 1, 0.1) << y;
+    // what holds the rock carries the stress on the other side, N/m
+    const double push_x = run.rock().reaction(x == "right" ? RockSide::left : RockSide::right).x;
+    const double push_y = run.rock().reaction(y == "top" ? RockSide::bottom : RockSide::top).y;
+    EXPECT_NEAR(push_x / ((x == "right" ? 1 : -1) * 5e6 * height), 1, 1e-3) << x;
+    EXPECT_NEAR(push_y / ((y == "top" ? 1 : -1) * 7.5e6 * width), 1, 1e-3) << y;
+  }
+}
+
 TEST(RockInSI, TensionOnASideStretchesIt) {
   const test::CoupledRun run(block + side("right", "normal_stress = -2e6") + side("left", "support = \"roller\""));
   EXPECT_NEAR(strain(run, 0) / (2e6 / young), 1, 0.1);
