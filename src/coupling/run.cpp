@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <memory>
 
 namespace vug {
@@ -173,11 +174,10 @@ class Run {
       finish(progress, "diverged", reason, 3);
       throw StabilityError(reason);
     } catch (const FileError& error) {
-      try {
-        finish(progress, "failed", error.what(), 4);
-      } catch (const FileError&) {
-        // the disk that refused the results refuses the record as well; the first error is the one to report
-      }
+      fail(progress, error.what(), 4);
+      throw;
+    } catch (const std::exception& error) {  // memory that did not suffice after all
+      fail(progress, error.what(), 5);
       throw;
     }
   }
@@ -262,6 +262,14 @@ class Run {
   std::string last_good() const {
     if (!last_checkpoint_) return "there is no checkpoint yet";
     return fmt::format("the last good state is the checkpoint of step {} in {}", *last_checkpoint_, checkpoints());
+  }
+
+  void fail(const Progress& progress, const std::string& reason, int code) {
+    try {
+      finish(progress, "failed", reason, code);
+    } catch (const FileError&) {
+      // the disk that refused the results refuses the record as well; the first error is the one to report
+    }
   }
 
   void finish(const Progress& progress, const std::string& status, const std::string& reason, int code) {

@@ -89,6 +89,8 @@ void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surfac
   links.count = places(exec, "vug::reactive_wall::count", nodes.count,
                        CountLinksOfFluid<Set>{nodes.solid_links, links.first}, links.first);
   make_room(links, law);
+  Kokkos::deep_copy(exec, links.rate, T(0));  // of places that no link takes: nothing is left of former lists
+  Kokkos::deep_copy(exec, links.conductance, T(0));
   ListReactiveLinks<T, Set> list{DenseNeighbour(nodes), surface.node, nodes.index, nodes.solid_links,
                                  nodes.capacity,        links,        false};
   places(exec, "vug::reactive_wall::count_of_surface", surface.count, list, links.of_surface);

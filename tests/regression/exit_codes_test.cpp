@@ -166,20 +166,22 @@ TEST(ExitCodes, MemoryThatDoesNotSufficeGivesFiveAndNumbers) {
     return run_command("ulimit -v " + std::to_string(1024 * mebibytes) +
                        "; OMP_PROC_BIND=false OMP_NUM_THREADS=1 " VUG_EXECUTABLE " run " VUG_SOURCE_DIR
                        "/cases/poiseuille.toml --quiet --steps 1 --set lattice.size=" +
-                       size + " -o " + (folder / "out"));
+                       size + " -o " + (folder / std::to_string(mebibytes)));
   };
   const Outcome hopeless = limited(2000, "[1.6,1.6]");  // 2^28 nodes: 1.3 GB of node numbers and 42 GB of fluid
   EXPECT_EQ(hopeless.exit_code, 5) << hopeless.output;
   EXPECT_EQ(lines_in(hopeless.output), 1) << hopeless.output;
   EXPECT_THAT(hopeless.output, testing::ContainsRegex("needs [0-9.]+ GiB of memory at least, and ulimit -v leaves"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "2000"));
   // 176 MB of fluid: what passes the prediction and does not suffice after all ends in the same way
   for (const int mebibytes : {60, 100, 140, 180, 200}) {
     const Outcome outcome = limited(mebibytes, "[0.1,0.1]");
     EXPECT_EQ(outcome.exit_code, 5) << mebibytes << outcome.output;
     EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("leaves"));
+    const std::string record = folder / (std::to_string(mebibytes) + "/run.json");
+    if (std::filesystem::exists(record)) EXPECT_THAT(test::contents(record), HasSubstr("\"status\": \"failed\""));
   }
-  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
 TEST(ExitCodes, UnwritableFolderAndFullDiskGiveFour) {

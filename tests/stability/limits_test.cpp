@@ -131,6 +131,9 @@ steps = 10
 type = "rock"
 [rock]
 element_size = 1.1e-3
+[rock.hole]
+from = [0, 8e-3]
+to = [4e-3, 12e-3]
 [flow]
 viscosity = 1e-2
 initial_pressure = 0

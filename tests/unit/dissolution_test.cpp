@@ -189,7 +189,7 @@ TEST(SurfaceNormal, DoesNotSeeWhereSolidOfOpenedPathwaysHasGone) {
         if (x < 6 || x >= 34 || box.nodes.index(n + box.lattice.offset(q)) < 0) continue;
         length += link_area_share(cracked(s, 0), cracked(s, 1), D2Q9::c(q, 0), D2Q9::c(q, 1));
       }
-    EXPECT_NEAR(length / (28 * std::hypot(1.0, 0.5 * slope)), 1, slope == 1 ? 2e-3 : 1e-14) << slope;
+    EXPECT_NEAR(length / (28 * std::hypot(1.0, 0.5 * slope)), 1, slope == 1 ? 5e-3 : 1e-14) << slope;  // uncracked likewise
     // half dissolved it is what rock of one cell is, half dissolved
     VectorField<double> half, half_cracked;
     for (const double of_node : {1.0, 1.5}) {
