@@ -159,8 +159,8 @@ class Run {
     std::ostream silent(nullptr);
     Progress progress(options_.progress ? *options_.progress : silent, options_.terminal && options_.progress,
                       {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step()});
-    warn(progress);
     try {
+      warn(progress);
       advance(progress);
       progress.finish("done");
       finish(progress, "done", "reached the last step", 0);
@@ -265,6 +265,7 @@ class Run {
   }
 
   void fail(const Progress& progress, const std::string& reason, int code) {
+    reserve_.reset();
     try {
       finish(progress, "failed", reason, code);
     } catch (const FileError&) {
@@ -293,6 +294,7 @@ class Run {
   Simulation simulation_;
   std::vector<std::string> notes_;  ///< of what happened before there was a log
   std::optional<std::int64_t> resumed_at_, last_checkpoint_;
+  std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< to say so when the memory does not suffice
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ steps = 1
 [geometry]
 type = "rock"
 [rock]
-element_size = 3e-3
+element_size = 2.7e-3
 porosity = 0
 [rock.hole]
 from = [0, 0]
