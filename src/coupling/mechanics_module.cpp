@@ -21,9 +21,9 @@ namespace {
 
 constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
 
-/// Up to this share of E G_I / sigma_n^2 the size of the triangles adds less than 5 % to the load of a cracked plate
-/// (docs/validation.md, toughness).
-constexpr double largest_edge = 0.5;
+/// Up to this share of the bonds' E G_I / sigma_n^2, half of the rock's, the size of the triangles adds less than 5 % to
+/// the load of a cracked plate (docs/validation.md, toughness).
+constexpr double largest_edge = 0.6;
 
 double mean_edge(const Bonds& bonds) {
   double sum = 0;

@@ -41,7 +41,7 @@ void read_bond(const TomlCursor& table, BondParameters& bond) {
   table.read("internal_friction", bond.internal_friction, unit::none, range::between(0, 10));
   table.read("fracture_energy_I", bond.fracture_energy_I, unit::newton_per_metre, range::positive);
   table.read("fracture_energy_II", bond.fracture_energy_II, unit::newton_per_metre, range::positive);
-  double path_ratio = 1;
+  double path_ratio = 1.2;  // of the generator's triangles (docs/validation.md, toughness)
   table.read("path_ratio", path_ratio, unit::none, range::between(1, 10));
   table.read("damping", bond.damping, unit::second_per_metre, range::not_negative);
   table.read("weibull_shape", bond.weibull_shape, unit::none, range::between(0, 1000));
