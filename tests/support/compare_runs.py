@@ -19,7 +19,8 @@ def read(path):
         return datasets(file)
 
 
-def main(first, second):
+def differences_of(first, second):
+    """What is not the same, one line each."""
     differences = []
     for name in ("fields.h5", "particles.h5"):
         if name == "particles.h5" and not (first / name).exists() and not (second / name).exists():
@@ -31,8 +32,14 @@ def main(first, second):
         differences += [f"{name}:{key}" for key in a if numpy.asarray(a[key]).tobytes() != numpy.asarray(b[key]).tobytes()]
     if (first / "history.csv").read_text() != (second / "history.csv").read_text():
         differences.append("history.csv")
+    return differences
+
+
+def main(first, second):
+    differences = differences_of(first, second)
     print("\n".join(differences))
     return 1 if differences else 0
 
 
-sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))

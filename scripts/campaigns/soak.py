@@ -1,0 +1,56 @@
+"""A small case for many steps: memory flat, balances closed."""
+import csv
+import pathlib
+import time
+
+SMALL, FULL = 1_000, 20_000_000  # steps; the full form is about a day on one core
+CLOSED = 1e-6  # of what is inside
+# rock that stands it
+STRONG = ["--set", "mechanics.bond.normal_strength=15e6", "--set", "mechanics.bond.cohesion=95e6",
+          "--set", "boundary.injection.flow.pressure=1e6"]
+
+
+def campaign(site, count):
+    arguments = site.rock("soak", *STRONG, "--set", f"time.steps={count}", "--set", f"output.interval={2.5e-6 * max(1, count // 40)}",
+                          "--set", f"output.checkpoint_interval={2.5e-6 * max(1, count // 20)}")
+    arguments = without(arguments, "time.steps=160", "output.interval=5e-5",
+                        "output.checkpoint_interval=5e-5")
+    process = site.start(arguments)
+    memory, start = [], time.monotonic()
+    while process.poll() is None and not (site.end and time.monotonic() > site.end):
+        memory.append(resident(process.pid))
+        time.sleep(0.1 if time.monotonic() - start < 60 else 10)
+    if process.poll() is None:
+        process.terminate()
+    code, said = site.finish(process, "soak")
+    if code not in (0, 130):
+        site.find(f"exit code {code}: {said[-300:]}")
+        return
+    rows = list(csv.DictReader(open(site.folder / "soak/history.csv", encoding="utf-8")))
+    site.count("steps", int(float(rows[-1]["step_1"])))
+    settled = [kib for kib in memory if kib > 0][len(memory) // 4:]
+    site.count("KiB of memory after a quarter", settled[0])
+    site.count("KiB of memory at the most", max(settled))
+    if max(settled) > 1.1 * settled[0] + 4096:
+        site.find(f"the memory grew from {settled[0]} to {max(settled)} KiB")
+    for name in rows[0]:
+        worst = max(abs(float(row[name])) for row in rows)
+        if "balance_error" in name and not worst < CLOSED:
+            site.find(f"{name} reached {worst:g}")
+
+
+def without(arguments, *overrides):
+    kept = list(arguments)
+    for override in overrides:
+        at = kept.index(override)
+        del kept[at - 1:at + 1]
+    return kept
+
+
+def resident(pid):
+    """KiB in memory; 0 when the process has ended."""
+    try:
+        lines = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) for line in lines if line.startswith("VmRSS:")), 0)
