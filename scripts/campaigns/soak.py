@@ -3,7 +3,7 @@ import csv
 import pathlib
 import time
 
-SMALL, FULL = 1_000, 20_000_000  # steps; the full form is about a day on one core
+SMALL, FULL = 1_000, 20_000_000  # steps
 CLOSED = 1e-6  # of what is inside
 # rock that stands it
 STRONG = ["--set", "mechanics.bond.normal_strength=15e6", "--set", "mechanics.bond.cohesion=95e6",
