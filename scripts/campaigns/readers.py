@@ -29,7 +29,7 @@ def read(site, reader, first, count, findings):
     done = subprocess.run([site.build / "tests/vug_fuzz_readers", reader, str(site.seed), str(first), str(count), findings],
                           cwd=site.root, env=environment, capture_output=True, text=True, errors="replace", check=False)
     for line in done.stderr.splitlines():
-        if done.returncode == 0:
+        if line.startswith(f"{reader}-{site.seed}-"):
             site.find(f"{findings}/{line}")
     if done.returncode == 0:
         counted = json.loads(done.stdout)
