@@ -140,24 +140,36 @@ def cavity(records, figures):
 
 def open_channel(records, figures):
     channel, profile, vortex = (records[f"flow_{name}"] for name in ("pressure_channel", "outflow_profile", "outflow_vortex"))
-    if not channel or not profile or not vortex:
+    mirror, itself = ([row for row in channel if row["rule"] == rule] for rule in ("mirror", "itself"))
+    if not (mirror and itself and profile and vortex):
         return None
     widths = sorted({row["n"] for row in channel})
-    rate = {(row["collision"], row["n"]): 100 * row["flow_rate"] for row in channel}
-    rows = [[name] + [f"{rate[name, n]:+.3f} %" for n in widths] for name in sorted({row["collision"] for row in channel})]
-    echoes = " and ".join(f"{100 * row['echo']:.2f} %" for row in sorted(vortex, key=lambda row: row["speed"]))
+
+    def line(name, rows):
+        rate = {row["n"]: f"{100 * row['flow_rate']:+.3f} %" for row in rows}
+        return [name] + [rate.get(n, "") for n in widths]
+
+    names = ["trt"] + sorted({row["collision"] for row in mirror} - {"trt"})
+    rows = [line(name, [row for row in mirror if row["collision"] == name]) for name in names]
+    rows.append(line("trt, each link its own image", itself))
+    echoes = ", ".join(f"{100 * row['echo']:.2f} % at {row['speed']:g} U" for row in sorted(vortex, key=lambda row: row["speed"]))
     return section(
         "Channels between open sides",
         "PressureDrivenChannel, Outflow.DevelopedProfileLeavesUnchangedInEveryDirectionAndCollision, "
         "Outflow.AVortexLeavesWithoutAnEcho",
-        "A channel of length 4 H between two pressures, flow rate (sum over cells) against G H³/(12 ν) with the gradient G "
-        "of the whole length: second order in every collision. What the table shows is the walls' and the sum's, "
-        "(8 Λ - 1)/n² with Λ the product of the collision (3/16 for `trt`): from the parabola with the slip that theory "
-        f"predicts no node from side to side deviates by more than {largest(channel, 'field'):.0e} of the mean speed, and "
-        f"the speed along the sides is at most {largest(channel, 'along_side'):.0e} of it (creeping flow). Pressure and "
-        "profile are the same in all four directions. Behind an inlet with plug flow a developed profile leaves through "
-        f"an outflow unchanged to {largest(profile):.0e} of the mean; of vortices of 0.2 and 1 times the speed that "
-        f"carries them {echoes} of the energy comes back.",
+        "A channel of length 4 H between two pressures, creeping: flow rate (sum over the cells of a section) against "
+        "G H³/(12 ν), with the gradient G over the whole length from side to side. Second order in every collision, and "
+        "none of it from the sides: the slip of the walls and the sum together are (8 Λ - 1)/n², with Λ the product of the "
+        "collision. With `trt`, Λ = 3/16, the walls have no slip: every node has the speed of the parabola, and the table "
+        "shows the midpoint sum of an exact parabola, 1/(2 n²). From the parabola with the slip that theory predicts no "
+        f"node from side to side is further than {largest(mirror, 'field'):.0e} of the mean speed, and the speed along the "
+        f"sides is at most {largest(mirror, 'along_side'):.0e} of it, in all four directions. Last line: the rule that the "
+        "mirror image replaces, anti-bounce-back of each link by itself, which leaves the shear along a side free; it "
+        f"carries too much on any lattice, with speeds along the sides of up to {largest(itself, 'along_side'):.2f} of the mean.\n\n"
+        "Outflow: behind an inlet with plug flow the developed profile leaves unchanged to "
+        f"{largest(profile):.0e} of the mean, with the pressure at its reference on the side. Of the energy of a vortex "
+        "that a flow U carries out comes back, by the largest speed in the vortex: "
+        f"{echoes}; it grows with the square of the speed, as the pressure in the core.",
         table(["collision"] + [f"{n} cells" for n in widths], rows))
 
 

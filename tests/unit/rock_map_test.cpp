@@ -309,6 +309,7 @@ TEST(SolidSpread, StaysInTheTriangleWhereThereIsRoom) {
   EXPECT_NEAR(rock.held(2), 64, 1e-12);
   EXPECT_NEAR(rock.most(), 8.0 / 5, 1e-14);
   EXPECT_EQ(rock.held(1), 64);
+  for (int n = 0; n < rock.lattice.size(); ++n) EXPECT_EQ(rock.opening(n), 0);
 }
 
 TEST(SolidSpread, GoesOnToTheNeighboursBeforeANodeHoldsMoreThanTheBound) {
@@ -328,6 +329,10 @@ TEST(SolidSpread, GoesOnToTheNeighboursBeforeANodeHoldsMoreThanTheBound) {
   spread(Exec{}, rock.type, rock.opening, rock.volume, rock.dissolved);
   EXPECT_NEAR(rock.held(0), 128, 1e-12);
   EXPECT_NEAR(sum_in_order(spread.waiting()), 320 - 256, 1e-12);
+  rock.open(0, 4);  // what has been waiting waits on beside what is freed now
+  spread(Exec{}, rock.type, rock.opening, rock.volume, rock.dissolved);
+  EXPECT_NEAR(rock.held(0) + rock.held(4), 64 + 128, 1e-12);
+  EXPECT_NEAR(sum_in_order(spread.waiting()), 320 - 192, 1e-12);
 }
 
 TEST(SolidSpread, GivesAWallThatIsNearlyGoneNoMoreThanItHolds) {

@@ -92,6 +92,14 @@ struct Channel {
   void hold_pressure(const BoundaryLinks& side, const IndexList& mirror, double p) {
     dress_pressure(flow.exec, flow.nodes, side, mirror, p, flow.fields, flow.gain);
   }
+  /// Every link through the open sides its own image: anti-bounce-back, which leaves the shear along them free.
+  void forget_mirrors() {
+    for (const IndexList& mirror : {in_mirror, out_mirror}) {
+      const auto own = Kokkos::create_mirror_view(mirror);
+      std::iota(own.data(), own.data() + own.extent(0), 0);
+      Kokkos::deep_copy(mirror, own);
+    }
+  }
   void let_out() { dress_outflow(flow.exec, flow.nodes, out, out_mirror, outflow, flow.fields, flow.gain); }
 };
 
@@ -110,10 +118,11 @@ struct ChannelErrors {
 /// A channel of length 4 H between two pressures, creeping: largest errors over all nodes from side to side of velocity
 /// (over the mean) and pressure (over the difference applied), speed along the sides, and the flow rate against
 /// G H^3 / (12 nu).
-ChannelErrors between_pressures(Collision collision, Side outlet, int width) {
+ChannelErrors between_pressures(Collision collision, Side outlet, int width, bool mirrored = true) {
   const int length = 4 * width;
   const double mean = 1e-9, gradient = 12 * nu * mean / (width * width), applied = gradient * length;
   Channel channel(collision, outlet, length, width);
+  if (!mirrored) channel.forget_mirrors();
   channel.run_to_rest(1e-9, [&] {
     channel.hold_pressure(channel.in, channel.in_mirror, applied);
     channel.hold_pressure(channel.out, channel.out_mirror, 0);
@@ -143,26 +152,53 @@ TEST(PressureDrivenChannel, CarriesPoiseuilleFromSideToSideInEveryDirectionAndCo
     }
 }
 
+/// The rate of what halfway bounce-back makes of the parabola: its slip, and the sum over cells in place of the
+/// integral, 1/(2 n^2), together (8 Lambda - 1)/n^2. The sides add nothing.
+void flow_rate_of_the_nodes(Collision collision, const char* name, int n) {
+  const ChannelErrors errors = between_pressures(collision, Side::right, n);
+  record("flow_pressure_channel", {{"rule", "mirror"},
+                                   {"collision", name},
+                                   {"n", n},
+                                   {"flow_rate", errors.flow_rate},
+                                   {"field", errors.field},
+                                   {"along_side", errors.along_side}});
+  const RelaxationRates r = relaxation_rates(collision, tau);
+  const double lambda = (1 / r.s_nu - 0.5) * (1 / r.s_q - 0.5);
+  EXPECT_NEAR(errors.flow_rate * n * n, 8 * lambda - 1, 1e-5 * n * n) << name << " " << n;
+  EXPECT_LT(errors.field, 1e-5) << name << " " << n;
+  EXPECT_LT(errors.along_side, 1e-5) << name << " " << n;
+}
+
 TEST(PressureDrivenChannel, FlowRateConvergesWithSecondOrderInEveryCollision) {
-  // The rate of what halfway bounce-back makes of the parabola: its slip, and the sum over cells in place of the
-  // integral, 1/(2 n^2). The sides add nothing.
-  for (int c = 0; c < 4; ++c) {
-    double last = 0;
-    for (const int n : {3, 5, 10, 20}) {
-      const ChannelErrors errors = between_pressures(collisions[c], Side::right, n);
-      record("flow_pressure_channel", {{"collision", names[c]},
-                                       {"n", n},
-                                       {"flow_rate", errors.flow_rate},
-                                       {"field", errors.field},
-                                       {"along_side", errors.along_side}});
-      EXPECT_LT(errors.field, 1e-5) << names[c] << " " << n;
-      EXPECT_LT(errors.along_side, 1e-5) << names[c] << " " << n;
-      if (n == 10) last = errors.flow_rate;
-      if (n == 20) {
-        EXPECT_NEAR(std::log2(last / errors.flow_rate), 2, 0.01) << names[c];
-      }
-    }
+  for (int c = 0; c < 4; ++c)
+    for (const int n : {3, 5, 9, 10, 20}) flow_rate_of_the_nodes(collisions[c], names[c], n);
+}
+
+TEST(PressureDrivenChannelLong, FlowRateConvergesWithSecondOrderInEveryCollision) {
+  for (int c = 0; c < 4; ++c) flow_rate_of_the_nodes(collisions[c], names[c], 40);
+}
+
+/// What the mirror image is for.
+void flow_rate_without_mirror(int n) {
+  const ChannelErrors errors = between_pressures(Collision::trt, Side::right, n, false);
+  record("flow_pressure_channel", {{"rule", "itself"},
+                                   {"collision", "trt"},
+                                   {"n", n},
+                                   {"flow_rate", errors.flow_rate},
+                                   {"field", errors.field},
+                                   {"along_side", errors.along_side}});
+  EXPECT_GT(errors.flow_rate, 0.02) << n;
+  if (n >= 10) {
+    EXPECT_GT(errors.along_side, 0.1) << n;
   }
+}
+
+TEST(PressureDrivenChannel, CarriesTooMuchOnAnyLatticeWhereEachLinkIsItsOwnImage) {
+  for (const int n : {3, 5, 9, 10, 20}) flow_rate_without_mirror(n);
+}
+
+TEST(PressureDrivenChannelLong, CarriesTooMuchOnAnyLatticeWhereEachLinkIsItsOwnImage) {
+  flow_rate_without_mirror(40);
 }
 
 /// At the speeds of a run the quadratic terms of the equilibrium reach the side: as the speed, over the width squared.
@@ -270,7 +306,7 @@ TEST(Outflow, AVortexLeavesWithoutAnEcho) {
     }
     std::printf("    vortex of %.1f U: %.2e of its energy comes back, %.2e is left\n", speed / U, echo, left / energy);
     record("flow_outflow_vortex", {{"speed", speed / U}, {"echo", echo}, {"left", left / energy}});
-    EXPECT_LT(echo, speed < U ? 0.01 : 0.03);  // as the square of the speed: of the pressure in its core
+    EXPECT_LT(echo, 0.025 * std::pow(speed / U, 2));  // as the pressure in its core
     EXPECT_LT(left / energy, 0.001);
   }
 }
