@@ -1,0 +1,133 @@
+"""The mutants: generated ones, at most one on a line, and those that somebody has named."""
+import re
+import zlib
+from dataclasses import dataclass
+
+from .source import Source
+
+LAWS = {
+    "kernels": """advective_form.cpp conjugate_link.hpp dissolution.cpp equilibrium.hpp flow.cpp flow_fields.cpp
+        heat.cpp heat.hpp heat_boundary.cpp heat_convection.hpp heat_kernels.hpp heat_sides.cpp heat_step.cpp
+        heat_sums.cpp link_area.hpp mirror_links.cpp momentum_exchange.cpp mrt.hpp open_boundary.cpp opening.cpp reaction.hpp reactive_wall.cpp
+        reactive_wall_kernel.hpp reactive_wall_step.hpp scalar_equilibrium.hpp solid_share.hpp solute.cpp solute_boundary.cpp
+        solute_sweep.hpp solute_totals.cpp surface_normal.cpp units.hpp""",
+    "dem": """accounts.hpp bond_forces.cpp bond_kinematics.hpp bond_law.hpp bonds.cpp closest_point.hpp
+        contact_forces.cpp contact_law.hpp critical_step.cpp dissolved_rock.hpp elastic_energy.hpp energy.cpp heterogeneity.hpp integrate.cpp
+        loads.cpp mass_loss.cpp mean_stress.cpp mechanics.cpp particles.cpp push.hpp quench.cpp servo.cpp slab_cooling.cpp thermal_strain.hpp
+        triangle.hpp""",
+    "coupling": """build_modules.cpp chemical_damage.cpp face_temperature.hpp flow_module.cpp heat_module.cpp
+        mechanics_module.cpp pathways.cpp pathways.hpp pore_growth.cpp reaction_module.cpp read_fields.hpp rock.cpp
+        rock_map.cpp simulation.cpp solid_spread.cpp solute_module.cpp thermal_exchange.cpp""",
+}
+# Lines on which a mutant says nothing about a law: text, layout of memory, loops, what a compiler must know.
+NOT_A_LAW = re.compile(
+    r"constexpr \w+ \w+ =|constexpr \w+ \w+\[|if constexpr|static_assert|template|^for \(|throw|Error\(|fmt::|"
+    r"push_back\(\{\"|KOKKOS_ASSERT|assert\(|VUG_|prefetch|announce|View<|describ|View\(|view\(\"|_cast<std::size_t|"
+    r"resize|Policy|operator|deep_copy|\"vug::|describe|using |enum |^#|std::ceil|std::to_string|name")
+NOT_A_VALUE = re.compile(r"\b(capacity|plane|pitch|stride|offset|extent|block\w*|slot|root|capacity_|at|later|ahead|"
+                         r"item|first|last|begin|end|row|count|size|nx|ny|plane_|far|near|lattice|node|index)\b")
+
+
+@dataclass(frozen=True)
+class Mutant:
+    name: str  # stays as long as its line does
+    path: str  # below src
+    line: int
+    start: int  # what is replaced
+    end: int
+    kind: str  # flip, invert, twice, swap, deny, or replace
+    text: str = ""  # for replace
+
+    @property
+    def library(self):
+        return self.path.split("/")[0]
+
+
+def candidates(source):
+    """(line, start, end, kind) of all that could be wrong."""
+    tokens = source.tokens
+
+    def span(first, last):
+        return None if last is None or last < first else (tokens[first].start, tokens[last].end)
+
+    for k, token in enumerate(tokens):
+        found = []
+        if token.text in ("+", "-") and source.is_binary(k):
+            found = [(span(k + 1, source.term_end(k + 1)), "flip")]
+        elif token.text in ("*", "/") and source.is_binary(k):
+            found = [(span(k + 1, source.unary_end(k + 1)), kind) for kind in ("invert", "twice")]
+        elif token.text in ("+=", "-="):
+            found = [(span(k + 1, source.statement_end(k + 1)), kind) for kind in ("flip", "twice")]
+        elif token.text in ("*=", "/="):
+            found = [(span(k + 1, source.statement_end(k + 1)), "invert")]
+        elif token.text == "-" and not source.is_operand_end(k - 1):
+            found = [(span(k + 1, source.unary_end(k + 1)), "flip")]
+        elif token.text == "if" and tokens[k + 1].text == "(":
+            found = [(span(k + 2, source.closing(k + 1) - 1), "deny")]
+        elif token.text == "?":
+            found = [(span(source.condition_start(k), k - 1), "deny")]
+        elif token.text in ("0", "1") and tokens[k - 1].text == "," and tokens[k + 1].text == ")":
+            opening = source.opening(k)
+            if opening > 0 and tokens[opening].text == "(" and tokens[opening - 1].text not in ("pair", "along", "closed"):
+                found = [(span(k, k), "swap")]
+        elif token.kind == "number" and ("." in token.text) and not token.text.startswith("0x"):
+            found = [(span(k, k), "twice")]
+        for where, kind in found:
+            if where and not (kind == "deny" and "auto" in source.text[where[0]:where[1]] or ";" in source.text[where[0]:where[1]]):
+                yield token.line, *where, kind
+
+
+def generated(path, text):
+    """At most one mutant on a line of law, chosen by what stands on it."""
+    source = Source(text)
+    by_line = {}
+    for line, start, end, kind in candidates(source):
+        if NOT_A_LAW.search(source.line_text(line)):
+            continue
+        if kind in ("flip", "invert") and NOT_A_VALUE.search(text[start:end]):
+            continue
+        by_line.setdefault(line, []).append((start, end, kind))
+    seen = {}
+    for line, choices in sorted(by_line.items()):
+        key = zlib.crc32(source.line_text(line).encode())
+        start, end, kind = choices[key % len(choices)]
+        stem = path.rsplit("/", 1)[1].replace(".", "_").removesuffix("_cpp").removesuffix("_hpp")
+        name = f"{stem}.{kind}.{key & 0xFFFF:04x}"
+        seen[name] = seen.get(name, 0) + 1
+        if seen[name] > 1:
+            name += f".{seen[name]}"
+        yield Mutant(name, path, line, start, end, kind)
+
+
+def named(list_text, read):
+    """Those of the list: blocks of `name path`, what stands there once, `=>`, what is wrong. Returns mutants, stale names."""
+    mutants, stale = [], []
+    for block in re.split(r"\n\s*\n", re.sub(r"^#[^\n]*\n", "", list_text, flags=re.MULTILINE).strip()):
+        head, body = block.split("\n", 1)
+        name, path = head.split()
+        old, new = (part.strip("\n").strip() for part in body.split("=>"))
+        text = read(path)
+        if text is None or text.count(old) != 1:
+            stale.append(name)
+            continue
+        start = text.index(old)
+        mutants.append(Mutant(name, path, text.count("\n", 0, start) + 1, start, start + len(old), "replace", new))
+    return mutants, stale
+
+
+def all_mutants(root):
+    """(mutants, stale names), named ones first."""
+    sources = root / "src"
+
+    def read(path):
+        return (sources / path).read_text() if (sources / path).exists() else None
+
+    mutants, stale = named((root / "scripts/mutation/named.txt").read_text(), read)
+    left_out = [(m.path, m.start, m.end) for m in mutants if "@ON" in m.text]  # nothing wakes in there
+    for library, files in LAWS.items():
+        for file in files.split():
+            text = read(f"{library}/{file}")
+            if text is not None:
+                mutants += [m for m in generated(f"{library}/{file}", text)
+                            if not any(m.path == path and m.start < end and start < m.end for path, start, end in left_out)]
+    return mutants, stale
