@@ -41,6 +41,26 @@ TEST(FreeBody, KeepsItsMomentumAndAngularMomentum) {
   EXPECT_NEAR(after.angular, before.angular, 1e-12 * before.scale);
 }
 
+/// u = g dt^2 n (n + 1) / 2 after n steps of the leapfrog; what has dissolved takes its weight along.
+TEST(FreeBody, FallsWithGravityAlsoWhenHalfOfItIsDissolved) {
+  Loads loads;
+  loads.gravity = {0.7, -9.81};
+  Mechanics rock(test::pair_of_triangles(2e-3), elastic(), loads);
+  const Particles& p = rock.particles();
+  const double dt = 0.1 * rock.critical_step();
+  const ScalarField<double> left("left", p.count), d_c("d_c", rock.bonds().count);
+  Kokkos::deep_copy(left, 0.5);
+  rock.dissolve(Exec(), dt, left, d_c);
+  constexpr int steps = 1000;
+  rock.advance(Exec(), dt, steps);
+  const auto u = host_copy(p.u);
+  const double fallen = dt * dt * steps * (steps + 1) / 2;
+  for (int i = 0; i < p.count; ++i) {
+    EXPECT_NEAR(u(i, 0) / (0.7 * fallen), 1, 1e-9);
+    EXPECT_NEAR(u(i, 1) / (-9.81 * fallen), 1, 1e-9);
+  }
+}
+
 TEST(TwoBondedTriangles, KeepTheirEnergyForAHundredThousandSteps) {
   Mechanics rock(test::pair_of_triangles(2e-3), elastic(), {});
   const Particles& p = rock.particles();
