@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -156,14 +157,20 @@ TEST(Births, ASolidThatVanishesAltogetherLeavesOnlyFluid) {
 }
 
 TEST(SurfaceNormal, PointsFromTheSolidIntoTheFluid) {
-  Box box = box_of({".....", ".....", "#####", "#####", "#####"});
-  VectorField<double> normal;
-  find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, normal);
-  for (int s = 0; s < box.surface.count; ++s) {
-    EXPECT_NEAR(normal(s, 0), 0, 1e-15);
-    EXPECT_NEAR(normal(s, 1), 1, 1e-15);
+  const std::array<std::pair<std::vector<std::string>, std::array<double, 2>>, 4> walls{{
+      {{".....", ".....", "#####", "#####", "#####"}, {0, 1}},
+      {{"#####", "#####", "#####", ".....", "....."}, {0, -1}},
+      {{"###..", "###..", "###..", "###..", "###.."}, {1, 0}},
+      {{"..###", "..###", "..###", "..###", "..###"}, {-1, 0}},
+  }};
+  for (const auto& [rows, direction] : walls) {
+    Box box = box_of(rows);
+    VectorField<double> normal;
+    find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, normal);
+    for (int s = 0; s < box.surface.count; ++s)
+      for (int axis = 0; axis < 2; ++axis) EXPECT_NEAR(normal(s, axis), direction[axis], 1e-15);
+    EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 5, 1e-14);
   }
-  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 5, 1e-14);
 }
 
 /// Rock whose opened pathways have handed their solid to the nodes beside them is as flat as any.
