@@ -77,9 +77,10 @@ struct StoreChemicalDamage {
   RemainingShare<OfSector> left;
   Kokkos::View<const double*> initial, solid_fraction;
   ScalarField<double> d_c;
+  /// The rock of a sector without a solid node has dissolved or lies elsewhere in the triangle: d_c never falls.
   KOKKOS_FORCEINLINE_FUNCTION double left_of_side(int s) const {
-    const double of_triangle = solid_fraction(s / 3);
-    return side_left(left.moved.held(s) > 0 ? left(s) : of_triangle, of_triangle);
+    const double of_triangle = solid_fraction(s / 3), own = left(s);
+    return side_left(left.moved.held(s) > 0 || own < of_triangle ? own : of_triangle, of_triangle);
   }
   KOKKOS_FUNCTION void operator()(int b) const {
     const int s = sectors(b, 0), t = sectors(b, 1);

@@ -28,7 +28,7 @@ struct SolidMoved {
 ///
 ///     share = share until then * (1 - (dissolved since)/(volume held then)).
 ///
-/// A sector whose nodes have all been opened has the share of its triangle.
+/// A sector whose nodes have all been opened has the share of its triangle from then on, where that is less.
 ///
 /// Rock dissolves at wet nodes only, and a node stays wet until it turns fluid. So an update sums over the wet nodes
 /// and keeps one number for all that have turned fluid: it costs the surface, not the lattice.

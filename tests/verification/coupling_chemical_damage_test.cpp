@@ -121,5 +121,27 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   EXPECT_NEAR(sum * dx * dx / (-4e-4 * run.now("acid_gain_reaction_mol_per_m")), 1, 1e-11);
 }
 
+/// Rock that is gone stays gone when cracks open beside it and move what solid is left.
+TEST(DissolvedTriangle, IsNotMendedByPathwaysThatOpen) {
+  test::CoupledRun run(pickled_rock);
+  run.steps(2000);
+  const Bonds& bonds = run.rock().bonds();
+  const auto before = test::host_copy(bonds.d_c), fraction = test::host_copy(run.rock().particles().solid_fraction);
+  const auto d_m = test::host_copy(bonds.d_m);
+  for (int b = 0; b < bonds.count; ++b)
+    if (before(b) < 0.5) d_m(b) = 1;
+  Kokkos::deep_copy(bonds.d_m, d_m);
+  run.steps(2);
+  ASSERT_GT(run.now("nodes_opened_by_damage_1"), 20);
+  const auto after = test::host_copy(bonds.d_c), fraction_after = test::host_copy(run.rock().particles().solid_fraction);
+  int dissolved = 0;
+  for (int b = 0; b < bonds.count; ++b) {
+    EXPECT_GE(after(b), before(b) - 1e-12) << "bond " << b;
+    dissolved += before(b) > 0.9;
+  }
+  EXPECT_GE(dissolved, 2);
+  for (int t = 0; t < run.rock().particles().count; ++t) EXPECT_LE(fraction_after(t), fraction(t) + 1e-12) << t;
+}
+
 }  // namespace
 }  // namespace vug
