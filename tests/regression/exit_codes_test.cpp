@@ -180,7 +180,9 @@ TEST(ExitCodes, MemoryThatDoesNotSufficeGivesFiveAndNumbers) {
     EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("leaves"));
     const std::string record = folder / (std::to_string(mebibytes) + "/run.json");
-    if (std::filesystem::exists(record)) EXPECT_THAT(test::contents(record), HasSubstr("\"status\": \"failed\""));
+    if (std::filesystem::exists(record)) {
+      EXPECT_THAT(test::contents(record), HasSubstr("\"status\": \"failed\""));
+    }
   }
 }
 
