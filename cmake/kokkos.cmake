@@ -1,15 +1,24 @@
 # Kokkos, found or built once. An installed Kokkos 5 (module, spack, -DKokkos_ROOT) comes first; otherwise
 # the pinned release is fetched, built for one back end and installed under VUG_DEPS_DIR, where every later
-# build directory finds it again.
+# build directory finds it again. -DVUG_KOKKOS_SOURCE=<source tree of a Kokkos 5> builds that one instead: a copy kept
+# with the project, for machines and years without the internet of today.
 include_guard(GLOBAL)
 
 set(VUG_KOKKOS_VERSION 5.0.2)
 set(VUG_KOKKOS_SHA256 188817bb452ca805ee8701f1c5adbbb4fb83dc8d1c50624566a18a719ba0fa5e)
+set(VUG_KOKKOS_SHA1 c69e177344f654465dc1bc0ccaf47428c9254f61)
+set(VUG_KOKKOS_SOURCE "" CACHE PATH "Source tree of a Kokkos 5 to be built instead of the pinned release")
 set(VUG_DEPS_DIR "${CMAKE_CURRENT_SOURCE_DIR}/.deps" CACHE PATH "Where fetched dependencies are kept")
 set(VUG_ARCHIVES "" CACHE PATH "Folder of source archives fetched before (machines without internet)")
 
-# Puts the source tree of the pinned Kokkos into OUT, downloading it when it is not there yet.
+# Puts the source tree of the Kokkos that is built into OUT: the vendored one, or the pinned release, downloaded when it is
+# not there yet.
 function(vug_kokkos_source OUT)
+  if(VUG_KOKKOS_SOURCE)
+    vug_kokkos_version("${VUG_KOKKOS_SOURCE}" version)
+    set(${OUT} "${VUG_KOKKOS_SOURCE}" PARENT_SCOPE)
+    return()
+  endif()
   set(source "${VUG_DEPS_DIR}/kokkos-${VUG_KOKKOS_VERSION}")
   if(NOT EXISTS "${source}/CMakeLists.txt")
     set(archive "${VUG_DEPS_DIR}/kokkos-${VUG_KOKKOS_VERSION}.tar.gz")
@@ -23,8 +32,27 @@ function(vug_kokkos_source OUT)
   set(${OUT} "${source}" PARENT_SCOPE)
 endfunction()
 
-# Fetches the release archive: a local folder first, then the project's release, then the Debian archive
-# that this machine's apt is configured for (which holds the same bytes).
+# Puts the version of a source tree of Kokkos into OUT; an error where the folder is none, or none of Kokkos 5.
+function(vug_kokkos_version SOURCE OUT)
+  set(version "")
+  if(EXISTS "${SOURCE}/CMakeLists.txt")
+    file(READ "${SOURCE}/CMakeLists.txt" text)
+    foreach(part MAJOR MINOR PATCH)
+      if(text MATCHES "Kokkos_VERSION_${part} ([0-9]+)")
+        list(APPEND version "${CMAKE_MATCH_1}")
+      endif()
+    endforeach()
+  endif()
+  list(JOIN version "." version)
+  if(NOT version MATCHES "^5\\.[0-9]+\\.[0-9]+$")
+    message(FATAL_ERROR "VUG_KOKKOS_SOURCE = ${SOURCE} is not the source tree of a Kokkos 5 (found version \"${version}\")")
+  endif()
+  set(${OUT} "${version}" PARENT_SCOPE)
+endfunction()
+
+# Fetches the release archive, from whoever has the bytes of VUG_KOKKOS_SHA256: a local folder, the project's release,
+# Debian's archive of everything that it ever held, which names files by their SHA-1, and last the pool that this
+# machine's apt is configured for, which drops old versions.
 function(vug_fetch_kokkos_archive ARCHIVE)
   set(names "kokkos-${VUG_KOKKOS_VERSION}.tar.gz" "kokkos_${VUG_KOKKOS_VERSION}.orig.tar.gz")
   foreach(name IN LISTS names)
@@ -33,7 +61,8 @@ function(vug_fetch_kokkos_archive ARCHIVE)
     endif()
   endforeach()
   list(APPEND urls
-    "https://github.com/kokkos/kokkos/releases/download/${VUG_KOKKOS_VERSION}/kokkos-${VUG_KOKKOS_VERSION}.tar.gz")
+    "https://github.com/kokkos/kokkos/releases/download/${VUG_KOKKOS_VERSION}/kokkos-${VUG_KOKKOS_VERSION}.tar.gz"
+    "https://snapshot.debian.org/file/${VUG_KOKKOS_SHA1}")
   execute_process(COMMAND apt-get indextargets --format "$(SITE)" "Created-By: Packages"
     OUTPUT_VARIABLE sites ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE no_apt)
   if(NOT no_apt AND sites)
@@ -55,7 +84,7 @@ function(vug_fetch_kokkos_archive ARCHIVE)
     endif()
   endforeach()
   message(FATAL_ERROR "Kokkos ${VUG_KOKKOS_VERSION} could not be fetched. Put kokkos-${VUG_KOKKOS_VERSION}.tar.gz "
-    "into a folder and pass -DVUG_ARCHIVES=<folder>, or install Kokkos 5 and pass -DKokkos_ROOT=<prefix>.")
+    "into a folder and pass -DVUG_ARCHIVES=<folder>, pass -DVUG_KOKKOS_SOURCE=<source tree of a Kokkos 5>, or install Kokkos 5 and pass -DKokkos_ROOT=<prefix>.")
 endfunction()
 
 # Makes Kokkos::kokkos available for back end VUG_BACKEND (SERIAL, OPENMP, CUDA, HIP).
@@ -68,7 +97,14 @@ macro(vug_provide_kokkos)
   if(VUG_GPU_ARCH)
     string(APPEND _key "-${VUG_GPU_ARCH}")
   endif()
-  set(_prefix "${VUG_DEPS_DIR}/install-${VUG_KOKKOS_VERSION}-${_key}")
+  set(_version "${VUG_KOKKOS_VERSION}")
+  if(VUG_KOKKOS_SOURCE)
+    vug_kokkos_version("${VUG_KOKKOS_SOURCE}" _version)
+    string(MD5 _place "${VUG_KOKKOS_SOURCE}")
+    string(SUBSTRING "${_place}" 0 8 _place)
+    string(APPEND _version "-vendored-${_place}")
+  endif()
+  set(_prefix "${VUG_DEPS_DIR}/install-${_version}-${_key}")
   if(NOT Kokkos_ROOT)
     set(_own_kokkos TRUE)
     if(NOT EXISTS "${_prefix}/complete")
@@ -77,6 +113,7 @@ macro(vug_provide_kokkos)
     set(Kokkos_ROOT "${_prefix}")
   endif()
   find_package(Kokkos 5 REQUIRED CONFIG)
+  kokkos_check(DEVICES SERIAL)
 endmacro()
 
 function(vug_build_kokkos PREFIX BACKEND)
@@ -91,8 +128,9 @@ function(vug_build_kokkos PREFIX BACKEND)
   if(VUG_GPU_ARCH)
     list(APPEND options -DKokkos_ARCH_${VUG_GPU_ARCH}=ON)
   endif()
-  message(STATUS "Building Kokkos ${VUG_KOKKOS_VERSION} for ${VUG_BACKEND} (once)")
+  message(STATUS "Building Kokkos of ${source} for ${VUG_BACKEND} (once)")
   set(binary "${PREFIX}-build")
+  file(MAKE_DIRECTORY "${VUG_DEPS_DIR}")
   foreach(step
       "${CMAKE_COMMAND};-S;${source};-B;${binary};-G;${CMAKE_GENERATOR};-DCMAKE_BUILD_TYPE=Release;-DCMAKE_CXX_STANDARD=20;-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER};-DCMAKE_INSTALL_PREFIX=${PREFIX};-DCMAKE_POSITION_INDEPENDENT_CODE=ON;${options}"
       "${CMAKE_COMMAND};--build;${binary};--target;install;--parallel")

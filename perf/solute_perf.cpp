@@ -101,7 +101,7 @@ struct WallSetting : SoluteSetting<T, Set> {
     find_surface(exec, nodes, this->type, surface);
     wall.molar_volume = 1e-6;
     wall.inverse_equilibrium = 1e-3;
-    find_normals(exec, nodes, surface, V, normal);
+    find_normals(exec, nodes, surface, V, ledger.dissolved, normal);
     find_reactive_links<Set>(exec, nodes, surface, wall.law, links);
     conduct();
   }
@@ -153,7 +153,7 @@ template <class T, class Set>
 void normals(benchmark::State& state, const Geometry* geometry) {
   WallSetting<T, Set> s(*geometry);
   measure<double, 2>(state, s.surface.count, sizeof(int) + 10 * sizeof(double),
-                     [&] { find_normals(s.exec, s.nodes, s.surface, s.V, s.normal); });
+                     [&] { find_normals(s.exec, s.nodes, s.surface, s.V, s.ledger.dissolved, s.normal); });
 }
 
 template <class T, class Set>

@@ -6,7 +6,7 @@ vug_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 vug_packages=(
   g++ cmake ninja-build ca-certificates
-  libeigen3-dev libhdf5-dev libtomlplusplus-dev libcli11-dev libfmt-dev libpng-dev libboost-dev
+  libeigen3-dev libhdf5-dev libtomlplusplus-dev libcli11-dev libfmt-dev libpng-dev libtiff-dev zlib1g-dev libboost-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-h5py python3-matplotlib
 )

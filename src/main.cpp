@@ -1,8 +1,13 @@
-// vug run | check | lab | info: parse the command line, call, turn exceptions into exit codes.
+// The commands of vug: parse the command line, call, turn exceptions into exit codes.
+#include "command_line.hpp"
 #include "coupling/check.hpp"
+#include "coupling/error_bars.hpp"
 #include "coupling/laboratory_run.hpp"
 #include "coupling/run.hpp"
 #include "coupling/run_directory.hpp"
+#include "front/completion.hpp"
+#include "front/schema.hpp"
+#include "front/templates.hpp"
 #include "io/message.hpp"
 #include "io/run_record.hpp"
 #include "kernels/free_memory.hpp"
@@ -12,14 +17,13 @@
 #include "kernels/subnormals.hpp"
 #include "kernels/threads.hpp"
 #include "process.hpp"
+#include "study/sweep.hpp"
 
 #include <Kokkos_Core.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -28,77 +32,12 @@
 #include <string>
 #include <string_view>
 #include <unistd.h>
-#include <vector>
 
 namespace {
 
 enum ExitCode { done = 0, invalid_input = 2, diverged = 3, file_failed = 4, out_of_memory = 5, interrupted = 130 };
 
-/// What the user typed.
-struct CommandLine {
-  std::string case_file;
-  std::string directory;
-  std::vector<std::string> overrides;
-  std::optional<std::int64_t> steps;
-  int threads = 0;
-  int seeds = 0;
-  std::optional<double> fit_cohesion;
-  bool resume = false, overwrite = false, quiet = false, json = false;
-  CLI::App* run = nullptr;
-  CLI::App* check = nullptr;
-  CLI::App* lab = nullptr;
-  CLI::App* info = nullptr;
-};
-
-/// What is wrong with a number of steps; empty where it is one.
-std::string not_negative(const std::string& text) {
-  std::int64_t steps = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && steps >= 0 ? "" : "must be a whole number, 0 or more";
-}
-
-/// The same of a strength.
-std::string positive(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool number = error == std::errc() && end == text.data() + text.size();
-  return number && value > 0 && std::isfinite(value) ? "" : "must be a number above 0";
-}
-
-void describe(CLI::App& app, CommandLine& line) {
-  app.require_subcommand(1);
-  app.set_help_all_flag("--help-all", "Help of all commands");
-  line.run = app.add_subcommand("run", "Run a case");
-  line.run->add_option("case", line.case_file, "Case file (TOML)")->required();
-  line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
-  line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
-  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(not_negative);
-  line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
-  CLI::Option* resume =
-      line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory, if any");
-  line.run->add_flag("--overwrite", line.overwrite, "Replace the run that the run directory holds")->excludes(resume);
-  line.run->add_flag("--quiet", line.quiet, "No progress");
-  line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
-  line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
-  line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
-  line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
-  line.check->add_flag("--json", line.json, "Machine-readable");
-  line.lab = app.add_subcommand("lab", "Run the laboratory test of a case: compression, tension, splitting, heat");
-  line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
-  line.lab->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the case file>)");
-  line.lab->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
-  line.lab
-      ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
-      ->check(CLI::Range(1, 1000));
-  line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
-      ->check(positive);
-  line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, vug::most_threads));
-  line.lab->add_flag("--overwrite", line.overwrite, "Replace the results that the directory holds");
-  line.lab->add_flag("--quiet", line.quiet, "No progress");
-  line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
-  line.info->add_flag("--json", line.json, "Machine-readable");
-}
+using vug::CommandLine;
 
 int info(const CommandLine& line) {
   const vug::BuildInfo build = vug::build_info();
@@ -112,9 +51,13 @@ int info(const CommandLine& line) {
   return done;
 }
 
-/// The scene of the case, which has a [laboratory] or has none.
+vug::Scene scene_of(const CommandLine& line) {
+  return vug::read_scene(line.case_file, line.overrides);
+}
+
+/// The scene of a case that has a [laboratory] or has none.
 vug::Scene scene_of(const CommandLine& line, bool laboratory) {
-  vug::Scene scene = vug::read_scene(line.case_file, line.overrides);
+  vug::Scene scene = scene_of(line);
   if (laboratory && !scene.laboratory)
     throw vug::InputError(line.case_file + ": has no table [laboratory]; `vug run` runs it");
   if (!laboratory && scene.laboratory)
@@ -135,7 +78,7 @@ int lab(const CommandLine& line) {
 }
 
 int check(const CommandLine& line) {
-  const vug::CheckReport report = vug::check_case(scene_of(line, false));
+  const vug::CheckReport report = vug::check_case(scene_of(line), line.preview);
   vug::print(line.json ? vug::to_json(report) : vug::to_text(report));
   return done;
 }
@@ -149,8 +92,27 @@ int run(const CommandLine& line) {
   options.overwrite = line.overwrite;
   options.terminal = isatty(STDERR_FILENO) != 0;
   options.progress = line.quiet ? nullptr : &std::cerr;
-  vug::run_case(scene, options);
+  if (line.error_bars)
+    vug::print(vug::run_with_error_bars(scene, options));
+  else
+    vug::run_case(scene, options);
   return done;
+}
+
+int sweep(const CommandLine& line) {
+  vug::SweepOptions options;
+  options.directory = line.directory;
+  options.at_once = line.jobs;
+  options.resume = line.resume;
+  options.progress = line.quiet ? nullptr : &std::cerr;
+  if (!line.batch.empty()) {
+    vug::print(vug::slurm_script(line.study, options));
+    return done;
+  }
+  if (line.member) vug::become_member(line.study, options, *line.member);
+  const int failed = vug::sweep(line.study, options);
+  if (failed > 0) vug::complain(fmt::format("vug: {} of the runs are not done: failures.csv says why", failed));
+  return failed > 0 ? diverged : done;
 }
 
 int fail(ExitCode code, const std::string& what) {
@@ -158,8 +120,28 @@ int fail(ExitCode code, const std::string& what) {
   return code;
 }
 
-int dispatch(const CommandLine& line) {
+/// Commands that compute nothing, and need no threads.
+std::optional<int> plain_command(const CLI::App& app, const CommandLine& line) {
+  if (*line.sweep) return sweep(line);
+  if (*line.start)
+    vug::print(vug::new_case(line.name, line.case_file) + "\n");
+  else if (*line.schema)
+    vug::print(vug::case_schema());
+  else if (*line.completion)
+    vug::print(vug::completion_script(app, line.name));
+  else if (*line.man)
+    vug::print(vug::man_page(app, VUG_VERSION));
+  else if (line.cite)
+    vug::print(vug::citation_text());
+  else
+    return std::nullopt;
+  return done;
+}
+
+int dispatch(const CLI::App& app, const CommandLine& line) {
   try {
+    if (const std::optional<int> code = plain_command(app, line)) return *code;
+    if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     const vug::ThreadChoice threads = vug::choose_threads(line.threads);
@@ -209,12 +191,12 @@ int main(int argc, char** argv) {
   vug::listen_to_signals();
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
   CommandLine line;
-  describe(app, line);
+  vug::describe(app, line);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return help(app, error);
     return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
   }
-  return dispatch(line);
+  return dispatch(app, line);
 }

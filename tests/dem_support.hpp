@@ -2,16 +2,12 @@
 // Small assemblies and host access for the tests of the mechanics.
 #include "dem/heterogeneity.hpp"
 #include "dem/mechanics.hpp"
+#include "support/host_copy.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace vug::test {
-
-template <class V>
-auto host_copy(const V& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
 
 /// Two equilateral triangles of edge l that share the edge from (0, 0) to (0, l); a on the left, n = +x.
 inline Assembly pair_of_triangles(double l) {

@@ -10,10 +10,11 @@
 from .errors import (CaseError, Diverged, FileTrouble, Interrupted, OutOfMemory, VugError)
 from .field import Field
 from .history import History
-from .launch import check, executable, run
+from .launch import check, executable, run, sweep
 from .run_folder import Rock, Run, Snapshot
+from .study import Study
 
 open = Run  # noqa: A001 (vug.open reads as what it does)
 
 __all__ = ["CaseError", "Diverged", "Field", "FileTrouble", "History", "Interrupted", "OutOfMemory", "Rock", "Run",
-           "Snapshot", "VugError", "check", "executable", "open", "run"]
+           "Snapshot", "Study", "VugError", "check", "executable", "open", "run", "sweep"]

@@ -55,6 +55,9 @@ class History:
         """Number of rows."""
         return self._length
 
+    def get(self, name, default=None):
+        return self._column.get(name, default)
+
     def keys(self):
         """Names without units, in the order of the file."""
         return self.units.keys()

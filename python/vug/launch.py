@@ -5,8 +5,9 @@ import pathlib
 import shutil
 import subprocess
 
-from .errors import BY_CODE, VugError
+from .errors import BY_CODE, Diverged, VugError
 from .run_folder import Run
+from .study import Study
 
 
 def executable():
@@ -54,3 +55,15 @@ def run(case, directory=None, overrides=None, *, steps=None, threads=None, resum
 def check(case, overrides=None):
     """What `vug check --json` says of a case."""
     return json.loads(_call(["check", str(case), "--json", *_overrides(overrides)]))
+
+
+def sweep(study, directory=None, *, jobs=None, resume=False):
+    """Runs a study and opens its table. Runs that fail are in `failures` of it and raise nothing."""
+    directory = pathlib.Path(directory) if directory else pathlib.Path("runs") / pathlib.Path(study).stem
+    words = ["sweep", str(study), "-o", str(directory), "--quiet", *(["--jobs", str(jobs)] if jobs else []),
+             *(["--resume"] if resume else [])]
+    try:
+        _call(words)
+    except Diverged:
+        pass  # some runs are not done; the others are in the table
+    return Study(directory)

@@ -36,11 +36,17 @@ class Fields:
 
 
 class Rock:
-    """Triangles and bonds of one snapshot, each a mapping of names to Field."""
+    """Triangles and bonds of one snapshot, each a mapping of names to Field; bond_triangles (bonds, 2) are the triangles
+    that each bond holds together, where the run says so."""
 
-    def __init__(self, group):
+    def __init__(self, group, bond_triangles=None):
+        self._bond_triangles = bond_triangles
         self.triangles = Fields(group["triangles"])
         self.bonds = Fields(group["bonds"]) if "bonds" in group else {}
+
+    @property
+    def bond_triangles(self):
+        return None if self._bond_triangles is None else self._bond_triangles[...]
 
 
 class Snapshot(Fields):
@@ -54,6 +60,11 @@ class Snapshot(Fields):
 
     def __repr__(self):
         return f"<vug.Snapshot t = {self.time:g} s: {', '.join(self)}>"
+
+
+def record_of(directory):
+    """run.json of a directory."""
+    return json.loads((pathlib.Path(directory) / "run.json").read_text(encoding="utf-8"))
 
 
 class Run:
@@ -87,7 +98,7 @@ class Run:
     @property
     def record(self):
         """run.json: version, commit, compiler, how it ended, ..."""
-        return json.loads((self.directory / "run.json").read_text(encoding="utf-8"))
+        return record_of(self.directory)
 
     @property
     def status(self):
@@ -115,7 +126,10 @@ class Run:
         """The snapshot of that number; -1 is the last."""
         name = self._names[index]
         rock = self._rock[name] if self._rock is not None and name in self._rock else None
-        return Snapshot(self._fields[name], Rock(rock) if rock is not None and "triangles" in rock else None)
+        if rock is None or "triangles" not in rock:
+            return Snapshot(self._fields[name], None)
+        pairs = self._rock["rock/bond_triangles"] if "rock/bond_triangles" in self._rock else None
+        return Snapshot(self._fields[name], Rock(rock, pairs))
 
     def __repr__(self):
         return f"<vug.Run {str(self.directory)!r}: {len(self)} snapshots>"

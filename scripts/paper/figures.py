@@ -55,7 +55,7 @@ def draw(axes, snapshot, field, limits, cracks):
 
 
 def nine_panels(snapshots, folder):
-    """Figs. 8-11: snapshots[(pressure in MPa, Da)] at the end; Da down, pressure across."""
+    """Figs. 8-11: snapshots[(pressure in MPa, Da)]; Da down, pressure across."""
     pressures = sorted({p for p, _ in snapshots})
     numbers = sorted({da for _, da in snapshots})
     for name, title, unit, field, limits, cracks in PANELS:
@@ -95,20 +95,10 @@ def reactive_area(curves, folder):
     plt.close(figure)
 
 
-def evolution(run, folder, name):
-    """Fig. 13: reactant and fractures of one condition at six moments."""
-    steps = run.steps
-    chosen = [steps[round(k * (len(steps) - 1) / 6)] for k in range(1, 7)] if len(steps) > 6 else steps[1:]
-    if not chosen:
-        return
-    columns = 3
-    rows = -(-len(chosen) // columns)
-    figure, grid = plt.subplots(rows, columns, squeeze=False, constrained_layout=True, figsize=(4.4 * columns, 3.2 * rows))
-    for axes in grid.flat:
-        axes.set_axis_off()
-    for axes, step in zip(grid.flat, chosen):
-        axes.set_axis_on()
-        snapshot = run.snapshot(step)
+def evolution(snapshots, folder, name):
+    """Fig. 13: reactant and fractures of one condition as it goes on."""
+    figure, grid = plt.subplots(-(-len(snapshots) // 2), 2, squeeze=False, constrained_layout=True, figsize=(9.6, 6.4))
+    for axes, snapshot in zip(grid.flat, snapshots):
         image = draw(axes, snapshot, concentration, (0, 3), True)
         axes.set_title(f"t = {snapshot.time:.3g} s", fontsize=10)
     figure.colorbar(image, ax=grid, label="reactant L1 / (mol/L)", shrink=0.6)

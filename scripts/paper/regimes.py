@@ -15,6 +15,7 @@ The paper tells the types by eye, "according to the dissolution morphology". Her
   cavity             the rest
 """
 import dataclasses
+import math
 
 import numpy as np
 
@@ -151,8 +152,8 @@ def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway
                    snapshot.dx, pathway)
 
 
-def area_over_time(run, inlet_concentration):
-    """Times of a run's snapshots and the surface that acid has reached in each."""
-    snapshots = [run.snapshot(step) for step in run.steps]
+def area_over_time(run, inlet_concentration, until=math.inf):
+    """Times of a run's snapshots up to a moment (s) and the surface that acid has reached in each."""
+    snapshots = [s for s in map(run.snapshot, run.steps) if s.time <= until * (1 + 1e-9)]
     return (np.array([s.time for s in snapshots]),
             np.array([reached_area(s.solid, acid_of(s, inlet_concentration), s.dx) for s in snapshots]))

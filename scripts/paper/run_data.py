@@ -67,6 +67,12 @@ class Run:
             except (OSError, KeyError):
                 return Snapshot(fields[name], None)
 
+    def snapshot_at(self, time):
+        """The newest snapshot that is not later than `time` in s."""
+        with h5py.File(self.directory / "fields.h5", "r") as fields:
+            known = [name for name in fields if name.startswith("step_") and fields[name].attrs["time"] <= time * (1 + 1e-9)]
+        return self.snapshot(max(known))
+
     def history(self):
         """Columns of history.csv as arrays."""
         with open(self.directory / "history.csv", newline="") as file:

@@ -135,4 +135,37 @@ def openings(records, figures):
         "openings.png")
 
 
-entries = [two_layer_mode, half_spaces, convection, heated_slab, openings]
+def natural_convection(records, figures):
+    rows = sorted(records["natural_convection"], key=lambda row: row["rayleigh"])
+    if not rows:
+        return None
+    published = {1e3: 1.118, 1e4: 2.243, 1e5: 4.519, 1e6: 8.800}
+    return section(
+        "Natural convection in a square cavity", "NaturalConvection.*, NaturalConvectionLong.*",
+        "Air (Prandtl number 0.71) between a warm and a cold wall, the benchmark of de Vahl Davis (1983): mean Nusselt number "
+        "of the warm wall, from the heat flow through it in the `history.csv` of `cases/heated_cavity.toml`, run by the program "
+        "with the gravity of each Rayleigh number.",
+        table(["Ra", "nodes", "measured", "de Vahl Davis", "deviation"],
+              [[f"{row['rayleigh']:.0e}", f"{row['cells']} x {row['cells']}", f"{row['nusselt']:.4f}",
+                f"{published[row['rayleigh']]:.3f}", f"{100 * (row['nusselt'] / published[row['rayleigh']] - 1):+.2f} %"]
+               for row in rows]))
+
+
+def film(records, figures):
+    slabs, couette = records["heat_film"], records["thermal_viscosity"]
+    if not (slabs and couette):
+        return None
+    decay = next(row for row in slabs if row["what"] == "decay")
+    steady = max(abs(row["error"]) for row in slabs if row["what"] == "steady")
+    return section(
+        "Heat transfer at a side, and viscosity that depends on the temperature",
+        "HeatFlow.ThroughASlabWithAFilm, HeatFlow.OfACoolingSlabDecaysAtTheRateOfItsBiotNumber, ThermalViscosity.*",
+        "Newton's law of cooling at a side: the resistances of a slab and of the film beyond it add up, in fluid and rock and with "
+        f"both velocity sets (largest relative error of the heat flow {steady:.0e}); a slab of Biot number 1.5 cools at the "
+        f"rate ζ², ζ tan ζ = Bi (Carslaw and Jaeger), within {abs(decay['error']):.0e} on 40 nodes. Plane Couette flow across a "
+        "linear temperature profile, whose shear stress is the same everywhere, so that u is the integral of 1/ν(T): largest error "
+        "over the speed of the wall, viscosities between the walls in a ratio of 3.9 (Arrhenius) and 4 (table).",
+        table(["law", "nodes", "largest error"], [[row["law"], row["cells"], f"{row['error']:.1e}"] for row in couette]))
+
+
+entries = [two_layer_mode, half_spaces, convection, heated_slab, film, natural_convection, openings]

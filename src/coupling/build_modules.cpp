@@ -29,9 +29,11 @@ LatticeUnits units_of(const Scene& scene) {
     double largest = 0;
     for (const Species& species : scene.solute->species) largest = std::max(largest, species.initial);
     for (const Stretch& stretch : boundary_stretches(scene))
-      for (const auto& [name, value] : stretch.conditions.solute.concentration) largest = std::max(largest, value);
+      for (const auto& [name, value] : stretch.conditions.solute.concentration)
+        largest = std::max(largest, value.highest());
     for (const OpeningSection& opening : scene.openings)
-      for (const auto& [name, value] : opening.conditions.solute.concentration) largest = std::max(largest, value);
+      for (const auto& [name, value] : opening.conditions.solute.concentration)
+        largest = std::max(largest, value.highest());
     if (largest > 0) units.concentration = largest;
   }
   return units;

@@ -2,9 +2,14 @@
 
 #include "coupling/choices.hpp"
 #include "coupling/flow_paths.hpp"
+#include "coupling/fluid_picture.hpp"
+#include "coupling/laboratory_run.hpp"
 #include "coupling/limit_text.hpp"
+#include "coupling/rock_fields.hpp"
+#include "coupling/rock_limits.hpp"
 #include "coupling/run.hpp"
 #include "coupling/simulation.hpp"
+#include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"
 #include "kernels/base.hpp"
 #include "kernels/memory.hpp"
@@ -36,16 +41,17 @@ double processor_time() {
 /// A few steps that are then forgotten. Other work on the machine stretches the time by the clock, and with several
 /// threads, which wait for each other, also that of the processors: what the fastest batch took is what a step takes on
 /// a free machine. A GPU's time is seen by the clock only.
-void measure_steps(Simulation& simulation, CheckReport& report) {
-  for (int step = 0; step < warm_up_steps; ++step) simulation.step();
+template <class Step>
+void measure_steps(const Step& take_step, CheckReport& report) {
+  for (int step = 0; step < warm_up_steps; ++step) take_step();
   Kokkos::fence();
-  report.threads = runs_on_host ? Exec().concurrency() : 1;
+  report.threads = shares_host_memory ? Exec().concurrency() : 1;
   const Kokkos::Timer clock;
-  const auto now = [&] { return runs_on_host ? processor_time() / report.threads : clock.seconds(); };
+  const auto now = [&] { return shares_host_memory ? processor_time() / report.threads : clock.seconds(); };
   const double start = now();
   double fastest = std::numeric_limits<double>::infinity();
   for (double before = start; report.measured_steps < most_steps && before - start < enough;) {
-    for (int step = 0; step < batch; ++step) simulation.step();
+    for (int step = 0; step < batch; ++step) take_step();
     Kokkos::fence();
     report.measured_steps += batch;
     const double after = now();
@@ -54,6 +60,34 @@ void measure_steps(Simulation& simulation, CheckReport& report) {
   }
   report.seconds_per_step = fastest / batch;
   report.slowed_by = clock.seconds() / report.measured_steps / report.seconds_per_step;
+}
+
+/// Shares of joined pores, and the picture.
+void look_at_pores(const Scene& scene, const Geometry& geometry, const std::string& preview, CheckReport& report) {
+  const FluidPicture picture(scene, geometry);
+  const JoinedPores joined = joined_pores(picture);
+  const auto nodes = static_cast<double>(picture.size());
+  report.joined_x = static_cast<double>(joined.along_x) / nodes;
+  report.joined_y = static_cast<double>(joined.along_y) / nodes;
+  if (preview.empty()) return;
+  constexpr Colour palette[] = {{190, 185, 175}, {0, 114, 178}, {230, 159, 0}, {0, 0, 0}};
+  constexpr std::uint8_t rock = 0, through = 1, closed = 2, inside_opening = 3;
+  const std::vector<int> opening = opening_of_nodes(scene);
+  std::vector<std::uint8_t> pixels(picture.size());
+  for (std::size_t n = 0; n < pixels.size(); ++n) {
+    pixels[n] = !picture.is_fluid(n) ? rock : joined.either[n] ? through : closed;
+    if (!opening.empty() && opening[n] >= 0) pixels[n] = inside_opening;
+  }
+  write_palette_picture(preview, picture.nx, pixels, palette);
+}
+
+std::string image_line(const ImageSummary& image, double spacing) {
+  std::string text = fmt::format("picture of {} x {} pixels, {}, values {:g} ... {:g}, pixel size {}", image.width,
+                                 image.height, image.type, image.least, image.largest,
+                                 image.pixel_size ? fmt::format("{:g} m", *image.pixel_size)
+                                                  : fmt::format("not known (lattice.spacing is {:g} m)", spacing));
+  for (const auto& [label, share] : image.labels) text += fmt::format("\n  label {}: {:.2f} %", label, 100 * share);
+  return text;
 }
 
 std::string duration(double seconds) {
@@ -80,7 +114,38 @@ std::string json_string(const std::string& text) {
 
 }  // namespace
 
-CheckReport check_case(const Scene& scene) {
+namespace {
+
+/// Of a laboratory test: its specimen, before it is loaded.
+CheckReport check_specimen(const Scene& scene) {
+  CheckReport report;
+  const double before = allocated_bytes();
+  const Assembly specimen = build_specimen(scene);
+  Mechanics rock(specimen, scene.mechanics->parameters, Loads{});
+  report.bytes = allocated_bytes() - before;
+  FieldList fields;
+  add_rock_fields(rock, fields, scene.output.fields);
+  require_fields(fields, scene.output.fields);
+  const double critical = rock.critical_step(), dt = scene.mechanics->critical_fraction * critical;
+  report.limits = {
+      {"mechanics", "sub-step over its critical step", dt / critical, "1", 0, 0.5, "lower mechanics.critical_fraction"},
+      limit_of_edges(rock)};
+  report.warnings = scene.warnings;
+  report.particles = rock.particles().count;
+  report.bonds = rock.bonds().count;
+  report.steps = std::llround(longest_test(scene, specimen) / dt);
+  measure_steps([&] { rock.advance(Exec(), dt, 1); }, report);
+  report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
+  report.precision = "double";
+  report.preset = scene.accuracy.preset;
+  return report;
+}
+
+}  // namespace
+
+CheckReport check_case(const Scene& scene, const std::string& preview) {
+  if (scene.laboratory && !preview.empty()) throw InputError("--preview draws a lattice, and a laboratory test has none");
+  if (scene.laboratory) return check_specimen(scene);
   CheckReport report;
   const double before = allocated_bytes();
   Simulation simulation(scene);
@@ -100,8 +165,12 @@ CheckReport check_case(const Scene& scene) {
     report.bonds = parts.rock->bonds;
   }
   report.porosity = static_cast<double>(report.fluid_nodes) / (static_cast<double>(report.nx) * report.ny);
+  if (scene.geometry.kind == GeometryKind::image)
+    report.image = read_solid_image(scene.geometry.image, scene.lattice).summary;
+  look_at_pores(scene, parts.geometry, preview, report);
+  report.spacing = scene.lattice.spacing;
   report.steps = last_step(scene);
-  measure_steps(simulation, report);
+  measure_steps([&] { simulation.step(); }, report);
   report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
   report.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
   report.preset = scene.accuracy.preset;
@@ -111,15 +180,25 @@ CheckReport check_case(const Scene& scene) {
 std::string to_text(const CheckReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "lattice {} x {}, {} fluid nodes ({:.1f} %)", report.nx, report.ny, report.fluid_nodes,
-                 100 * report.porosity);
-  if (report.particles > 0) fmt::format_to(out, ", {} triangles, {} bonds", report.particles, report.bonds);
-  fmt::format_to(out, "\n{} precision, preset {}, {:.3g} MiB, {:.1f} bytes per node\n", report.precision, report.preset,
-                 report.bytes / 1048576, report.bytes / (static_cast<double>(report.nx) * report.ny));
+  const bool specimen = report.nx == 0;
+  if (!specimen)
+    fmt::format_to(out, "lattice {} x {}, {} fluid nodes ({:.1f} %)", report.nx, report.ny, report.fluid_nodes,
+                   100 * report.porosity);
+  if (report.particles > 0)
+    fmt::format_to(out, "{}{} triangles, {} bonds", specimen ? "specimen of " : ", ", report.particles, report.bonds);
+  if (report.image) fmt::format_to(out, "\n{}", image_line(*report.image, report.spacing));
+  if (!specimen && report.porosity < 1)
+    fmt::format_to(out, "\npores joined from left to right {:.2f} %, from bottom to top {:.2f} % of the lattice",
+                   100 * report.joined_x, 100 * report.joined_y);
+  fmt::format_to(out, "\n{} precision, preset {}, {:.3g} MiB, {:.1f} bytes per {}\n", report.precision, report.preset,
+                 report.bytes / 1048576,
+                 report.bytes / (specimen ? report.particles : static_cast<double>(report.nx) * report.ny),
+                 specimen ? "triangle" : "node");
+  if (specimen) text += "at most ";
   fmt::format_to(out, "{} steps of {:.3g} ms on a free machine: about {}\n", report.steps,
                  1e3 * report.seconds_per_step, duration(report.seconds));
   fmt::format_to(out, "  measured: the fastest {} of the first {} steps, {}\n", batch, report.measured_steps,
-                 runs_on_host ? fmt::format("processor time, threads: {}", report.threads) : "by the clock");
+                 shares_host_memory ? fmt::format("processor time, threads: {}", report.threads) : "by the clock");
   if (report.slowed_by > busy)
     fmt::format_to(out, "  the machine is busy: by the clock they took {:.3g} times as long in the mean\n",
                    report.slowed_by);
@@ -140,10 +219,12 @@ std::string to_json(const CheckReport& report) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out,
                  "{{\n  \"nx\": {}, \"ny\": {}, \"fluid_nodes\": {}, \"particles\": {}, \"bonds\": {},\n"
+                 "  \"porosity\": {}, \"joined_porosity\": [{}, {}],\n"
                  "  \"precision\": {}, \"preset\": {},\n  \"bytes\": {}, \"steps\": {}, \"seconds_per_step\": {}, "
                  "\"seconds\": {},\n  \"measured_steps\": {}, \"threads\": {}, \"slowed_by\": {},\n  \"limits\": [",
-                 report.nx, report.ny, report.fluid_nodes, report.particles, report.bonds,
-                 json_string(report.precision), json_string(report.preset), json_number(report.bytes), report.steps,
+                 report.nx, report.ny, report.fluid_nodes, report.particles, report.bonds, json_number(report.porosity),
+                 json_number(report.joined_x), json_number(report.joined_y), json_string(report.precision),
+                 json_string(report.preset), json_number(report.bytes), report.steps,
                  json_number(report.seconds_per_step), json_number(report.seconds), report.measured_steps,
                  report.threads, json_number(report.slowed_by));
   for (std::size_t i = 0; i < report.limits.size(); ++i) {

@@ -1,9 +1,11 @@
 #pragma once
 // `vug check`: what a case amounts to, before a single step.
 #include "coupling/limits.hpp"
+#include "io/image_reader.hpp"
 #include "io/scene.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +16,12 @@ struct CheckReport {
   LimitTable limits;
   std::vector<std::string> warnings;
   std::vector<std::string> choices;  ///< what those of the case gain and cost, as measured
+  double spacing = 0;  ///< m
   int nx = 0, ny = 0, fluid_nodes = 0, particles = 0, bonds = 0;
   double porosity = 0;  ///< fluid share of the lattice at the start
-  double bytes = 0;     ///< held in Views
+  double joined_x = 0, joined_y = 0;  ///< the same of fluid that reaches from left to right, from bottom to top
+  std::optional<ImageSummary> image;  ///< of a picture that the rock was read from
+  double bytes = 0;                   ///< held in Views
   std::int64_t steps = 0;
   int measured_steps = 0;  ///< of a copy of the case, at the start
   int threads = 0;
@@ -26,8 +31,10 @@ struct CheckReport {
   std::string precision, preset;
 };
 
-/// Builds the case, measures a few steps of it that are then forgotten, and writes nothing.
-CheckReport check_case(const Scene& scene);
+/// Builds the case (of a laboratory test its specimen: then nx, ny are 0, and steps are those of its mechanics at
+/// most), measures a few steps of it that are then forgotten, and writes nothing but, where `preview` names one, a PNG
+/// of the geometry at the start: rock, pores that are joined from one side to another, others, openings.
+CheckReport check_case(const Scene& scene, const std::string& preview = "");
 
 /// The report as text for a person, or as JSON.
 std::string to_text(const CheckReport& report);

@@ -3,6 +3,7 @@
 #include "coupling/flow_paths.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
+#include "coupling/velocity_profile.hpp"
 #include "kernels/advective_form.hpp"
 #include "kernels/guards.hpp"
 #include "kernels/launch.hpp"
@@ -19,18 +20,14 @@ namespace vug {
 
 namespace {
 
-constexpr double density_bound = 2.0;  // as speed_bound
+constexpr double gas_constant = 8.314462618;  // J/(mol K)
+constexpr double density_bound = 2.0;         // as speed_bound
 
 template <class T>
 double total_mass(const FluidNodes& fluid, const FlowFields<T>& fields) {
   ScalarField<double> partial("vug::flow::partial", block_count(fluid.count));
   add_mass(Exec{}, fluid, fields, partial);
   return sum_in_order(partial);
-}
-
-bool is_open(const FlowBoundary& flow) {
-  return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow ||
-         flow.kind == FlowBoundaryKind::velocity;
 }
 
 /// Who has the link out of a corner: a side with a given velocity, so that all of its fluid enters; then a wall, which
@@ -64,14 +61,46 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
     step_.body_force[axis] = static_cast<T>(section_.body_force[axis] / (units.acceleration() * units.pressure_scale));
   step_.speed_limit = static_cast<T>(section_.speed_limit);
   fields_ = make_flow_fields<T>(exec, geometry.fluid);
+  if (needs_temperature()) prepare_thermal_flow(exec, scene);
   for (const Stretch& stretch : boundary_stretches(scene, geometry)) boundaries_.push_back({stretch, {}, {}, 0});
   find_boundaries(exec);
   double raised = 0;  // s, when the last pressure is
   for (const StretchLinks& boundary : boundaries_)
-    raised = std::max(raised, boundary.stretch.conditions.flow.ramp_time);
-  steady_ = SteadyFlow<T>(scene.accuracy.flow_tolerance, raised, scene.accuracy.guard_interval);
+    raised = std::max(raised, boundary.stretch.conditions.flow.settled());
+  steady_ =
+      SteadyFlow<T>(needs_temperature() ? 0 : scene.accuracy.flow_tolerance, raised, scene.accuracy.guard_interval);
   steady_.wake(exec, geometry.fluid.capacity);
   initial_mass_ = total_mass(geometry.fluid, fields_);
+}
+
+template <class T>
+void FlowModule<T>::prepare_thermal_flow(const Exec& exec, const Scene& scene) {
+  range_ = temperature_range(scene);
+  const double warmth = section_.reference_temperature - units_.reference_temperature;
+  double strength = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double per_kelvin = -section_.thermal_expansion * section_.gravity[axis];  // m/s2
+    const double scaled = per_kelvin / (units_.acceleration() * units_.pressure_scale);
+    step_.buoyancy[axis] = static_cast<T>(scaled);
+    step_.body_force[axis] -= static_cast<T>(scaled * warmth);
+    const double height = axis == 0 ? scene.lattice.nx : scene.lattice.ny;
+    strength = std::max(strength, std::abs(scaled) * height);
+  }
+  buoyant_speed_ = std::sqrt(strength * range_.span());
+  if (!section_.viscosity_varies()) return;
+  step_.spread = ScalarField<T>(Kokkos::view_alloc(exec, "vug::flow::spread"), geometry_.fluid.capacity);
+  const double nu = units_.diffusivity();
+  viscosity_.viscosity = section_.viscosity / nu;
+  viscosity_.activation = section_.viscosity_activation_energy / gas_constant;
+  viscosity_.reference = section_.reference_temperature;
+  viscosity_.zero = units_.reference_temperature;
+  viscosity_.points = VectorField<double>("vug::flow::viscosity", section_.viscosity_table.size());
+  const auto points = Kokkos::create_mirror_view(viscosity_.points);
+  for (std::size_t p = 0; p < section_.viscosity_table.size(); ++p) {
+    points(p, 0) = section_.viscosity_table[p][0];
+    points(p, 1) = section_.viscosity_table[p][1] / nu;
+  }
+  Kokkos::deep_copy(viscosity_.points, points);
 }
 
 template <class T>
@@ -86,6 +115,8 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
     const bool outflow = flow.kind == FlowBoundaryKind::outflow;
     if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
       boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
+    boundary.share = shares_at_links(exec, fluid, boundary, geometry_.spacing);
+    if (flow.has_rate()) boundary.inflow = inflow_per_speed(boundary);
     if (outflow || flow.kind == FlowBoundaryKind::pressure)
       boundary.mirror = find_mirror_links(exec, fluid, boundary.links);
     if (outflow) fit_to_links(exec, boundary.links, boundary.outflow);
@@ -94,35 +125,51 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
 }
 
 template <class T>
-void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double time) const {
+double FlowModule<T>::given_speed(const StretchLinks& boundary, double time) const {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  if (!flow.has_rate()) return flow.risen(time) * flow.speed.at(time) / units_.velocity();
+  const double rate = flow.risen(time) * flow.rate(section_.density, time) / units_.diffusivity();
+  return boundary.inflow > 0 ? rate / boundary.inflow : 0;
+}
+
+template <class T>
+std::array<double, 2> FlowModule<T>::given_velocity(const StretchLinks& boundary, double time) const {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  const int outward = static_cast<int>(boundary.stretch.side);
+  if (flow.has_rate()) {
+    const double speed = given_speed(boundary, time);
+    return {-D2Q9::c(outward, 0) * speed, -D2Q9::c(outward, 1) * speed};
+  }
+  const auto component = [&](int axis) { return flow.risen(time) * flow.velocity[axis].at(time) / units_.velocity(); };
+  return {component(0), component(1)};
+}
+
+template <class T>
+void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double time,
+                          const ScalarField<double>& gain) const {
   const FlowBoundary& flow = boundary.stretch.conditions.flow;
   switch (flow.kind) {
     case FlowBoundaryKind::pressure: {
-      const double rise = flow.ramp_time > 0 ? std::min(1.0, time / flow.ramp_time) : 1.0;
-      const double pressure = section_.initial_pressure + rise * (flow.pressure - section_.initial_pressure);
+      const double start = section_.initial_pressure;
+      const double pressure = start + flow.risen(time) * (flow.pressure.at(time) - start);
       dress_pressure(exec, geometry_.fluid, boundary.links, boundary.mirror, units_.lattice_pressure(pressure), fields_,
-                     boundary.gain.recent());
+                     gain);
       break;
     }
     case FlowBoundaryKind::velocity:
-      if (boundary.stretch.opening) {
-        dress_normal_speed(exec, geometry_.fluid, boundary.links, boundary.area, flow.speed / units_.velocity(),
-                           fields_, boundary.gain.recent());
-        break;
-      }
-      dress_velocity(exec, geometry_.fluid, boundary.links,
-                     {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
-                     boundary.gain.recent());
+      if (boundary.stretch.opening)
+        dress_normal_speed(exec, geometry_.fluid, boundary.links, boundary.area, given_speed(boundary, time), fields_,
+                           gain);
+      else
+        dress_velocity(exec, geometry_.fluid, boundary.links, given_velocity(boundary, time), boundary.share, fields_,
+                       gain);
       break;
     case FlowBoundaryKind::outflow:
-      dress_outflow(exec, geometry_.fluid, boundary.links, boundary.mirror, boundary.outflow, fields_,
-                    boundary.gain.recent());
+      dress_outflow(exec, geometry_.fluid, boundary.links, boundary.mirror, boundary.outflow, fields_, gain);
       break;
     case FlowBoundaryKind::wall:
-      if (flow.velocity[0] != 0 || flow.velocity[1] != 0)
-        dress_velocity(exec, geometry_.fluid, boundary.links,
-                       {flow.velocity[0] / units_.velocity(), flow.velocity[1] / units_.velocity()}, fields_,
-                       boundary.gain.recent());
+      if (flow.peak_speed() != 0)
+        dress_velocity(exec, geometry_.fluid, boundary.links, given_velocity(boundary, time), fields_, gain);
       break;
     case FlowBoundaryKind::periodic:
       break;
@@ -161,7 +208,9 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   if (steady_.held()) {
     steady_.pass();
   } else {
-    for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time());
+    if (needs_temperature()) step_.theta = *theta_;
+    if (step_.spread.extent(0) > 0) set_spread(exec, fluid.count, step_.theta, viscosity_, step_.spread);
+    for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time(), boundary.gain.recent());
     collide_and_stream(exec, fluid, fields_, step_);
   }
 }
@@ -173,6 +222,7 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   initialise_births(exec, geometry_.fluid, births.first, births.last, fields_);
   born_mass_ += total_mass(geometry_.fluid, fields_) - before;
   for (Carrier<T>& carrier : carriers_) fit_carrier(exec, carrier);
+  if (step_.spread.extent(0) > 0) Kokkos::resize(exec, step_.spread, geometry_.fluid.capacity);
   find_boundaries(exec);
   steady_.wake(exec, geometry_.fluid.capacity);
 }
@@ -204,7 +254,9 @@ double FlowModule<T>::largest_pressure() const {
   double highest = 0;
   for (const StretchLinks& boundary : boundaries_)
     if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::pressure)
-      highest = std::max(highest, std::abs(units_.lattice_pressure(boundary.stretch.conditions.flow.pressure)));
+      for (const double pressure :
+           {boundary.stretch.conditions.flow.pressure.lowest(), boundary.stretch.conditions.flow.pressure.highest()})
+        highest = std::max(highest, std::abs(units_.lattice_pressure(pressure)));
   return highest;
 }
 
@@ -213,8 +265,10 @@ double FlowModule<T>::prescribed_speed() const {
   double prescribed = 0;
   for (const StretchLinks& boundary : boundaries_) {
     const FlowBoundary& flow = boundary.stretch.conditions.flow;
-    const double speed = std::max(std::hypot(flow.velocity[0], flow.velocity[1]), std::abs(flow.speed));
-    prescribed = std::max(prescribed, speed / units_.velocity());
+    double speed = flow.peak_speed() / units_.velocity();
+    if (flow.has_rate() && boundary.inflow > 0)
+      speed = std::abs(flow.peak_rate(section_.density)) / (units_.diffusivity() * boundary.inflow);
+    prescribed = std::max(prescribed, largest_share(flow) * speed);
   }
   return prescribed;
 }
@@ -224,7 +278,7 @@ double FlowModule<T>::largest_speed() const {
   const double prescribed = std::max(prescribed_speed(), passage_speed_);
   const double limit = section_.speed_limit > 0 ? section_.speed_limit : speed_bound;
   const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
-  return driven ? limit : std::min(limit, prescribed + std::sqrt(2 * largest_pressure()));
+  return driven ? limit : std::min(limit, prescribed + buoyant_speed_ + std::sqrt(2 * largest_pressure()));
 }
 
 namespace {
@@ -248,9 +302,19 @@ void FlowModule<T>::limits(LimitTable& table) const {
   const double nu = section_.viscosity / units_.diffusivity();
   const double highest = largest_pressure();
   const double lowest_tau = lowest_relaxation_time(section_.collision, highest);
-  table.push_back({"flow", "relaxation time tau_f", 0.5 + 3 * nu, "1", lowest_tau - 1e-9, 2.5,
-                   "change lattice.time_step: tau - 1/2 is proportional to it"});
-  table.push_back({"flow", "viscosity", nu, "lattice", 0, 1, "change lattice.time_step"});
+  const auto viscosity = [&](const std::string& where, double value) {
+    table.push_back({"flow", "relaxation time tau_f" + where, 0.5 + 3 * value, "1", lowest_tau - 1e-9, 2.5,
+                     "change lattice.time_step: tau - 1/2 is proportional to it"});
+    table.push_back({"flow", "viscosity" + where, value, "lattice", 0, 1, "change lattice.time_step"});
+  };
+  viscosity("", nu);
+  if (section_.viscosity_varies()) {
+    viscosity(", coldest", section_.viscosity_at(range_.coldest) / units_.diffusivity());
+    viscosity(", hottest", section_.viscosity_at(range_.hottest) / units_.diffusivity());
+  }
+  if (buoyant_speed_ > 0)
+    table.push_back({"flow", "Mach number of free convection, (g beta dT L)^1/2 / c_s", std::sqrt(3.0) * buoyant_speed_,
+                     "1", 0, 0.35, "lower lattice.time_step"});
   table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
                    "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
   if (highest > 0)

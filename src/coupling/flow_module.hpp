@@ -4,7 +4,9 @@
 #include "coupling/module.hpp"
 #include "coupling/steady_flow.hpp"
 #include "coupling/stretch_links.hpp"
+#include "coupling/temperature_range.hpp"
 #include "kernels/flow.hpp"
+#include "kernels/thermal_flow.hpp"
 #include "kernels/units.hpp"
 
 #include <deque>
@@ -24,10 +26,15 @@ class FlowModule final : public Module {
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;
+  void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
+  /// Whether its forces or its viscosity depend on the temperature.
+  bool needs_temperature() const { return section_.buoyant() || section_.viscosity_varies(); }
+  /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
+  void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }
   /// Largest speed that the case can drive, lattice units: what the sides prescribe, in the narrowest passage as well, and
   /// Bernoulli's bound of their pressures, at most the speed limit; that limit where a body force drives.
   double largest_speed() const;
@@ -39,13 +46,22 @@ class FlowModule final : public Module {
   double largest_pressure() const;
   double prescribed_speed() const;
   std::string advice_on_divergence() const;
+  void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);
-  void dress(const Exec& exec, const StretchLinks& boundary, double time) const;
+  /// What a velocity, or a flow rate over the surface that it has, gives at a time (s), lattice units.
+  double given_speed(const StretchLinks& boundary, double time) const;
+  std::array<double, 2> given_velocity(const StretchLinks& boundary, double time) const;
+  /// What leaves through a boundary comes back as it says at a time (s); gain(link) += what entered.
+  void dress(const Exec& exec, const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
 
   FlowSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
+  TemperatureRange range_;
+  double buoyant_speed_ = 0;  ///< lattice units, of free convection
+  ViscosityLaw viscosity_;
+  const ScalarField<T>* theta_ = nullptr;
   double passage_speed_;  ///< lattice units, that prescribed velocities drive at the start (flow_paths.hpp)
   std::vector<StretchLinks> boundaries_;
   FlowFields<T> fields_;

@@ -1,5 +1,7 @@
 #include "coupling/flow_paths.hpp"
 
+#include "coupling/fluid_picture.hpp"
+#include "coupling/velocity_profile.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -13,43 +15,6 @@
 namespace vug {
 
 namespace {
-
-/// Nodes of a plain row-by-row picture without halo.
-class Picture {
- public:
-  Picture(const Scene& scene, const Geometry& geometry)
-      : nx(scene.lattice.nx), ny(scene.lattice.ny), periodic_(periodic_sides(scene)) {
-    const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
-    fluid_.resize(static_cast<std::size_t>(nx) * ny);
-    for (int y = 0; y < ny; ++y)
-      for (int x = 0; x < nx; ++x) fluid_[number(x, y)] = type(geometry.lattice.node(x, y)) == NodeType::fluid;
-  }
-  std::size_t size() const { return fluid_.size(); }
-  std::size_t number(int x, int y) const { return static_cast<std::size_t>(y) * nx + x; }
-  bool is_fluid(std::size_t n) const { return fluid_[n]; }
-  std::size_t fluid_nodes() const { return static_cast<std::size_t>(std::count(fluid_.begin(), fluid_.end(), true)); }
-
-  /// Calls visit(neighbour) for the eight around a node, as populations travel, that are on the lattice.
-  template <class Visit>
-  void for_each_neighbour(std::size_t n, const Visit& visit) const {
-    const int x = static_cast<int>(n % nx), y = static_cast<int>(n / nx);
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int px = wrapped(x + dx, nx, periodic_[0]), py = wrapped(y + dy, ny, periodic_[1]);
-        if ((dx != 0 || dy != 0) && px >= 0 && py >= 0) visit(number(px, py));
-      }
-  }
-
-  const int nx, ny;
-
- private:
-  static int wrapped(int at, int length, bool periodic) {
-    if (at >= 0 && at < length) return at;
-    return periodic ? (at + length) % length : -1;
-  }
-  std::array<bool, 2> periodic_;
-  std::vector<bool> fluid_;
-};
 
 /// A stretch or an opening with the fluid nodes beside it.
 struct Mouth {
@@ -65,13 +30,13 @@ struct Mouth {
   }
   bool lets_solute_through() const {
     const SoluteBoundaryKind kind = conditions->solute.kind;
-    return kind == SoluteBoundaryKind::concentration || kind == SoluteBoundaryKind::outflow;
+    return kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic;
   }
   /// Takes in or gives away whatever the pressure asks for.
   bool yields() const { return lets_fluid_through() && conditions->flow.kind != FlowBoundaryKind::velocity; }
 };
 
-std::vector<std::size_t> nodes_of_side(const Stretch& stretch, const Picture& picture) {
+std::vector<std::size_t> nodes_of_side(const Stretch& stretch, const FluidPicture& picture) {
   std::vector<std::size_t> nodes;
   for (int i = stretch.first; i <= stretch.last; ++i) {
     const std::size_t n = stretch.side == Side::left     ? picture.number(0, i)
@@ -84,7 +49,7 @@ std::vector<std::size_t> nodes_of_side(const Stretch& stretch, const Picture& pi
 }
 
 /// Fluid nodes beside an opening.
-std::vector<std::size_t> nodes_of_opening(const std::vector<int>& opening_of, int opening, const Picture& picture) {
+std::vector<std::size_t> nodes_of_opening(const std::vector<int>& opening_of, int opening, const FluidPicture& picture) {
   std::set<std::size_t> nodes;
   for (std::size_t n = 0; n < opening_of.size(); ++n)
     if (opening_of[n] == opening)
@@ -95,21 +60,31 @@ std::vector<std::size_t> nodes_of_opening(const std::vector<int>& opening_of, in
 }
 
 /// Component of a velocity that points into the lattice.
-double inward(Side side, const std::array<double, 2>& velocity) {
+double inward(Side side, const std::array<TimeTable, 2>& velocity) {
   switch (side) {
     case Side::left:
-      return velocity[0];
+      return velocity[0].peak();
     case Side::right:
-      return -velocity[0];
+      return -velocity[0].peak();
     case Side::bottom:
-      return velocity[1];
+      return velocity[1].peak();
     default:
-      return -velocity[1];
+      return -velocity[1].peak();
   }
 }
 
+/// Volume that a boundary of so many nodes takes in per step at most, cells.
+double inflow_of(const FlowBoundary& flow, const Stretch& stretch, std::size_t nodes, double density,
+                 const LatticeUnits& units) {
+  if (flow.kind != FlowBoundaryKind::velocity) return 0;
+  if (flow.has_rate()) return flow.peak_rate(density) / units.diffusivity();
+  const double speed = stretch.opening ? flow.speed.peak() : inward(stretch.side, flow.velocity);
+  const double length = (stretch.last + 1 - stretch.first) * units.spacing;
+  return speed / units.velocity() * mean_share(flow, length) * static_cast<double>(nodes);
+}
+
 std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const LatticeUnits& units,
-                             const Picture& picture) {
+                             const FluidPicture& picture) {
   const std::vector<int> opening_of = opening_of_nodes(scene);
   std::vector<Mouth> mouths;
   int opening = 0;
@@ -123,42 +98,16 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
                        : stretch.side == Side::right  ? &scene.right
                        : stretch.side == Side::bottom ? &scene.bottom
                                                       : &scene.top;
-    const FlowBoundary& flow = mouth.conditions->flow;
-    if (flow.kind == FlowBoundaryKind::velocity) {
-      const double speed = stretch.opening ? flow.speed : inward(stretch.side, flow.velocity);
-      mouth.inflow = speed / units.velocity() * static_cast<double>(mouth.nodes.size());
-    }
+    if (scene.flow)
+      mouth.inflow = inflow_of(mouth.conditions->flow, stretch, mouth.nodes.size(), scene.flow->density, units);
     mouths.push_back(std::move(mouth));
   }
   return mouths;
 }
 
-/// Numbers the pieces of connected fluid from 0; -1 in rock.
-std::vector<int> pieces_of(const Picture& picture) {
-  std::vector<int> piece(picture.size(), -1);
-  std::vector<std::size_t> open;
-  int count = 0;
-  for (std::size_t n = 0; n < picture.size(); ++n) {
-    if (piece[n] >= 0 || !picture.is_fluid(n)) continue;
-    piece[n] = count;
-    open.assign(1, n);
-    while (!open.empty()) {
-      const std::size_t at = open.back();
-      open.pop_back();
-      picture.for_each_neighbour(at, [&](std::size_t m) {
-        if (piece[m] >= 0 || !picture.is_fluid(m)) return;
-        piece[m] = count;
-        open.push_back(m);
-      });
-    }
-    ++count;
-  }
-  return piece;
-}
-
 /// The least number of nodes at one distance from `mouth`, up to the first that lies at another that lets fluid out:
 /// all that comes in crosses each of them. 0 where there is no way out.
-std::size_t narrowest_passage(const Picture& picture, const Mouth& mouth, const std::vector<bool>& outlet) {
+std::size_t narrowest_passage(const FluidPicture& picture, const Mouth& mouth, const std::vector<bool>& outlet) {
   std::vector<bool> seen(picture.size(), false);
   std::vector<std::size_t> front = mouth.nodes;
   for (const std::size_t n : front) seen[n] = true;
@@ -182,12 +131,18 @@ std::size_t narrowest_passage(const Picture& picture, const Mouth& mouth, const 
 void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths, const LatticeUnits& units) {
   for (const Mouth& mouth : mouths) {
     const FlowBoundary& flow = mouth.conditions->flow;
-    const double speed = std::max(std::hypot(flow.velocity[0], flow.velocity[1]), std::abs(flow.speed));
-    if (speed / units.velocity() <= speed_bound) continue;
-    throw InputError(fmt::format(
-        "{}: {}.flow.{} is {:.3g} cells in a time step, and above {:g} no run holds; lower it "
-        "or lattice.time_step",
-        scene.path, mouth.key, flow.speed != 0 ? "speed" : "velocity", speed / units.velocity(), speed_bound));
+    const double nodes = static_cast<double>(std::max<std::size_t>(mouth.nodes.size(), 1));
+    const double given = flow.has_rate() ? std::abs(mouth.inflow) / nodes : flow.peak_speed() / units.velocity();
+    const double speed = largest_share(flow) * given;
+    if (speed <= speed_bound) continue;
+    const char* const key = flow.flow_rate             ? "flow_rate"
+                            : flow.mass_flow_rate      ? "mass_flow_rate"
+                            : flow.speed.peak() != 0.0 ? "speed"
+                                                       : "velocity";
+    throw InputError(
+        fmt::format("{}: {}.flow.{} is {:.3g} cells in a time step, and above {:g} no run holds; lower it "
+                    "or lattice.time_step",
+                    scene.path, mouth.key, key, speed, speed_bound));
   }
 }
 
@@ -240,7 +195,7 @@ void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& pi
   const Mouth* inlet = nullptr;
   for (const Mouth& mouth : mouths)
     if (!mouth.nodes.empty() && mouth.conditions->flow.kind == FlowBoundaryKind::pressure &&
-        (!inlet || mouth.conditions->flow.pressure > inlet->conditions->flow.pressure))
+        (!inlet || mouth.conditions->flow.pressure.peak() > inlet->conditions->flow.pressure.peak()))
       inlet = &mouth;
   if (!inlet) return;
   std::set<int> own;
@@ -260,7 +215,7 @@ void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& pi
                     rock_opens ? " until rock opens" : ""));
 }
 
-void look_for_passages(const Picture& picture, const std::vector<Mouth>& mouths, FlowPaths& found) {
+void look_for_passages(const FluidPicture& picture, const std::vector<Mouth>& mouths, FlowPaths& found) {
   for (const Mouth& mouth : mouths) {
     if (mouth.inflow == 0 || mouth.nodes.empty()) continue;
     std::vector<bool> outlet(picture.size(), false);
@@ -278,7 +233,7 @@ void look_for_passages(const Picture& picture, const std::vector<Mouth>& mouths,
 FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const LatticeUnits& units) {
   FlowPaths found;
   if (!scene.flow && !scene.solute) return found;
-  const Picture picture(scene, geometry);
+  const FluidPicture picture(scene, geometry);
   if (picture.fluid_nodes() == 0)
     throw InputError(fmt::format("{}: the geometry has no fluid node, and {} is only in fluid", scene.path,
                                  scene.flow ? "[flow]" : "[solute]"));

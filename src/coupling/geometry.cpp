@@ -1,6 +1,7 @@
 #include "coupling/geometry.hpp"
 
 #include "coupling/cells.hpp"
+#include "io/form.hpp"
 #include "io/image_reader.hpp"
 #include "kernels/require.hpp"
 
@@ -15,19 +16,25 @@ namespace vug {
 std::vector<Stretch> boundary_stretches(const Scene& scene) {
   const auto& lattice = scene.lattice;
   std::vector<Stretch> stretches;
-  const auto add = [&](const char* name, Side side, int first, int last, const BoundarySection& conditions) {
-    if (first <= last) stretches.push_back({name, side, first, last, conditions});
+  const auto middle = [&](Side side, double along) -> std::array<double, 2> {
+    if (side == Side::left || side == Side::right) return {side == Side::left ? 0.0 : lattice.nx, along};
+    return {along, side == Side::bottom ? 0.0 : lattice.ny};
+  };
+  const auto add = [&](const char* name, Side side, int first, int last, const BoundarySection& conditions,
+                       double centre) {
+    if (first <= last) stretches.push_back({name, side, first, last, conditions, nullptr, middle(side, centre)});
   };
   const auto side = [&](Side which, int length, const BoundarySection& conditions) {
     const char* name = name_of(which);
-    if (!scene.injection || scene.injection->side != name) return add(name, which, 0, length - 1, conditions);
+    if (!scene.injection || scene.injection->side != name)
+      return add(name, which, 0, length - 1, conditions, length / 2.0);
     const InjectionSection& injection = *scene.injection;
     const auto cell = [&](double at) { return first_cell(at / lattice.spacing); };
     const int first = std::clamp(cell(injection.centre - injection.width / 2), 0, length - 1);
     const int last = std::clamp(cell(injection.centre + injection.width / 2) - 1, first, length - 1);
-    add(name, which, 0, first - 1, conditions);
-    add("injection", which, first, last, injection.conditions);
-    add(name, which, last + 1, length - 1, conditions);
+    add(name, which, 0, first - 1, conditions, length / 2.0);
+    add("injection", which, first, last, injection.conditions, (first + last + 1) / 2.0);
+    add(name, which, last + 1, length - 1, conditions, length / 2.0);
   };
   side(Side::left, lattice.ny, scene.left);
   side(Side::right, lattice.ny, scene.right);
@@ -39,7 +46,7 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
 std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geometry) {
   std::vector<Stretch> stretches = boundary_stretches(scene);
   for (const InnerOpening& opening : geometry.openings)
-    stretches.push_back({opening.name, Side::left, 0, -1, opening.conditions, &opening.nodes});
+    stretches.push_back({opening.name, Side::left, 0, -1, opening.conditions, &opening.nodes, opening.centre});
   return stretches;
 }
 
@@ -55,29 +62,6 @@ std::array<bool, 2> periodic_sides(const Scene& scene) {
 namespace {
 
 using Point = std::array<double, 2>;
-
-// Whether a shape, in cells, holds the centre p of a cell. One that lies on the outline belongs to a shape above or to
-// the right of it; on a disc, to the disc.
-
-bool holds(const Rectangle& r, const Point& p) {
-  return p[0] >= std::min(r.from[0], r.to[0]) && p[0] < std::max(r.from[0], r.to[0]) &&
-         p[1] >= std::min(r.from[1], r.to[1]) && p[1] < std::max(r.from[1], r.to[1]);
-}
-
-bool holds(const Disc& d, const Point& p) {
-  return std::hypot(p[0] - d.centre[0], p[1] - d.centre[1]) <= d.radius + tie;
-}
-
-/// Even-odd rule.
-bool holds(const Polygon& polygon, const Point& p) {
-  bool in = false;
-  const auto& v = polygon.points;
-  for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++)
-    if ((v[a][1] > p[1]) != (v[b][1] > p[1]) &&
-        p[0] < (v[b][0] - v[a][0]) * (p[1] - v[a][1]) / (v[b][1] - v[a][1]) + v[a][0] - tie)
-      in = !in;
-  return in;
-}
 
 Point in_cells(const Point& p, double spacing) {
   return {snapped(p[0] / spacing), snapped(p[1] / spacing)};
@@ -102,7 +86,7 @@ void draw(const Shape& shape, const LatticeSection& lattice, const Paint& paint)
   const auto draw_form = [&](const auto& form) {
     for (int y = 0; y < lattice.ny; ++y)
       for (int x = 0; x < lattice.nx; ++x)
-        if (holds(form, Point{x + 0.5, y + 0.5})) paint(static_cast<std::size_t>(y) * lattice.nx + x);
+        if (holds(form, Point{x + 0.5, y + 0.5}, tie)) paint(static_cast<std::size_t>(y) * lattice.nx + x);
   };
   std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape.form);
 }
@@ -140,6 +124,32 @@ Point normal_at(const Rectangle& r, const Point& p) {
 
 }  // namespace
 
+namespace {
+
+Point centre_of(const Disc& disc) {
+  return disc.centre;
+}
+
+Point centre_of(const Rectangle& r) {
+  return {(r.from[0] + r.to[0]) / 2, (r.from[1] + r.to[1]) / 2};
+}
+
+/// Of the area, by the shoelace formula with the first corner as origin; where there is no area, the first corner.
+Point centre_of(const Polygon& polygon) {
+  const Point& o = polygon.points[0];
+  double twice_area = 0, x = 0, y = 0;
+  for (std::size_t k = 1; k + 1 < polygon.points.size(); ++k) {
+    const Point &a = polygon.points[k], &b = polygon.points[k + 1];
+    const double cross = (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+    twice_area += cross;
+    x += cross * (a[0] + b[0] - 2 * o[0]) / 3;
+    y += cross * (a[1] + b[1] - 2 * o[1]) / 3;
+  }
+  return twice_area == 0 ? o : Point{o[0] + x / twice_area, o[1] + y / twice_area};
+}
+
+}  // namespace
+
 std::vector<int> opening_of_nodes(const Scene& scene) {
   if (scene.openings.empty()) return {};
   std::vector<int> opening(static_cast<std::size_t>(scene.lattice.nx) * scene.lattice.ny, -1);
@@ -170,7 +180,8 @@ std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& latti
     const auto normal = [&](double x, double y) {
       return std::visit([&](const auto& form) { return normal_at(form, Point{x * dx, y * dx}); }, shape.form);
     };
-    openings.push_back({"shape_" + shape.name, make_opening(lattice, nodes[o], normal), section.conditions});
+    openings.push_back({"shape_" + shape.name, make_opening(lattice, nodes[o], normal), section.conditions,
+                        std::visit([&](const auto& form) { return in_cells(centre_of(form), dx); }, shape.form)});
   }
   return openings;
 }
@@ -190,7 +201,7 @@ void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geome
 std::vector<bool> solid_mask(const Scene& scene) {
   const int nx = scene.lattice.nx, ny = scene.lattice.ny;
   const GeometrySection& geometry = scene.geometry;
-  if (geometry.kind == GeometryKind::image) return read_solid_image(geometry, nx, ny);
+  if (geometry.kind == GeometryKind::image) return read_solid_image(geometry.image, scene.lattice).solid;
   std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,
                           geometry.kind == GeometryKind::shapes && geometry.background == "solid");
   if (geometry.kind != GeometryKind::shapes) return solid;

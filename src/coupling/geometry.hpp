@@ -13,6 +13,7 @@ struct InnerOpening {
   std::string name;  ///< for columns and states: "shape_" and the name of the shape
   Opening nodes;
   BoundarySection conditions;
+  std::array<double, 2> centre{0, 0};  ///< of its outline, cells
 };
 
 /// The pixels: node types, the list of fluid nodes with its link tables, the wet surface of the rock.
@@ -33,7 +34,8 @@ struct Stretch {
   Side side;
   int first, last;  ///< node coordinates along the side, inclusive
   BoundarySection conditions;
-  const Opening* opening = nullptr;  ///< of the geometry; then side, first and last mean nothing
+  const Opening* opening = nullptr;    ///< of the geometry; then side, first and last mean nothing
+  std::array<double, 2> centre{0, 0};  ///< of the whole side, the injection or the opening, cells
 };
 
 /// The four sides, cut where the injection lies.

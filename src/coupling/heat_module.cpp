@@ -25,6 +25,8 @@ HeatCondition condition_of(HeatBoundaryKind kind) {
       return HeatCondition::temperature;
     case HeatBoundaryKind::flux:
       return HeatCondition::flux;
+    case HeatBoundaryKind::convection:
+      return HeatCondition::convection;
     case HeatBoundaryKind::outflow:
       return HeatCondition::outflow;
     default:
@@ -54,13 +56,20 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       exec, geometry.lattice,
       {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma, section_.velocity_set},
       geometry.type, periodic_, initial_theta_, !geometry.openings.empty());
+  if (flow && flow->needs_temperature()) {
+    fluid_theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::fluid_theta"), geometry.fluid.capacity);
+    gather_temperatures(exec, geometry.fluid, fields_, fluid_theta_);
+    flow->be_heated_by(fluid_theta_);
+  }
   if (flow) carrier_ = &flow->carrier(exec, interval_, directions(), even_defect_weight(fields_));
   for (const Stretch& stretch : boundary_stretches(scene)) {
     const HeatBoundary& heat = stretch.conditions.heat;
     if (periodic_[stretch.side == Side::left || stretch.side == Side::right ? 0 : 1]) continue;
     stretches_.push_back(stretch);
     sides_.push_back(
-        make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value_of(heat)));
+        make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value_of(heat, 0)));
+    sides_.back().transfer = transfer_of(heat);
+    widen_range(heat);
     entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
     sides_.back().energy_in = entered_.back().recent();
   }
@@ -68,7 +77,9 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   for (const InnerOpening& opening : geometry.openings) {
     const HeatBoundary& heat = opening.conditions.heat;
     openings_.push_back(make_heat_opening(exec, fields_, geometry.type, periodic_, opening.nodes,
-                                          condition_of(heat.kind), value_of(heat)));
+                                          condition_of(heat.kind), value_of(heat, 0)));
+    openings_.back().transfer = transfer_of(heat);
+    widen_range(heat);
     entered_.emplace_back("vug::heat::entered", openings_.back().energy_in.extent(0));
     openings_.back().energy_in = entered_.back().recent();
   }
@@ -85,15 +96,34 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
 }
 
 template <class T>
-double HeatModule<T>::value_of(const HeatBoundary& heat) {
-  if (heat.kind == HeatBoundaryKind::temperature) {
-    coldest_ = std::min(coldest_, heat.temperature);
-    hottest_ = std::max(hottest_, heat.temperature);
-    return units_.lattice_temperature(heat.temperature);
-  }
+double HeatModule<T>::value_of(const HeatBoundary& heat, double time) const {
+  if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection)
+    return units_.lattice_temperature(heat.temperature.at(time));
   if (heat.kind != HeatBoundaryKind::flux) return 0;
-  heated_ = heated_ || heat.flux != 0;
-  return interval_ * heat.flux / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
+  return interval_ * heat.flux.at(time) / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
+}
+
+template <class T>
+double HeatModule<T>::transfer_of(const HeatBoundary& heat) const {
+  return interval_ * heat.coefficient / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
+}
+
+template <class T>
+void HeatModule<T>::widen_range(const HeatBoundary& heat) {
+  if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection) {
+    coldest_ = std::min(coldest_, heat.temperature.lowest());
+    hottest_ = std::max(hottest_, heat.temperature.highest());
+  }
+  heated_ = heated_ || (heat.kind == HeatBoundaryKind::flux && heat.flux.peak() != 0);
+}
+
+template <class T>
+void HeatModule<T>::set_values(double time) {
+  const auto set = [&](auto& surface, const HeatBoundary& heat) {
+    if (!heat.temperature.constant() || !heat.flux.constant()) surface.value = value_of(heat, time);
+  };
+  for (std::size_t s = 0; s < sides_.size(); ++s) set(sides_[s], stretches_[s].conditions.heat);
+  for (std::size_t o = 0; o < openings_.size(); ++o) set(openings_[o], geometry_.openings[o].conditions.heat);
 }
 
 template <class T>
@@ -130,6 +160,7 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     created_.settle(exec);
     for (const LongSum& side : entered_) side.settle(exec);
   }
+  set_values(clock.time());
   for (const HeatOpening& opening : openings_) fill_heat_opening(exec, fields_, opening);
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
@@ -141,6 +172,7 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
                        created_.recent(), theta);
   else
     conduct(exec, fields_, theta);
+  if (fluid_theta_.extent(0) > 0) gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
 }
 
 template <class T>
@@ -151,6 +183,9 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
     rows_ = fluid_rows(exec, geometry_.fluid);
   }
   set_heat_geometry(exec, geometry_.type, periodic_, fields_);
+  if (fluid_theta_.extent(0) == 0) return;
+  Kokkos::resize(exec, fluid_theta_, geometry_.fluid.capacity);
+  gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
 }
 
 template <class T>
@@ -225,6 +260,7 @@ void HeatModule<T>::state(StateList& list) {
   fresh_ = false;  // other populations may come
   list.add("heat/g", fields_.g);
   if (carrier_) list.add("heat/lagged", lagged_);
+  if (fluid_theta_.extent(0) > 0) list.add("heat/fluid_theta", fluid_theta_);
   add_state(list, "heat/created", created_);
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)

@@ -25,6 +25,7 @@ class HeatModule final : public Module {
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;
+  void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
@@ -40,8 +41,13 @@ class HeatModule final : public Module {
  private:
   double energy() const;
   bool rock_asks_before_next_step(const Clock& clock) const;
-  /// What the kernels call the value of a condition; widens the range of temperatures that the case names.
-  double value_of(const HeatBoundary& heat);
+  /// What the kernels call the value of a condition, at a time (s), and its transfer coefficient.
+  double value_of(const HeatBoundary& heat, double time) const;
+  double transfer_of(const HeatBoundary& heat) const;
+  /// Widens the range of temperatures that the case names.
+  void widen_range(const HeatBoundary& heat);
+  /// Brings the values of conditions that change to a time, s.
+  void set_values(double time);
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   HeatSection section_;
@@ -52,6 +58,7 @@ class HeatModule final : public Module {
   int update_interval_;  ///< the rock asks for temperatures in the lattice steps that are multiples of it
   HeatFields<T> fields_;
   ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
+  ScalarField<T> fluid_theta_;      ///< (fluid) temperatures of now; empty unless the flow asks
   mutable bool fresh_ = false;      ///< no step since
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;

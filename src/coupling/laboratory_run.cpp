@@ -7,6 +7,7 @@
 #include "io/mesh_reader.hpp"
 #include "io/require_fields.hpp"
 #include "io/rock_generator.hpp"
+#include "io/rock_regions.hpp"
 #include "io/run_folder.hpp"
 #include "kernels/free_memory.hpp"
 #include "kernels/interruption.hpp"
@@ -14,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ostream>
@@ -28,9 +30,9 @@ constexpr double fit_tolerance = 0.01;  // of the mean strength: below the scatt
 
 using Results = std::vector<std::pair<std::string, double>>;
 
-FieldList fields_of_rock(const Mechanics& rock) {
+FieldList fields_of_rock(const Scene& scene, const Mechanics& rock) {
   FieldList fields;
-  add_rock_fields(rock, fields);
+  add_rock_fields(rock, fields, scene.output.fields);
   return fields;
 }
 
@@ -45,7 +47,7 @@ class SpecimenPictures {
     if (!due && !last) return;
     if (due) next_ += *scene_.output.interval;
     if (!writer_) {
-      writer_.emplace(directory_, fields_of_rock(rock),
+      writer_.emplace(directory_, fields_of_rock(scene_, rock),
                       SnapshotOptions{scene_.output.fields, scene_.output.compress, false, {}},
                       shape_of_rock(specimen_, rock.bonds()));
     }
@@ -204,9 +206,7 @@ std::string fit(const Scene& scene, const LaboratoryOptions& options, const Asse
       *options.fit_strength / 1e6, found.rounds);
 }
 
-}  // namespace
-
-Assembly build_specimen(const Scene& scene) {
+Assembly triangles_of_specimen(const Scene& scene) {
   const LaboratorySection& laboratory = *scene.laboratory;
   if (scene.rock->mesh) return read_mesh(*scene.rock->mesh);
   const bool disc = laboratory.test == LaboratoryTest::brazilian;
@@ -216,6 +216,23 @@ Assembly build_specimen(const Scene& scene) {
   return generate_rock(laboratory.size[0], laboratory.size[1], *scene.rock);
 }
 
+}  // namespace
+
+Assembly build_specimen(const Scene& scene) {
+  Assembly specimen = triangles_of_specimen(scene);
+  assign_regions(scene.mechanics->regions, scene.path, specimen);
+  return specimen;
+}
+
+double longest_test(const Scene& scene, const Assembly& specimen) {
+  const LaboratorySection& laboratory = *scene.laboratory;
+  if (laboratory.test == LaboratoryTest::heating || laboratory.test == LaboratoryTest::quench)
+    return laboratory.duration;
+  const auto [low, high] = std::minmax_element(specimen.vertices.begin(), specimen.vertices.end(),
+                                               [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  return laboratory.largest_strain * ((*high)[1] - (*low)[1]) / platen_speed(laboratory);
+}
+
 PlatenTest platen_test(const Scene& scene) {
   const LaboratorySection& laboratory = *scene.laboratory;
   PlatenTest test;
@@ -223,6 +240,7 @@ PlatenTest platen_test(const Scene& scene) {
   if (laboratory.test == LaboratoryTest::tension) test.speed = -test.speed;
   if (laboratory.test == LaboratoryTest::brazilian) test.specimen = Specimen::disc;
   test.largest_strain = laboratory.largest_strain;
+  test.sample_strain = laboratory.sample_strain;
   test.step_fraction = scene.mechanics->critical_fraction;
   test.confinement = laboratory.confinement;
   test.flanks = laboratory.flanks;
@@ -240,6 +258,7 @@ PlatenTest platen_test(const Scene& scene) {
 QuenchTest quench_test(const Scene& scene) {
   QuenchTest test;
   test.drop = scene.laboratory->temperature_change;
+  test.samples = scene.laboratory->samples;
   test.final_length = scene.laboratory->diffusion_length;
   test.biot = scene.laboratory->biot;
   test.duration = scene.laboratory->duration;
@@ -253,7 +272,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   RunFolder folder(directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
                    "--overwrite replaces it, -o DIR leaves it alone");
   const Assembly specimen = build_specimen(scene);
-  require_fields(fields_of_rock(Mechanics(specimen, scene.mechanics->parameters, Loads{})), scene.output.fields);
+  require_fields(fields_of_rock(scene, Mechanics(specimen, scene.mechanics->parameters, Loads{})), scene.output.fields);
   RunRecord record = first_record(scene);
   const StopsInOrder in_order;
   folder.take();

@@ -1,9 +1,11 @@
 #include "coupling/mechanics_module.hpp"
 
 #include "coupling/rock_fields.hpp"
+#include "coupling/rock_limits.hpp"
+#include "coupling/rock_loads.hpp"
 #include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
-#include "dem/toughness.hpp"
+#include "io/rock_regions.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -21,33 +23,7 @@ namespace {
 
 constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
 
-/// Up to this share of the bonds' E G_I / sigma_n^2, half of the rock's, the size of the triangles adds less than 5 % to
-/// the load of a cracked plate (docs/validation.md, toughness).
-constexpr double largest_edge = 0.6;
-
-double mean_edge(const Bonds& bonds) {
-  double sum = 0;
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.length);
-  for (int k = 0; k < bonds.count; ++k) sum += length(k);
-  return sum / std::max(1, bonds.count);
-}
-
 }  // namespace
-
-Loads boundary_loads(const Scene& scene) {
-  Loads loads;
-  const auto side = [&](RockSide which, const BoundarySection& boundary, double nx, double ny) {
-    const int s = static_cast<int>(which);
-    loads.support[s] = boundary.traction.support;
-    loads.stiffness[s] = boundary.traction.stiffness;
-    loads.traction[s] = {-boundary.traction.normal_stress * nx, -boundary.traction.normal_stress * ny};
-  };
-  side(RockSide::right, scene.right, 1, 0);
-  side(RockSide::top, scene.top, 0, 1);
-  side(RockSide::left, scene.left, -1, 0);
-  side(RockSide::bottom, scene.bottom, 0, -1);
-  return loads;
-}
 
 template <class T>
 MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const LatticeUnits& units,
@@ -62,7 +38,14 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       exchange_interval_(scene.accuracy.exchange_interval),
       guard_interval_(scene.accuracy.guard_interval),
       nodes_of_particle_(rock.nodes_of_particle),
-      mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)) {
+      mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
+      gauges_(scene, rock.assembly, mechanics_),
+      fields_asked_for_(scene.output.fields) {
+  for (std::size_t n = 0; n < section_.initial_velocities.size(); ++n) {
+    const InitialVelocity& start = section_.initial_velocities[n];
+    const std::string what = fmt::format("{}: mechanics.initial_velocity.{}", scene.path, n);
+    initial_velocities_.emplace_back(triangles_of_region(start.region, what, rock.assembly), start.velocity);
+  }
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
   const bool dissolves = geometry.volume.extent(0) > 0;
   if (flow_ || dissolves) wet_.emplace(geometry.lattice, rock.nodes_of_sector);
@@ -89,8 +72,10 @@ void MechanicsModule<T>::choose_substeps() {
 
 template <class T>
 void MechanicsModule<T>::begin(const Exec& exec) {
-  if (section_.static_preload && mechanics_.preload_statically(exec)) return;
-  mechanics_.preload(exec, section_.preload_time, section_.preload_damping);
+  if (!section_.static_preload || !mechanics_.preload_statically(exec))
+    mechanics_.preload(exec, section_.preload_time, section_.preload_damping);
+  if (section_.from_unloaded) mechanics_.count_from_unloaded();
+  for (const auto& [triangles, velocity] : initial_velocities_) mechanics_.set_velocity(triangles, velocity);
 }
 
 template <class T>
@@ -143,10 +128,7 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
                    "lower lattice.time_step or raise rock.element_size"});
   table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
                    "raise mechanics.substeps or leave it out"});
-  const double longest = largest_edge * softening_length(section_.parameters.bond);
-  table.push_back(
-      {"mechanics", "mean edge of the bonds", mean_edge(mechanics_.bonds()), "m", 0, longest,
-       fmt::format("cracks take more than their fracture energy; lower rock.element_size to {:.2g} m", longest)});
+  table.push_back(limit_of_edges(mechanics_));
 }
 
 template <class T>
@@ -168,11 +150,12 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
   const Energies energies = mechanics_.energies(Exec{});
   row.push_back({"kinetic_energy_J_per_m", energies.kinetic});
   row.push_back({"elastic_energy_J_per_m", energies.elastic});
+  gauges_.history(row);
 }
 
 template <class T>
 void MechanicsModule<T>::fields(FieldList& list) const {
-  add_rock_fields(mechanics_, list);
+  add_rock_fields(mechanics_, list, fields_asked_for_);
 }
 
 template <class T>

@@ -5,15 +5,13 @@
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/rock.hpp"
+#include "coupling/rock_gauges.hpp"
 #include "dem/mechanics.hpp"
 #include "kernels/momentum_exchange.hpp"
 
 #include <optional>
 
 namespace vug {
-
-/// Outer stress and supports of the four sides.
-Loads boundary_loads(const Scene& scene);
 
 /// Owns particles and bonds. `flow` and `heat` may be null; dissolution acts when the geometry has a solid volume.
 template <class T>
@@ -47,6 +45,9 @@ class MechanicsModule final : public Module {
   int update_interval_, exchange_interval_, guard_interval_;
   NodeGroups nodes_of_particle_;
   Mechanics mechanics_;
+  std::vector<std::pair<std::vector<int>, std::array<double, 2>>> initial_velocities_;  ///< triangles, m/s
+  RockGauges gauges_;
+  std::vector<std::string> fields_asked_for_;  ///< output.fields
   std::optional<WetNodes> wet_;               ///< with flow or dissolution only
   WallLinks links_;                           ///< of each particle about its centroid; with flow only
   std::optional<DissolvedShares> dissolved_;  ///< with dissolution only

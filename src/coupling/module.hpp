@@ -4,6 +4,7 @@
 #include "coupling/ledger.hpp"
 #include "coupling/limits.hpp"
 #include "io/field_list.hpp"
+#include "io/scene.hpp"
 #include "kernels/base.hpp"
 
 #include <cstdint>
@@ -45,6 +46,8 @@ class Module {
   virtual void ledger(Ledger&) const {}
   /// What it adds to a row of history.csv.
   virtual void history(std::vector<HistoryValue>&) const {}
+  /// What crosses sides and openings and pushes on them, as far as the case wants it in a row of history.csv.
+  virtual void surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const {}
   /// What it offers for output.
   virtual void fields(FieldList&) const {}
   /// What a checkpoint must hold. Called anew for every checkpoint: the list of fluid nodes grows.

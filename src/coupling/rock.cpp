@@ -6,6 +6,7 @@
 #include "dem/edges.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
+#include "io/rock_regions.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -138,7 +139,7 @@ std::vector<double> crack_apertures(const Scene& scene, const Assembly& assembly
   for (std::size_t n = 0; n < found.size(); ++n)
     if (section.mesh && !found[n])
       throw InputError(fmt::format("{}: rock.notches.{}: no line of the group \"crack\" or \"notch\" of {} lies on it",
-                                   scene.path, n, *section.mesh));
+                                   scene.path, section.notches[n].entry, *section.mesh));
   return apertures;
 }
 
@@ -226,6 +227,7 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   Rock rock;
   rock.assembly = section.mesh ? mesh_on_lattice(scene.lattice, *section.mesh)
                                : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
+  if (scene.mechanics) assign_regions(scene.mechanics->regions, scene.path, rock.assembly);
   const BondEdges bonds = bond_edges(rock.assembly);
   rock.bonds = static_cast<int>(bonds.vertices.size());
   RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);

@@ -1,5 +1,9 @@
 #include "coupling/rock_fields.hpp"
 
+#include "dem/mean_stress.hpp"
+
+#include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,7 +19,7 @@ auto host_copy(const ViewType& view) {
 
 }  // namespace
 
-void add_rock_fields(const Mechanics& rock, FieldList& list) {
+void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<std::string>& asked_for) {
   const Particles& particles = rock.particles();
   const Bonds& bonds = rock.bonds();
   const auto scalar = [](std::vector<Field>& group, std::string name, std::string unit, auto view) {
@@ -47,6 +51,15 @@ void add_rock_fields(const Mechanics& rock, FieldList& list) {
                               for (std::size_t i = 0; i < out.size(); ++i) out[i] = is_gone(fraction(i)) ? 1 : 0;
                             }});
   vector(list.particles, "force", "N/m", particles.force);
+  constexpr std::array stress_components{"stress_xx", "stress_yy", "stress_xy"};
+  for (int c = 0; c < 3; ++c) {
+    const std::string name = stress_components[static_cast<std::size_t>(c)];
+    if (std::find(asked_for.begin(), asked_for.end(), name) == asked_for.end()) continue;
+    list.particles.push_back({name, "Pa", 1, [particles, bonds, c](std::span<double> out) {
+                                const auto stress = host_copy(stress_of_triangles(Exec(), particles, bonds));
+                                for (std::size_t i = 0; i < out.size(); ++i) out[i] = stress(i, c);
+                              }});
+  }
   scalar(list.bonds, "d_m", "1", bonds.d_m);
   scalar(list.bonds, "d_c", "1", bonds.d_c);
   scalar(list.bonds, "state", "1", bonds.state);

@@ -43,6 +43,13 @@ std::int64_t output_interval(const Scene& scene) {
   return std::max<std::int64_t>(1, last_step(scene));
 }
 
+/// Lattice steps between two rows of the history: by default about 400 in all, where they cost nothing that counts.
+std::int64_t history_interval(const Scene& scene) {
+  constexpr std::int64_t rows = 400, fewest_steps = 100;
+  if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
+  return std::max(fewest_steps, last_step(scene) / rows);
+}
+
 /// Lattice steps between two checkpoints.
 std::int64_t checkpoint_interval(const Scene& scene) {
   return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
@@ -106,9 +113,10 @@ class RunFiles {
         history_(directory + "/history.csv", names(row()),
                  resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
 
-  /// Writes both, and returns the row of the history.
-  std::vector<HistoryValue> write() {
-    snapshots_.write(simulation_.clock().time(), simulation_.clock().step);
+  void write_snapshot() { snapshots_.write(simulation_.clock().time(), simulation_.clock().step); }
+
+  /// Writes and returns a row of the history.
+  std::vector<HistoryValue> write_row() {
     const std::vector<HistoryValue> written = row();
     std::vector<double> values;
     for (const HistoryValue& value : written) values.push_back(value.value);
@@ -229,25 +237,29 @@ class Run {
     RunFiles files(scene_, simulation_, folder_.path(), resumed_at_);
     if (!resumed_at_) {
       simulation_.begin();
-      files.write();
+      files.write_snapshot();
+      files.write_row();
     }
     Events events(simulation_);
     const auto tell = [&](const std::vector<std::string>& news) {
       for (const std::string& line : news) progress.note(line);
       record_.events.insert(record_.events.end(), news.begin(), news.end());
     };
-    const std::int64_t output = output_interval(scene_), checkpoint = checkpoint_interval(scene_);
+    const std::int64_t output = output_interval(scene_), history = history_interval(scene_);
+    const std::int64_t checkpoint = checkpoint_interval(scene_);
     while (simulation_.clock().step < last_) {
       simulation_.step();
       const std::int64_t step = simulation_.clock().step;
       const bool stop = stop_requested();
       const bool write_now = step % output == 0 || step == last_;
+      const bool row = write_now || step % history == 0;
       const bool save = stop || step % checkpoint == 0 || step == last_;
-      if (write_now || save || step % scene_.accuracy.guard_interval == 0) {
+      if (row || save || step % scene_.accuracy.guard_interval == 0) {
         simulation_.guard();
         tell(events.look(simulation_));
       }
-      if (write_now) tell(events.look_at_row(simulation_, files.write()));
+      if (write_now) files.write_snapshot();
+      if (row) tell(events.look_at_row(simulation_, files.write_row()));
       if (save) {
         write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), owner_);
         last_checkpoint_ = step;

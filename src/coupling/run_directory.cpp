@@ -19,7 +19,8 @@ BuildInfo build_info() {
   info.compiler = VUG_COMPILER;
   info.backend = Exec::name();
   info.threads = Exec().concurrency();
-  info.device = runs_on_host ? fmt::format("host, {} threads", info.threads) : std::string(Exec::name()) + " device";
+  info.device =
+      shares_host_memory ? fmt::format("host, {} threads", info.threads) : std::string(Exec::name()) + " device";
   return info;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Sums over the nodes of groups (of a triangle, of a part of it) in a fixed order: same bits on every run.
 #include "coupling/rock_map.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/prefetch.hpp"
 
 #include <string>
@@ -75,8 +76,7 @@ void sum_runs(const Exec& exec, const std::string& label, const NodeGroups& grou
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, groups.count()),
                          detail::RunSumOnHost<T, Store>{groups, values, store});
   else
-    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, groups.count(), 4, 8),
-                         detail::RunSumByTeam<T, Store>{groups, values, store});
+    for_each_team(exec, label, groups.count(), 4, detail::RunSumByTeam<T, Store>{groups, values, store}, 8);
 }
 
 }  // namespace vug

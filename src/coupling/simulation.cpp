@@ -66,6 +66,8 @@ Ledger Simulation::ledger() const {
 std::vector<HistoryValue> Simulation::history() const {
   std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
   for (const auto& module : parts_->modules) module->history(row);
+  if (scene_.output.forces || scene_.output.flows)
+    for (const auto& module : parts_->modules) module->surfaces(clock_, scene_.output, row);
   if (parts_->growth) {
     row.push_back({"nodes_dissolved_1", static_cast<double>(parts_->growth->dissolved_nodes())});
     row.push_back({"nodes_opened_by_damage_1", static_cast<double>(parts_->growth->opened_nodes())});

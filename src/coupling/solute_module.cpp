@@ -20,6 +20,8 @@ namespace {
 
 // A concentration this far beyond the largest that was ever put in has nothing to do with the equations any more.
 constexpr double runaway_factor = 100;
+// What a flux puts into a closed space has no bound; this is so many times what it keeps up across the lattice.
+constexpr double growth_with_flux = 1000;
 
 }  // namespace
 
@@ -42,7 +44,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
     for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
       const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
-      if (kind == SoluteBoundaryKind::concentration || kind == SoluteBoundaryKind::outflow)
+      if (kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic)
         state.boundaries.push_back({stretch, {}, {}, 0});
     }
     // outflow is dressed first: it reads populations that the others overwrite
@@ -67,23 +69,34 @@ template <class T, class Set>
 void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
   const int blocks = block_count(geometry_.fluid.capacity);
   for (SpeciesState<T>& s : species_) {
-    for (StretchLinks& boundary : s.boundaries) boundary.find(exec, geometry_.fluid, Set::Q);
+    for (StretchLinks& boundary : s.boundaries) {
+      const Stretch& stretch = boundary.stretch;
+      boundary.find(exec, geometry_.fluid, Set::Q);
+      if (stretch.conditions.solute.kind == SoluteBoundaryKind::flux)
+        boundary.area = stretch.opening ? link_areas(exec, geometry_.fluid, *stretch.opening, Set::Q)
+                                        : side_link_areas(boundary.links, Set::Q);
+    }
     s.correction.resize(exec, blocks);
     Kokkos::resize(exec, s.created, blocks);
   }
 }
 
 template <class T, class Set>
-void SoluteModule<T, Set>::dress(const Exec& exec, const SpeciesState<T>& s) {
-  for (const StretchLinks& boundary : s.boundaries) {
-    const SoluteBoundary& condition = boundary.stretch.conditions.solute;
-    if (condition.kind == SoluteBoundaryKind::outflow) {
-      dress_outflow<Set>(exec, geometry_.fluid, boundary.links, s.fields, boundary.gain.recent());
-    } else {
-      const auto given = condition.concentration.find(s.section.name);
-      const double C = given == condition.concentration.end() ? 0.0 : given->second / units_.concentration;
-      dress_concentration<Set>(exec, geometry_.fluid, boundary.links, C, s.fields, boundary.gain.recent());
-    }
+void SoluteModule<T, Set>::dress(const Exec& exec, const SpeciesState<T>& s, const StretchLinks& boundary, double time,
+                                 const ScalarField<double>& gain) const {
+  const SoluteBoundary& condition = boundary.stretch.conditions.solute;
+  if (condition.kind == SoluteBoundaryKind::outflow) {
+    dress_outflow<Set>(exec, geometry_.fluid, boundary.links, s.fields, gain);
+  } else {
+    const bool flux = condition.kind == SoluteBoundaryKind::flux;
+    const auto& values = flux ? condition.flux : condition.concentration;
+    const auto found = values.find(s.section.name);
+    const double given = (found == values.end() ? 0.0 : found->second.at(time)) / units_.concentration;
+    if (flux)
+      dress_flux<Set>(exec, geometry_.fluid, boundary.links, boundary.area, interval_ * given / units_.velocity(),
+                      s.fields, gain);
+    else
+      dress_concentration<Set>(exec, geometry_.fluid, boundary.links, given, s.fields, gain);
   }
 }
 
@@ -97,7 +110,7 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   const auto& [wall, links, reactant, product] = reacting_;
   for (SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
-    dress(exec, s);
+    for (const StretchLinks& boundary : s.boundaries) dress(exec, s, boundary, clock.time(), boundary.gain.recent());
     if (&s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());
   }
   if (!reactant) return;
@@ -125,7 +138,12 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
     double largest = s.section.initial / units_.concentration;
     for (const StretchLinks& boundary : s.boundaries)
       for (const auto& [species, value] : boundary.stretch.conditions.solute.concentration)
-        largest = std::max(largest, value / units_.concentration);
+        largest = std::max(largest, value.highest() / units_.concentration);
+    for (const StretchLinks& boundary : s.boundaries)
+      for (const auto& [species, value] : boundary.stretch.conditions.solute.flux)
+        largest = std::max(largest, growth_with_flux * std::abs(value.peak()) *
+                                        std::max(geometry_.lattice.nx, geometry_.lattice.ny) * units_.spacing /
+                                        (s.section.diffusivity * units_.concentration));
     const double bound = runaway_factor * std::max(1.0, largest);
     const FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.count);
     if (range.first_not_finite < 0 && range.min > -bound && range.max < bound) continue;

@@ -50,6 +50,7 @@ class SoluteModule final : public Module {
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
+  void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
@@ -62,8 +63,9 @@ class SoluteModule final : public Module {
 
  private:
   void find_boundaries(const Exec& exec);
-  /// What leaves through the boundaries of a species comes back as they say.
-  void dress(const Exec& exec, const SpeciesState<T>& s);
+  /// What leaves through a boundary of a species comes back as it says at a time (s); gain(link) += what entered.
+  void dress(const Exec& exec, const SpeciesState<T>& s, const StretchLinks& boundary, double time,
+             const ScalarField<double>& gain) const;
 
   SoluteSection section_;
   LatticeUnits units_;

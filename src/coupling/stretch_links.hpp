@@ -14,11 +14,13 @@ namespace vug {
 struct StretchLinks {
   Stretch stretch;
   BoundaryLinks links;
-  LongSum gain;                ///< (link)
-  double entered = 0;          ///< sum over links of former times, lattice units
-  ScalarField<double> area{};  ///< (link) surface it stands for, cells; of openings with a given speed only
-  IndexList mirror{};          ///< (link) see mirror_links.hpp; of pressures and outflows only
-  OutflowState outflow{};      ///< of outflows only
+  LongSum gain;                 ///< (link)
+  double entered = 0;           ///< sum over links of former times, lattice units
+  ScalarField<double> area{};   ///< (link) surface it stands for, cells; of openings with a given speed only
+  ScalarField<double> share{};  ///< (link) of a given velocity (velocity_profile.hpp); empty: all of it
+  double inflow = 0;            ///< cells per unit of speed; of given flow rates only
+  IndexList mirror{};           ///< (link) see mirror_links.hpp; of pressures and outflows only
+  OutflowState outflow{};       ///< of outflows only
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions, const SideOrder& order = all_sides) {
     entered = total();

@@ -1,6 +1,8 @@
 #pragma once
 // The rock before it is set in motion: a plain triangulation, as a mesh file or the generator gives it.
 #include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace vug {
@@ -12,6 +14,8 @@ struct Assembly {
   std::vector<std::array<int, 3>> triangles;    ///< vertex numbers, counter-clockwise
   /// Edges (vertex pairs, ordered low, high) that are cracks from the start: a pre-existing fracture.
   std::vector<std::array<int, 2>> initial_cracks;
+  std::vector<int> region{};  ///< (triangle) 0: the rock, n: the n-th of its other materials; empty: all of them 0
+  std::map<std::string, std::vector<int>> groups{};  ///< triangles of the named surfaces of a mesh file
 };
 
 }  // namespace vug

@@ -1,5 +1,6 @@
 #include "dem/bond_forces.hpp"
 
+#include "dem/bond_elasticity.hpp"
 #include "dem/bond_kinematics.hpp"
 #include "dem/bond_law.hpp"
 #include "dem/contact_law.hpp"
@@ -17,9 +18,9 @@ struct PointStress {
 };
 
 /// What both kernels of a bond need: its stress and energy while it holds, and the way in which they leave forces.
-template <class Keeper>
+template <class Law, class Keeper>
 struct BondModel {
-  BondParameters law;
+  Law laws;
   ContactParameters contact;
   ChemicalDamageLaw chemical;
   double expansion;
@@ -35,6 +36,7 @@ struct BondModel {
 
   /// Stiffness and strengths of the bond at its chemical damage; sigma_t holds the cohesion alone.
   KOKKOS_FORCEINLINE_FUNCTION BondPoint material(int k, double d_c) const {
+    const BondParameters& law = laws.of(k);
     const double inverse_length = 1 / (law.length_factor * bonds.spacing(k));
     const double f1 = chemical_strength_factor(d_c, chemical.normalised);
     const double f2 = chemical_energy_factor(d_c, chemical.normalised);
@@ -47,14 +49,16 @@ struct BondModel {
   }
 
   /// The same with the shear strength at this opening.
-  KOKKOS_FORCEINLINE_FUNCTION BondPoint pressed(BondPoint point, const PointOpening& o) const {
-    point.sigma_t = shear_strength(point.sigma_t, law.internal_friction, point.k_n * (o.delta_n < 0 ? o.delta_n : 0));
+  KOKKOS_FORCEINLINE_FUNCTION BondPoint pressed(int k, BondPoint point, const PointOpening& o) const {
+    point.sigma_t =
+        shear_strength(point.sigma_t, laws.of(k).internal_friction, point.k_n * (o.delta_n < 0 ? o.delta_n : 0));
     return point;
   }
 
   /// Of a bond with damage d_m and d_c.
-  KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(const BondPoint& point, double d_m, double d_c,
+  KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(int k, const BondPoint& point, double d_m, double d_c,
                                                     const PointOpening& o) const {
+    const BondParameters& law = laws.of(k);
     const double viscous = law.damping * (1 - d_c);
     return {normal_integrity(d_m, o.delta_n) * (point.k_n * o.delta_n + viscous * law.normal_modulus * o.rate_n),
             (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t), 0};
@@ -101,13 +105,13 @@ struct BondModel {
 /// point asks for more damage is told by products alone, and the law of damage, which is all quotients and roots, is
 /// left to BondFailure, as are bonds that have failed. Reads about 25 numbers of the bond and 18 of its particles,
 /// writes 7; the forces of the two ends cancel exactly.
-template <class Keeper>
+template <class Law, class Keeper>
 struct CohesiveForces {
-  BondModel<Keeper> model;
+  BondModel<Law, Keeper> model;
 
   KOKKOS_FORCEINLINE_FUNCTION bool asks_for_damage(int k, int s, const BondPoint& material,
                                                    const PointOpening& o) const {
-    return is_overstressed(model.pressed(material, o), o.delta_n, o.delta_t) & (model.bonds.point_damage(k, s) < 1);
+    return is_overstressed(model.pressed(k, material, o), o.delta_n, o.delta_t) & (model.bonds.point_damage(k, s) < 1);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
@@ -116,8 +120,8 @@ struct CohesiveForces {
     const double d_c = model.chemical_damage(k);
     const BondPoint material = model.material(k, d_c);
     const double damage[2] = {bonds.point_damage(k, 0), bonds.point_damage(k, 1)};
-    const PointStress stress[2] = {model.stress_of(material, damage[0], d_c, motion.opening[0]),
-                                   model.stress_of(material, damage[1], d_c, motion.opening[1])};
+    const PointStress stress[2] = {model.stress_of(k, material, damage[0], d_c, motion.opening[0]),
+                                   model.stress_of(k, material, damage[1], d_c, motion.opening[1])};
     const bool more =
         asks_for_damage(k, 0, material, motion.opening[0]) | asks_for_damage(k, 1, material, motion.opening[1]);
     bonds.overstressed(k) = more ? 1 : 0;
@@ -131,9 +135,9 @@ struct CohesiveForces {
 /// bond whose two points are broken or whose solid is dissolved, and replaces the forces of a failed one by those of a
 /// crack, whose faces press and rub at the same two points with the bond's own stiffness and the contact's friction and
 /// dashpot, all in the share that dissolution has left.
-template <class Keeper>
+template <class Law, class Keeper>
 struct BondFailure {
-  BondModel<Keeper> model;
+  BondModel<Law, Keeper> model;
 
   /// An overstressed bond: damage by the unified linear law (Eqs. 11, 26-29), and the stress it leaves.
   KOKKOS_FUNCTION void take_damage(int k, const BondMotion& motion) const {
@@ -145,8 +149,8 @@ struct BondFailure {
     for (int s = 0; s < 2; ++s) {
       const PointOpening& o = motion.opening[s];
       damage[s] =
-          at_least(bonds.point_damage(k, s), damage_of_opening(model.pressed(material, o), o.delta_n, o.delta_t));
-      stress[s] = model.stress_of(material, damage[s], d_c, o);
+          at_least(bonds.point_damage(k, s), damage_of_opening(model.pressed(k, material, o), o.delta_n, o.delta_t));
+      stress[s] = model.stress_of(k, material, damage[s], d_c, o);
     }
     if constexpr (Keeper::kept) model.keep_cohesive(k, material, damage, motion.opening, stress);
     bonds.point_damage(k, 0) = damage[0];
@@ -158,7 +162,7 @@ struct BondFailure {
   KOKKOS_FUNCTION BondState first_damage(int k, const BondMotion& motion) const {
     const int s = model.bonds.point_damage(k, 0) > 0 ? 0 : 1;
     const PointOpening& o = motion.opening[s];
-    const BondPoint point = model.pressed(model.material(k, model.chemical_damage(k)), o);
+    const BondPoint point = model.pressed(k, model.material(k, model.chemical_damage(k)), o);
     return onset_in_tension(point, o.delta_n, o.delta_t) ? BondState::damaged_in_tension : BondState::damaged_in_shear;
   }
 
@@ -265,21 +269,29 @@ struct BondFailure {
   }
 };
 
+template <class Law, class Keeper>
+void launch(const Exec& exec, const Law& laws, const MechanicsParameters& parameters, double dt,
+            const Particles& particles, const Bonds& bonds, const Keeper& accounts, const Groups* awake) {
+  const char* label = "vug::dem::bond_forces";
+  const BondModel<Law, Keeper> model{
+      laws, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds, accounts};
+  const CohesiveForces<Law, Keeper> hold{model};
+  const BondFailure<Law, Keeper> fail{model};
+  if (awake)
+    for_each_group_in_turn(exec, label, *awake, hold, fail);
+  else
+    for_each_node_in_turn(exec, label, bonds.count, hold, fail);
+}
+
 }  // namespace
 
 template <class Keeper>
 void compute_bond_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
                          const Bonds& bonds, const Keeper& accounts, const Groups* awake) {
-  const char* label = "vug::dem::bond_forces";
-  const BondModel<Keeper> model{
-      parameters.bond, parameters.contact, parameters.chemical, parameters.thermal_expansion, dt, particles, bonds,
-      accounts};
-  const CohesiveForces<Keeper> hold{model};
-  const BondFailure<Keeper> fail{model};
-  if (awake)
-    for_each_group_in_turn(exec, label, *awake, hold, fail);
+  if (bonds.elasticity.given())
+    launch(exec, LawOfEach{parameters.bond, bonds.elasticity}, parameters, dt, particles, bonds, accounts, awake);
   else
-    for_each_node_in_turn(exec, label, bonds.count, hold, fail);
+    launch(exec, OneLaw{parameters.bond}, parameters, dt, particles, bonds, accounts, awake);
 }
 
 template void compute_bond_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,

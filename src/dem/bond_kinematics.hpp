@@ -24,7 +24,7 @@ KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_of(const Particles& p, double expan
           {p.v(i, 0), p.v(i, 1)},
           p.spin(i),
           {p.rotation(i, 0), p.rotation(i, 1)},
-          thermal_scale(expansion, p.temperature_change(i))};
+          thermal_scale(expansion, p.warming(i))};
 }
 
 /// The same one step of dt earlier: where it was when its velocity began to be that of now.

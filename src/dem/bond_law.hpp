@@ -13,11 +13,6 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double at_most(double bound, double x) {
   return x < bound ? x : bound;
 }
 
-/// Comprehensive damage d' = d_m + d_c - d_m d_c (Eq. 26); the modulus keeps the share 1 - d' (Eq. 12).
-KOKKOS_FORCEINLINE_FUNCTION constexpr double comprehensive_damage(double d_m, double d_c) {
-  return d_m + d_c - d_m * d_c;
-}
-
 /// Strength left at chemical damage d_c (Eqs. 27, 29): f1 = -0.83 d2 + 0.017 d + 0.98, over f1(0) when normalised.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_strength_factor(double d_c, bool normalised) {
   return ((-0.83 * d_c + 0.017) * d_c + 0.98) / (normalised ? 0.98 : 1.0);

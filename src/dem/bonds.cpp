@@ -2,6 +2,7 @@
 
 #include "dem/edges.hpp"
 #include "dem/heterogeneity.hpp"
+#include "dem/materials.hpp"
 #include "kernels/require.hpp"
 
 #include <algorithm>
@@ -88,14 +89,47 @@ void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, con
   Kokkos::deep_copy(b.arm, arm);
 }
 
-void draw(const BondParameters& law, const std::vector<Edge>& edges, BondProperty property, double mean,
-          const ScalarField<double>& values) {
+/// What each bond is made of; one entry for all where the rock is of one material.
+std::vector<BondParameters> laws_of_bonds(const Assembly& assembly, const std::vector<Edge>& edges,
+                                          const Particles& particles, const MechanicsParameters& parameters) {
+  if (assembly.region.empty()) return {parameters.bond};
+  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  std::vector<BondParameters> laws;
+  for (const Edge& edge : edges) {
+    const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
+    const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
+    const auto distance = [&](int i) {
+      return std::abs(cross({q[0] - p[0], q[1] - p[1]}, {x0(i, 0) - p[0], x0(i, 1) - p[1]}));
+    };
+    const auto [a, b] = edge.triangle;
+    laws.push_back(joint_of(material_of(parameters, assembly, a).bond, distance(a),
+                            material_of(parameters, assembly, b).bond, distance(b)));
+  }
+  return laws;
+}
+
+void fill_elasticity(const std::vector<BondParameters>& laws, Bonds& b) {
+  const auto fill = [&](const char* label, double BondParameters::*number, ScalarField<double>& values) {
+    values = fresh<ScalarField<double>>(label, laws.size());
+    const auto host = Kokkos::create_mirror_view(values);
+    for (std::size_t k = 0; k < laws.size(); ++k) host(k) = laws[k].*number;
+    Kokkos::deep_copy(values, host);
+  };
+  fill("bond_normal_modulus", &BondParameters::normal_modulus, b.elasticity.normal_modulus);
+  fill("bond_tangential_modulus", &BondParameters::tangential_modulus, b.elasticity.tangential_modulus);
+  fill("bond_internal_friction", &BondParameters::internal_friction, b.elasticity.internal_friction);
+  fill("bond_damping", &BondParameters::damping, b.elasticity.damping);
+}
+
+/// Scatter by the rock's seed and shape, means by what each bond is made of.
+void draw(const BondParameters& rock, const std::vector<BondParameters>& laws, const std::vector<Edge>& edges,
+          BondProperty property, double BondParameters::*mean, const ScalarField<double>& values) {
   const auto host = Kokkos::create_mirror_view(values);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto [low, high] = std::minmax(edges[k].vertex[0], edges[k].vertex[1]);
-    const double u = uniform_of(law.seed, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high),
+    const double u = uniform_of(rock.seed, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high),
                                 static_cast<std::uint64_t>(property));
-    host(k) = mean * weibull_of_mean_one(u, law.weibull_shape);
+    host(k) = laws[laws.size() == 1 ? 0 : k].*mean * weibull_of_mean_one(u, rock.weibull_shape);
   }
   Kokkos::deep_copy(values, host);
 }
@@ -159,11 +193,13 @@ Bonds make_bonds(const Assembly& assembly, const Particles& particles, const Mec
   Bonds b;
   allocate(b, static_cast<int>(edges.size()), particles.count);
   fill_geometry(assembly, edges, particles, b);
-  const BondParameters& law = parameters.bond;
-  draw(law, edges, BondProperty::normal_strength, law.normal_strength, b.normal_strength);
-  draw(law, edges, BondProperty::cohesion, law.cohesion, b.cohesion);
-  draw(law, edges, BondProperty::energy_I, law.fracture_energy_I, b.energy_I);
-  draw(law, edges, BondProperty::energy_II, law.fracture_energy_II, b.energy_II);
+  const std::vector<BondParameters> laws = laws_of_bonds(assembly, edges, particles, parameters);
+  if (!assembly.region.empty()) fill_elasticity(laws, b);
+  using Law = BondParameters;
+  draw(parameters.bond, laws, edges, BondProperty::normal_strength, &Law::normal_strength, b.normal_strength);
+  draw(parameters.bond, laws, edges, BondProperty::cohesion, &Law::cohesion, b.cohesion);
+  draw(parameters.bond, laws, edges, BondProperty::energy_I, &Law::fracture_energy_I, b.energy_I);
+  draw(parameters.bond, laws, edges, BondProperty::energy_II, &Law::fracture_energy_II, b.energy_II);
   open_initial_cracks(assembly, edges, b);
   fill_rows(edges, particles.count, b);
   return b;

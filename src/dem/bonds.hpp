@@ -31,6 +31,16 @@ inline constexpr int bond_has_failed = 0, cracks_have_changed = 1;
 /// Half the distance of the two Gauss points of an edge over half its length; each stands for half of the edge.
 inline constexpr double gauss_point = 0.57735026918962576;
 
+/// What bonds are made of where the rock is of several materials; empty where it is of one (bond_elasticity.hpp).
+struct BondElasticity {
+  ScalarField<double> normal_modulus;      ///< (bond) Pa
+  ScalarField<double> tangential_modulus;  ///< (bond) Pa
+  ScalarField<double> internal_friction;   ///< (bond)
+  ScalarField<double> damping;             ///< (bond) s/m
+
+  KOKKOS_FORCEINLINE_FUNCTION bool given() const { return normal_modulus.extent(0) > 0; }
+};
+
 /// All bonds, SI, 1 m thick. Bond k joins the edge p -> q of particle a, which lies on its left, to particle b.
 /// The coupling writes d_c, the mechanics everything else.
 struct Bonds {
@@ -44,6 +54,7 @@ struct Bonds {
   /// (bond, point, end, axis) lever arm of an integration point in the body frame of each end, m.
   Kokkos::View<double* [2][2][2], Kokkos::LayoutLeft> arm;
 
+  BondElasticity elasticity;
   ScalarField<double> normal_strength;  ///< drawn, at d_c = 0, Pa
   ScalarField<double> cohesion;         ///< drawn, Pa
   ScalarField<double> energy_I;         ///< drawn, N/m

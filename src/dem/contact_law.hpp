@@ -36,13 +36,4 @@ KOKKOS_FORCEINLINE_FUNCTION ContactReaction contact_reaction(const ContactPoint&
   return {normal, tangential, !closed ? offset : slides ? dragged : slip};
 }
 
-/// Restitution of a head-on collision of two bodies of effective mass m on a spring and dashpot that never pull: the
-/// bodies part when the force is zero, at phase theta of the damped oscillation,
-///   tan(theta) = -2 z sqrt(1 - z^2) / (1 - 2 z^2),  e = exp(-z theta / sqrt(1 - z^2)),  z = c_n / (2 sqrt(k_n m)) < 1.
-KOKKOS_FUNCTION inline double restitution_of_dashpot(double k_n, double c_n, double m) {
-  const double z = c_n / (2 * Kokkos::sqrt(k_n * m)), root = Kokkos::sqrt(1 - z * z);
-  const double theta = Kokkos::atan2(2 * z * root, -(1 - 2 * z * z));
-  return Kokkos::exp(-z * theta / root);
-}
-
 }  // namespace vug

@@ -1,5 +1,7 @@
 #include "dem/critical_step.hpp"
 
+#include "dem/bond_elasticity.hpp"
+
 namespace vug {
 
 namespace {
@@ -33,7 +35,7 @@ struct Stiffness {
 /// Critical step of one particle with everything else held still and mirrored; the smallest over all particles bounds
 /// the system.
 struct ParticleStep {
-  BondParameters law;
+  BondParameters rock;
   ContactParameters contact;
   double mass_scaling;
   Particles p;
@@ -42,6 +44,7 @@ struct ParticleStep {
 
   KOKKOS_FUNCTION void add_bond(int e, double rho, Stiffness& stiffness, Stiffness& dashpot) const {
     const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
+    const BondParameters law = law_of(rock, bonds.elasticity, k);
     const Vec2 n{bonds.normal(k, 0), bonds.normal(k, 1)}, t{-n.y, n.x};
     const double width = 0.5 * bonds.length(k);
     const double bond_length = law.length_factor * bonds.spacing(k);

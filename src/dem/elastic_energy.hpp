@@ -1,5 +1,6 @@
 #pragma once
 // What a bond or the faces of a crack store.
+#include "dem/bond_elasticity.hpp"
 #include "dem/bond_kinematics.hpp"
 #include "dem/bond_law.hpp"
 
@@ -8,7 +9,7 @@ namespace vug {
 /// (1 - d) (k_n delta_n delta_n' + k_t delta_t delta_t') / 2 over the edge of one bond, delta at the time of the last
 /// forces, delta' one step later; for a crack its compression and the stretch of its friction spring. J per m.
 struct ElasticEnergy {
-  BondParameters law;
+  BondParameters rock;
   double expansion;
   double dt;
   Particles particles;
@@ -17,6 +18,7 @@ struct ElasticEnergy {
   /// The same per share of the solid that is left, 1 - d_c.
   KOKKOS_FUNCTION double undissolved(int k) const {
     if (bonds.joint(k) == faces_apart) return 0;
+    const BondParameters law = law_of(rock, bonds.elasticity, k);
     const BondMotion now = motion_of_bond(particles, bonds, expansion, k);
     const BondMotion before = motion_of_bond_before(particles, bonds, expansion, dt, k);
     const double length = law.length_factor * bonds.spacing(k);

@@ -36,14 +36,73 @@ int side_of(const std::array<double, 2>& p, const std::array<double, 2>& q, cons
   return -1;
 }
 
-void hold(Support support, int side, std::array<double, 2> velocity, int i,
-          const Kokkos::View<std::uint8_t*>::host_mirror_type& held,
-          const VectorField<double>::host_mirror_type& drive) {
-  if (support == Support::free) return;
-  const int axis = side % 2;
-  held(i) = static_cast<std::uint8_t>(held(i) | (support == Support::fixed ? 7 : 4 | 1 << axis));
-  drive(i, axis) = velocity[static_cast<std::size_t>(axis)];
-  if (support == Support::fixed) drive(i, 1 - axis) = velocity[static_cast<std::size_t>(1 - axis)];
+/// Bits of the axes that a support holds (Particles::held).
+int held_axes(Support support, int side) {
+  const int normal = 1 << side % 2;
+  switch (support) {
+    case Support::free:
+      return 0;
+    case Support::fixed:
+      return 7;
+    case Support::pin:
+      return 3;
+    case Support::pin_roller:
+      return normal;
+    default:
+      return 4 | normal;
+  }
+}
+
+using Interval = std::array<double, 2>;
+
+/// Takes [from, to] out of the intervals and returns what was taken.
+std::vector<Interval> take(std::vector<Interval>& left, double from, double to) {
+  std::vector<Interval> taken, rest;
+  for (const auto& [low, high] : left) {
+    const double a = std::max(low, from), b = std::min(high, to);
+    if (!(a < b)) {
+      rest.push_back({low, high});
+      continue;
+    }
+    taken.push_back({a, b});
+    if (low < a) rest.push_back({low, a});
+    if (b < high) rest.push_back({b, high});
+  }
+  left = rest;
+  return taken;
+}
+
+/// The pieces of one edge p -> q of a side.
+void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const std::vector<SidePart>& parts,
+                std::vector<LoadedPiece>& pieces) {
+  const bool upright = edge.side % 2 == 0;
+  const double at_p = upright ? p.y : p.x, at_q = upright ? q.y : q.x, length = norm(q - p);
+  const double low = std::min(at_p, at_q), high = std::max(at_p, at_q);
+  const std::size_t first = pieces.size();
+  const auto add = [&](int part, double a, double b) {
+    const double middle = (0.5 * (a + b) - at_p) / (at_q - at_p);
+    pieces.push_back({part, edge.side, edge.particle, length * (b - a) / (high - low), p + middle * (q - p) - centroid,
+                      2 * (b - a) > high - low});
+  };
+  std::vector<Interval> left{{low, high}};
+  int point = -1;
+  for (int n = static_cast<int>(parts.size()) - 1; n >= 0; --n) {
+    const SidePart& part = parts[static_cast<std::size_t>(n)];
+    if (static_cast<int>(part.side) != edge.side) continue;
+    if (part.from == part.to && part.from >= low && part.from < high && point < 0) point = n;
+    for (const auto& [a, b] : take(left, part.from, part.to)) add(n, a, b);
+  }
+  if (pieces.size() == first)
+    pieces.push_back({-1, edge.side, edge.particle, length, 0.5 * (p + q) - centroid, true});
+  else
+    for (const auto& [a, b] : left) add(-1, a, b);
+  if (point < 0) return;
+  for (std::size_t k = first; k < pieces.size(); ++k) pieces[k].decides = false;
+  pieces.push_back({point, edge.side, edge.particle, 0, {}, true});
+}
+
+double at_start(const OverTime& value) {
+  return value ? value(0) : 0;
 }
 
 }  // namespace
@@ -60,34 +119,56 @@ std::vector<BoundaryEdge> find_boundary(const Assembly& assembly) {
   return boundary;
 }
 
+Support support_of(const LoadedPiece& piece, const Loads& loads) {
+  return piece.part >= 0 ? loads.parts[static_cast<std::size_t>(piece.part)].support
+                         : loads.support[static_cast<std::size_t>(piece.side)];
+}
+
+std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
+                                            const Loads& loads, const Particles& particles) {
+  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  const auto point = [&](int v) {
+    const auto& vertex = assembly.vertices[static_cast<std::size_t>(v)];
+    return Vec2{vertex[0], vertex[1]};
+  };
+  std::vector<LoadedPiece> pieces;
+  for (const BoundaryEdge& edge : boundary)
+    if (edge.side >= 0)
+      add_pieces(edge, point(edge.vertex[0]), point(edge.vertex[1]), {x0(edge.particle, 0), x0(edge.particle, 1)},
+                 loads.parts, pieces);
+  return pieces;
+}
+
 BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary, const Loads& loads,
                           const Particles& particles) {
   const auto n = static_cast<std::size_t>(particles.count);
   BoundaryLoads out{VectorField<double>("vug::dem::boundary_force", n),
                     VectorField<double>("vug::dem::boundary_moment", n),
                     VectorField<double>("vug::dem::boundary_stiffness", n), loads.gravity[0], loads.gravity[1]};
-  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
   const auto force = Kokkos::create_mirror_view(out.force);
   const auto moment = Kokkos::create_mirror_view(out.moment);
   const auto stiffness = Kokkos::create_mirror_view(out.stiffness);
   const auto held = Kokkos::create_mirror_view(particles.held);
   const auto drive = Kokkos::create_mirror_view(particles.drive);
-  for (const BoundaryEdge& edge : boundary) {
-    if (edge.side < 0) continue;
-    const int i = edge.particle;
-    const auto side = static_cast<std::size_t>(edge.side);
-    const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
-    const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-    const double length = norm({q[0] - p[0], q[1] - p[1]});
-    Vec2 f{length * loads.traction[side][0], length * loads.traction[side][1]};
-    if (loads.support[side] == Support::servo) (side % 2 == 0 ? f.x : f.y) = 0;  // its platen sees to it
-    const Vec2 r{0.5 * (p[0] + q[0]) - x0(i, 0), 0.5 * (p[1] + q[1]) - x0(i, 1)};
+  for (const LoadedPiece& piece : pieces_of_boundary(assembly, boundary, loads, particles)) {
+    const int i = piece.particle;
+    const auto side = static_cast<std::size_t>(piece.side);
+    const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[static_cast<std::size_t>(piece.part)];
+    std::array<double, 2> traction = loads.traction[side];
+    if (part) traction = {at_start(part->traction[0]), at_start(part->traction[1])};
+    const Support support = support_of(piece, loads);
+    Vec2 f{piece.length * traction[0], piece.length * traction[1]};
+    if (support == Support::servo) (side % 2 == 0 ? f.x : f.y) = 0;  // its platen sees to it
     force(i, 0) += f.x;
     force(i, 1) += f.y;
-    moment(i, 0) += cross(r, f);
-    moment(i, 1) += dot(r, f);
-    stiffness(i, edge.side % 2) += length * loads.stiffness[side];
-    hold(loads.support[side], edge.side, loads.velocity[side], i, held, drive);
+    moment(i, 0) += cross(piece.arm, f);
+    moment(i, 1) += dot(piece.arm, f);
+    stiffness(i, piece.side % 2) += piece.length * (part ? part->stiffness : loads.stiffness[side]);
+    if (!piece.decides) continue;
+    const int axes = held_axes(support, piece.side);
+    held(i) = static_cast<std::uint8_t>(held(i) | axes);
+    for (int axis = 0; axis < 2; ++axis)
+      if (axes & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][static_cast<std::size_t>(axis)];
   }
   Kokkos::deep_copy(out.force, force);
   Kokkos::deep_copy(out.moment, moment);

@@ -4,6 +4,7 @@
 #include "dem/support.hpp"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace vug {
@@ -11,6 +12,21 @@ namespace vug {
 /// The four sides of the rock, numbered like the outward axes +x, +y, -x, -y.
 enum class RockSide : int { right = 0, top = 1, left = 2, bottom = 3 };
 inline constexpr int rock_side_count = 4;
+
+/// A number over the time since the preload, s; empty: 0.
+using OverTime = std::function<double(double)>;
+
+/// A part of a side that is loaded and held in its own way; what of the side's own loads lies there does not count.
+struct SidePart {
+  RockSide side = RockSide::right;
+  double from = 0, to = 0;  ///< m along the side; the same: the one edge there
+  Support support = Support::free;
+  std::array<OverTime, 2> traction;  ///< force on the rock per area along x and y, Pa; of a part that is not held
+  double stiffness = 0;              ///< of the rock beyond, Pa/m
+  std::array<OverTime, 2> velocity;  ///< of a held part, m/s; at rest during a preload
+  bool changes = false;              ///< whether a traction is another one later
+  bool moves() const { return velocity[0] || velocity[1]; }
+};
 
 /// Loads of the four sides in the order of RockSide.
 struct Loads {
@@ -22,6 +38,7 @@ struct Loads {
   /// Pa/m; about its Young's modulus over the size of the specimen. 0: a dead load, whatever the rock does.
   std::array<double, 4> stiffness{};
   std::array<double, 2> gravity{};                  ///< m/s2
+  std::vector<SidePart> parts;                      ///< later ones count where they overlap
 };
 
 /// An edge of the rock's boundary.
@@ -44,7 +61,25 @@ struct BoundaryLoads {
   double gravity_y = 0;
 };
 
-/// Places tractions at the edges' midpoints and writes the supports into held and drive of the particles.
+/// An edge, or a piece of one, in the hands of one part, or of the side itself (-1).
+struct LoadedPiece {
+  int part = -1;
+  int side = 0;  ///< RockSide
+  int particle = 0;
+  double length = 0;    ///< m
+  Vec2 arm;             ///< its middle from the particle's centroid, m
+  bool decides = true;  ///< how the particle is held
+};
+
+/// How it is held, and with which stiffness of the rock beyond.
+Support support_of(const LoadedPiece& piece, const Loads& loads);
+
+/// All loaded edges in pieces, in the order of the boundary. A support has an edge of which it has more than a half.
+std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
+                                            const Loads& loads, const Particles& particles);
+
+/// Places tractions at the middles of the pieces and writes the supports into held and drive of the particles; parts at
+/// time zero, and without their velocities.
 BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary, const Loads& loads,
                           const Particles& particles);
 

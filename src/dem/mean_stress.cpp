@@ -1,30 +1,90 @@
 #include "dem/mean_stress.hpp"
 
+#include "kernels/launch.hpp"
+
 namespace vug {
 
-Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members) {
-  const auto copy = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto row = copy(bonds.row), entry = copy(bonds.entry);
-  const auto arm = copy(bonds.arm);
-  const auto load = copy(bonds.load);
-  const auto corner = copy(particles.corner);
-  Stress sum;
-  double area = 0;
-  for (const int i : members) {
-    const Vec2 a{corner(i, 0, 0), corner(i, 0, 1)}, b{corner(i, 1, 0), corner(i, 1, 1)},
-        c{corner(i, 2, 0), corner(i, 2, 1)};
-    area += 0.5 * cross(b - a, c - a);
-    for (int e = row(i); e < row(i + 1); ++e) {
-      const int k = entry(e) / 2, end = entry(e) % 2;
+namespace {
+
+/// Components of the stress of one triangle times its area, and that area.
+struct StressTimesArea {
+  Particles particles;
+  Bonds bonds;
+
+  KOKKOS_FUNCTION double area(int i) const {
+    const auto corner = [&](int c) { return Vec2{particles.corner(i, c, 0), particles.corner(i, c, 1)}; };
+    return 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
+  }
+  KOKKOS_FUNCTION Stress operator()(int i) const {
+    Stress sum;
+    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
+      const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
       const double sign = end == 0 ? 1 : -1;
-      const Vec2 middle{0.5 * (arm(k, 0, end, 0) + arm(k, 1, end, 0)), 0.5 * (arm(k, 0, end, 1) + arm(k, 1, end, 1))};
-      const Vec2 force{sign * load(k, 0), sign * load(k, 1)};
+      const Vec2 middle{0.5 * (bonds.arm(k, 0, end, 0) + bonds.arm(k, 1, end, 0)),
+                        0.5 * (bonds.arm(k, 0, end, 1) + bonds.arm(k, 1, end, 1))};
+      const Vec2 force{sign * bonds.load(k, 0), sign * bonds.load(k, 1)};
       sum.xx += middle.x * force.x;
       sum.xy += 0.5 * (middle.x * force.y + middle.y * force.x);
       sum.yy += middle.y * force.y;
     }
+    return sum;
   }
-  return {sum.xx / area, sum.xy / area, sum.yy / area};
+};
+
+struct StressOfTriangle {
+  StressTimesArea of;
+  Kokkos::View<double* [3], Kokkos::LayoutLeft> stress;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const Stress sum = of(i);
+    const double area = of.area(i);
+    stress(i, 0) = sum.xx / area;
+    stress(i, 1) = sum.yy / area;
+    stress(i, 2) = sum.xy / area;
+  }
+};
+
+/// One number of one member: 0 xx, 1 yy, 2 xy, each times the area, 3 the area.
+struct ShareOfMember {
+  StressTimesArea of;
+  IndexList members;
+  int component;
+  KOKKOS_FUNCTION double operator()(int m) const {
+    const int i = members(m);
+    if (component == 3) return of.area(i);
+    const Stress sum = of(i);
+    return component == 0 ? sum.xx : component == 1 ? sum.yy : sum.xy;
+  }
+};
+
+}  // namespace
+
+Kokkos::View<double* [3], Kokkos::LayoutLeft> stress_of_triangles(const Exec& exec, const Particles& particles,
+                                                                  const Bonds& bonds) {
+  const Kokkos::View<double* [3], Kokkos::LayoutLeft> stress("vug::dem::triangle_stress",
+                                                             static_cast<std::size_t>(particles.count));
+  for_each_node(exec, "vug::dem::stress_of_triangles", particles.count, StressOfTriangle{{particles, bonds}, stress});
+  exec.fence("vug::dem::stress_of_triangles");
+  return stress;
+}
+
+Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bonds, const IndexList& members) {
+  const int count = static_cast<int>(members.extent(0));
+  const auto sum = [&](int component) {
+    const ScalarField<double> blocks("vug::dem::mean_stress_blocks", static_cast<std::size_t>(block_count(count)));
+    add_per_block(exec, "vug::dem::mean_stress", count, ShareOfMember{{particles, bonds}, members, component}, blocks);
+    exec.fence("vug::dem::mean_stress");
+    return sum_in_order(blocks);
+  };
+  const double area = sum(3);
+  return {sum(0) / area, sum(2) / area, sum(1) / area};
+}
+
+Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members) {
+  const IndexList list("vug::dem::mean_stress_members", members.size());
+  const auto host = Kokkos::create_mirror_view(list);
+  for (std::size_t m = 0; m < members.size(); ++m) host(m) = members[m];
+  Kokkos::deep_copy(list, host);
+  return mean_stress(Exec(), particles, bonds, list);
 }
 
 }  // namespace vug

@@ -11,9 +11,15 @@ struct Stress {
   double xx = 0, xy = 0, yy = 0;
 };
 
-/// Mean stress of the named particles, (1/A) sum of arm (x) force over the edges of each (Weber's formula, arms to the
-/// middles of the edges): exact for the sum over a region whose edges are all bonded, where what the two integration
-/// points of an inner edge add cancels. Contacts of broken bonds count, those of other pairs do not. Host only.
+/// (particle, xx yy xy) Stress of each triangle, tension positive, Pa: (1/A) sum of arm (x) force over its edges
+/// (Weber's formula, arms to the middles of the edges). Forces of broken bonds count, those of other contacts, of the
+/// fluid and of loads on outer edges do not.
+Kokkos::View<double* [3], Kokkos::LayoutLeft> stress_of_triangles(const Exec& exec, const Particles& particles,
+                                                                  const Bonds& bonds);
+
+/// Mean stress of the named particles: exact for the sum over a region whose edges are all bonded, where what the two
+/// integration points of an inner edge add cancels. Sums in a fixed order on the device, which it waits for.
+Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bonds, const IndexList& members);
 Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members);
 
 }  // namespace vug

@@ -3,9 +3,11 @@
 #include "dem/bond_forces.hpp"
 #include "dem/contact_forces.hpp"
 #include "dem/critical_step.hpp"
+#include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "dem/static_equilibrium.hpp"
 #include "kernels/interruption.hpp"
+#include "kernels/launch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +25,31 @@ constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apa
 constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
 constexpr int longest_settling = 50;        // times the ramp
 
-MechanicsParameters checked(const MechanicsParameters& parameters) {
+/// Checked; the expansions of all materials are counted on the largest.
+MechanicsParameters checked(MechanicsParameters parameters) {
   require_parameters(parameters);
+  parameters.thermal_expansion = largest_expansion(parameters);
   return parameters;
 }
+
+/// Of each particle over that of the parameters; nothing where the rock is of one material.
+ScalarField<double> relative_expansions(const Assembly& assembly, const MechanicsParameters& given, double largest) {
+  if (assembly.region.empty()) return {};
+  const ScalarField<double> relative("vug::dem::relative_expansion", assembly.triangles.size());
+  const auto host = Kokkos::create_mirror_view(relative);
+  for (int i = 0; i < static_cast<int>(assembly.triangles.size()); ++i) {
+    const double own = material_of(given, assembly, i).thermal_expansion;
+    host(i) = own == largest ? 1 : own / largest;
+  }
+  Kokkos::deep_copy(relative, host);
+  return relative;
+}
+
+struct FollowTemperature {
+  ScalarField<double> relative;
+  Particles p;
+  KOKKOS_FUNCTION void operator()(int i) const { p.warming(i) = relative(i) * p.temperature_change(i); }
+};
 
 }  // namespace
 
@@ -34,16 +57,19 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
     : parameters_(checked(parameters)),
       boundary_(find_boundary(assembly)),
       particles_(make_particles(assembly, parameters)),
+      relative_expansion_(relative_expansions(assembly, parameters, parameters_.thermal_expansion)),
       bonds_(make_bonds(assembly, particles_, parameters)),
       contacts_(make_contacts(particles_, bonds_)),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
       servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)),
+      timed_(make_timed_loads(assembly, boundary_, loads, particles_, loads_)),
       loss_(make_mass_loss(particles_, bonds_)) {
   if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_, contacts_);
-  // a ledger wants every step's losses, a servo every step's reaction
-  if (parameters_.rest_tolerance > 0 && !accounts_ && servos_.empty())
-    rest_ = make_rest(particles_, bonds_, parameters_.bond, parameters_.rest_tolerance);
+  // a ledger wants every step's losses, a servo every step's reaction, and a platen that starts wakes nothing
+  const bool driven = !servos_.empty() || (timed_ && timed_->moves());
+  if (parameters_.rest_tolerance > 0 && !accounts_ && !driven)
+    rest_ = make_rest(particles_, bonds_, least_normal_strength(parameters_), parameters_.rest_tolerance);
 }
 
 double Mechanics::critical_step() const {
@@ -73,9 +99,19 @@ void Mechanics::step(const Exec& exec, const StepControl& control, Rest* rest) {
   }
 }
 
+void Mechanics::follow_temperature(const Exec& exec) {
+  if (relative_expansion_.extent(0) == 0) return;
+  for_each_node(exec, "vug::dem::follow_temperature", particles_.count,
+                FollowTemperature{relative_expansion_, particles_});
+}
+
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {
+  follow_temperature(exec);
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
-  for (int s = 0; s < substeps; ++s) step(exec, control, rest_ ? &*rest_ : nullptr);
+  for (int s = 0; s < substeps; ++s) {
+    if (timed_) follow_loads(exec, *timed_, time_ + s * dt, dt, loads_, particles_);
+    step(exec, control, rest_ ? &*rest_ : nullptr);
+  }
   time_ += dt * substeps;
 }
 
@@ -109,6 +145,7 @@ long Mechanics::ramp(const Exec& exec, double dt, double ramp_time, double dampi
 }
 
 PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damping) {
+  follow_temperature(exec);
   const double dt = 0.3 * critical_step();
   const StepControl settle{dt, damping, parameters_.mass_scaling, 1, 0};
   PreloadReport report;
@@ -141,6 +178,7 @@ void Mechanics::take_as_reference(const Exec& exec) {
 
 bool Mechanics::preload_statically(const Exec& exec) {
   if (!servos_.empty()) return false;
+  follow_temperature(exec);
   std::vector<std::function<void()>> restore;
   visit_state([&](const char*, const auto& view, auto...) {
     std::decay_t<decltype(view)> copy("vug::dem::before_preload", view.layout());
@@ -161,6 +199,18 @@ bool Mechanics::preload_statically(const Exec& exec) {
 
 void Mechanics::set_platen_velocity(RockSide side, std::array<double, 2> velocity) {
   vug::set_platen_velocity(boundary_, side, velocity, particles_);
+}
+
+void Mechanics::count_from_unloaded() {
+  Kokkos::deep_copy(particles_.u_reference, 0.0);
+  Kokkos::deep_copy(particles_.angle_reference, 0.0);
+}
+
+void Mechanics::set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity) {
+  const auto v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles_.v);
+  for (const int i : triangles)
+    for (std::size_t axis = 0; axis < 2; ++axis) v(i, axis) = velocity[axis];
+  Kokkos::deep_copy(particles_.v, v);
 }
 
 Vec2 Mechanics::reaction(RockSide side) const {

@@ -9,6 +9,7 @@
 #include "dem/neighbour_grid.hpp"
 #include "dem/rest.hpp"
 #include "dem/servo.hpp"
+#include "dem/timed_loads.hpp"
 
 #include <optional>
 #include <vector>
@@ -61,6 +62,10 @@ class Mechanics {
 
   /// Velocity of the platen of a held side from now on, m/s.
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
+  /// Displacements count from the unloaded rock from now on; not where rock beyond the sides answers them.
+  void count_from_unloaded();
+  /// What the listed triangles start with, m/s; without spin.
+  void set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity);
   /// Force that holds a side, N per m of thickness.
   Vec2 reaction(RockSide side) const;
   /// The energy ledger, J per m; work and losses only with parameters().energy_ledger.
@@ -103,15 +108,19 @@ class Mechanics {
   /// What both ways of preloading end with: the rock is at rest, its displacements are the reference.
   void take_as_reference(const Exec& exec);
   double contact_energy(const Exec& exec) const;
+  /// Brings Particles::warming up to the temperatures; one kernel where the rock is of several materials.
+  void follow_temperature(const Exec& exec);
 
   MechanicsParameters parameters_;
   std::vector<BoundaryEdge> boundary_;
   Particles particles_;
+  ScalarField<double> relative_expansion_;  ///< (particle) over parameters().thermal_expansion; empty: 1
   Bonds bonds_;
   Contacts contacts_;
   NeighbourGrid grid_;
   BoundaryLoads loads_;
   std::vector<ServoPlaten> servos_;
+  std::optional<TimedLoads> timed_;  ///< where loads change or platens move by a table
   MassLoss loss_;
   std::optional<Accounts> accounts_;
   std::optional<Rest> rest_;  ///< where rock may sleep
@@ -134,6 +143,7 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("rotation", particles_.rotation);
   visit("solid_fraction", particles_.solid_fraction, 0, 1);
   visit("temperature_change", particles_.temperature_change);
+  if (relative_expansion_.extent(0) > 0) visit("warming", particles_.warming);
   visit("lost_momentum", loss_.momentum);
   visit("lost_kinetic", loss_.kinetic);
   visit("lost_elastic", loss_.elastic);
@@ -157,6 +167,8 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("bonds_awake", rest_->bonds.runs, 0, 1);
   visit("stress", bonds_.stress);  // of what sleeps, for pictures and sums until the next look
   visit("contact_energy", contacts_.energy);
+  visit("load", bonds_.load);
+  visit("reaction", particles_.reaction);
 }
 
 }  // namespace vug

@@ -246,12 +246,7 @@ struct RebuildPairs {
 void update_contacts(const Exec& exec, const NeighbourGrid& grid, const Particles& particles, const Bonds& bonds,
                      const Contacts& contacts) {
   for_each_node(exec, "vug::dem::watch_motion", particles.count, WatchMotion{grid.reach, particles, bonds, contacts});
-  const RebuildPairs rebuild{grid, particles, bonds, contacts};
-  if constexpr (runs_on_host) {
-    Kokkos::parallel_for("vug::dem::rebuild_pairs", Kokkos::TeamPolicy<Exec>(exec, 1, 1), rebuild);
-  } else {
-    Kokkos::parallel_for("vug::dem::rebuild_pairs", Kokkos::TeamPolicy<Exec>(exec, 1, Kokkos::AUTO), rebuild);
-  }
+  for_each_team(exec, "vug::dem::rebuild_pairs", 1, 1024, RebuildPairs{grid, particles, bonds, contacts});
 }
 
 }  // namespace vug

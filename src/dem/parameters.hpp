@@ -1,6 +1,7 @@
 #pragma once
 // Everything the mechanics is told, SI, with the paper's Table 1 as defaults ("paper-literal" profile).
 #include <cstdint>
+#include <vector>
 
 namespace vug {
 
@@ -35,6 +36,13 @@ struct ChemicalDamageLaw {
   double failure_at = 0.95;  ///< a bond fails at this d_c
 };
 
+/// What a region of the rock is made of where it is not like the rest; scatter and length factor are the rock's.
+struct RockMaterial {
+  double density = 2500;            ///< kg/m3
+  double thermal_expansion = 8e-6;  ///< 1/K, linear
+  BondParameters bond;
+};
+
 /// Triangles and how they move.
 struct MechanicsParameters {
   double density = 2500;            ///< kg/m3
@@ -46,6 +54,7 @@ struct MechanicsParameters {
   BondParameters bond;
   ContactParameters contact;
   ChemicalDamageLaw chemical;
+  std::vector<RockMaterial> materials;  ///< of the regions 1, 2, ... of the assembly; region 0 is as above
 };
 
 }  // namespace vug

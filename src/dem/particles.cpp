@@ -1,5 +1,6 @@
 #include "dem/particles.hpp"
 
+#include "dem/materials.hpp"
 #include "kernels/require.hpp"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ void allocate(Particles& p, int n) {
   p.torque = fresh<ScalarField<double>>("torque", n);
   p.solid_fraction = fresh<ScalarField<double>>("solid_fraction", n);
   p.temperature_change = fresh<ScalarField<double>>("temperature_change", n);
+  p.warming = p.temperature_change;
   p.held = fresh<decltype(p.held)>("held", n);
   p.drive = fresh<VectorField<double>>("drive", n);
   p.reaction = fresh<VectorField<double>>("reaction", n);
@@ -83,6 +85,7 @@ void allocate(Particles& p, int n) {
 
 Particles make_particles(const Assembly& assembly, const MechanicsParameters& parameters) {
   require_vertices_exist(assembly);
+  require_materials(parameters, assembly);
   if (assembly.triangles.empty()) throw InputError("rock assembly: no triangles, expected at least one");
   if (!(parameters.contact.radius_factor > 0 && parameters.contact.radius_factor < 1)) {
     throw InputError("mechanics.contact.radius_factor = " + std::to_string(parameters.contact.radius_factor) +
@@ -91,6 +94,7 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
   Particles p;
   p.radius = parameters.contact.radius_factor * smallest_inradius(assembly);
   allocate(p, static_cast<int>(assembly.triangles.size()));
+  if (!assembly.region.empty()) p.warming = fresh<ScalarField<double>>("warming", p.count);
   const auto x0 = Kokkos::create_mirror_view(p.x0);
   const auto corner = Kokkos::create_mirror_view(p.corner);
   const auto eroded = Kokkos::create_mirror_view(p.eroded);
@@ -102,7 +106,7 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
     const Vec2 c = triangle.centroid();
     x0(i, 0) = c.x;
     x0(i, 1) = c.y;
-    mass(i) = parameters.density * triangle.area();
+    mass(i) = material_of(parameters, assembly, i).density * triangle.area();
     inertia(i) = mass(i) * triangle.gyration_squared();
     for (int k = 0; k < 3; ++k) {
       const Vec2 sharp = triangle.corner[k] - c;

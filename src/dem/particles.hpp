@@ -35,6 +35,9 @@ struct Particles {
   ScalarField<double> torque;              ///< from outside about the moving centroid, N m
   ScalarField<double> solid_fraction;      ///< remaining solid volume over the initial one; see is_gone
   ScalarField<double> temperature_change;  ///< mean of T - T_ref, K
+  /// The same times the particle's thermal expansion over MechanicsParameters::thermal_expansion: the very View where
+  /// the rock is of one material.
+  ScalarField<double> warming;
 
   Kokkos::View<std::uint8_t*> held;  ///< bits 1, 2, 4: x, y, spin follow `drive` instead of the forces
   VectorField<double> drive;         ///< (particle, axis) velocity of held axes, m/s

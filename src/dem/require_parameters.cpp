@@ -46,6 +46,11 @@ void require_parameters(const MechanicsParameters& p) {
   require_between("mass_scaling", p.mass_scaling, 1, unbounded);
   require_between("rest_tolerance", p.rest_tolerance, 0, 1);
   require_bond(p.bond);
+  for (const RockMaterial& material : p.materials) {
+    require_positive("material.density", material.density);
+    require_between("material.thermal_expansion", material.thermal_expansion, -1e-2, 1e-2);
+    require_bond(material.bond);
+  }
   require_positive("contact.normal_stiffness", p.contact.normal_stiffness);
   require_between("contact.tangential_stiffness", p.contact.tangential_stiffness, 0, unbounded);
   require_between("contact.friction", p.contact.friction, 0, unbounded);

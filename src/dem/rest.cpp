@@ -82,9 +82,9 @@ struct CountAwake {
 
 }  // namespace
 
-Rest make_rest(const Particles& particles, const Bonds& bonds, const BondParameters& law, double tolerance) {
+Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double tolerance) {
   Rest rest;
-  rest.wake_at = bonds.count == 0 ? 0 : tolerance * law.normal_strength * sum_in_order(bonds.length) / bonds.count;
+  rest.wake_at = bonds.count == 0 ? 0 : tolerance * normal_strength * sum_in_order(bonds.length) / bonds.count;
   rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);
   rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
   rest.awake = static_cast<int>(rest.particles.runs.extent(0));
@@ -107,13 +107,13 @@ void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bon
                         {control.load_factor, control.surroundings, bonds, contacts, loads, particles},
                         particles,
                         rest.particles};
-  constexpr int team = runs_on_host ? 1 : particles_per_group;
   const int groups = static_cast<int>(rest.particles.runs.extent(0));
-  Kokkos::parallel_for("vug::dem::look_at_rest", Kokkos::TeamPolicy<Exec>(exec, groups, team), look);
+  for_each_team(exec, "vug::dem::look_at_rest", groups, particles_per_group, look);
   for_each_node(exec, "vug::dem::wake_bonds", static_cast<int>(rest.bonds.runs.extent(0)),
                 WakeBonds{bonds, rest.particles, rest.bonds});
-  Kokkos::parallel_reduce("vug::dem::count_awake", Kokkos::RangePolicy<Exec>(exec, 0, groups),
-                          CountAwake{rest.particles}, rest.awake);
+  if constexpr (runs_on_host)
+    Kokkos::parallel_reduce("vug::dem::count_awake", Kokkos::RangePolicy<Exec>(exec, 0, groups),
+                            CountAwake{rest.particles}, rest.awake);
 }
 
 }  // namespace vug

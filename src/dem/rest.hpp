@@ -17,16 +17,18 @@ struct Rest {
   double wake_at = 0;  ///< N
   Groups particles;
   Groups bonds;
-  int awake = 0;  ///< groups of particles at the last look; a run that is resumed takes all for awake until the next
+  /// Groups of particles at the last look; a run that is resumed takes all for awake until the next, a GPU always: the
+  /// host would have to wait for the number, and where nothing runs kernels end at once.
+  int awake = 0;
 };
 
-/// All awake. They wake at `tolerance` times the force that breaks a bond of mean strength and length.
-Rest make_rest(const Particles& particles, const Bonds& bonds, const BondParameters& law, double tolerance);
+/// All awake. They wake at `tolerance` times the force that breaks a bond of this mean strength and of mean length.
+Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double tolerance);
 
 /// Share of the groups of particles that are awake; for the history, not inside a step.
 double awake_share(const Rest& rest);
 
-/// Finds out which groups rest, from bond forces and contact forces of now; gathers the latter. Waits for the device.
+/// Finds out which groups rest, from bond forces and contact forces of now; gathers the latter.
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                   const BoundaryLoads& loads, const Particles& particles, Rest& rest);
 

@@ -26,16 +26,21 @@ struct FollowPressure {
 };
 
 /// Stiffness of the bonds that join the particles in `held` to others, along the axis, N/m per m of thickness.
-double stiffness_behind(const std::set<int>& held, int axis, const BondParameters& law, const Bonds& bonds) {
-  const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.length);
-  const auto spacing = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.spacing);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.normal);
+double stiffness_behind(const std::set<int>& held, int axis, const BondParameters& rock, const Bonds& bonds) {
+  const auto copy = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto own_normal = copy(bonds.elasticity.normal_modulus),
+             own_tangential = copy(bonds.elasticity.tangential_modulus);
+  const auto pair = copy(bonds.pair);
+  const auto length = copy(bonds.length);
+  const auto spacing = copy(bonds.spacing);
+  const auto normal = copy(bonds.normal);
   double sum = 0;
   for (int k = 0; k < bonds.count; ++k) {
     if (held.contains(pair(k, 0)) == held.contains(pair(k, 1))) continue;
     const double n2 = normal(k, axis) * normal(k, axis);
-    sum += length(k) / (law.length_factor * spacing(k)) * (law.normal_modulus * n2 + law.tangential_modulus * (1 - n2));
+    const double m_n = bonds.elasticity.given() ? own_normal(k) : rock.normal_modulus;
+    const double m_t = bonds.elasticity.given() ? own_tangential(k) : rock.tangential_modulus;
+    sum += length(k) / (rock.length_factor * spacing(k)) * (m_n * n2 + m_t * (1 - n2));
   }
   return sum;
 }

@@ -6,13 +6,28 @@
 
 namespace vug {
 
+namespace {
+
+/// Whether no bond holds a particle any more.
+bool is_loose(const Bonds& bonds, int particle) {
+  const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
+  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.state);
+  for (int k = 0; k < bonds.count; ++k)
+    if ((pair(k, 0) == particle || pair(k, 1) == particle) && !has_failed(state(k))) return false;
+  return true;
+}
+
+}  // namespace
+
 std::string what_is_unsound(const Exec& exec, const Mechanics& rock) {
   const RunawayParticle runaway = rock.runaway(exec, runaway_speed);
   if (runaway.particle >= 0) {
     char speed[32];
     std::snprintf(speed, sizeof speed, "%.3g", runaway.speed);
-    return "particle " + std::to_string(runaway.particle) + " moves at " + speed +
-           " m/s; take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction";
+    return "particle " + std::to_string(runaway.particle) + " moves at " + speed + " m/s; " +
+           (is_loose(rock.bonds(), runaway.particle)
+                ? "no bond holds it: a fragment that the fluid drives from where it is drawn on the lattice has left the model"
+                : "take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction");
   }
   int lost = 0;
   Kokkos::deep_copy(lost, Kokkos::subview(rock.contacts().status, contacts_lost));

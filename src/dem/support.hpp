@@ -5,10 +5,12 @@ namespace vug {
 
 /// How a side is held. Held particles are those with an edge on the side.
 enum class Support {
-  free,    ///< not at all
-  roller,  ///< a frictionless rigid platen: normal motion and rotation are held
-  fixed,   ///< a glued rigid platen: all motion is held
-  servo,   ///< a roller whose platen moves so that it presses with the wanted stress
+  free,        ///< not at all
+  roller,      ///< a frictionless rigid platen: normal motion and rotation are held
+  fixed,       ///< a glued rigid platen: all motion is held
+  pin,         ///< no motion, but the particles turn
+  pin_roller,  ///< no normal motion, but the particles turn
+  servo,       ///< a roller whose platen moves so that it presses with the wanted stress
 };
 
 }  // namespace vug

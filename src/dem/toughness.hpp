@@ -1,20 +1,13 @@
 #pragma once
 // What the fracture energy of bonds makes of the rock: the length over which cracks soften, and what crooked paths add.
-#include "dem/parameters.hpp"
+#include "dem/elasticity.hpp"
 
 namespace vug {
-
-/// Young's modulus of bonded rock, Pa: E = (1 - nu) M_n / chi. The biaxial modulus E / (1 - nu) = M_n / chi is exact, nu
-/// is that measured with the moduli of Table 1.
-constexpr double young_modulus(const BondParameters& bond) {
-  constexpr double poisson_ratio = 0.237;
-  return (1 - poisson_ratio) * bond.normal_modulus / bond.length_factor;
-}
 
 /// E G_I / sigma_n^2, m: the length over which a crack softens, by order of magnitude (Hillerborg, Modeer and Petersson
 /// 1976). Infinite for bonds without strength.
 constexpr double softening_length(const BondParameters& bond) {
-  return young_modulus(bond) * bond.fracture_energy_I / (bond.normal_strength * bond.normal_strength);
+  return elasticity_of(bond).young_modulus * bond.fracture_energy_I / (bond.normal_strength * bond.normal_strength);
 }
 
 /// The bonds of a rock whose fracture energies are given: a crack takes path_ratio times more per projected area than

@@ -24,6 +24,9 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::careful;
   if (const auto table = root.table("mechanics"); table.given())
     scene.mechanics = read_mechanics(table, mechanics_of(preset));
+  if (scene.rock && scene.mechanics)
+    for (const RockRegion& region : scene.mechanics->regions)
+      if (region.form) scene.rock->borders.push_back(*region.form);
   if (const auto table = root.table("damage"); table.given()) {
     ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
     scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
@@ -55,7 +58,7 @@ const std::vector<KeyDescription>& case_keys() {
 std::vector<std::string> input_files(const Scene& scene) {
   std::vector<std::string> files;
   if (scene.rock && scene.rock->mesh) files.push_back(*scene.rock->mesh);
-  if (scene.geometry.kind == GeometryKind::image) files.push_back(scene.geometry.image_file);
+  if (scene.geometry.kind == GeometryKind::image) files.push_back(scene.geometry.image.file);
   return files;
 }
 
@@ -71,14 +74,21 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
   if (scene.laboratory) {
     if (!scene.mechanics) scene.mechanics.emplace();
     check_laboratory(document, scene);
+    check_groups(document, scene);
     check_files(document, scene);
     collect_warnings(scene);
     return scene;
   }
   check_modules(document, scene);
+  if (scene.flow && scene.heat) {
+    FlowSection& flow = *scene.flow;
+    if (flow.reference_temperature == 0) flow.reference_temperature = scene.heat->initial_temperature;
+    if (!flow.viscosity_table.empty()) flow.viscosity = flow.viscosity_at(flow.reference_temperature);
+  }
   check_scales(document, scene);
   check_species(document, scene);
   check_places(document, scene);
+  check_groups(document, scene);
   check_times(document, scene);
   check_boundaries(document, scene);
   check_files(document, scene);

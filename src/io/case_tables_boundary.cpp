@@ -3,10 +3,37 @@
 #include "io/detail/case_tables.hpp"
 #include "kernels/side.hpp"
 
+#include <fmt/format.h>
+
 namespace vug {
 namespace {
 
 enum class Place { side, opening };
+
+/// What of the given fluid velocity or flow rate; exactly one of `velocity` (on an opening `speed`) and the two rates.
+void read_velocity(const TomlCursor& table, FlowBoundary& boundary, Place place) {
+  const char* const own = place == Place::side ? "velocity" : "speed";
+  table.read("flow_rate", boundary.flow_rate, unit::square_metre_per_second);
+  table.read("mass_flow_rate", boundary.mass_flow_rate, unit::kilogram_per_metre_second);
+  if (table.describing()) return;
+  for (const auto& [key, given] :
+       {std::pair{"flow_rate", table.has("flow_rate")}, std::pair{"mass_flow_rate", table.has("mass_flow_rate")}})
+    if (given && table.has(own))
+      table.fail(key, fmt::format("stands beside {}; give one of the two", table.inside(own)));
+  if (boundary.flow_rate && boundary.mass_flow_rate)
+    table.fail("mass_flow_rate", fmt::format("stands beside {}; give one of the two", table.inside("flow_rate")));
+}
+
+void read_profile(const TomlCursor& table, FlowBoundary& boundary) {
+  table.choose(
+      "profile", boundary.profile,
+      {{"uniform", VelocityShape::uniform}, {"parabolic", VelocityShape::parabolic}, {"table", VelocityShape::table}});
+  table.read_curve("profile_table", boundary.profile_table, unit::metre, unit::none, range::any);
+  if (table.describing()) return;
+  if (boundary.profile == VelocityShape::table && boundary.profile_table.empty())
+    table.fail("profile_table", "is missing; profile = \"table\" needs [[position in m, share of the velocity], ...]");
+  if (boundary.profile != VelocityShape::table) table.refuse("profile_table", "is only for profile = \"table\"");
+}
 
 FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {
   FlowBoundary boundary;
@@ -17,29 +44,42 @@ FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {
                      {"velocity", Kind::velocity},
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
-  if (boundary.kind == Kind::pressure || table.describing()) {
+  const bool all = table.describing(), driven = boundary.kind == Kind::velocity;
+  if (boundary.kind == Kind::pressure || all)
     table.need("pressure", boundary.pressure, unit::pascal, range::not_negative);
-    table.read("ramp_time", boundary.ramp_time, unit::second, range::not_negative);
-  } else {
+  else
     table.refuse("pressure", "is only for type = \"pressure\"");
-    table.refuse("ramp_time", "is only for type = \"pressure\"");
+  if (boundary.kind == Kind::pressure || driven || all)
+    table.read("ramp_time", boundary.ramp_time, unit::second, range::not_negative);
+  else
+    table.refuse("ramp_time", "is only for type = \"pressure\" or \"velocity\"");
+  if (driven || all) {
+    read_velocity(table, boundary, place);
+  } else {
+    for (const char* key : {"flow_rate", "mass_flow_rate"}) table.refuse(key, "is only for type = \"velocity\"");
   }
+  const bool rate = boundary.flow_rate || boundary.mass_flow_rate;
   if (place == Place::opening) {
-    if (boundary.kind == Kind::velocity || table.describing())
+    if ((driven && !rate) || all)
       table.need("speed", boundary.speed, unit::metre_per_second);
     else
       table.refuse("speed", "is only for type = \"velocity\"");
-    if (boundary.kind == Kind::wall || table.describing())
+    if (boundary.kind == Kind::wall || all)
       table.read("velocity", boundary.velocity, unit::metre_per_second);
     else
       table.refuse("velocity", "is only for a moving wall; fluid crosses the surface of a shape at the given speed");
     return boundary;
   }
-  if (boundary.kind == Kind::velocity && !table.describing()) {
-    table.need("velocity", boundary.velocity, unit::metre_per_second);
-  } else if (boundary.kind == Kind::wall || table.describing()) {
-    table.read("velocity", boundary.velocity, unit::metre_per_second);
+  if (driven || all) {
+    read_profile(table, boundary);
   } else {
+    for (const char* key : {"profile", "profile_table"}) table.refuse(key, "is only for type = \"velocity\"");
+  }
+  if (driven && !rate && !all) {
+    table.need("velocity", boundary.velocity, unit::metre_per_second);
+  } else if (boundary.kind == Kind::wall || all) {
+    table.read("velocity", boundary.velocity, unit::metre_per_second);
+  } else if (!rate) {
     table.refuse("velocity", "is only for type = \"velocity\" or a moving wall");
   }
   return boundary;
@@ -52,12 +92,19 @@ HeatBoundary read_heat_boundary(const TomlCursor& table) {
                     {{"adiabatic", Kind::adiabatic},
                      {"temperature", Kind::temperature},
                      {"flux", Kind::flux},
+                     {"convection", Kind::convection},
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
-  if (boundary.kind == Kind::temperature || table.describing()) {
+  const bool convects = boundary.kind == Kind::convection;
+  if (boundary.kind == Kind::temperature || convects || table.describing()) {
     table.need("temperature", boundary.temperature, unit::kelvin, range::positive);
   } else {
-    table.refuse("temperature", "is only for type = \"temperature\"");
+    table.refuse("temperature", "is only for type = \"temperature\" or \"convection\"");
+  }
+  if (convects || table.describing()) {
+    table.need("coefficient", boundary.coefficient, unit::watt_per_square_metre_kelvin, range::positive);
+  } else {
+    table.refuse("coefficient", "is only for type = \"convection\"");
   }
   if (boundary.kind == Kind::flux || table.describing()) {
     table.need("flux", boundary.flux, unit::watt_per_square_metre);
@@ -73,39 +120,20 @@ SoluteBoundary read_solute_boundary(const TomlCursor& table) {
   table.need_choice("type", boundary.kind,
                     {{"no_flux", Kind::no_flux},
                      {"concentration", Kind::concentration},
+                     {"flux", Kind::flux},
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
-  if (boundary.kind == Kind::concentration || table.describing()) {
-    if (!table.describing() && !table.has("concentration")) {
-      table.fail("concentration",
-                 "is missing; give one number (mol/m3) per species, { L1 = 3000 }, species left out are 0");
-    }
-    for (const auto& [name, value] :
-         table.named_numbers("concentration", "<species>", unit::mole_per_cubic_metre, range::not_negative)) {
-      boundary.concentration[name] = value;
-    }
-  } else {
-    table.refuse("concentration", "is only for type = \"concentration\"");
-  }
-  return boundary;
-}
-
-TractionBoundary read_traction_boundary(const TomlCursor& table) {
-  TractionBoundary boundary;
-  table.choose(
-      "support", boundary.support,
-      {{"free", Support::free}, {"roller", Support::roller}, {"fixed", Support::fixed}, {"servo", Support::servo}});
-  table.read("normal_stress", boundary.normal_stress, unit::pascal);
-  table.read("stiffness", boundary.stiffness, unit::pascal_per_metre, range::not_negative);
-  const bool still = boundary.support == Support::roller || boundary.support == Support::fixed;
-  if (still && boundary.normal_stress != 0) {
-    table.fail("normal_stress",
-               "acts on a side that its support holds still; use support = \"free\" or \"servo\", or leave it out");
-  }
-  if (boundary.support != Support::free && boundary.stiffness != 0) {
-    table.fail("stiffness",
-               "is that of the rock beyond a side that is free to move; use support = \"free\" or leave it out");
-  }
+  const auto read = [&](const char* key, Kind kind, Unit unit, Range range, std::map<std::string, TimeTable>& values) {
+    if (boundary.kind != kind && !table.describing())
+      return table.refuse(key, fmt::format("is only for type = \"{}\"", key));
+    if (!table.describing() && !table.has(key))
+      table.fail(key,
+                 fmt::format("is missing; give one number ({}) per species, {{ L1 = 3000 }}, species left out are 0",
+                             unit.symbol));
+    for (const auto& [name, value] : table.named_numbers(key, "<species>", unit, range)) values[name] = value;
+  };
+  read("concentration", Kind::concentration, unit::mole_per_cubic_metre, range::not_negative, boundary.concentration);
+  read("flux", Kind::flux, unit::mole_per_square_metre_second, range::any, boundary.flux);
   return boundary;
 }
 
@@ -120,8 +148,7 @@ void read_lattice_conditions(const TomlCursor& table, BoundarySection& section, 
 BoundarySection read_boundary(const TomlCursor& table) {
   BoundarySection section;
   read_lattice_conditions(table, section);
-  if (const TomlCursor traction = table.table("traction"); traction.given())
-    section.traction = read_traction_boundary(traction);
+  if (const TomlCursor traction = table.table("traction"); traction.given()) section.traction = read_traction(traction);
   return section;
 }
 

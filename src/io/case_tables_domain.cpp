@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace vug {
@@ -31,41 +32,8 @@ int cells_along(const TomlCursor& table, double length, double spacing, int axis
 }
 
 Shape read_shape(const TomlCursor& table) {
-  enum class Form { rectangle, disc, polygon };
   Shape shape;
-  Form form = Form::rectangle;
-  table.need_choice("type", form, {{"rectangle", Form::rectangle}, {"disc", Form::disc}, {"polygon", Form::polygon}});
-  Rectangle rectangle{};
-  Disc disc{};
-  Polygon polygon;
-  const bool describing = table.describing();
-  if (form == Form::rectangle || describing) {
-    table.need("from", rectangle.from, unit::metre);
-    table.need("to", rectangle.to, unit::metre);
-    for (int axis = 0; axis < 2 && !describing; ++axis) {
-      if (rectangle.from[axis] == rectangle.to[axis])
-        table.fail("to", "makes a rectangle without area; from and to are opposite corners");
-    }
-    shape.form = rectangle;
-  } else {
-    table.refuse("from", "is only for type = \"rectangle\"");
-    table.refuse("to", "is only for type = \"rectangle\"");
-  }
-  if (form == Form::disc || describing) {
-    table.need("centre", disc.centre, unit::metre);
-    table.need("radius", disc.radius, unit::metre, range::positive);
-    shape.form = disc;
-  } else {
-    table.refuse("centre", "is only for type = \"disc\"");
-    table.refuse("radius", "is only for type = \"disc\"");
-  }
-  if (form == Form::polygon || describing) {
-    table.need("points", polygon.points, unit::metre);
-    if (polygon.points.size() < 3 && !describing) table.fail("points", "must hold three points or more");
-    shape.form = polygon;
-  } else {
-    table.refuse("points", "is only for type = \"polygon\"");
-  }
+  shape.form = *read_form(table, FormOf::geometry);
   table.choose("material", shape.solid, {{"solid", true}, {"fluid", false}});
   std::optional<std::string> name;
   table.read("name", name);
@@ -92,6 +60,84 @@ void read_shapes(const TomlCursor& table, GeometrySection& geometry) {
   }
   if (geometry.shapes.empty() && geometry.kind == GeometryKind::shapes)
     table.fail("shapes", "is missing; type = \"shapes\" needs at least one [[geometry.shapes]]");
+}
+
+/// Keys of a raw file: needed there, and refused for one that knows by itself.
+void read_raw(const TomlCursor& table, ImageSection& image) {
+  const std::string& file = image.file;
+  const auto ends = [&](std::string ending) {
+    std::string last = file.size() < ending.size() ? "" : file.substr(file.size() - ending.size());
+    std::transform(last.begin(), last.end(), last.begin(), [](unsigned char c) { return std::tolower(c); });
+    return last == ending;
+  };
+  const bool known = ends(".png") || ends(".tif") || ends(".tiff") || ends(".nrrd") || ends(".npy");
+  if (known && !table.describing()) {
+    for (const char* key : {"raw_size", "raw_type", "raw_order", "raw_pages"})
+      table.refuse(key, "is for raw files; a picture with a header knows its own");
+    return;
+  }
+  if (!table.describing() && !table.has("raw_size"))
+    table.fail("raw_size",
+               "is missing; a file that is not .png, .tif, .tiff, .nrrd or .npy is read as raw values and needs "
+               "raw_size = [columns, rows]");
+  table.read("raw_size", image.raw_size, range::between(1, 1 << 28));
+  table.choose("raw_type", image.raw_type,
+               {{"uint8", SampleType::uint8},
+                {"uint16", SampleType::uint16},
+                {"uint32", SampleType::uint32},
+                {"int8", SampleType::int8},
+                {"int16", SampleType::int16},
+                {"int32", SampleType::int32},
+                {"float32", SampleType::float32},
+                {"float64", SampleType::float64}});
+  table.choose("raw_order", image.raw_big_endian, {{"little", false}, {"big", true}});
+  table.read("raw_pages", image.raw_pages, range::between(1, 1 << 20));
+}
+
+/// Rock and pore by grey values, or by labels.
+void read_phases(const TomlCursor& table, ImageSection& image) {
+  table.read("solid_labels", image.solid_labels);
+  table.read("fluid_labels", image.fluid_labels);
+  if (image.labelled() && !table.describing()) {
+    for (const char* key : {"threshold", "invert", "grey_range"}) table.refuse(key, "stands beside labels");
+    for (const std::int64_t label : image.fluid_labels)
+      if (std::count(image.solid_labels.begin(), image.solid_labels.end(), label) > 0)
+        table.fail("fluid_labels", fmt::format("holds {}, which is in solid_labels as well", label));
+    return;
+  }
+  table.read("threshold", image.threshold, unit::none, range::between(0, 1));
+  table.read("invert", image.invert);
+  table.read("grey_range", image.grey_range, unit::none);
+  if (table.has("grey_range") && image.grey_range[0] == image.grey_range[1])
+    table.fail("grey_range", "must be two different values, [black, white]");
+}
+
+void read_image(const TomlCursor& table, GeometrySection& geometry) {
+  if (geometry.kind != GeometryKind::image && !table.describing()) {
+    for (const char* key : {"file", "threshold", "invert", "grey_range", "solid_labels", "fluid_labels", "page",
+                            "pixel_size", "crop_from", "crop_size", "rotate", "mirror", "coarsen", "coarsen_rule",
+                            "raw_size", "raw_type", "raw_order", "raw_pages"})
+      table.refuse(key, "is only for geometry.type = \"image\"");
+    return;
+  }
+  ImageSection& image = geometry.image;
+  table.need("file", image.file);
+  read_phases(table, image);
+  table.read("page", image.page, range::between(0, 1 << 20));
+  table.read("pixel_size", image.pixel_size, unit::metre, range::positive);
+  table.read("crop_from", image.crop_from, range::between(0, 1 << 28));
+  table.read("crop_size", image.crop_size, range::between(1, 1 << 28));
+  table.choose(
+      "rotate", image.rotate,
+      {{"none", ImageTurn::none}, {"left", ImageTurn::left}, {"half", ImageTurn::half}, {"right", ImageTurn::right}});
+  table.choose(
+      "mirror", image.mirror,
+      {{"none", ImageMirror::none}, {"left_right", ImageMirror::left_right}, {"top_bottom", ImageMirror::top_bottom}});
+  table.read("coarsen", image.coarsen, range::between(1, 1000));
+  table.choose("coarsen_rule", image.coarsen_rule, {{"majority", CoarsenRule::majority}, {"mean", CoarsenRule::mean}});
+  if (image.labelled() && image.coarsen_rule == CoarsenRule::mean)
+    table.fail("coarsen_rule", "needs grey values; labels have no mean");
+  read_raw(table, image);
 }
 
 }  // namespace
@@ -144,23 +190,7 @@ GeometrySection read_geometry(const TomlCursor& table) {
     table.refuse("background", "is only for geometry.type = \"shapes\"");
   }
   read_shapes(table, geometry);
-  if (geometry.kind == GeometryKind::image || table.describing()) {
-    table.need("file", geometry.image_file);
-    table.read("threshold", geometry.image_threshold, unit::none, range::between(0, 1));
-    table.read("invert", geometry.image_invert);
-    table.read("raw_size", geometry.raw_size, range::between(1, 1 << 28));
-    if (table.describing()) return geometry;
-    const bool png = geometry.image_file.ends_with(".png") || geometry.image_file.ends_with(".PNG");
-    if (png) table.refuse("raw_size", "is for raw files; a .png knows its own size");
-    if (!png && !table.has("raw_size")) {
-      table.fail("raw_size",
-                 "is missing; a file that is not .png is read as raw bytes, one per pixel, and needs raw_size = "
-                 "[columns, rows]");
-    }
-  } else {
-    for (const char* key : {"file", "threshold", "invert", "raw_size"})
-      table.refuse(key, "is only for geometry.type = \"image\"");
-  }
+  read_image(table, geometry);
   return geometry;
 }
 

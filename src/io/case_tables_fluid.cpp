@@ -45,10 +45,57 @@ void read_rate(const TomlCursor& table, const std::optional<SoluteSection>& solu
 
 }  // namespace
 
+double FlowSection::viscosity_at(double temperature) const {
+  if (!viscosity_table.empty()) {
+    std::vector<double> at, value;
+    for (const auto& [kelvin, nu] : viscosity_table) {
+      at.push_back(kelvin);
+      value.push_back(nu);
+    }
+    return TimeTable(at, value).at(temperature);
+  }
+  constexpr double gas_constant = 8.314462618;  // J/(mol K)
+  return viscosity *
+         std::exp(viscosity_activation_energy / gas_constant * (1 / temperature - 1 / reference_temperature));
+}
+
+namespace {
+
+/// Kinematic, dynamic or from a table over the temperature: one of the three.
+void read_viscosity(const TomlCursor& table, FlowSection& flow) {
+  std::optional<double> kinematic, dynamic;
+  table.read("viscosity", kinematic, unit::square_metre_per_second, range::positive);
+  table.read("dynamic_viscosity", dynamic, unit::pascal_second, range::positive);
+  table.read_curve("viscosity_table", flow.viscosity_table, unit::kelvin, unit::square_metre_per_second,
+                   range::positive);
+  table.read("viscosity_activation_energy", flow.viscosity_activation_energy, unit::joule_per_mole,
+             range::not_negative);
+  if (table.describing()) return;
+  const bool from_table = !flow.viscosity_table.empty();
+  if (!kinematic && !dynamic && !from_table)
+    table.fail(
+        "viscosity",
+        "is missing; give flow.viscosity (kinematic, m2/s), flow.dynamic_viscosity (Pa s) or flow.viscosity_table");
+  if (dynamic && kinematic) table.fail("dynamic_viscosity", "stands beside flow.viscosity; give one of the two");
+  if (from_table && (kinematic || dynamic))
+    table.fail("viscosity_table", fmt::format("stands beside flow.{}; give one of the two",
+                                              kinematic ? "viscosity" : "dynamic_viscosity"));
+  if (from_table && flow.viscosity_activation_energy != 0)
+    table.fail("viscosity_activation_energy", "stands beside flow.viscosity_table; give one of the two");
+  if (!from_table) flow.viscosity = kinematic ? *kinematic : *dynamic / flow.density;
+}
+
+}  // namespace
+
 FlowSection read_flow(const TomlCursor& table) {
   FlowSection flow;
   table.read("density", flow.density, unit::kilogram_per_cubic_metre, range::positive);
-  table.need("viscosity", flow.viscosity, unit::square_metre_per_second, range::positive);
+  read_viscosity(table, flow);
+  table.read("gravity", flow.gravity, unit::metre_per_square_second);
+  table.read("thermal_expansion", flow.thermal_expansion, unit::per_kelvin, range::between(-0.1, 0.1));
+  std::optional<double> reference;
+  table.read("reference_temperature", reference, unit::kelvin, range::positive);
+  flow.reference_temperature = reference.value_or(0);
   table.choose("collision", flow.collision,
                {{"trt", Collision::trt},
                 {"lallemand_luo", Collision::lallemand_luo},

@@ -71,6 +71,9 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
           Range{.low = 0, .low_open = true, .infinity_allowed = true});
   read_if(!thermal, table, "largest_strain", "is of a test between moving platens", laboratory.largest_strain,
           unit::none, range::positive_to(1));
+  read_if(!thermal || test == Test::heating, table, "sample_strain", "is of a test with a curve of stress and strain",
+          laboratory.sample_strain, unit::none, range::positive_to(0.1));
+  read_if(quenched, table, "samples", "is only for test = \"quench\"", laboratory.samples, range::between(10, 1e6));
   return laboratory;
 }
 
@@ -85,8 +88,10 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   for (const char* key : {"rock.porosity", "rock.pathway_aperture"})
     if (document.find(key) != nullptr) document.fail(key, "is of pathways on a lattice");
   if (disc)
-    for (const char* key : {"rock.grading", "rock.notches", "rock.hole"})
+    for (const char* key : {"rock.grading", "rock.notches", "rock.hole", "rock.holes"})
       if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a block, not of a disc", key));
+  for (const char* key : {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from"})
+    if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a run on a lattice", key));
   const double smallest = disc ? laboratory.diameter : std::min(laboratory.size[0], laboratory.size[1]);
   if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
     document.fail("rock.element_size",
@@ -94,7 +99,8 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   check_triangles(document, *scene.rock,
                   disc ? std::numbers::pi / 4 * laboratory.diameter * laboratory.diameter
                        : laboratory.size[0] * laboratory.size[1]);
-  for (const char* key : {"output.interval_steps", "output.checkpoint_interval", "output.probes"})
+  for (const char* key : {"output.interval_steps", "output.history_interval", "output.checkpoint_interval",
+                          "output.probes", "output.gauges"})
     if (document.find(key) != nullptr)
       document.fail_at(key, fmt::format("{} is of a run on a lattice; a test has output.interval in s", key));
 }

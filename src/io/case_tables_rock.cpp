@@ -1,6 +1,5 @@
 // [rock], [mechanics], [damage]: the assembly of triangles, how it moves and how it breaks.
 #include "dem/paper_reading.hpp"
-#include "dem/toughness.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>
@@ -12,14 +11,29 @@ namespace {
 /// of 2 and 3 mm (`vug lab --fit-cohesion 91.1` finds 57.6 and 57.3); Table 1 as printed gives about 137 MPa.
 constexpr double calibrated_cohesion = 58e6;
 
-Notch read_notch(const TomlCursor& table) {
+/// The straight pieces of a notch, from its ends or from the points along it.
+void read_notch(const TomlCursor& table, int entry, std::vector<Notch>& notches) {
   Notch notch{};
-  notch.aperture = 3;
-  table.need("from", notch.from, unit::metre);
-  table.need("to", notch.to, unit::metre);
+  std::vector<Point> points;
+  table.read("points", points, unit::metre);
+  const bool row = table.has("points");
+  if (row) {
+    for (const char* key : {"from", "to"}) table.refuse(key, "is of a straight notch; this one has points");
+    if (points.size() < 2) table.fail("points", "must hold two points or more");
+  } else {
+    table.need("from", notch.from, unit::metre);
+    table.need("to", notch.to, unit::metre);
+    points = {notch.from, notch.to};
+  }
   table.read("aperture", notch.aperture, unit::cells, range::between(1, 1000));
-  if (!table.describing() && notch.from == notch.to) table.fail("to", "makes a notch without length");
-  return notch;
+  notch.entry = entry;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    notch.from = points[i];
+    notch.to = points[i + 1];
+    if (!table.describing() && notch.from == notch.to)
+      table.fail(row ? "points" : "to", "makes a notch without length");
+    notches.push_back(notch);
+  }
 }
 
 InjectionHole read_hole(const TomlCursor& table) {
@@ -30,26 +44,6 @@ InjectionHole read_hole(const TomlCursor& table) {
     table.fail("to", "makes a hole without area; from and to are opposite corners");
   }
   return hole;
-}
-
-void read_bond(const TomlCursor& table, BondParameters& bond) {
-  table.read("normal_modulus", bond.normal_modulus, unit::pascal, range::positive);
-  table.read("tangential_modulus", bond.tangential_modulus, unit::pascal, range::positive);
-  table.read("length_factor", bond.length_factor, unit::none, range::positive_to(10));
-  table.read("normal_strength", bond.normal_strength, unit::pascal, range::not_negative);
-  table.read("cohesion", bond.cohesion, unit::pascal, range::not_negative);
-  table.read("internal_friction", bond.internal_friction, unit::none, range::between(0, 10));
-  table.read("fracture_energy_I", bond.fracture_energy_I, unit::newton_per_metre, range::positive);
-  table.read("fracture_energy_II", bond.fracture_energy_II, unit::newton_per_metre, range::positive);
-  double path_ratio = 1.2;  // of the generator's triangles (docs/validation.md, toughness)
-  table.read("path_ratio", path_ratio, unit::none, range::between(1, 10));
-  table.read("damping", bond.damping, unit::second_per_metre, range::not_negative);
-  table.read("weibull_shape", bond.weibull_shape, unit::none, range::between(0, 1000));
-  if (bond.weibull_shape > 0 && bond.weibull_shape < 0.5) {
-    table.fail("weibull_shape", "must be 0 (no scatter) or 0.5 ... 1000");
-  }
-  table.read("seed", bond.seed);
-  bond = bonds_of_rock(bond, path_ratio);
 }
 
 void read_contact(const TomlCursor& table, ContactParameters& contact) {
@@ -78,8 +72,11 @@ RockSection read_rock(const TomlCursor& table) {
   }
   table.read("porosity", rock.porosity, unit::none, {.low = 0, .high = 1, .high_open = true});
   table.read("pathway_aperture", rock.pathway_aperture, unit::cells, range::between(1, 1000));
-  for (const TomlCursor& notch : table.tables("notches")) rock.notches.push_back(read_notch(notch));
+  int entry = 0;
+  for (const TomlCursor& notch : table.tables("notches")) read_notch(notch, entry++, rock.notches);
   if (const TomlCursor hole = table.table("hole"); hole.given()) rock.hole = read_hole(hole);
+  for (const TomlCursor& hole : table.tables("holes")) rock.holes.push_back(*read_form(hole, FormOf::geometry));
+  if (meshed) table.refuse("holes", "is for the generator; rock.mesh has its own");
   return rock;
 }
 
@@ -109,10 +106,16 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   table.read("critical_fraction", mechanics.critical_fraction, unit::none, range::positive_to(1));
   table.read("force_unstable", mechanics.force_unstable);
   table.choose("preload", mechanics.static_preload, {{"static", true}, {"dynamic", false}});
+  table.choose("displacement_from", mechanics.from_unloaded, {{"preload", false}, {"unloaded", true}});
   table.read("preload_time", mechanics.preload_time, unit::second, range::not_negative);
   table.read("preload_damping", mechanics.preload_damping, unit::none,
              {.low = 0, .high = 1, .low_open = true, .high_open = true});
-  read_bond(table.table("bond"), parameters.bond);
+  table.read("gravity", mechanics.gravity, unit::metre_per_square_second);
+  for (const TomlCursor& element : table.tables("initial_velocity")) {
+    InitialVelocity& start = mechanics.initial_velocities.emplace_back(InitialVelocity{read_region(element), {0, 0}});
+    element.need("velocity", start.velocity, unit::metre_per_second);
+  }
+  read_materials(table, mechanics);
   read_contact(table.table("contact"), parameters.contact);
   return mechanics;
 }

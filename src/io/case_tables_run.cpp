@@ -36,9 +36,12 @@ OutputSection read_output(const TomlCursor& table) {
   OutputSection output;
   table.read("interval", output.interval, unit::second, range::positive);
   table.read("interval_steps", output.interval_steps, range::between(1, 1e15));
+  table.read("history_interval", output.history_interval, unit::second, range::positive);
   table.read("checkpoint_interval", output.checkpoint_interval, unit::second, range::positive);
   table.read("fields", output.fields);
   table.read("compress", output.compress);
+  table.read("forces", output.forces);
+  table.read("flows", output.flows);
   std::set<std::string> probe_names, field_names;
   for (const TomlCursor& element : table.tables("probes")) {
     Probe probe{};
@@ -49,6 +52,7 @@ OutputSection read_output(const TomlCursor& table) {
       element.fail("name", "is the name of an earlier probe");
     output.probes.push_back(probe);
   }
+  output.gauges = read_gauges(table);
   if (table.describing()) return output;
   if (output.interval && output.interval_steps)
     table.fail("interval_steps", "stands beside output.interval; give one of the two");

@@ -1,132 +1,206 @@
 #include "io/image_reader.hpp"
 
-#include "io/detail/input_file.hpp"
-#include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "io/detail/image_rows.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
-#include <csetjmp>
-#include <cstring>
-#include <string_view>
+#include <cmath>
+#include <limits>
+#include <map>
 
 namespace vug {
 
 namespace {
 
-void require_size(const std::string& path, std::int64_t width, std::int64_t height, int nx, int ny) {
-  if (width != nx || height != ny)
-    throw InputError(fmt::format("{}: the image has {} x {} pixels, the lattice {} x {} nodes; they must agree", path,
-                                 width, height, nx, ny));
-}
+using detail::refuse_image;
 
-/// libpng's state, the bytes it reads, and what it had to say.
-struct PngReader {
-  std::string_view rest;
-  std::string message = "damaged";
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-
-  explicit PngReader(std::string_view data) : rest(data) {
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
-    info = png ? png_create_info_struct(png) : nullptr;
-    if (info) png_set_read_fn(png, this, read);
-  }
-  PngReader(const PngReader&) = delete;
-  PngReader& operator=(const PngReader&) = delete;
-  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
-
-  static void on_error(png_structp png, png_const_charp text) {
-    static_cast<PngReader*>(png_get_error_ptr(png))->message = text;
-    std::longjmp(png_jmpbuf(png), 1);
-  }
-  static void read(png_structp png, png_bytep out, std::size_t bytes) {
-    auto& rest = static_cast<PngReader*>(png_get_io_ptr(png))->rest;
-    if (bytes > rest.size()) png_error(png, "the file ends too early");
-    std::memcpy(out, rest.data(), bytes);
-    rest.remove_prefix(bytes);
-  }
-  // libpng leaves these two by a jump, so nothing in them may need a destructor.
-  bool read_header() {
-    if (!info || setjmp(png_jmpbuf(png))) return false;
-    png_read_info(png, info);
-    return true;
-  }
-  bool read_rows(png_bytepp rows) {
-    if (setjmp(png_jmpbuf(png))) return false;
-    png_set_expand_16(png);  // palettes and 1 to 8 bits, to 16 bits
-    png_set_gray_to_rgb(png);
-    png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER);
-    png_set_interlace_handling(png);
-    png_read_update_info(png, info);
-    png_read_image(png, rows);
-    png_read_end(png, nullptr);
-    return true;
-  }
+struct Size {
+  int columns, rows;
 };
 
-// Luma of a pixel of red, green, blue and alpha, 16 bits each, most significant byte first, over white.
-float grey_of(const png_byte* pixel) {
-  const auto channel = [pixel](int k) { return (256 * pixel[2 * k] + pixel[2 * k + 1]) / 65535.0; };
-  const double luma = 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
-  return static_cast<float>(channel(3) * luma + 1 - channel(3));
+/// The part of the page that the case asks for. Throws InputError where it is not on the page or gives no whole cells.
+Size cropped_size(const ImageSection& image, const detail::ImageHeader& header) {
+  constexpr std::int64_t most = 1 << 28;
+  if (header.width < 1 || header.height < 1 || header.width > most || header.height > most)
+    refuse_image(image.file,
+                 fmt::format("the image has {} x {} pixels, which cannot be read", header.width, header.height));
+  const auto [column, row] = image.crop_from;
+  const std::int64_t columns = image.crop_size[0] > 0 ? image.crop_size[0] : header.width - column;
+  const std::int64_t rows = image.crop_size[1] > 0 ? image.crop_size[1] : header.height - row;
+  if (columns < 1 || rows < 1 || column + columns > header.width || row + rows > header.height)
+    refuse_image(
+        image.file,
+        fmt::format("the crop of {} x {} pixels from column {}, row {} leaves the image, which has {} x {} pixels",
+                    columns, rows, column, row, header.width, header.height));
+  if (columns % image.coarsen != 0 || rows % image.coarsen != 0)
+    refuse_image(image.file, fmt::format("{} x {} pixels make no whole number of cells of {} pixels; give "
+                                         "geometry.crop_size = [{}, {}]",
+                                         columns, rows, image.coarsen, columns - columns % image.coarsen,
+                                         rows - rows % image.coarsen));
+  return {static_cast<int>(columns), static_cast<int>(rows)};
 }
 
-GreyImage read_png(const std::string& data, const std::string& path, int nx, int ny) {
-  PngReader reader(data);
-  const auto fail = [&] {
-    throw InputError(one_line(fmt::format("{}: not a readable PNG: {}", path, reader.message)));
+bool turned_sideways(const ImageSection& image) {
+  return image.rotate == ImageTurn::left || image.rotate == ImageTurn::right;
+}
+
+void require_lattice(const ImageSection& image, Size pixels, const LatticeSection& lattice) {
+  const int across = (turned_sideways(image) ? pixels.rows : pixels.columns) / image.coarsen;
+  const int up = (turned_sideways(image) ? pixels.columns : pixels.rows) / image.coarsen;
+  if (across == lattice.nx && up == lattice.ny) return;
+  const bool changed = image.coarsen > 1 || turned_sideways(image);
+  const std::string cells = changed ? fmt::format(", coarsened and turned {} x {} cells", across, up) : "";
+  refuse_image(image.file, fmt::format("the image has {} x {} pixels{}, the lattice {} x {} nodes; they must agree",
+                                       pixels.columns, pixels.rows, cells, lattice.nx, lattice.ny));
+}
+
+void require_pixel_size(const ImageSection& image, std::optional<double> pixel_size, const LatticeSection& lattice) {
+  constexpr double tolerance = 1e-3;
+  if (!pixel_size || std::abs(*pixel_size * image.coarsen - lattice.spacing) <= tolerance * lattice.spacing) return;
+  const std::string cell =
+      image.coarsen > 1 ? fmt::format(", {} of them {:.6g} m", image.coarsen, *pixel_size * image.coarsen) : "";
+  refuse_image(image.file,
+               fmt::format("{} pixels of {:.6g} m{}, lattice.spacing is {:.6g} m; they must agree{}",
+                           image.pixel_size ? "geometry.pixel_size says" : "the file says", *pixel_size, cell,
+                           lattice.spacing, image.pixel_size ? "" : " (geometry.pixel_size goes before the file)"));
+}
+
+/// Tells rock from pore, and counts what it has seen.
+class Pixels {
+ public:
+  Pixels(const ImageSection& image, const detail::ImageHeader& header) : image_(image) {
+    for (const std::int64_t label : image.solid_labels) labels_[static_cast<double>(label)].solid = true;
+    for (const std::int64_t label : image.fluid_labels) labels_[static_cast<double>(label)].solid = false;
+    if (image.labelled()) {
+      if (!header.stored) refuse_image(image.file, "holds colours; labels are grey values or indices of a palette");
+      return;
+    }
+    if (image.grey_range[0] != image.grey_range[1]) {
+      black_ = image.grey_range[0];
+      white_ = image.grey_range[1];
+    } else if (header.white > 0) {
+      white_ = header.white;
+      narrow_ = white_ > 255;
+    } else {
+      refuse_image(image.file, fmt::format("has values of the type {}, which say nothing of black and white; give "
+                                           "geometry.grey_range = [black, white]",
+                                           header.type));
+    }
+  }
+
+  /// The grey value, 0 black and 1 white; 0 of a label.
+  double grey(double value) const { return image_.labelled() ? 0 : (value - black_) / (white_ - black_); }
+  bool dark(double grey) const { return (grey < image_.threshold) != image_.invert; }
+
+  /// Whether the pixel is rock. Throws InputError for one that is neither rock nor pore.
+  bool solid(double value, int column, int row) {
+    if (!std::isfinite(value))
+      refuse_image(image_.file,
+                   fmt::format("the pixel in column {}, row {} is {}, no finite number", column, row, value));
+    least_ = std::min(least_, value);
+    largest_ = std::max(largest_, value);
+    if (!image_.labelled()) return dark(grey(value));
+    if (last_ == nullptr || value != last_value_) {
+      const auto found = labels_.find(value);
+      if (found == labels_.end())
+        refuse_image(image_.file, fmt::format("the pixel in column {}, row {} has the label {}, which is neither in "
+                                              "geometry.solid_labels nor in geometry.fluid_labels",
+                                              column, row, value));
+      last_ = &found->second;
+      last_value_ = value;
+    }
+    ++last_->count;
+    return last_->solid;
+  }
+
+  void summarise(double pixels, ImageSummary& summary) const {
+    if (narrow_ && largest_ <= 255)
+      refuse_image(image_.file, fmt::format("no value is above {:g} of {:g}: values of 8 bits in a wider type; give "
+                                            "geometry.grey_range = [0, 255]",
+                                            largest_, white_));
+    summary.least = least_;
+    summary.largest = largest_;
+    for (const auto& [label, seen] : labels_)
+      summary.labels.emplace_back(static_cast<std::int64_t>(label), static_cast<double>(seen.count) / pixels);
+  }
+
+ private:
+  struct Label {
+    bool solid = false;
+    std::int64_t count = 0;
   };
-  if (!reader.read_header()) fail();
-  require_size(path, png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), nx,
-               ny);
-  constexpr std::size_t pixel_bytes = 8;
-  std::vector<png_byte> pixels(pixel_bytes * static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
-  std::vector<png_bytep> rows;
-  for (int y = 0; y < ny; ++y) rows.push_back(&pixels[pixel_bytes * static_cast<std::size_t>(y) * nx]);
-  if (!reader.read_rows(rows.data())) fail();
-  GreyImage image{nx, ny, {}};
-  image.grey.reserve(pixels.size() / pixel_bytes);
-  for (std::size_t i = 0; i < pixels.size(); i += pixel_bytes) image.grey.push_back(grey_of(&pixels[i]));
-  return image;
+  const ImageSection& image_;
+  double black_ = 0, white_ = 1;
+  bool narrow_ = false;  ///< a type of which 8-bit values use the darkest part only
+  std::map<double, Label> labels_;
+  Label* last_ = nullptr;
+  double last_value_ = 0;
+  double least_ = std::numeric_limits<double>::infinity(), largest_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Cells as they lie in the picture, row by row from its top.
+std::vector<bool> cells_of(const ImageSection& image, detail::ImageRows& rows, Size size, Pixels& pixels) {
+  const int n = image.coarsen, across = size.columns / n;
+  std::vector<bool> cells;
+  cells.reserve(static_cast<std::size_t>(across) * (size.rows / n));
+  std::vector<double> values(static_cast<std::size_t>(size.columns)), grey(across);
+  std::vector<int> solid(across);
+  const double area = static_cast<double>(n) * n;
+  for (int y = 0; y < size.rows; ++y) {
+    rows.read(image.crop_from[1] + y, image.crop_from[0], values);
+    for (int x = 0; x < size.columns; ++x) {
+      solid[x / n] += pixels.solid(values[x], image.crop_from[0] + x, image.crop_from[1] + y);
+      grey[x / n] += pixels.grey(values[x]);
+    }
+    if ((y + 1) % n != 0) continue;
+    for (int x = 0; x < across; ++x)
+      cells.push_back(image.coarsen_rule == CoarsenRule::mean ? pixels.dark(grey[x] / area) : 2 * solid[x] >= area);
+    std::fill(solid.begin(), solid.end(), 0);
+    std::fill(grey.begin(), grey.end(), 0);
+  }
+  return cells;
 }
 
-GreyImage read_raw(const std::string& data, const std::string& path, std::array<int, 2> size, int nx, int ny) {
-  require_size(path, size[0], size[1], nx, ny);
-  const auto wanted = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
-  if (data.size() != wanted)
-    throw InputError(fmt::format("{}: the file has {} bytes, a raw image of {} x {} pixels has {}", path, data.size(),
-                                 nx, ny, wanted));
-  GreyImage image{nx, ny, std::vector<float>(wanted)};
-  std::transform(data.begin(), data.end(), image.grey.begin(),
-                 [](char value) { return static_cast<float>(static_cast<unsigned char>(value)) / 255; });
-  return image;
-}
-
-}  // namespace
-
-GreyImage read_image(const GeometrySection& geometry, int nx, int ny) {
-  const auto& path = geometry.image_file;
-  const auto data = detail::read_input_file(path);
-  const bool raw = geometry.raw_size[0] != 0 || geometry.raw_size[1] != 0;
-  return raw ? read_raw(data, path, geometry.raw_size, nx, ny) : read_png(data, path, nx, ny);
-}
-
-std::vector<bool> solid_nodes(const GreyImage& image, const GeometrySection& geometry) {
-  std::vector<bool> solid(image.grey.size());
-  for (int y = 0; y < image.height; ++y) {
-    const auto row = static_cast<std::size_t>(image.width) * y;
-    const auto from = static_cast<std::size_t>(image.width) * (image.height - 1 - y);  // the picture begins at the top
-    for (int x = 0; x < image.width; ++x)
-      solid[row + x] = (image.grey[from + x] < geometry.image_threshold) != geometry.image_invert;
+/// The same on the lattice: turned, mirrored, from the bottom.
+std::vector<bool> placed(const std::vector<bool>& cells, const ImageSection& image, int across,
+                         const LatticeSection& lattice) {
+  const int nx = lattice.nx, ny = lattice.ny;
+  std::vector<bool> solid(cells.size());
+  for (int y = 0; y < ny; ++y) {
+    for (int x = 0; x < nx; ++x) {
+      int column = image.mirror == ImageMirror::left_right ? nx - 1 - x : x;
+      int row = image.mirror == ImageMirror::top_bottom ? y : ny - 1 - y;  // the picture begins at the top
+      if (image.rotate == ImageTurn::half) {
+        column = nx - 1 - column;
+        row = ny - 1 - row;
+      } else if (image.rotate == ImageTurn::left) {  // its right edge comes to the top
+        std::swap(column, row);
+        column = ny - 1 - column;
+      } else if (image.rotate == ImageTurn::right) {  // its left edge comes to the top
+        std::swap(column, row);
+        row = nx - 1 - row;
+      }
+      solid[static_cast<std::size_t>(nx) * y + x] = cells[static_cast<std::size_t>(across) * row + column];
+    }
   }
   return solid;
 }
 
-std::vector<bool> read_solid_image(const GeometrySection& geometry, int nx, int ny) {
-  return solid_nodes(read_image(geometry, nx, ny), geometry);
+}  // namespace
+
+SolidImage read_solid_image(const ImageSection& image, const LatticeSection& lattice) {
+  const auto rows = detail::open_image(image);
+  const detail::ImageHeader& header = rows->header;
+  const std::optional<double> pixel_size = image.pixel_size ? image.pixel_size : header.pixel_size;
+  const Size size = cropped_size(image, header);
+  require_lattice(image, size, lattice);
+  require_pixel_size(image, pixel_size, lattice);
+  SolidImage read{{}, {header.width, header.height, header.type, pixel_size, 0, 0, {}}};
+  Pixels pixels(image, header);
+  read.solid = placed(cells_of(image, *rows, size, pixels), image, size.columns / image.coarsen, lattice);
+  pixels.summarise(static_cast<double>(size.columns) * size.rows, read.summary);
+  return read;
 }
 
 }  // namespace vug

@@ -2,27 +2,32 @@
 // Rock from a picture.
 #include "io/scene.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace vug {
 
-/// A picture as grey values from 0 (black) to 1 (white), row 0 at the top.
-struct GreyImage {
-  int width = 0, height = 0;
-  std::vector<float> grey;
+/// What a picture turned out to hold, for `vug check`.
+struct ImageSummary {
+  std::int64_t width = 0, height = 0;                   ///< pixels of the whole page
+  std::string type;                                     ///< of its values
+  std::optional<double> pixel_size;                     ///< m, of the case or else of the file
+  double least = 0, largest = 0;                        ///< values in the part that is used
+  std::vector<std::pair<std::int64_t, double>> labels;  ///< of a label map: share of the pixels of each label
 };
 
-/// Reads the image of the case: a PNG (grey, colour or palette, with or without transparency, 1 to 16 bits), or width ×
-/// height bytes where the case gives a raw size. Values are taken as they are stored, colours by their luma, what is
-/// transparent as white. Throws FileError for a file that cannot be read or is damaged, and InputError, naming both
-/// sizes, when the image does not have one pixel per node of the nx × ny lattice.
-GreyImage read_image(const GeometrySection& geometry, int nx, int ny);
+/// Where the lattice is solid, row by row from the bottom.
+struct SolidImage {
+  std::vector<bool> solid;
+  ImageSummary summary;
+};
 
-/// Where the lattice is solid, row by row from the bottom: values below the threshold, or the others when inverted.
-std::vector<bool> solid_nodes(const GreyImage& image, const GeometrySection& geometry);
-
-/// Both in one.
-std::vector<bool> read_solid_image(const GeometrySection& geometry, int nx, int ny);
+/// Reads the picture of a case: crops, tells rock from pore pixel by pixel, coarsens, turns, mirrors. Grey values are
+/// taken as they are stored, colours by their luma (Rec. 601), what is transparent as white; a picture whose rows come
+/// in order is never held as a whole. Throws FileError for a file that cannot be read, and InputError for one that is
+/// damaged, has a size, a pixel size or a type of values that contradicts the case, a label that the case does not
+/// name, or a value that is no number.
+SolidImage read_solid_image(const ImageSection& image, const LatticeSection& lattice);
 
 }  // namespace vug

@@ -29,7 +29,10 @@ struct RawMesh {
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 2>> cracks;
   std::set<std::int64_t> crack_groups;          // physical tags of lines
+  std::map<std::int64_t, std::string> surface_groups;  // names by physical tags of surfaces
   std::map<std::int64_t, bool> curve_is_crack;  // format 4: geometric tags of lines
+  std::map<std::int64_t, std::string> surface_group;  // format 4: of geometric tags of surfaces
+  std::map<std::string, std::vector<int>> groups;     // triangles of named surfaces
 };
 
 void read_physical_names(MeshText& text, RawMesh& mesh) {
@@ -39,6 +42,7 @@ void read_physical_names(MeshText& text, RawMesh& mesh) {
     const auto tag = text.integer();
     const auto name = text.quoted();
     if (dimension == 1 && (name == "crack" || name == "notch")) mesh.crack_groups.insert(tag);
+    if (dimension == 2) mesh.surface_groups[tag] = name;
   }
 }
 
@@ -60,8 +64,13 @@ int read_node_number(MeshText& text, const RawMesh& mesh) {
   return found->second;
 }
 
+std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64_t tag) {
+  const auto found = names.find(tag);
+  return found == names.end() ? "" : found->second;
+}
+
 // The nodes of one element whose type and tags have been read.
-void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, bool crack) {
+void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, bool crack, const std::string& surface) {
   if (type == point_element) {
     text.skip(1);
   } else if (type == line_element) {
@@ -69,6 +78,7 @@ void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, bool crack) 
     if (crack) mesh.cracks.push_back({a, b});
   } else if (type == triangle_element) {
     const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
+    if (!surface.empty()) mesh.groups[surface].push_back(static_cast<int>(mesh.triangles.size()));
     mesh.triangles.push_back({a, b, read_node_number(text, mesh)});
   } else {
     text.fail(fmt::format("element type {} is not supported; mesh with triangles of first order", type));
@@ -91,7 +101,7 @@ void read_elements_2(MeshText& text, RawMesh& mesh) {
     const auto tags = text.count();
     const auto physical = tags > 0 ? text.integer() : 0;
     text.skip(tags - 1);
-    read_element(text, mesh, type, mesh.crack_groups.contains(physical));
+    read_element(text, mesh, type, mesh.crack_groups.contains(physical), name_of(mesh.surface_groups, physical));
   }
 }
 
@@ -102,8 +112,11 @@ void read_entities_4(MeshText& text, RawMesh& mesh) {
       const auto tag = text.integer();
       text.skip(dimension == 0 ? 3 : 6);  // a point or a bounding box
       const auto groups = text.count();
-      for (std::int64_t k = 0; k < groups; ++k)
-        if (mesh.crack_groups.contains(text.integer()) && dimension == 1) mesh.curve_is_crack[tag] = true;
+      for (std::int64_t k = 0; k < groups; ++k) {
+        const auto group = text.integer();
+        if (mesh.crack_groups.contains(group) && dimension == 1) mesh.curve_is_crack[tag] = true;
+        if (mesh.surface_groups.contains(group) && dimension == 2) mesh.surface_group[tag] = mesh.surface_groups[group];
+      }
       if (dimension > 0) text.skip(text.count());  // what bounds it
     }
   }
@@ -130,9 +143,10 @@ void read_elements_4(MeshText& text, RawMesh& mesh) {
     const auto type = text.integer();
     const auto count = text.count();
     const bool crack = dimension == 1 && mesh.curve_is_crack.contains(entity);
+    const std::string surface = dimension == 2 ? name_of(mesh.surface_group, entity) : "";
     for (std::int64_t i = 0; i < count; ++i) {
       text.skip(1);
-      read_element(text, mesh, type, crack);
+      read_element(text, mesh, type, crack, surface);
     }
   }
 }
@@ -181,6 +195,7 @@ Assembly assemble(const RawMesh& mesh, const std::string& path) {
   for (const auto& t : mesh.triangles)
     for (const int node : t) number[node] = 0;
   Assembly assembly;
+  assembly.groups = mesh.groups;
   for (std::size_t i = 0; i < number.size(); ++i) {
     if (number[i] < 0) continue;
     number[i] = static_cast<int>(assembly.vertices.size());

@@ -38,7 +38,7 @@ struct Mesher {
   Mesher(detail::DiscOutline disc, const RockSection& rock)
       : length(disc.length), grid(length), size(length, rock), outline(std::move(disc.outline)) {}
 
-  bool in_hole(Point p) const { return outline.hole && outline.hole->contains(p, 0); }
+  bool in_hole(Point p) const { return (outline.hole && outline.hole->contains(p, 0)) || outline.in_holes(p); }
   bool in_disc(Point p) const {
     return std::all_of(outline.edges.begin(), outline.edges.end(), [&](const Outline::Edge& edge) {
       const Point &a = outline.points[edge.a], &b = outline.points[edge.b];
@@ -48,7 +48,8 @@ struct Mesher {
   bool is_corner(int point) const { return outline.round && point < 4; }
   bool in_rock(Point p) const {
     return p[0] > 0 && p[1] > 0 && p[0] < length[0] && p[1] < length[1] &&
-           !(outline.hole && outline.hole->contains(p, 1e-9 * length[0])) && (!outline.round || in_disc(p));
+           !(outline.hole && outline.hole->contains(p, 1e-9 * length[0])) && !outline.in_holes(p) &&
+           (!outline.round || in_disc(p));
   }
   // The discs over the edges of the outline stay empty, which makes those edges Delaunay.
   detail::KeepOut edge_discs(double factor) const;

@@ -44,10 +44,15 @@ std::int64_t peak_memory_bytes() {
 }  // namespace
 
 InputFile digest_of_file(const std::string& path) {
-  const std::string text = detail::read_input_file(path);
+  const detail::BinaryFile file(path);
   detail::TextDigest digest;
-  digest.add(text);
-  return {path, text.size(), fmt::format("{:016x}", digest.value())};
+  std::uint64_t size = 0;
+  char block[1 << 16];
+  while (const std::size_t count = file.read(size, block, sizeof block)) {
+    digest.add({block, count});
+    size += count;
+  }
+  return {path, size, fmt::format("{:016x}", digest.value())};
 }
 
 std::string case_hash(const std::string& case_text, const std::vector<std::string>& overrides,

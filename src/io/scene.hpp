@@ -3,6 +3,7 @@
 // modelled. Units and ranges of every key are in docs/case-file.md.
 #include "dem/parameters.hpp"
 #include "dem/support.hpp"
+#include "io/time_table.hpp"
 #include "kernels/choices.hpp"
 
 #include <array>
@@ -31,11 +32,41 @@ struct TimeSection {
 struct Rectangle { std::array<double, 2> from, to; };
 struct Disc { std::array<double, 2> centre; double radius; };
 struct Polygon { std::vector<std::array<double, 2>> points; };
+using Form = std::variant<Rectangle, Disc, Polygon>;
 /// A shape drawn on the lattice in the order of the file; later shapes paint over earlier ones. Coordinates in m.
 struct Shape {
-  std::variant<Rectangle, Disc, Polygon> form;
+  Form form;
   bool solid = true;
   std::string name;  ///< of an opening, with conditions on its surface instead of a material; empty: none
+};
+
+/// Type of the values of a picture without a header.
+enum class SampleType { uint8, uint16, uint32, uint64, int8, int16, int32, int64, float32, float64 };
+enum class CoarsenRule { majority, mean };
+enum class ImageTurn { none, left, half, right };
+enum class ImageMirror { none, left_right, top_bottom };
+
+/// A picture of rock. Columns and rows count from 0 at its upper left corner.
+struct ImageSection {
+  std::string file;                         ///< path as resolved against the folder of the case
+  double threshold = 0.5;                   ///< of the grey value, 0 is black and 1 white; darker is solid
+  bool invert = false;
+  std::array<double, 2> grey_range{0, 0};  ///< values that are black and white; equal: 0 and the largest of the type
+  std::vector<std::int64_t> solid_labels, fluid_labels;  ///< a label map instead of a threshold when there are any
+  int page = 0;                             ///< of a stack
+  std::optional<double> pixel_size;         ///< m; otherwise that of the file, if it says one
+  std::array<int, 2> crop_from{0, 0};       ///< column, row
+  std::array<int, 2> crop_size{0, 0};       ///< columns, rows; 0: to the far edge
+  ImageTurn rotate = ImageTurn::none;       ///< a quarter turn to the left is counter-clockwise; after cropping
+  ImageMirror mirror = ImageMirror::none;   ///< after turning
+  int coarsen = 1;                          ///< pixels along the edge of a cell
+  CoarsenRule coarsen_rule = CoarsenRule::majority;
+  std::array<int, 2> raw_size{0, 0};        ///< columns, rows of a file without a header
+  SampleType raw_type = SampleType::uint8;
+  bool raw_big_endian = false;
+  int raw_pages = 1;
+
+  bool labelled() const { return !solid_labels.empty() || !fluid_labels.empty(); }
 };
 
 enum class GeometryKind { open, image, shapes, rock };
@@ -43,16 +74,14 @@ struct GeometrySection {
   GeometryKind kind = GeometryKind::open;
   std::string background = "fluid";  ///< of "shapes": what is there before the first shape
   std::vector<Shape> shapes;          ///< of all kinds but "shapes": openings only
-  std::string image_file;             ///< path as resolved against the folder of the case
-  double image_threshold = 0.5;       ///< fraction of the largest grey value; darker is solid
-  bool image_invert = false;
-  std::array<int, 2> raw_size{0, 0};  ///< of a raw 8-bit file
+  ImageSection image;
 };
 
-/// A straight line along which the rock is cracked from the start.
+/// A straight line along which the rock is cracked from the start; one of a row of lines is a notch each.
 struct Notch {
   std::array<double, 2> from, to;  ///< m
   double aperture = 3;             ///< cells
+  int entry = 0;                   ///< number in the case file
 };
 /// A rectangular cavity cut into a side of the rock, where fluid is injected.
 struct InjectionHole {
@@ -66,16 +95,29 @@ struct RockSection {
   double porosity = 0;              ///< share of the rock that pathways take from the start
   double pathway_aperture = 3;      ///< cells
   std::vector<Notch> notches;
+  std::vector<Form> borders;        ///< outlines that generated triangles follow: those of the materials
   std::optional<InjectionHole> hole;
+  std::vector<Form> holes;          ///< cut out of generated triangles, at a side or inside
 };
 
 struct FlowSection {
   double density = 1000;             ///< kg/m3
   double viscosity = 0;              ///< kinematic, m2/s
+  double viscosity_activation_energy = 0;  ///< J/mol, of the Arrhenius law about the reference temperature
+  std::vector<std::array<double, 2>> viscosity_table;  ///< (K, m2/s); then `viscosity` is that at the reference temperature
+  std::array<double, 2> gravity{0, 0};     ///< m/s2, on differences of density
+  double thermal_expansion = 0;            ///< 1/K, of the volume
+  double reference_temperature = 0;        ///< K, of density and viscosity; heat.initial_temperature unless given
   Collision collision = Collision::trt;
   std::array<double, 2> body_force{0, 0};  ///< m/s2
   double initial_pressure = 1e5;     ///< Pa, also the reference of the gauge pressure
   double speed_limit = 0.2;          ///< lattice units; 0 switches the limiter off
+
+  bool buoyant() const { return thermal_expansion != 0 && (gravity[0] != 0 || gravity[1] != 0); }
+  bool viscosity_varies() const { return viscosity_activation_energy != 0 || !viscosity_table.empty(); }
+  /// Kinematic viscosity at a temperature (K), m2/s: nu exp(E_a / R (1/T - 1/T_0)), or from the table.
+  double viscosity_at(double temperature) const;
+
   /// S_p >= 1 for coarse lattices: the lattice flows under the gauge pressures of the case divided by it, and what the
   /// fluid does to the rock, and every pressure written out, is multiplied by it (docs/model.md)
   double pressure_scale = 1;
@@ -118,15 +160,30 @@ struct ReactionSection {
   BirthFill birth_fill = BirthFill::mean;
 };
 
+/// Some of the rock's triangles.
+struct RockRegion {
+  std::optional<Form> form;  ///< those whose centroid it holds
+  std::string group;         ///< without a form: those of this named surface of the mesh
+};
+/// What moves at the start of the run.
+struct InitialVelocity {
+  RockRegion region;
+  std::array<double, 2> velocity;  ///< m/s
+};
+
 struct MechanicsSection {
   std::string profile = "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength; or "weibull-scale"
   MechanicsParameters parameters;
+  std::vector<RockRegion> regions;  ///< of parameters.materials, one each; later ones paint over earlier ones
+  std::array<double, 2> gravity{0, 0};  ///< m/s2
+  std::vector<InitialVelocity> initial_velocities;
   std::optional<int> substeps;         ///< per lattice step; absent: from the critical step
   double critical_fraction = 0.3;      ///< of the critical time step that a sub-step may take
   bool force_unstable = false;         ///< accept a sub-step above the critical one
   bool static_preload = true;          ///< the outer stress by a direct solver, by a ramp where that does not lead there
   double preload_time = 150e-6;        ///< s over which the outer stress is ramped before the run
   double preload_damping = 0.7;        ///< Cundall's alpha until the rock is at rest
+  bool from_unloaded = false;          ///< displacements count from the rock before the preload
 };
 
 struct DamageSection {
@@ -151,6 +208,8 @@ struct LaboratorySection {
   /// Of the quenched face: heat transfer coefficient x height / conductivity.
   double biot = std::numeric_limits<double>::infinity();
   double largest_strain = 0.02;        ///< where a loading test ends at the latest
+  double sample_strain = 1e-5;         ///< between two points of its curve
+  int samples = 200;                   ///< temperatures of a quench
 };
 
 /// Of the moving platen, m/s; when it is not given, so slow that strengths are within 4 % of those at a quarter of it.
@@ -161,26 +220,68 @@ inline double platen_speed(const LaboratorySection& laboratory) {
 enum class FlowBoundaryKind { wall, pressure, velocity, outflow, periodic };
 struct FlowBoundary {
   FlowBoundaryKind kind = FlowBoundaryKind::wall;
-  double pressure = 0;                 ///< Pa, absolute
-  std::array<double, 2> velocity{0, 0};  ///< m/s (wall: tangential speed of a moving wall)
-  double ramp_time = 0;                ///< s, over which the pressure rises from the initial one
-  double speed = 0;                    ///< m/s, of fluid that leaves an opening across its surface
+  TimeTable pressure;                    ///< Pa, absolute
+  std::array<TimeTable, 2> velocity;     ///< m/s (wall: tangential speed of a moving wall)
+  double ramp_time = 0;                  ///< s, over which pressure or velocity rise from those of fluid at rest
+  TimeTable speed;                       ///< m/s, of fluid that leaves an opening across its surface
+  std::optional<TimeTable> flow_rate;    ///< m2/s: volume per depth that enters; then velocity and speed are 0
+  std::optional<TimeTable> mass_flow_rate;  ///< kg/(m s), likewise
+  VelocityShape profile = VelocityShape::uniform;
+  std::vector<std::array<double, 2>> profile_table;  ///< (m along the stretch, share of the velocity)
+
+  bool has_rate() const { return flow_rate || mass_flow_rate; }
+  /// Volume per depth that is given to enter, m2/s.
+  double rate(double density, double time) const {
+    return flow_rate ? flow_rate->at(time) : mass_flow_rate ? mass_flow_rate->at(time) / density : 0.0;
+  }
+  double peak_rate(double density) const {
+    return flow_rate ? flow_rate->peak() : mass_flow_rate ? mass_flow_rate->peak() / density : 0.0;
+  }
+  /// Largest velocity or speed that is given as such, m/s.
+  double peak_speed() const {
+    return std::max(std::hypot(velocity[0].peak(), velocity[1].peak()), std::abs(speed.peak()));
+  }
+  /// When nothing of it changes any more, s.
+  double settled() const {
+    double last = std::max({ramp_time, pressure.settled(), velocity[0].settled(), speed.settled()});
+    if (flow_rate) last = std::max(last, flow_rate->settled());
+    return mass_flow_rate ? std::max(last, mass_flow_rate->settled()) : last;
+  }
+  /// Share of its value that a ramp has reached at a time, s.
+  double risen(double time) const { return ramp_time > 0 ? std::min(1.0, time / ramp_time) : 1.0; }
 };
-enum class HeatBoundaryKind { adiabatic, temperature, flux, outflow, periodic };
+/// Whether fluid may cross it.
+inline bool is_open(const FlowBoundary& flow) {
+  return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow ||
+         flow.kind == FlowBoundaryKind::velocity;
+}
+enum class HeatBoundaryKind { adiabatic, temperature, flux, convection, outflow, periodic };
 struct HeatBoundary {
   HeatBoundaryKind kind = HeatBoundaryKind::adiabatic;
-  double temperature = 0;  ///< K
-  double flux = 0;         ///< W/m2 into the domain
+  TimeTable temperature;  ///< K
+  TimeTable flux;         ///< W/m2 into the domain
+  double coefficient = 0;  ///< W/(m2 K) of convection beyond the side, where the temperature is that given
 };
-enum class SoluteBoundaryKind { no_flux, concentration, outflow, periodic };
+enum class SoluteBoundaryKind { no_flux, concentration, flux, outflow, periodic };
 struct SoluteBoundary {
   SoluteBoundaryKind kind = SoluteBoundaryKind::no_flux;
-  std::map<std::string, double> concentration;  ///< mol/m3 by species; missing species: 0
+  std::map<std::string, TimeTable> concentration;  ///< mol/m3 by species; missing species: 0
+  std::map<std::string, TimeTable> flux;  ///< mol/(m2 s) into the lattice, likewise
+};
+struct TractionLoad {
+  Support support = Support::free;
+  TimeTable normal_stress;  ///< Pa, compression positive
+  TimeTable shear_stress;   ///< Pa, on the rock along the side: positive to the right, or up
+  double stiffness = 0;     ///< Pa/m, of the rock beyond: stress added per outward displacement
+  std::array<TimeTable, 2> velocity;  ///< m/s, with which a held side is moved after the preload
+};
+struct TractionPart {
+  double from = 0, to = 0;  ///< m along the side; the same: the one triangle there
+  TractionLoad load;
 };
 struct TractionBoundary {
-  Support support = Support::free;
-  double normal_stress = 0;  ///< Pa, compression positive
-  double stiffness = 0;      ///< Pa/m, of the rock beyond: stress added per outward displacement
+  TractionLoad load;
+  std::vector<TractionPart> parts;  ///< with loads of their own; later ones count where they overlap
 };
 struct BoundarySection {
   FlowBoundary flow;
@@ -223,13 +324,29 @@ struct Probe {
   std::string name;
   std::array<double, 2> at;  ///< m
 };
+enum class GaugeKind { displacement, stress, reaction, opening, crack_tip };
+/// Numbers of the rock for the history.
+struct Gauge {
+  std::string name;
+  GaugeKind kind = GaugeKind::displacement;
+  std::array<double, 2> at{0, 0};         ///< m, of displacement
+  std::array<double, 2> from{0, 0}, to{0, 0};  ///< m, of opening; `from` also of crack_tip
+  std::array<double, 2> direction{1, 0};  ///< of crack_tip
+  std::optional<Form> region;             ///< of stress
+  std::string side;                       ///< of reaction
+  std::optional<double> first, last;      ///< m along it
+};
 struct OutputSection {
   std::optional<double> interval;       ///< s
   std::optional<std::int64_t> interval_steps;
+  std::optional<double> history_interval;     ///< s
   std::optional<double> checkpoint_interval;  ///< s
   std::vector<std::string> fields;      ///< empty: all
   bool compress = true;
+  bool forces = false;  ///< of the fluid on sides and named shapes, in the history
+  bool flows = false;   ///< of mass, heat and species through them, likewise
   std::vector<Probe> probes;
+  std::vector<Gauge> gauges;
 };
 
 /// Everything a case file says.

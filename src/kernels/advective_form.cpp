@@ -66,8 +66,7 @@ struct EightDefects {
   Defect defect;
   Kokkos::View<const SourceWindow*> windows;
   void operator()(int first, int last) const {
-    const detail::LocalBody<Defect> copy(defect);
-    const Defect& local = copy.body;
+    const Defect local = defect;
     const EightFromHome<T, Set> eight{windows.data(), local.source.data(), local.capacity};
     constexpr int some = shortest_block;
     int i = first;

@@ -6,9 +6,17 @@ namespace vug {
 
 using Exec = Kokkos::DefaultExecutionSpace;
 
-/// True where kernels run on the host, so that loops over nodes must vectorise.
-inline constexpr bool runs_on_host =
+/// True where the host itself runs the kernels.
+inline constexpr bool shares_host_memory =
     Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Exec::memory_space>::accessible;
+
+/// True where kernels take the forms made for a host, whose loops over nodes must vectorise. A build with
+/// VUG_DEVICE_PATH takes a GPU's forms everywhere, so that tests reach them on every machine.
+#ifdef VUG_DEVICE_PATH
+inline constexpr bool runs_on_host = false;
+#else
+inline constexpr bool runs_on_host = shares_host_memory;
+#endif
 
 template <class T>
 using ScalarField = Kokkos::View<T*>;  ///< (item)

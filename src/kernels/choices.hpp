@@ -23,6 +23,13 @@ enum class ReactiveWallLaw {
   paper     ///< wall concentrations by finite differences (Eqs. 21-24): links carry acid, faces dissolve
 };
 
+/// How a velocity is spread over a stretch of a side.
+enum class VelocityShape {
+  uniform,
+  parabolic,  ///< 6 x (1 - x), x from 0 to 1 along the stretch: the mean is 1
+  table       ///< as the case says
+};
+
 /// How a newborn fluid node gets its solute.
 enum class BirthFill {
   mean,  ///< mean concentration of the old fluid neighbours (paper); creates solute, which the ledger says

@@ -19,12 +19,4 @@ KOKKOS_FORCEINLINE_FUNCTION T conjugate_link(T pulled, T own, T r, T solid_here,
   return pulled + r * (solid_beyond - solid_here) * (own - pulled);
 }
 
-/// Temperature where fluid and solid meet, half way between two nodes: the one at which both half-links carry the
-/// same flux, (lambda_f T_f + lambda_s T_s) / (lambda_f + lambda_s).
-KOKKOS_FORCEINLINE_FUNCTION double interface_temperature(double fluid_temperature, double solid_temperature,
-                                                         double fluid_conductivity, double solid_conductivity) {
-  return (fluid_conductivity * fluid_temperature + solid_conductivity * solid_temperature) /
-         (fluid_conductivity + solid_conductivity);
-}
-
 }  // namespace vug

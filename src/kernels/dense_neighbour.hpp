@@ -4,11 +4,6 @@
 
 namespace vug {
 
-/// Interior node number `item` of the lattice counted row by row without halo.
-KOKKOS_INLINE_FUNCTION int interior_node(const Lattice& lattice, int item) {
-  return lattice.node(item % lattice.nx, item / lattice.nx);
-}
-
 /// Steps on the dense lattice with joined sides folded back.
 struct DenseNeighbour {
   Lattice lattice;

@@ -52,23 +52,24 @@ struct CollideAndStream {
     for (int q = 1; q < D2Q9::Q; ++q) g[q] = f(slots.arriving(q, i));
   }
   template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION Macroscopic<V> moments(const V (&g)[9]) const {
+  KOKKOS_FORCEINLINE_FUNCTION Macroscopic<V> moments(int i, const V (&g)[9]) const {
     Macroscopic<V> m = macroscopic(g);
     if constexpr (Force::present) {
-      m.ux += force.x / 2;
-      m.uy += force.y / 2;
+      const auto& here = force.template at<V>(i);
+      m.ux += here.x / 2;
+      m.uy += here.y / 2;
     }
     return m;
   }
   /// Of one node, or of eight neighbours.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
-    relax(g, m, force);
+    relax.template at<V>(i)(g, m, force.template at<V>(i));
     put(&u(i, 0), m.ux);
     put(&u(i, 1), m.uy);
   }
   KOKKOS_FORCEINLINE_FUNCTION int collide(int i, T (&g)[9]) const {
-    Macroscopic<T> m = moments(g);
+    Macroscopic<T> m = moments(i, g);
     const int limited = limit(g, m);
     collide(i, g, m);
     return limited;
@@ -93,17 +94,17 @@ struct LimitedBlock {
   Node node;
   ScalarField<double> limited;
   void operator()(int first, int last) const {
-    const detail::LocalBody<Node> copy(node);
-    const detail::LocalBody<typename Node::Unlimited> free(node.unlimited());
+    const Node local = node;
+    const typename Node::Unlimited free = node.unlimited();
     constexpr int some = shortest_block;
     int uses = 0;
     for (int from = first; from < last; from += some) {
       const int to = from + some < last ? from + some : last;
-      if (has_fast_node(copy.body, from, to)) [[unlikely]] {
-        for (int i = from; i < to; ++i) uses += copy.body(i);
+      if (has_fast_node(local, from, to)) [[unlikely]] {
+        for (int i = from; i < to; ++i) uses += local(i);
       } else {
         VUG_VECTORISE
-        for (int i = from; i < to; ++i) free.body(i);
+        for (int i = from; i < to; ++i) free(i);
       }
     }
     limited(first / nodes_per_block) += uses;
@@ -116,7 +117,7 @@ struct LimitedBlock {
     for (int i = first; i < last; ++i) {
       T g[9];
       node.pull(i, g);
-      const Macroscopic<T> m = node.moments(g);
+      const Macroscopic<T> m = node.moments(i, g);
       above += node.limit.is_above(m.ux, m.uy) ? 1 : 0;
     }
     return above > 0;
@@ -134,15 +135,14 @@ struct EightBlock {
   using Register = typename E::Register;
 
   void operator()(int first, int last) const {
-    const detail::LocalBody<Node> copy(node);
-    const Node& local = copy.body;
+    const Node local = node;
     const EightNodes nodes = eight;
     T* const f = local.f_next.data();
     int uses = 0, i = first;
     for (; i + eight_lanes <= last; i += eight_lanes) {
       Register g[D2Q9::Q];
       nodes.pull(f, i, g);
-      const Macroscopic<Register> m = local.moments(g);
+      const Macroscopic<Register> m = local.moments(i, g);
       if (has_fast_node(local, m)) [[unlikely]]
         uses += one_by_one(local, i, g);
       else
@@ -197,7 +197,9 @@ struct Sweep {
   template <class Relaxation>
   void operator()(const Relaxation& relax) const {
     const auto [fx, fy] = step.body_force;
-    if (fx == T(0) && fy == T(0))
+    if (step.theta.extent(0) > 0)
+      stream(relax, Buoyancy<T>{fx, fy, step.buoyancy[0], step.buoyancy[1], step.theta});
+    else if (fx == T(0) && fy == T(0))
       stream(relax, NoForce<T>{});
     else
       stream(relax, BodyForce<T>{fx, fy});
@@ -250,6 +252,11 @@ struct Sweep {
 template <class T>
 void collide_and_stream(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields, const FlowStep<T>& step) {
   const Sweep<T> sweep{exec, nodes, fields, step};
+  if (step.spread.extent(0) > 0) {
+    const VaryingRelaxationTimes<T> rates{step.spread, step.collision == Collision::trt ? T(exact_wall_magic) : T(0)};
+    return sweep.stream(
+        rates, Buoyancy<T>{step.body_force[0], step.body_force[1], step.buoyancy[0], step.buoyancy[1], step.theta});
+  }
   switch (step.collision) {
     case Collision::trt:
     case Collision::bgk:

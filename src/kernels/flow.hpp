@@ -46,6 +46,12 @@ struct FlowStep {
   std::array<T, 2> body_force{0, 0};  ///< per volume over reference density, lattice units
   /// Largest speed before collision, lattice units; momentum above it is removed, mass kept. 0: no limiter.
   T speed_limit = 0;
+  /// (fluid) Temperature; empty where the flow does not depend on it. Then `buoyancy` is what a kelvin adds to the body
+  /// force.
+  ScalarField<T> theta{};
+  std::array<T, 2> buoyancy{0, 0};
+  /// (fluid) tau - 1/2 = 3 nu of each node, with theta and of trt or bgk only; empty: as in `rates`.
+  ScalarField<T> spread{};
   ScalarField<double> limited;  ///< (block) uses of the limiter are added to it; needed with a speed limit
 };
 

@@ -121,6 +121,22 @@ BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Sid
   return links;
 }
 
+ScalarField<double> side_link_areas(const BoundaryLinks& links, int directions) {
+  const ScalarField<double> area("vug::fluid_nodes::side_area", links.count);
+  const auto direction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, links.direction);
+  const auto host = Kokkos::create_mirror_view(area);
+  double faces = 0, all = 0;
+  for (int link = 0; link < links.count; ++link) {
+    const int q = direction(link);
+    host(link) = 6 * (directions == D2Q9::Q ? D2Q9::w(q) : D2Q5::w(q));
+    faces += q < D2Q5::Q ? 1 : 0;
+    all += host(link);
+  }
+  for (int link = 0; link < links.count; ++link) host(link) *= faces / all;
+  Kokkos::deep_copy(area, host);
+  return area;
+}
+
 /// One thread: two links may share a node, and there are few.
 struct MarkOpen {
   int count;

@@ -51,6 +51,18 @@ struct FluxIn {
   }
 };
 
+/// in = A + share h (theta_out - (in + A) / 2w) / c, solved for what comes in: Newton's law of cooling with the
+/// temperature that the wall plane then has. Large h: the temperature is given; none: nothing passes.
+template <class T>
+struct ConvectionIn {
+  static constexpr bool mirrors = true;
+  T outside, fluid_transfer, solid_transfer;
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
+    const T passed = link.share * (link.solid ? solid_transfer : fluid_transfer), held = passed / (2 * link.weight);
+    return (link.leaving * (1 - held) + passed * outside) / (1 + held);
+  }
+};
+
 /// in = -A + 2 w theta_wall (half-way anti-bounce-back).
 template <class T>
 struct TemperatureIn {
@@ -199,6 +211,10 @@ void fill(const Exec& exec, const HeatFields<T>& fields, const Boundary& boundar
       return launch(
           exec, fields, boundary,
           FluxIn<T>{static_cast<T>(boundary.value), static_cast<T>(boundary.value / fields.rates.capacity_ratio)});
+    case HeatCondition::convection:
+      return launch(exec, fields, boundary,
+                    ConvectionIn<T>{static_cast<T>(boundary.value), static_cast<T>(boundary.transfer),
+                                    static_cast<T>(boundary.transfer / fields.rates.capacity_ratio)});
     case HeatCondition::outflow:
       return launch(exec, fields, boundary, OutflowIn<T>{});
   }
@@ -222,7 +238,7 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
                               double value) {
   const int directions = visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
   HeatOpening made{
-      find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}};
+      find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}, 0};
   made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(made.links.count));
   return made;
 }

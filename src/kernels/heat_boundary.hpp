@@ -10,6 +10,7 @@ namespace vug {
 enum class HeatCondition {
   adiabatic,    ///< in = A: nothing passes
   temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
+  convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
   flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
   outflow       ///< in = the node's own population of the same direction: zero gradient
 };
@@ -24,6 +25,7 @@ struct HeatSide {
   ScalarField<double> energy_in;  ///< (block) heat that entered so far, in fluid heat capacities
   /// D2Q9: whether the diagonal links through the corners at its lower and upper end are this side's.
   std::array<bool, 2> corners{false, false};
+  double transfer = 0;  ///< h of convection per step, in fluid heat capacities; then `value` is theta outside
 };
 
 /// Nodes along a side.
@@ -51,6 +53,7 @@ struct HeatOpening {
   HeatCondition condition = HeatCondition::adiabatic;
   double value = 0;               ///< as of a side
   ScalarField<double> energy_in;  ///< (block of links) heat that entered so far, in fluid heat capacities
+  double transfer = 0;            ///< as of a side
 };
 
 /// The links of `fields` into an opening; `type` and `periodic` as given to make_heat_fields.

@@ -19,7 +19,7 @@ struct ConvectEights {
 
   struct Row {
     const ConvectEights& all;
-    detail::LocalBody<Advect<T, Set>> local;
+    Advect<T, Set> local;
     int y, k, last;
     double sum[eight_lanes] = {};
 
@@ -27,15 +27,15 @@ struct ConvectEights {
       for (; k < last && all.rows.eights(k).node < end; ++k) {
         const WetEight& eight = all.rows.eights(k);
         if (eight.fluid >= 0) [[likely]]
-          convect(local.body, eight, sum);
+          convect(local, eight, sum);
         else
-          one_by_one(local.body, all.index, eight, sum);
+          one_by_one(local, all.index, eight, sum);
       }
     }
     KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum_of_lanes(sum); }
   };
   KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const {
-    return {*this, detail::LocalBody<Advect<T, Set>>(advect), y, rows.first(y), rows.first(y + 1)};
+    return {*this, advect, y, rows.first(y), rows.first(y + 1)};
   }
 
  private:
@@ -108,7 +108,7 @@ struct ConvectScattered {
 
   struct Row {
     const ConvectScattered& all;
-    detail::LocalBody<Advect<T, Set>> local;
+    Advect<T, Set> local;
     int y, k, last;
     double sum = 0;
     Staged staged{};
@@ -116,17 +116,17 @@ struct ConvectScattered {
     KOKKOS_FORCEINLINE_FUNCTION void up_to(int end) {
       while (k < last) {
         const int* const fluid = &all.rows.fluid(k);
-        const int count = gather(local.body, fluid, last - k < some ? last - k : some, end, staged);
+        const int count = gather(local, fluid, last - k < some ? last - k : some, end, staged);
         if (count == 0) return;
-        convect(local.body.law, (count + lanes - 1) / lanes * lanes, staged);
-        sum = scatter(local.body, fluid, count, staged, sum);
+        convect(local.law, (count + lanes - 1) / lanes * lanes, staged);
+        sum = scatter(local, fluid, count, staged, sum);
         k += count;
       }
     }
     KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum; }
   };
   KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const {
-    return {*this, detail::LocalBody<Advect<T, Set>>(advect), y, rows.first(y), rows.first(y + 1)};
+    return {*this, advect, y, rows.first(y), rows.first(y + 1)};
   }
 
  private:

@@ -51,7 +51,7 @@ KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
 }
 
 /// Conduction at one node with two lattices: pulls from g, writes g_next. Dense fields; lattice units. Reads Q
-/// populations and a byte, writes Q. With `Openings` it passes over the nodes inside them.
+/// populations and a byte, writes Q. With `Openings` the nodes inside them keep what was filled in.
 template <class T, class Set, bool Openings>
 struct Conduct {
   Conduction<T, Set> law;
@@ -62,7 +62,7 @@ struct Conduct {
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
     if constexpr (Openings)
-      if (solid(node) > 1) return;
+      if (solid(node) > 1) return keep(node);
     const T here = static_cast<T>(solid(node));
     T own[Set::Q], pulled[Set::Q], beyond[Set::Q];
     own[0] = g(node);
@@ -76,6 +76,11 @@ struct Conduct {
     law(own, pulled, here, beyond);
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = own[q];
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void keep(int node) const {
+    for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = g(q * plane + node);
   }
 };
 

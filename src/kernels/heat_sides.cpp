@@ -8,7 +8,7 @@ namespace vug {
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value) {
   if (first < 0 || last < first)
     throw InputError("heat: a stretch of a side from node " + std::to_string(first) + " to " + std::to_string(last));
-  HeatSide made{side, first, last, condition, value, {}, {}};
+  HeatSide made{side, first, last, condition, value, {}, {}, 0};
   made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(last - first + 1));
   return made;
 }
@@ -21,7 +21,8 @@ bool is_upright(Side side) {
 
 /// What a condition says: the more, the sooner it has a corner.
 int rank(const HeatSide& side) {
-  return side.condition == HeatCondition::adiabatic ? 0 : side.condition == HeatCondition::flux ? 1 : 2;
+  const bool flux = side.condition == HeatCondition::flux || side.condition == HeatCondition::convection;
+  return side.condition == HeatCondition::adiabatic ? 0 : flux ? 1 : 2;
 }
 
 }  // namespace

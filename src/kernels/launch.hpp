@@ -3,9 +3,9 @@
 // one node per thread. Sums are taken per block in a fixed order, so their bits do not depend on the thread count.
 #include "kernels/base.hpp"
 
-#include <cstring>
+#include <algorithm>
 #include <string>
-#include <utility>
+#include <type_traits>
 
 namespace vug {
 
@@ -28,25 +28,13 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]
 
 namespace detail {
 
-/// A body's bytes in a local that nobody else can see, so that its constants and pointers stay in registers whatever
-/// the loop stores. It counts no references: the launch holds the body for as long, and threads that count the views
-/// of a block wait for each other.
-template <class Body>
-union LocalBody {
-  Body body;
-  KOKKOS_FORCEINLINE_FUNCTION explicit LocalBody(const Body& other) {
-    std::memcpy(static_cast<void*>(&body), &other, sizeof(Body));
-  }
-  KOKKOS_FORCEINLINE_FUNCTION ~LocalBody() {}
-};
-
-/// Runs a block's nodes in one loop.
+/// Runs a block's nodes in one loop. Of a copy that nobody else can see the constants and pointers stay in registers
+/// whatever the loop stores; Views of a body that runs count no references.
 template <class Body>
 struct NodeLoop {
   Body body;
   KOKKOS_FUNCTION void operator()(int first, int last) const {
-    const LocalBody<Body> copy(body);
-    const Body& local = copy.body;
+    const Body local = body;
     VUG_VECTORISE
     for (int i = first; i < last; ++i) local(i);
   }
@@ -57,8 +45,7 @@ template <class Body>
 struct ScatteredLoop {
   Body body;
   KOKKOS_FUNCTION void operator()(int first, int last) const {
-    const LocalBody<Body> copy(body);
-    const Body& local = copy.body;
+    const Body local = body;
     for (int i = first; i < last; ++i) local(i);
   }
 };
@@ -94,8 +81,8 @@ struct BlockSum {
   Body body;
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(int first, int last) const {
-    const LocalBody<Body> copy(body);
-    total(first / nodes_per_block) += sum_of_block(copy.body, first, last);
+    const Body local = body;
+    total(first / nodes_per_block) += sum_of_block(local, first, last);
   }
 };
 
@@ -127,6 +114,9 @@ inline int block_of_list(int n) {
   return share < nodes_per_block ? share : nodes_per_block;
 }
 
+/// Where a list runs that is too short for more than one thread.
+using ShortExec = std::conditional_t<shares_host_memory, Kokkos::Serial, Exec>;
+
 /// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of [0, n), which must be independent; the
 /// shortest lists without waking other threads, which takes longer than the work.
 template <class Body>
@@ -134,7 +124,7 @@ void for_each_block(const Exec& exec, const std::string& label, int n, const Bod
   if (n <= 0) return;
   const detail::Block<Body> blocks{body, n, size};
   if (n <= shortest_block)
-    blocks(0);
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), blocks);
   else
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
 }
@@ -160,6 +150,17 @@ void for_each_scattered(const Exec& exec, const std::string& label, int n, const
     for_each_node(exec, label, n, body);
 }
 
+/// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end can give
+/// for this body; of one on a host.
+template <class Body>
+void for_each_team(const Exec& exec, const std::string& label, int count, int threads, const Body& body,
+                   int lanes = 1) {
+  using Policy = Kokkos::TeamPolicy<Exec>;
+  lanes = std::min(lanes, Policy::vector_length_max());
+  const int most = shares_host_memory ? 1 : Policy(exec, count, 1, lanes).team_size_max(body, Kokkos::ParallelForTag{});
+  Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), lanes), body);
+}
+
 /// total(block) += sum of body(i) over the block's nodes, for i in [0, n); `total` has at least block_count(n)
 /// entries. body(i) returns double or int and may also write node i. Same bits for any number of
 /// host threads.
@@ -172,8 +173,7 @@ void add_per_block(const Exec& exec, const std::string& label, int n, const Body
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)),
                          Blocks{{body, total}, n, nodes_per_block});
   } else {
-    Kokkos::parallel_for(label, Kokkos::TeamPolicy<Exec>(exec, block_count(n), 128),
-                         detail::TeamSum<Body>{body, n, total});
+    for_each_team(exec, label, block_count(n), 128, detail::TeamSum<Body>{body, n, total});
   }
 }
 

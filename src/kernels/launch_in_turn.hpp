@@ -44,15 +44,15 @@ struct GroupLoops {
   Second second;
   Groups groups;
   KOKKOS_FUNCTION void operator()(int begin, int end) const {
-    const LocalBody<First> one(first);
-    const LocalBody<Second> two(second);
+    const First one = first;
+    const Second two = second;
     for (int i = begin; i < end; i += groups.size) {
       if (groups.runs(i / groups.size) == 0) continue;
       const int last = i + groups.size < end ? i + groups.size : end;
       VUG_VECTORISE
-      for (int k = i; k < last; ++k) one.body(k);
+      for (int k = i; k < last; ++k) one(k);
       VUG_VECTORISE
-      for (int k = i; k < last; ++k) two.body(k);
+      for (int k = i; k < last; ++k) two(k);
     }
   }
 };

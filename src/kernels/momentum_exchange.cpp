@@ -170,8 +170,7 @@ void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const Wall
     Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, links.groups()),
                          exchange);
   else
-    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::TeamPolicy<Exec>(exec, links.groups(), 32),
-                         exchange);
+    for_each_team(exec, "vug::momentum_exchange::gather", links.groups(), 32, exchange);
 }
 
 template void exchange_momentum(const Exec&, const FlowFields<float>&, const WallLinks&, double, double,

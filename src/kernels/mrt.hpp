@@ -5,6 +5,7 @@
 // They take the populations of one node, numbers of type T, or of several at once: V is T or a register of such
 // numbers.
 #include "kernels/choices.hpp"
+#include "kernels/eight_lanes.hpp"
 #include "kernels/equilibrium.hpp"
 
 namespace vug {
@@ -19,11 +20,14 @@ KOKKOS_INLINE_FUNCTION constexpr double odd_rate(double s, double magic) {
   return 1 / (0.5 + magic / (1 / s - 0.5));
 }
 
+/// Lambda with which halfway bounce-back puts a straight wall exactly half way.
+inline constexpr double exact_wall_magic = 3.0 / 16.0;
+
 inline constexpr RelaxationRates relaxation_rates(Collision collision, double tau) {
   const double s_nu = 1 / tau;
   switch (collision) {
     case Collision::trt:
-      return {s_nu, s_nu, s_nu, odd_rate(s_nu, 3.0 / 16.0)};
+      return {s_nu, s_nu, s_nu, odd_rate(s_nu, exact_wall_magic)};
     case Collision::lallemand_luo:
       return {s_nu, 1.63, 1.14, 1.92};
     case Collision::bgk:
@@ -71,20 +75,47 @@ template <class T>
 struct NoForce {
   static constexpr bool present = false;
   T x = 0, y = 0;
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const NoForce& at(int) const {
+    return *this;
+  }
 };
 /// A body force per volume over the reference density, the same everywhere, lattice units.
 template <class T>
 struct BodyForce {
   static constexpr bool present = true;
   T x, y;
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const BodyForce& at(int) const {
+    return *this;
+  }
+};
+/// The same with the buoyancy of the node's temperature (Boussinesq): force + per_kelvin theta.
+template <class T>
+struct Buoyancy {
+  static constexpr bool present = true;
+  T x, y, x_per_kelvin, y_per_kelvin;
+  Kokkos::View<const T*> theta;  ///< (fluid)
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION BodyForce<V> at(int i) const {
+    const V warmth = fetch<V>(&theta(i));
+    return {x + x_per_kelvin * warmth, y + y_per_kelvin * warmth};
+  }
 };
 
 /// Two relaxation times: the even part of f relaxes with `even` = s_nu, the odd part with `odd` = s_q. The same as the
-/// moment form with s_e = s_eps = s_nu, in half the arithmetic; equal rates are BGK.
-template <class T>
+/// moment form with s_e = s_eps = s_nu, in half the arithmetic; equal rates are BGK. Rates of type R: those of several
+/// nodes may differ.
+template <class T, class R = T>
 struct TwoRelaxationTimes {
-  T even, odd;
+  R even, odd;
   TwoRelaxationTimes(const RelaxationRates& rates) : even(T(rates.s_nu)), odd(T(rates.s_q)) {}
+  KOKKOS_FORCEINLINE_FUNCTION TwoRelaxationTimes(const R& even_rate, const R& odd_rate)
+      : even(even_rate), odd(odd_rate) {}
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const TwoRelaxationTimes& at(int) const {
+    return *this;
+  }
 
   template <class V, class Force>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
@@ -100,7 +131,7 @@ struct TwoRelaxationTimes {
         V even_change = even * (w * (isotropic + T(4.5) * cu * cu) - T(0.5) * (f[q] + f[opposite]));
         V odd_change = odd * (T(3) * w * cu - T(0.5) * (f[q] - f[opposite]));
         if constexpr (Force::present) {
-          const T cF = along(q, force.x, force.y);
+          const auto cF = along(q, force.x, force.y);
           even_change += (T(1) - even / 2) * w * (T(9) * cu * cF - T(3) * power);
           odd_change += (T(1) - odd / 2) * T(3) * w * cF;
         }
@@ -111,12 +142,28 @@ struct TwoRelaxationTimes {
   }
 };
 
+/// Two relaxation times of a viscosity that differs from node to node: spread (fluid) = tau - 1/2 = 3 nu.
+template <class T>
+struct VaryingRelaxationTimes {
+  Kokkos::View<const T*> spread;
+  T magic;  ///< (tau_even - 1/2)(tau_odd - 1/2); 0: both are the same
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION TwoRelaxationTimes<T, V> at(int i) const {
+    const V wide = fetch<V>(&spread(i)), even = T(1) / (wide + T(0.5));
+    return {even, magic > 0 ? wide / (T(0.5) * wide + magic) : even};
+  }
+};
+
 /// Relaxes every moment with its own rate.
 template <class T>
 struct MultipleRelaxationTimes {
   T s_nu, s_e, s_eps, s_q;
   MultipleRelaxationTimes(const RelaxationRates& r)
       : s_nu(T(r.s_nu)), s_e(T(r.s_e)), s_eps(T(r.s_eps)), s_q(T(r.s_q)) {}
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const MultipleRelaxationTimes& at(int) const {
+    return *this;
+  }
 
   template <class V, class Force>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
@@ -161,6 +208,10 @@ template <class T>
 struct Regularised {
   T s_nu;
   Regularised(const RelaxationRates& rates) : s_nu(T(rates.s_nu)) {}
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const Regularised& at(int) const {
+    return *this;
+  }
 
   template <class V, class Force>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {

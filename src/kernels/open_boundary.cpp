@@ -79,6 +79,17 @@ struct VelocityRule {
   }
 };
 
+/// The same with a share of the velocity on each link.
+template <class T>
+struct VelocityProfileRule {
+  T ux, uy;
+  Kokkos::View<const double*> share;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T outgoing) const {
+    const T here = T(share(link));
+    return VelocityRule<T>{here * ux, here * uy}(link, i, q, outgoing);
+  }
+};
+
 /// f_in = A + area speed.
 template <class T>
 struct NormalSpeedRule {
@@ -140,6 +151,15 @@ void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLin
                     std::array<double, 2> velocity, const FlowFields<T>& fields, const ScalarField<double>& gain) {
   dress(exec, "vug::open_boundary::velocity", nodes, links, fields, gain,
         VelocityRule<T>{T(velocity[0]), T(velocity[1])});
+}
+
+template <class T>
+void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                    std::array<double, 2> velocity, const ScalarField<double>& share, const FlowFields<T>& fields,
+                    const ScalarField<double>& gain) {
+  if (share.extent(0) == 0) return dress_velocity(exec, nodes, links, velocity, fields, gain);
+  dress(exec, "vug::open_boundary::velocity_profile", nodes, links, fields, gain,
+        VelocityProfileRule<T>{T(velocity[0]), T(velocity[1]), share});
 }
 
 template <class T>
@@ -208,6 +228,8 @@ void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLink
                                const FlowFields<T>&, const ScalarField<double>&);                                    \
   template void dress_velocity(const Exec&, const FluidNodes&, const BoundaryLinks&, std::array<double, 2>,          \
                                const FlowFields<T>&, const ScalarField<double>&);                                    \
+  template void dress_velocity(const Exec&, const FluidNodes&, const BoundaryLinks&, std::array<double, 2>,          \
+                               const ScalarField<double>&, const FlowFields<T>&, const ScalarField<double>&);        \
   template void dress_normal_speed(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<double>&, \
                                    double, const FlowFields<T>&, const ScalarField<double>&);                        \
   template void dress_outflow(const Exec&, const FluidNodes&, const BoundaryLinks&, const IndexList&,                \

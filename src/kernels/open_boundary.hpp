@@ -23,6 +23,12 @@ template <class T>
 void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                     std::array<double, 2> velocity, const FlowFields<T>& fields, const ScalarField<double>& gain);
 
+/// The same where the velocity is spread over the links: share(link) of it; all of it where `share` is empty.
+template <class T>
+void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                    std::array<double, 2> velocity, const ScalarField<double>& share, const FlowFields<T>& fields,
+                    const ScalarField<double>& gain);
+
 /// Fluid that enters at `speed` (negative: leaves) normal to the surface of an opening, area (link) of which belongs to
 /// each link (link_areas in opening.hpp): f_in = A + area speed, which is the rule above with u_w = speed n.
 template <class T>

@@ -33,12 +33,6 @@ KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q) {
   return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q));
 }
 
-/// Amount of acid that a link of the kinetic law turns into product in one step.
-template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION Real kinetic_flux(Real k, Real q, Real A1, Real A2) {
-  return kinetic_conductance(k, q) * (A1 - q * A2);
-}
-
 /// Eqs. 21-22 solved without the products K_eq D1 D2: rate = conductance (C1 - q C2), from both film resistances in
 /// series.
 template <class Real>

@@ -5,7 +5,7 @@
 
 namespace vug {
 
-/// J = conductance (A1 - q A2) by the kinetic law (kinetic_flux), rate = conductance (C1 - q C2) by the paper's
+/// J = conductance (A1 - q A2) by the kinetic law, rate = conductance (C1 - q C2) by the paper's
 /// (paper_wall).
 template <class T, class Set, class Rate, class Area>
 struct SetConductance {

@@ -13,8 +13,7 @@ struct RowOfNodes {
   Body body;
   Lattice lattice;
   KOKKOS_FUNCTION void operator()(int y) const {
-    const LocalBody<Body> copy(body);
-    const Body& local = copy.body;
+    const Body local = body;
     const int first = lattice.node(0, y);
     const int last = lattice.node(lattice.nx, y);
     VUG_VECTORISE
@@ -36,11 +35,11 @@ struct RowSum {
   Lattice lattice;
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(int y) const {
-    const LocalBody<Body> copy(body);
+    const Body local = body;
     const int last = lattice.node(lattice.nx, y);
     double sum = 0;
     for (int node = lattice.node(0, y); node < last; node += nodes_per_block)
-      sum += sum_of_block(copy.body, node, node + nodes_per_block < last ? node + nodes_per_block : last);
+      sum += sum_of_block(local, node, node + nodes_per_block < last ? node + nodes_per_block : last);
     total(y) += sum;
   }
 };

@@ -11,4 +11,8 @@ using SideOrder = std::array<Side, 4>;
 BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
                                   int directions, const SideOrder& order);
 
+/// (link) Area of the side that each of its links stands for, cells: 6 w, scaled to one per straight link where a
+/// corner has given a diagonal one to another side. Computed on the host: not inside a step.
+ScalarField<double> side_link_areas(const BoundaryLinks& links, int directions);
+
 }  // namespace vug

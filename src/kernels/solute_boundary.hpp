@@ -17,6 +17,12 @@ template <class Set, class T>
 void dress_concentration(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                          const ScalarField<double>& C_b, const SoluteFields<T>& s, const ScalarField<double>& gain);
 
+/// Given flux: h_in = A + area flux, amount per step and cell of a surface of which area (link) belongs to each link.
+/// gain(link) as above.
+template <class Set, class T>
+void dress_flux(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const ScalarField<double>& area,
+                double flux, const SoluteFields<T>& s, const ScalarField<double>& gain);
+
 /// Outflow without gradient: h_in = the node's own population of the incoming direction. gain(link) as above.
 template <class Set, class T>
 void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const SoluteFields<T>& s,

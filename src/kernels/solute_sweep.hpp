@@ -114,8 +114,7 @@ struct EightSweeps {
   ScalarField<double> correction;
 
   void operator()(int first, int last) const {
-    const detail::LocalBody<Sweep> copy(sweep);
-    const Sweep& local = copy.body;
+    const Sweep local = sweep;
     const EightNodes nodes = eight;
     constexpr int several = 4;
     alignas(64) double sum[eight_lanes] = {};

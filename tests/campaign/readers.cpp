@@ -101,13 +101,17 @@ void repair_png(std::string& file) {
 
 /// The image of a case in memory: `path` is overwritten by each input.
 Reader image_reader(const std::string& name, const std::string& path, bool raw) {
-  GeometrySection geometry;
-  geometry.image_file = path;
-  if (raw) geometry.raw_size = {width, height};
+  ImageSection image;
+  image.file = path;
+  if (raw) image.raw_size = {width, height};
+  LatticeSection lattice;
+  lattice.nx = width;
+  lattice.ny = height;
+  lattice.spacing = 1;
   return {name, raw ? std::vector<std::string>{std::string(width * height, '\x55')} : pictures(),
-          [geometry, path](const std::string& input) {
+          [image, lattice, path](const std::string& input) {
             test::write_text(path, input);
-            read_solid_image(geometry, width, height);
+            read_solid_image(image, lattice);
           },
           raw ? [](std::string&) {} : repair_png};
 }

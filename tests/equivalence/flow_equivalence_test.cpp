@@ -2,6 +2,7 @@
 // turned.
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +39,8 @@ TEST(FlowInFloat, KeepsItsDigitsFromFastToCreeping) {
     Flow<double> twice(lattice, test::shape(lattice, obstacle), {false, true});
     drive(single, pressure);
     drive(twice, pressure);
-    const auto a = test::on_host(single.fields.u);
-    const auto b = test::on_host(twice.fields.u);
+    const auto a = test::host_copy(single.fields.u);
+    const auto b = test::host_copy(twice.fields.u);
     double difference = 0, size = 0;
     for (int i = 0; i < twice.nodes.count; ++i)
       for (int axis = 0; axis < 2; ++axis) {
@@ -60,8 +61,8 @@ TEST(FlowOnTheList, SameBitsWhereverABoxLiesInMemory) {
   flow.step.body_force = {1e-4, -2e-5};
   flow.step.speed_limit = 0.015;
   for (int t = 0; t < 101; ++t) flow.sweep();
-  const auto u = test::on_host(flow.fields.u);
-  const auto index = test::on_host(flow.nodes.index);
+  const auto u = test::host_copy(flow.fields.u);
+  const auto index = test::host_copy(flow.nodes.index);
   for (int y = 0; y < 25; ++y)
     for (int x = 0; x < 40; ++x) {
       const int low = index(lattice.node(x, y)), high = index(lattice.node(x, y + 26));

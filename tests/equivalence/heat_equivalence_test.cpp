@@ -3,6 +3,7 @@
 #include "kernels/heat_boundary.hpp"
 #include "kernels/heat_kernels.hpp"
 #include "kernels/row_launch.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,8 +52,8 @@ HeatFields<T> after_plain_step(const Exec& exec, const HeatFields<T>& fields) {
 /// Nodes inside the lattice where any of `planes` fields differs by a bit.
 template <class T>
 int count_differences(const Lattice& lattice, int planes, const ScalarField<T>& a, const ScalarField<T>& b) {
-  const auto one = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, a);
-  const auto other = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, b);
+  const auto one = test::host_copy(a);
+  const auto other = test::host_copy(b);
   int found = 0;
   for (int q = 0; q < planes; ++q)
     for (int y = 0; y < lattice.ny; ++y)
@@ -117,7 +118,7 @@ TYPED_TEST(ConductionInPlace, HasTheBitsOfTwoLatticesAroundOpenings) {
 FluidNodes nodes_with_births(const Exec& exec, const Lattice& lattice, const Kokkos::View<NodeType*>& type) {
   const Kokkos::View<NodeType*> before("type", lattice.size());
   Kokkos::deep_copy(before, type);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, before);
+  const auto host = test::host_copy(before);
   int fluid = 0;
   for (int y = 0; y < lattice.ny; ++y)
     for (int x = 0; x < lattice.nx; ++x)
@@ -134,9 +135,9 @@ FluidNodes nodes_with_births(const Exec& exec, const Lattice& lattice, const Kok
 template <class T>
 void expect_temperatures_of_now(const Exec& exec, const Kokkos::View<NodeType*>& type, const HeatFields<T>& fields,
                                 const ScalarField<T>& theta) {
-  const auto kind = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, type);
-  const auto kept = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, theta);
-  const auto taken = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, temperatures(exec, fields));
+  const auto kind = test::host_copy(type);
+  const auto kept = test::host_copy(theta);
+  const auto taken = test::host_copy(temperatures(exec, fields));
   const Lattice& lattice = fields.lattice;
   for (int y = 0; y < lattice.ny; ++y)
     for (int x = 0; x < lattice.nx; ++x) {
@@ -187,8 +188,8 @@ void expect_convection_node_by_node(int nx, int ny, int bands, double tolerance)
     exec.fence();
   }
   const auto expect_near = [&](const auto& a, const auto& b, int first, int last, const char* what) {
-    const auto one = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, a);
-    const auto other = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, b);
+    const auto one = test::host_copy(a);
+    const auto other = test::host_copy(b);
     for (int i = first; i < last; ++i)
       ASSERT_NEAR(one(i), other(i), tolerance) << what << ' ' << i << " of " << nx << " x " << ny;
   };

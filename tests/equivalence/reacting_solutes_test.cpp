@@ -2,6 +2,7 @@
 #include "kernels/reacting_solutes.hpp"
 
 #include "../reference/reactive_box.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace vug {
 namespace {
 
-using reference::on_host;
+using test::host_copy;
 using reference::ReactiveBox;
 
 template <class Set, class T>
@@ -75,7 +76,7 @@ void expect_same_bits(ReactiveWallLaw law, Carried carried, bool with_product) {
   });
 
   const auto expect_equal = [](const auto& a, const auto& b, const char* what) {
-    const auto x = on_host(a), y = on_host(b);
+    const auto x = host_copy(a), y = host_copy(b);
     ASSERT_EQ(x.extent(0), y.extent(0));
     for (std::size_t i = 0; i < x.extent(0); ++i) ASSERT_EQ(x(i), y(i)) << what << ' ' << i;
   };
@@ -113,10 +114,10 @@ TYPED_TEST(ReactingSolutes, LinksAreAllThatLeadIntoRockInTheOrderOfTheFluid) {
   find_reactive_links<Set>(box.exec, box.nodes, box.surface, ReactiveWallLaw::kinetic, box.links);
   const FluidNodes& nodes = box.nodes;
   const Lattice& lattice = nodes.lattice;
-  const auto type = on_host(box.type);
-  const auto node = on_host(nodes.node), first = on_host(box.links.first), slot = on_host(box.links.slot),
-             root = on_host(box.links.root), surface = on_host(box.surface.node),
-             of_surface = on_host(box.links.of_surface), of_surface_link = on_host(box.links.of_surface_link);
+  const auto type = host_copy(box.type);
+  const auto node = host_copy(nodes.node), first = host_copy(box.links.first), slot = host_copy(box.links.slot),
+             root = host_copy(box.links.root), surface = host_copy(box.surface.node),
+             of_surface = host_copy(box.links.of_surface), of_surface_link = host_copy(box.links.of_surface_link);
   int link = 0;
   for (int i = 0; i < nodes.count; ++i) {
     ASSERT_EQ(first(i), link);

@@ -104,7 +104,15 @@ INSTANTIATE_TEST_SUITE_P(
                     // small triangles, so that there are groups of them, at rest until the cold fluid reaches them
                     Set{"mechanics.rest_tolerance=1", "rock.element_size=2e-3", "mechanics.local_damping=0.8",
                         "mechanics.bond.normal_strength=6e6"},
-                    Set{"boundary.top.traction.support=servo"}));
+                    Set{"boundary.top.traction.support=servo"},
+                    Set{"boundary.injection.flow.pressure=[[0,1e5],[1e-4,15e6],[3.6e-4,20e6]]",
+                        "boundary.injection.heat.temperature=[[0,488.15],[2e-4,288.15]]",
+                        "boundary.injection.solute.concentration.L1=[[0,0],[1e-4,3000]]", "output.forces=true",
+                        "output.flows=true"},
+                    Set{"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "accuracy.heat_interval=2",
+                        "flow.viscosity_activation_energy=8000"},
+                    Set{"boundary.top.traction.normal_stress=[[0, 1e6], [5e-5, 9e6], [1e-4, 2e6]]",
+                        "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"}));
 
 }  // namespace
 }  // namespace vug

@@ -1,5 +1,6 @@
 // The same rock seen turned, mirrored, shifted, by one thread or two, in float or double dissolves the same.
 #include "../reference/reactive_box.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ std::vector<double> dissolve(const std::function<std::array<int, 2>(int, int)>& 
     }
   }
   std::vector<double> V(side * side);
-  const auto V_host = reference::on_host(box.V);
+  const auto V_host = test::host_copy(box.V);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) V[pixel(x, y)] = V_host(box.lattice.node(x, y));
   return V;

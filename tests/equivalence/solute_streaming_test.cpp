@@ -2,6 +2,7 @@
 // walls, given concentrations, outflow and births, after even and odd numbers of steps.
 #include "../reference/reactive_box.hpp"
 #include "kernels/solute_boundary.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 namespace vug {
 namespace {
 
-using reference::on_host;
+using test::host_copy;
 
 constexpr int nx = 45, ny = 19;
 constexpr double inlet = 0.7;
@@ -119,7 +120,7 @@ void expect_plain_steps(double tolerance) {
 
   for (int step = 1; step <= 9; ++step) {
     const FluidNodes& nodes = box.nodes;
-    const auto node = on_host(nodes.node);
+    const auto node = host_copy(nodes.node);
     const auto dense = [&](int i) { return number(nodes.lattice.x(node(i)), nodes.lattice.y(node(i))); };
     const VectorField<T> u("u", nodes.capacity);
     const ScalarField<T> e("e", nodes.capacity);
@@ -139,13 +140,13 @@ void expect_plain_steps(double tolerance) {
     advance_solute<Set>(box.exec, nodes, parameters, {u, 2}, e, box.acid,
                         ScalarField<double>("added", block_count(nodes.count)));
     plain.step(velocity, defect);
-    const auto C = on_host(box.acid.C);
+    const auto C = host_copy(box.acid.C);
     for (int i = 0; i < nodes.count; ++i)
       ASSERT_NEAR(C(i), plain.concentration(dense(i)), tolerance) << "step " << step << ", node " << dense(i);
 
     if (step % 3 != 0) continue;  // births after odd and even numbers of steps
     const int opened = opens_after(step), first = nodes.count;
-    const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, box.type);
+    const auto type = host_copy(box.type);
     type(nodes.lattice.node(opened % nx, opened / nx)) = NodeType::fluid;
     Kokkos::deep_copy(box.type, type);
     ASSERT_EQ(append_births(box.exec, box.type, box.nodes), 1);

@@ -116,6 +116,31 @@ TEST(AbsentOpenings, AllocateNothingAndLaunchNothing) {
     EXPECT_FALSE(watch.saw(label)) << label;
 }
 
+TEST(AbsentKeys, AllocateNothingAndLaunchNothing) {
+  const Watch watch;
+  live(scene_without({}));
+  for (const char* label : {"vug::thermal_flow", "vug::flow::spread", "vug::heat::fluid_theta", "vug::surfaces",
+                            "vug::link_populations", "vug::velocity_profile", "vug::open_boundary::velocity_profile"})
+    EXPECT_FALSE(watch.saw(label)) << label;
+}
+
+TEST(PresentKeys, AreSeenByTheSameWatchAndStayOnTheDevice) {
+  Simulation simulation(parse_scene(small_rock_text(), "small_rock.toml",
+                                    {"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3",
+                                     "flow.viscosity_activation_energy=8000", "output.forces=true", "output.flows=true",
+                                     "boundary.injection.flow.pressure=[[0,1e5],[1e-4,20e6]]",
+                                     "boundary.injection.heat.temperature=[[0,400],[1e-4,288]]"}));
+  simulation.begin();
+  for (int step = 0; step < 10; ++step) simulation.step();
+  const Watch watch;
+  for (int step = 0; step < 9; ++step) simulation.step();  // up to the next update of the pores
+  EXPECT_TRUE(watch.saw("vug::thermal_flow::temperatures"));
+  EXPECT_TRUE(watch.saw("vug::thermal_flow::viscosities"));
+  EXPECT_FALSE(watch.saw("vug::link_populations")) << "of a row of the history only";
+  EXPECT_TRUE(watch.allocations.empty()) << *watch.allocations.begin();
+  EXPECT_TRUE(watch.copies.empty()) << *watch.copies.begin();
+}
+
 TEST(PresentOpenings, AreSeenByTheSameWatchAndStayOnTheDevice) {
   std::optional<Watch> setup(std::in_place);
   Simulation simulation(read_scene(VUG_SOURCE_DIR "/tests/cases/coupled/well.toml"));

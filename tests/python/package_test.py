@@ -10,8 +10,13 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "python"))
 os.chdir(root)
 
+import matplotlib
+
+matplotlib.use("Agg")
 import numpy as np
 import vug
+import vug.plot
+from matplotlib import pyplot as plt
 
 
 class OpenRuns(unittest.TestCase):
@@ -72,6 +77,44 @@ class OpenRuns(unittest.TestCase):
         with self.assertRaises(vug.FileTrouble):
             vug.open(self.folder)
         self.assertAlmostEqual(vug.check("cases/poiseuille.toml", {"flow.viscosity": 2e-6})["limits"][0]["value"], 1.1)
+
+    def test_pictures_of_a_run(self):
+        run = self.run_case("tests/cases/coupled/small_rock.toml", steps=200)
+        self.assertEqual([panel.name for panel in vug.plot.panels_of(run[-1])][:3], ["pressure", "speed", "temperature"])
+        self.assertGreater(vug.plot.overview(run[-1], self.folder / "overview.png").stat().st_size, 10000)
+        topics = vug.plot.topics_of(run.history)
+        self.assertEqual(list(topics), ["acid", "rock", "heat", "cracks", "balances"])
+        spent = {curve.label: curve.values for curve in topics["acid"][0][2]}["spent on rock"]
+        np.testing.assert_array_equal(spent, -run.history["L1_gain_reaction"])
+        figure, axes = plt.subplots()
+        frame = vug.plot.Frame(run[-1])
+        image = vug.plot.draw_panel(axes, vug.plot.panels_of(run[-1])[0], frame)
+        np.testing.assert_allclose(image.get_extent(), [0, 2, 0, 1.4])
+        self.assertEqual(frame.unit, "cm")
+        plt.close(figure)
+
+    def test_a_study_and_its_map(self):
+        case = root / "cases/poiseuille.toml"
+        (self.folder / "study.toml").write_text(f"""
+            [study]
+            case = "{case}"
+            set = ["time.steps=2000", "flow.speed_limit=0"]
+            [[study.keys]]
+            key = "flow.viscosity"
+            values = [1e-6, 2e-6]
+            [[study.keys]]
+            key = "flow.body_force.0"
+            values = [1e-3, 2e-3, 1e5]
+            """)
+        study = vug.sweep(self.folder / "study.toml", self.folder / "study", jobs=2)
+        self.assertEqual((len(study), study.keys), (4, ["flow.viscosity", "flow.body_force.0"]))
+        self.assertEqual([failure["state"] for failure in study.failures], ["diverged", "diverged"])
+        np.testing.assert_array_equal(study["flow.viscosity"], [1e-6, 1e-6, 2e-6, 2e-6])
+        force, speed = study["flow.body_force.0"], study["largest_mach_1"]
+        self.assertAlmostEqual(speed[1] / speed[0], 2, places=6)  # the flow is as fast as what drives it
+        self.assertEqual(force[1] / force[0], 2)
+        self.assertTrue(vug.plot.regime_map(study, self.folder / "map.png").exists())
+        self.assertEqual(study.run(1).record["status"], "done")
 
 
 if __name__ == "__main__":

@@ -7,17 +7,13 @@
 #include "kernels/solute_boundary.hpp"
 #include "kernels/solute_totals.hpp"
 #include "kernels/surface_normal.hpp"
+#include "support/host_copy.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace vug::reference {
-
-template <class ViewType>
-auto on_host(const ViewType& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
 
 /// One or two species, one reactive solid, concentrations given on some sides.
 template <class Set, class T>
@@ -82,8 +78,8 @@ struct ReactiveBox {
     g.C_b = ScalarField<double>("C_b", g.links.count);
     g.gain = ScalarField<double>("gain", g.links.count);
     g.product_gain = ScalarField<double>("product_gain", g.links.count);
-    const auto fluid = on_host(g.links.fluid);
-    const auto node = on_host(nodes.node);
+    const auto fluid = test::host_copy(g.links.fluid);
+    const auto node = test::host_copy(nodes.node);
     const auto C_b = Kokkos::create_mirror_view(g.C_b);
     for (int l = 0; l < g.links.count; ++l) C_b(l) = C(upright ? lattice.y(node(fluid(l))) : lattice.x(node(fluid(l))));
     Kokkos::deep_copy(g.C_b, C_b);
@@ -151,8 +147,8 @@ struct ReactiveBox {
   /// Concentration of the last sweep at lattice node (x, y) of a dense host array [y * nx + x]; 0 in solid.
   std::vector<double> concentration(const SoluteFields<T>& s) const {
     std::vector<double> dense(static_cast<std::size_t>(lattice.nx) * lattice.ny, 0);
-    const auto C = on_host(s.C);
-    const auto node = on_host(nodes.node);
+    const auto C = test::host_copy(s.C);
+    const auto node = test::host_copy(nodes.node);
     for (int i = 0; i < nodes.count; ++i) dense[lattice.y(node(i)) * lattice.nx + lattice.x(node(i))] = double(C(i));
     return dense;
   }

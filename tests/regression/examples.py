@@ -32,6 +32,8 @@ ACID = {f"acid_fracturing/p{pressure}_da{da}": (12, COARSE)
 # name below cases/: lattice steps, overrides; rows of the history three times
 RUNS = ACID | {
     "quickstart": (12, COARSE),
+    "cylinder": (60, ["output.interval=0.02"]),
+    "heated_cavity": (60, ["output.interval=8e-3"]),
     "poiseuille": (60, ["output.interval_steps=20"]),
     "diffusion_reaction": (60, ["output.interval=0.06"]),
     "../tests/cases/coupled/small_rock": (60, ["output.interval=5e-5"]),

@@ -1,6 +1,7 @@
 // Conjugate heat at the extremes: where it holds, and where it does not.
 #include "support/flow_setup.hpp"
 #include "support/heat_box.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ TEST(ConductionStability, HoldsForAnyDiffusivityAndContrast) {
         for (int y = 0; y < n; ++y)
           for (int x = 0; x < n; ++x) start += rock(x, y) ? sigma : 1.0;
         box.run(400);
-        const auto solid = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, box.fields.solid);
+        const auto solid = test::host_copy(box.fields.solid);
         const std::vector<double> theta = box.theta();
         double norm = 0;
         for (int y = 0; y < n; ++y)
@@ -58,7 +59,7 @@ struct PorousFlow {
   PorousFlow() {
     flow.step.body_force = {1e-5, 0};
     for (int step = 0; step < 3000; ++step) flow.sweep();
-    const auto u = test::on_host(flow.fields.u);
+    const auto u = test::host_copy(flow.fields.u);
     for (int i = 0; i < flow.nodes.count; ++i) fastest = std::max(fastest, std::hypot(u(i, 0), u(i, 1)));
   }
 };
@@ -68,8 +69,8 @@ template <class T>
 double largest(const PorousFlow& porous, const HeatParameters& parameters, double speed) {
   HeatBox<T> box(n, n, parameters, PorousFlow::solid,
                  [](int x, int y) { return std::sin(0.3 * x) * std::cos(0.2 * y); }, {true, false});
-  const auto u = test::on_host(porous.flow.fields.u);
-  const auto index = test::on_host(porous.flow.nodes.index);
+  const auto u = test::host_copy(porous.flow.fields.u);
+  const auto index = test::host_copy(porous.flow.nodes.index);
   box.flow([&](int x, int y) {
     const int i = index(box.lattice.node(x, y));
     const double scale = speed / porous.fastest;

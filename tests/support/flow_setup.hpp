@@ -3,6 +3,7 @@
 #include "kernels/flow.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/mirror_links.hpp"
+#include "support/host_copy.hpp"
 
 #include <string>
 #include <vector>
@@ -30,11 +31,6 @@ Kokkos::View<NodeType*> shape(const Lattice& lattice, const Solid& solid) {
     for (int x = 0; x < lattice.nx; ++x) host(lattice.node(x, y)) = solid(x, y) ? NodeType::solid : NodeType::fluid;
   Kokkos::deep_copy(type, host);
   return type;
-}
-
-template <class ViewType>
-auto on_host(const ViewType& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
 /// A flow at rest with everything that a step needs.
@@ -67,7 +63,7 @@ struct Flow {
   /// Sets density and velocity by (x, y) -> Macroscopic<double> and the populations to equilibrium.
   template <class State>
   void set(const State& state) {
-    const auto node = on_host(nodes.node);
+    const auto node = host_copy(nodes.node);
     const ScalarField<T> rho("rho", nodes.capacity);
     const auto density = Kokkos::create_mirror_view(rho);
     const auto u = Kokkos::create_mirror_view(fields.u);
@@ -84,8 +80,11 @@ struct Flow {
 
   /// Moments of the last sweep at node (x, y).
   Macroscopic<double> at(int x, int y) const {
-    const int i = on_host(nodes.index)(lattice.node(x, y));
-    return {on_host(densities(exec, nodes, fields))(i), on_host(fields.u)(i, 0), on_host(fields.u)(i, 1)};
+    const auto index = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.index);
+    const auto rho = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, densities(exec, nodes, fields));
+    const auto u = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fields.u);
+    const int i = index(lattice.node(x, y));
+    return {rho(i), u(i, 0), u(i, 1)};
   }
 
   double mass() const {

@@ -5,6 +5,7 @@
 #include "kernels/heat_boundary.hpp"
 #include "kernels/heat_sums.hpp"
 #include "kernels/launch.hpp"
+#include "support/host_copy.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,7 @@ class HeatBox {
     u = VectorField<T>("u", nodes.capacity);
     defect = ScalarField<T>("defect", nodes.capacity);
     lagged = ScalarField<T>("lagged", nodes.capacity);
-    const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.node);
+    const auto node = host_copy(nodes.node);
     const auto host = Kokkos::create_mirror_view(u);
     for (int i = 0; i < nodes.count; ++i) {
       const auto v = velocity(lattice.x(node(i)), lattice.y(node(i)));
@@ -138,7 +139,7 @@ class HeatBox {
 
   /// theta of all nodes, row by row.
   std::vector<double> theta() const {
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, temperatures(exec, fields));
+    const auto host = host_copy(temperatures(exec, fields));
     std::vector<double> values;
     for (int y = 0; y < lattice.ny; ++y)
       for (int x = 0; x < lattice.nx; ++x) values.push_back(host(lattice.node(x, y)));

@@ -2,6 +2,7 @@
 // The force of the fluid on every surface node of its own.
 #include "kernels/momentum_exchange.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 
 namespace vug::test {
 
@@ -20,7 +21,7 @@ class NodeForce {
   /// (surface, axis), on the host.
   auto operator()(const Flow<T>& flow) const {
     exchange_momentum(flow.exec, flow.fields, links_, 1, 1, force_, torque_);
-    return on_host(force_);
+    return host_copy(force_);
   }
 
  private:

@@ -47,17 +47,17 @@ TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   ASSERT_EQ(scene.rock->notches.size(), 1u);
   EXPECT_DOUBLE_EQ(scene.flow->viscosity, 2.2e-3);
   EXPECT_DOUBLE_EQ(scene.flow->pressure_scale, 25);
-  EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injection->conditions.heat.temperature, 200);
+  EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injection->conditions.heat.temperature.at(0), 200);
   ASSERT_EQ(scene.solute->species.size(), 2u);
-  EXPECT_DOUBLE_EQ(scene.injection->conditions.solute.concentration.at("L1"), 3000);
-  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure, 20e6);
+  EXPECT_DOUBLE_EQ(scene.injection->conditions.solute.concentration.at("L1").at(0), 3000);
+  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure.at(0), 20e6);
   EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
   EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 58e6);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.normal_modulus, 24.03e9);
-  EXPECT_EQ(scene.left.traction.support, Support::roller);
-  EXPECT_DOUBLE_EQ(scene.right.traction.normal_stress, 5e6);
-  EXPECT_DOUBLE_EQ(scene.top.traction.normal_stress, 7.5e6);
+  EXPECT_EQ(scene.left.traction.load.support, Support::roller);
+  EXPECT_DOUBLE_EQ(scene.right.traction.load.normal_stress.at(0), 5e6);
+  EXPECT_DOUBLE_EQ(scene.top.traction.load.normal_stress.at(0), 7.5e6);
   EXPECT_EQ(scene.bottom.flow.kind, FlowBoundaryKind::pressure);
   EXPECT_EQ(scene.bottom.solute.kind, SoluteBoundaryKind::outflow);
   EXPECT_TRUE(scene.warnings.empty());
@@ -123,7 +123,7 @@ flow = { type = "pressure", pressure = "1bar", ramp_time = "5 ms" }
   EXPECT_DOUBLE_EQ(scene.heat->solid_diffusivity, 1.0);  // an integer is a number
   EXPECT_DOUBLE_EQ(scene.heat->initial_temperature, 288.15);
   EXPECT_DOUBLE_EQ(scene.solute->species[0].initial, 3000);
-  EXPECT_DOUBLE_EQ(scene.top.flow.pressure, 1e5);
+  EXPECT_DOUBLE_EQ(scene.top.flow.pressure.at(0), 1e5);
   EXPECT_DOUBLE_EQ(scene.top.flow.ramp_time, 5e-3);
   EXPECT_DOUBLE_EQ(scene.lattice.time_step, 1e-4);
   EXPECT_EQ(scene.lattice.nx, 10);

@@ -103,6 +103,20 @@ TEST(Check, SaysWhatItMeasured) {
   EXPECT_THAT(text, testing::Not(HasSubstr("Bernoulli")));
 }
 
+TEST(Check, KnowsTheSpecimenOfALaboratoryTest) {
+  const Scene scene = parse_scene(
+      "[laboratory]\ntest = \"compression\"\nsize = [0.02, 0.04]\n[rock]\nelement_size = 2e-3\n", "a.toml");
+  const CheckReport report = check_case(scene);
+  EXPECT_GT(report.particles, 300);
+  EXPECT_GT(report.bonds, report.particles);
+  EXPECT_GT(report.steps, 10000);  // 0.02 of 40 mm at 0.5 m/s in sub-steps of some 30 ns
+  const std::string text = to_text(report);
+  EXPECT_THAT(text, testing::StartsWith("specimen of "));
+  EXPECT_THAT(text, HasSubstr("bytes per triangle"));
+  EXPECT_THAT(text, HasSubstr("mean edge of the bonds"));
+  EXPECT_THROW(check_case(parse_scene(scene.source_text, "a.toml", {"output.fields=[\"stres\"]"})), InputError);
+}
+
 TEST(Check, KnowsTheFieldsThatARunWrites) {
   EXPECT_NO_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocity\"]"})));
   EXPECT_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocty\"]"})), InputError);

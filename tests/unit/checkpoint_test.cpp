@@ -128,7 +128,7 @@ TEST(Checkpoint, RefusesNumbersThatCannotBe) {
     }
     place = before;
   };
-  if constexpr (runs_on_host) {
+  if constexpr (shares_host_memory) {
     refused(index(2), 10, "index");
     refused(index(0), -1, "index");
     refused(number(1), std::numeric_limits<float>::quiet_NaN(), "number");

@@ -16,7 +16,7 @@
 namespace vug {
 namespace {
 
-using reference::on_host;
+using test::host_copy;
 using reference::ReactiveBox;
 using Box = ReactiveBox<D2Q5, double>;
 
@@ -282,7 +282,7 @@ TEST(ReactiveWall, EveryFaceOfAPixelReactsAtItsOwnTemperature) {
   EXPECT_EQ(box.dissolved(left), 0) << "not yet booked";
   const ReactionLedger ledger{box.V, box.dissolved, box.consumed, {}};
   book_turnover(box.exec, box.surface, box.wall, box.links, ledger);
-  const auto at = [](double T) { return kinetic_flux(arrhenius(1e-3, 7553.1, T, 300.0), 0.0, 0.8 / 6, 0.0); };
+  const auto at = [](double T) { return kinetic_conductance(arrhenius(1e-3, 7553.1, T, 300.0), 0.0) * 0.8 / 6; };
   EXPECT_NEAR(box.dissolved(left), 2 * at(310) + at(305), 1e-16);
   EXPECT_NEAR(box.dissolved(right), 2 * at(320) + at(325), 1e-16);
   EXPECT_EQ(box.V(left), 1 - box.dissolved(left));

@@ -5,6 +5,7 @@
 #include "kernels/momentum_exchange.hpp"
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 
 #include <gmock/gmock.h>
 
@@ -16,13 +17,13 @@ namespace {
 
 using test::draw;
 using test::Flow;
-using test::on_host;
+using test::host_copy;
 
 /// Populations of node i on the host.
 template <class T>
 std::array<T, 9> populations(Flow<T>& flow, int i) {
   settle(flow.exec, flow.nodes, flow.nodes.count, flow.fields);
-  const auto f = on_host(flow.fields.f);
+  const auto f = host_copy(flow.fields.f);
   std::array<T, 9> values;
   for (int q = 0; q < 9; ++q) values[q] = f(q * flow.nodes.capacity + i);
   return values;
@@ -181,7 +182,7 @@ TEST(Births, TakeTheMeanOfOldNeighboursInAnyOrder) {
   EXPECT_NEAR(flow.at(2, 0).rho, low, 1e-15);
   EXPECT_NEAR(flow.at(2, 1).rho, middle, 1e-15);
   EXPECT_EQ(flow.at(3, 0).rho, 0);  // touches new nodes only
-  const auto f = populations(flow, on_host(flow.nodes.index)(lattice.node(2, 1)));
+  const auto f = populations(flow, host_copy(flow.nodes.index)(lattice.node(2, 1)));
   for (int q = 0; q < 9; ++q) EXPECT_NEAR(f[q], D2Q9::w(q) * middle, 1e-16);
   EXPECT_EQ(flow.at(2, 1).ux, 0);
   EXPECT_NEAR(flow.mass() - before, low + middle, 1e-15);
@@ -237,8 +238,8 @@ TEST(Streaming, InPlaceIsTwoLatticesAfterAnyNumberOfSteps) {
     }
     EXPECT_NEAR(in_place.mass(), two.mass(), 1e-14);
     EXPECT_EQ(sum_in_order(in_place.gain), sum_in_order(two.gain));
-    const auto density = on_host(densities(in_place.exec, in_place.nodes, in_place.fields));
-    const auto expected = on_host(densities(two.exec, two.nodes, two.fields));
+    const auto density = host_copy(densities(in_place.exec, in_place.nodes, in_place.fields));
+    const auto expected = host_copy(densities(two.exec, two.nodes, two.fields));
     for (int i = 0; i < two.nodes.count; ++i) EXPECT_NEAR(density(i), expected(i), 1e-15) << "step " << t;
   }
   ASSERT_EQ(in_place.fields.turned, 1);

@@ -3,6 +3,7 @@
 
 #include "kernels/advective_form.hpp"
 #include "kernels/opening.hpp"
+#include "support/host_copy.hpp"
 
 #include <gmock/gmock.h>
 
@@ -26,11 +27,6 @@ Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<std
   return type;
 }
 
-template <class ViewType>
-auto on_host(const ViewType& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 TEST(Lattice, HaloSurroundsEveryNodeWithoutWrapping) {
   const Lattice lattice(5, 3);
   EXPECT_EQ(lattice.x(lattice.node(4, 2)), 4);
@@ -50,7 +46,7 @@ TEST(FluidNodes, EverySlotIsPulledExactlyOnceByStreamingOrBounceBack) {
   const Lattice lattice(4, 4);
   const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"....", ".##.", "..#.", "...."}));
   ASSERT_EQ(nodes.count, 13);
-  const auto source = on_host(nodes.source);
+  const auto source = test::host_copy(nodes.source);
   std::multiset<int> pulled;
   for (int q = 0; q < 9; ++q)
     for (int i = 0; i < nodes.count; ++i) pulled.insert(source(q * nodes.capacity + i));
@@ -61,8 +57,8 @@ TEST(FluidNodes, EverySlotIsPulledExactlyOnceByStreamingOrBounceBack) {
 TEST(FluidNodes, PeriodicSidesJoinAndLeaveNoSideLinks) {
   const Lattice lattice(3, 3);
   const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"...", "...", "..."}), {true, false});
-  const auto source = on_host(nodes.source);
-  const auto side = on_host(nodes.side_links);
+  const auto source = test::host_copy(nodes.source);
+  const auto side = test::host_copy(nodes.side_links);
   // direction 1 at (0, 1) comes from (2, 1)
   EXPECT_EQ(source(1 * nodes.capacity + 3), 1 * nodes.capacity + 5);
   EXPECT_EQ(side(3), 0);
@@ -83,11 +79,11 @@ TEST(FluidNodes, BirthsAppendInOrderAndKeepNumbers) {
   Kokkos::deep_copy(type, host);
   EXPECT_EQ(append_births(Exec{}, type, nodes), 2);
   EXPECT_EQ(append_births(Exec{}, type, nodes), 0);
-  const auto node = on_host(nodes.node);
+  const auto node = test::host_copy(nodes.node);
   EXPECT_EQ(std::vector<int>(node.data(), node.data() + 4),
             (std::vector<int>{lattice.node(1, 1), lattice.node(2, 1), lattice.node(0, 0), lattice.node(3, 2)}));
   // the newborn at (0, 0) now feeds direction 5 of (1, 1)
-  EXPECT_EQ(on_host(nodes.source)(5 * nodes.capacity + 0), 5 * nodes.capacity + 2);
+  EXPECT_EQ(test::host_copy(nodes.source)(5 * nodes.capacity + 0), 5 * nodes.capacity + 2);
 }
 
 TEST(FluidNodes, TablesAfterBirthsAreThoseOfAFreshStart) {
@@ -110,13 +106,16 @@ TEST(FluidNodes, TablesAfterBirthsAreThoseOfAFreshStart) {
       FluidNodes fresh = make_fluid_nodes(Exec{}, lattice, type, {joined, false});
       set_fluid_nodes(Exec{}, Kokkos::subview(nodes.node, std::pair(0, nodes.count)), nodes.capacity, fresh);
       ASSERT_EQ(fresh.count, nodes.count);
+      const auto solid = test::host_copy(nodes.solid_links), side = test::host_copy(nodes.side_links);
+      const auto expected_solid = test::host_copy(fresh.solid_links), expected_side = test::host_copy(fresh.side_links);
+      const auto source = test::host_copy(nodes.source), expected_source = test::host_copy(fresh.source);
       for (int i = 0; i < nodes.count; ++i) {
-        ASSERT_EQ(on_host(fresh.solid_links)(i), on_host(nodes.solid_links)(i)) << step << ' ' << i;
-        ASSERT_EQ(on_host(fresh.side_links)(i), on_host(nodes.side_links)(i)) << step << ' ' << i;
+        ASSERT_EQ(expected_solid(i), solid(i)) << step << ' ' << i;
+        ASSERT_EQ(expected_side(i), side(i)) << step << ' ' << i;
         for (int q = 0; q < D2Q9::Q; ++q)
-          ASSERT_EQ(on_host(fresh.source)(q * nodes.capacity + i), on_host(nodes.source)(q * nodes.capacity + i));
+          ASSERT_EQ(expected_source(q * nodes.capacity + i), source(q * nodes.capacity + i));
       }
-      const auto windows = on_host(nodes.windows), expected = on_host(fresh.windows);
+      const auto windows = test::host_copy(nodes.windows), expected = test::host_copy(fresh.windows);
       for (int w = 0; has_source_windows && w < nodes.count / nodes_per_window * nodes_per_window; ++w)
         ASSERT_TRUE(windows(w) == expected(w)) << step << ' ' << w;
     }
@@ -129,7 +128,7 @@ TEST(FluidNodes, GrowthKeepsPopulations) {
   for (int q = 0; q < 5; ++q)
     for (int i = 0; i < 7; ++i) host(q * 16 + i) = 10 * q + i;
   Kokkos::deep_copy(h, host);
-  const auto moved = on_host(restride(Exec{}, h, 5, 7, 16, 32));
+  const auto moved = test::host_copy(restride(Exec{}, h, 5, 7, 16, 32));
   for (int q = 0; q < 5; ++q)
     for (int i = 0; i < 7; ++i) EXPECT_EQ(moved(q * 32 + i), 10 * q + i);
 }
@@ -141,7 +140,7 @@ TEST(Surface, IsTheSolidThatTouchesFluid) {
   Surface surface;
   find_surface(Exec{}, nodes, type, surface);
   ASSERT_EQ(surface.count, 8);
-  EXPECT_EQ(on_host(surface.node)(0), lattice.node(1, 1));
+  EXPECT_EQ(test::host_copy(surface.node)(0), lattice.node(1, 1));
 }
 
 TEST(BoundaryLinks, CornerDiagonalsBelongToOneSideOnly) {
@@ -149,7 +148,7 @@ TEST(BoundaryLinks, CornerDiagonalsBelongToOneSideOnly) {
   const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"...", "...", "..."}));
   int links = 0;
   for (const Side side : all_sides) links += find_boundary_links(Exec{}, nodes, side, 0, 2, 9).count;
-  const auto side_links = on_host(nodes.side_links);
+  const auto side_links = test::host_copy(nodes.side_links);
   int bits = 0;
   for (int i = 0; i < nodes.count; ++i) bits += __builtin_popcount(side_links(i));
   EXPECT_EQ(links, bits);
@@ -166,7 +165,7 @@ TEST(Opening, TakesLinksFromFluidAndSharesItsAreaAmongThem) {
     std::vector<int> inside;
     for (const int y : {1, 2})
       for (const int x : {across ? 5 : 2, across ? 0 : 3}) inside.push_back(lattice.node(x, y));
-    const auto host = on_host(type);
+    const auto host = test::host_copy(type);
     for (const int n : inside) host(n) = NodeType::opening;
     Kokkos::deep_copy(type, host);
     const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type, {across, false});
@@ -178,14 +177,14 @@ TEST(Opening, TakesLinksFromFluidAndSharesItsAreaAmongThem) {
     for (const int directions : {5, 9}) {
       const BoundaryLinks links = find_opening_links(Exec{}, nodes, opening, directions);
       EXPECT_EQ(links.count, directions == 5 ? 8 : 8 + 12 - 1);  // two a face; the solid node has one of 12 diagonals
-      const auto area = on_host(link_areas(Exec{}, nodes, opening, directions));
+      const auto area = test::host_copy(link_areas(Exec{}, nodes, opening, directions));
       double total = 0;
       for (int l = 0; l < links.count; ++l) total += area(l);
       EXPECT_NEAR(total, 8, 1e-14) << directions;
-      const auto fluid = on_host(links.fluid);
-      const auto direction = on_host(links.direction);
-      const auto side_links = on_host(nodes.side_links);
-      const auto solid_links = on_host(nodes.solid_links);
+      const auto fluid = test::host_copy(links.fluid);
+      const auto direction = test::host_copy(links.direction);
+      const auto side_links = test::host_copy(nodes.side_links);
+      const auto solid_links = test::host_copy(nodes.solid_links);
       for (int l = 0; l < links.count; ++l) {
         EXPECT_TRUE(side_links(fluid(l)) >> direction(l) & 1);
         EXPECT_FALSE(solid_links(fluid(l)) >> direction(l) & 1);
@@ -206,7 +205,7 @@ TEST(AdvectiveDefect, SumsToZeroOverAClosedDomain) {
   Kokkos::deep_copy(u, u_host);
   ScalarField<double> e("e", nodes.capacity);
   advective_defect<D2Q5>(Exec{}, nodes, u, e);
-  const auto host = on_host(e);
+  const auto host = test::host_copy(e);
   double sum = 0, largest = 0;
   for (int i = 0; i < nodes.count; ++i) {
     sum += host(i);

@@ -39,11 +39,6 @@ TEST(ConjugateLink, ConservesEnergyAtAnyContrast) {
   }
 }
 
-TEST(InterfaceTemperature, BalancesTheFluxesOfBothHalfLinks) {
-  const double wall = interface_temperature(10, 200, 0.6, 2.4);
-  EXPECT_NEAR(0.6 * (wall - 10), 2.4 * (200 - wall), 1e-12);
-}
-
 TEST(HeatRates, RefuseWhatIsNotPositive) {
   EXPECT_THROW(heat_rates<double>({0, 1, 1}), InputError);
   EXPECT_THROW(heat_rates<double>({1, -1, 1}), InputError);

@@ -110,6 +110,14 @@ TEST(MeshReader, ReadsBothFormatsToTheSameRock) {
   expect_square(parse_mesh(square_41, "a.msh"));
 }
 
+TEST(MeshReader, KnowsTheTrianglesOfNamedSurfaces) {
+  for (const std::string& text : {square_22, square_41}) {
+    const Assembly rock = parse_mesh(text, "square.msh");
+    ASSERT_EQ(rock.groups.size(), 1u);
+    EXPECT_THAT(rock.groups.at("the rock"), ElementsAre(0, 1, 2, 3));
+  }
+}
+
 TEST(MeshReader, ReadsLineEndsOfEverySystem) {
   std::string text;
   for (const char c : square_22) text += c == '\n' ? std::string("\r\n") : std::string(1, c);

@@ -123,19 +123,22 @@ TEST(Plot, DrawsEveryFieldTheOverviewAndTheHistories) {
   SnapshotWriter writer(folder, Lattice(nx, ny), spacing, fields, {}, rock);
   writer.write(0, 0);
   writer.write(0.08, 800);
-  HistoryWriter history(folder + "/history.csv",
-                        {"time_s", "reactive_area_m2", "bonds_damaged_1", "bonds_failed_1", "kinetic_energy_J_per_m"});
+  HistoryWriter history(folder + "/history.csv", {"time_s", "reactive_area_m2", "bonds_damaged_1", "bonds_failed_1",
+                                                  "kinetic_energy_J_per_m", "heat_balance_error_1"});
   for (int i = 0; i < 50; ++i)
-    history.write(std::vector<double>{i * 0.002, 1e-3 * i * i, 3.0 * i, 1.0 * i, 1e-7 * std::sin(0.3 * i)});
+    history.write(std::vector<double>{i * 0.002, 1e-3 * i * i, 3.0 * i, 1.0 * i, 1e-7 * std::sin(0.3 * i), 1e-16 * i});
   RunRecord record;
   record.case_path = "cases/made-up.toml";
   write_run_record(folder, record);
 
-  ASSERT_EQ(plot(folder), 0);
+  ASSERT_EQ(plot(folder, "--movie"), 0);
   for (const char* name :
        {"pressure", "speed", "temperature", "concentration_L1", "concentration_L2", "solid_fraction", "overview"})
     EXPECT_TRUE(shows_a_field(folder + "/figures/" + name + ".png")) << name;
-  EXPECT_TRUE(shows_lines(folder + "/figures/histories.png"));
+  for (const char* name : {"rock", "cracks", "balances"})
+    EXPECT_TRUE(shows_lines(folder + "/figures/history_" + name + ".png")) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder + "/figures/history_acid.png")) << "no acid in it";
+  EXPECT_TRUE(test::contents(folder + "/figures/movie.gif").starts_with("GIF89a"));
 }
 
 TEST(Plot, DrawsEverySnapshotOfASceneWithPressureOnly) {

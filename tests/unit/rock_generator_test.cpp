@@ -202,6 +202,39 @@ TEST(AssemblyQuality, FindsEveryKindOfUnusableRock) {
   }
 }
 
+TEST(RockGenerator, CutsHolesOfAnyForm) {
+  RockSection rock = uniform_rock(3);
+  const Disc inside{{0.03, 0.035}, 0.01}, at_the_side{{0.1, 0.05}, 0.008};
+  const Polygon wedge{{{0.05, 0}, {0.055, 0.02}, {0.06, 0}}};
+  rock.holes = {inside, at_the_side, wedge, Rectangle{{0.07, 0.06}, {0.08, 0.075}}};
+  const Assembly assembly = generate_rock(length_x, length_y, rock);
+  const auto quality = assembly_quality(assembly);
+  // of a circle of n corners n / 2 sin(2 pi / n) r^2; n = 32 and 24 sides of 2 mm, which are not quite alike
+  const double discs = 16 * std::sin(M_PI / 16) * 1e-4 + 0.5 * 12 * std::sin(M_PI / 12) * 0.64e-4;
+  EXPECT_NEAR(quality.area, length_x * length_y - discs - 0.5 * 0.01 * 0.02 - 0.01 * 0.01, 1e-3 * 5e-4);
+  EXPECT_GE(quality.min_angle, 20);
+  int rim = 0;
+  for (const auto& [x, y] : assembly.vertices) {
+    const double r = std::hypot(x - 0.03, y - 0.035);
+    EXPECT_GE(r, 0.01 * (1 - 1e-12));
+    rim += r < 0.01 * (1 + 1e-12);
+  }
+  EXPECT_EQ(rim, 32);
+}
+
+TEST(RockGenerator, FollowsTheBordersOfMaterials) {
+  RockSection rock = uniform_rock(4);
+  rock.borders = {Rectangle{{0, 0.0231}, {0.1, 0.0417}}};
+  const Assembly assembly = generate_rock(length_x, length_y, rock);
+  for (const auto& t : assembly.triangles) {
+    std::set<bool> above;
+    for (const int v : t)
+      if (std::abs(assembly.vertices[v][1] - 0.0231) > 1e-9) above.insert(assembly.vertices[v][1] > 0.0231);
+    EXPECT_EQ(above.size(), 1u);
+  }
+  EXPECT_TRUE(assembly.initial_cracks.empty());
+}
+
 TEST(DiscGenerator, FillsTheFlattenedCircleWithUsableTriangles) {
   constexpr double diameter = 0.05, flat = 0.174, pi = 3.14159265358979;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {

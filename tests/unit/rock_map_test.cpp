@@ -6,6 +6,7 @@
 #include "coupling/strip.hpp"
 #include "dem/edges.hpp"
 #include "kernels/launch.hpp"
+#include "support/host_copy.hpp"
 
 #include <gmock/gmock.h>
 
@@ -19,11 +20,6 @@ namespace {
 /// The square [0, 8] x [0, 8] cells, cut along its diagonal.
 Assembly cut_square() {
   return {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{0, 1, 2}, {0, 2, 3}}, {}};
-}
-
-template <class ViewType>
-auto on_host(const ViewType& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
 TEST(RockRaster, EveryNodeHasOneOwnerAndTheRegionsTileTheTriangles) {
@@ -116,8 +112,8 @@ TEST(NodeGroups, HoldEveryNodeOfTheirKeyInOrder) {
   std::vector<int> key;
   for (int n = 0; n < 35; ++n) key.push_back(n < 21 ? n / 3 % 3 : n % 4 - 1);  // runs that end with their row, gaps
   const NodeGroups groups = group_nodes(key, 4, lattice);
-  const auto offset = on_host(groups.offset), first = on_host(groups.first), length = on_host(groups.length),
-             nodes = on_host(groups.nodes);
+  const auto offset = test::host_copy(groups.offset), first = test::host_copy(groups.first), length = test::host_copy(groups.length),
+             nodes = test::host_copy(groups.nodes);
   ASSERT_EQ(groups.count(), 4);
   for (int g = 0; g < 4; ++g) {
     std::vector<int> expected, found;
@@ -222,7 +218,7 @@ struct OneBond {
     Kokkos::deep_copy(nodes.open, 3.0);
   }
   double total() const {
-    const auto v = on_host(volume);
+    const auto v = test::host_copy(volume);
     double sum = 0;
     for (std::size_t i = 0; i < v.extent(0); ++i) sum += v(i);
     return sum;
@@ -244,8 +240,8 @@ TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
   EXPECT_EQ(open(0.2), 0);
   EXPECT_EQ(open(1.0), 8);  // the third row, the lower one of two as near
   EXPECT_NEAR(rock.total() + sum_in_order(opener.waiting()), before, 1e-12 * before);
-  const auto type = on_host(rock.type);
-  const auto volume = on_host(rock.volume);
+  const auto type = test::host_copy(rock.type);
+  const auto volume = test::host_copy(rock.volume);
   for (int x = 0; x < 8; ++x) {
     EXPECT_EQ(type(rock.lattice.node(x, 3)), NodeType::fluid);
     EXPECT_EQ(volume(rock.lattice.node(x, 3)), 0);
@@ -301,7 +297,7 @@ struct RowOfTriangles {
 };
 
 TEST(SolidSpread, StaysInTheTriangleWhereThereIsRoom) {
-  if constexpr (!runs_on_host) GTEST_SKIP() << "reads views on the host";
+  if constexpr (!shares_host_memory) GTEST_SKIP() << "reads views on the host";
   RowOfTriangles rock;
   SolidSpread spread(rock.nodes, rock.neighbours);
   rock.open(2, 5);
@@ -313,7 +309,7 @@ TEST(SolidSpread, StaysInTheTriangleWhereThereIsRoom) {
 }
 
 TEST(SolidSpread, GoesOnToTheNeighboursBeforeANodeHoldsMoreThanTheBound) {
-  if constexpr (!runs_on_host) GTEST_SKIP() << "reads views on the host";
+  if constexpr (!shares_host_memory) GTEST_SKIP() << "reads views on the host";
   RowOfTriangles rock;
   SolidSpread spread(rock.nodes, rock.neighbours);
   for (const int left : {3, 1, 0}) {

@@ -2,6 +2,7 @@
 #include "kernels/guards.hpp"
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ void run_to_rest(Flow<double>& flow, double tolerance, const Dress& dress) {
       dress();
       flow.sweep();
     }
-    const auto u = test::on_host(flow.fields.u);
+    const auto u = test::host_copy(flow.fields.u);
     double change = 0, size = 0;
     for (int i = 0; i < flow.nodes.count; ++i)
       for (int axis = 0; axis < 2; ++axis) {

@@ -131,6 +131,14 @@ TEST(Extremes, MotionThatIsNotANumberOrRunsAwayStops) {
   v(5, 1) = 1e5;
   Kokkos::deep_copy(rock.particles().v, v);
   EXPECT_THROW(require_sound(Exec(), rock), StabilityError);
+  EXPECT_NE(what_is_unsound(Exec(), rock).find("more sub-steps"), std::string::npos);
+  // a fragment that nothing holds is no matter of the step
+  const auto pair = host_copy(rock.bonds().pair);
+  const auto state = host_copy(rock.bonds().state);
+  for (int k = 0; k < rock.bonds().count; ++k)
+    if (pair(k, 0) == 5 || pair(k, 1) == 5) state(k) = BondState::dissolved;
+  Kokkos::deep_copy(rock.bonds().state, state);
+  EXPECT_NE(what_is_unsound(Exec(), rock).find("fragment"), std::string::npos);
   // a step beyond the critical one makes energy from nothing
   PlatenTest unstable;
   unstable.step_fraction = 3;

@@ -1,5 +1,6 @@
 // Walls that recede: Stefan problems, the quasi-steady slab and the shrinking disc, with the balance of acid and solid.
 #include "../reference/reactive_box.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -134,7 +135,7 @@ struct Shrinking {
 /// Radius of the solid around the centre, averaged over sectors of 17 degrees about `angle` and its three images.
 double sector_radius(const ReactiveBox<D2Q5, double>& box, double cx, double cy, double angle, double reach) {
   constexpr int per_node = 100;
-  const auto V = reference::on_host(box.V);
+  const auto V = test::host_copy(box.V);
   double sum = 0;
   int rays = 0;
   for (int quarter = 0; quarter < 4; ++quarter)
@@ -153,7 +154,7 @@ double sector_radius(const ReactiveBox<D2Q5, double>& box, double cx, double cy,
 /// What is left of each pixel, in tenths, one row of the lattice after the other.
 void record_shape(const ReactiveBox<D2Q5, double>& box, const std::string& form, double cx, double cy, double r0,
                   double r1) {
-  const auto V = reference::on_host(box.V);
+  const auto V = test::host_copy(box.V);
   for (int y = 0; y < box.lattice.ny; ++y) {
     std::string row;
     for (int x = 0; x < box.lattice.nx; ++x)

@@ -1,6 +1,7 @@
 // Forces of the fluid on the rock by momentum exchange.
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 #include "support/node_force.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ Force force_on(const Flow<T>& flow, const Where& where) {
   Surface surface;
   find_surface(flow.exec, flow.nodes, flow.type, surface);
   const auto values = test::NodeForce<T>(flow, surface)(flow);
-  const auto node = test::on_host(surface.node);
+  const auto node = test::host_copy(surface.node);
   Force total;
   for (int s = 0; s < surface.count; ++s) {
     if (!where(flow.lattice.x(node(s)), flow.lattice.y(node(s)))) continue;
@@ -82,16 +83,16 @@ TEST(HydrostaticForce, TurnsABankByTheLeverArmsOfItsNodes) {
   exchange_momentum(flow.exec, flow.fields, links, 2, 3, force, torque);
   double x = 0, y = 0, turning = 0;  // node by node, from the forces on single nodes
   const auto single = test::NodeForce<double>(flow, surface)(flow);
-  const auto node = test::on_host(surface.node);
+  const auto node = test::host_copy(surface.node);
   for (int s = 0; s < surface.count; ++s) {
     x += single(s, 0);
     y += single(s, 1);
     turning += (lattice.x(node(s)) + 0.5 - 3.25) * single(s, 1) - (lattice.y(node(s)) + 0.5 - 1.5) * single(s, 0);
   }
   EXPECT_GT(std::abs(turning), p);
-  EXPECT_NEAR(test::on_host(force)(0, 0), 2 * x, 1e-13);
-  EXPECT_NEAR(test::on_host(force)(0, 1), 2 * y, 1e-13);
-  EXPECT_NEAR(test::on_host(torque)(0), 3 * turning, 1e-13);
+  EXPECT_NEAR(test::host_copy(force)(0, 0), 2 * x, 1e-13);
+  EXPECT_NEAR(test::host_copy(force)(0, 1), 2 * y, 1e-13);
+  EXPECT_NEAR(test::host_copy(torque)(0), 3 * turning, 1e-13);
 }
 
 TEST(HydrodynamicForce, BalancesTheMomentumOfTheFluidAtEveryStep) {
@@ -102,7 +103,7 @@ TEST(HydrodynamicForce, BalancesTheMomentumOfTheFluidAtEveryStep) {
   flow.step.body_force = {1e-4, -3e-5};
   const auto momentum = [&] {
     settle(flow.exec, flow.nodes, flow.nodes.count, flow.fields);
-    const auto f = test::on_host(flow.fields.f);
+    const auto f = test::host_copy(flow.fields.f);
     Force sum;
     for (int q = 1; q < 9; ++q)
       for (int i = 0; i < flow.nodes.count; ++i) {
@@ -172,7 +173,7 @@ TEST(HydrodynamicForce, OfAMovingWallIsTheMeanBeforeAndAfterDressing) {
   floor.direction = Kokkos::View<std::uint8_t*>("direction", 12);
   const auto fluid = Kokkos::create_mirror_view(floor.fluid);
   const auto direction = Kokkos::create_mirror_view(floor.direction);
-  const auto index = test::on_host(flow.nodes.index);
+  const auto index = test::host_copy(flow.nodes.index);
   for (int x = 0; x < 4; ++x)
     for (const int q : {4, 7, 8}) {
       fluid(floor.count) = index(lattice.node(x, 1));

@@ -1,6 +1,7 @@
 // The lid-driven cavity: steady recirculation against published extremes of its centre lines.
 #include "kernels/open_boundary.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ Extremes cavity(int n, double reynolds, double speed, double turnovers) {
     dress_velocity(flow.exec, flow.nodes, lid, {speed, 0}, flow.fields, flow.gain);
     flow.sweep();
   }
-  const auto u = test::on_host(flow.fields.u);
+  const auto u = test::host_copy(flow.fields.u);
   const auto on_centre_line = [&](int along, int axis) {  // n is even: the line runs between two rows of nodes
     const auto index = [&](int across) { return axis == 0 ? along * n + across : across * n + along; };
     return (u(index(n / 2 - 1), axis) + u(index(n / 2), axis)) / (2 * speed);

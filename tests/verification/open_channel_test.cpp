@@ -3,6 +3,7 @@
 #include "kernels/open_boundary.hpp"
 #include "kernels/side_links.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -60,9 +61,9 @@ struct Channel {
   }
   /// Everything at once: row `along` * width + across.
   std::vector<Macroscopic<double>> fields() const {
-    const auto density = test::on_host(densities(flow.exec, flow.nodes, flow.fields));
-    const auto u = test::on_host(flow.fields.u);
-    const auto index = test::on_host(flow.nodes.index);
+    const auto density = test::host_copy(densities(flow.exec, flow.nodes, flow.fields));
+    const auto u = test::host_copy(flow.fields.u);
+    const auto index = test::host_copy(flow.nodes.index);
     std::vector<Macroscopic<double>> all;
     for (int along = 0; along < length; ++along)
       for (int across = 0; across < width; ++across) {
@@ -282,10 +283,10 @@ TEST(Outflow, AVortexLeavesWithoutAnEcho) {
       return std::tuple(flow.side(Side::left), out, flow.mirror(out), state);
     };
     const auto of_near = settings(near), of_far = settings(far);
-    const auto index_near = test::on_host(near.nodes.index), index_far = test::on_host(far.nodes.index);
+    const auto index_near = test::host_copy(near.nodes.index), index_far = test::host_copy(far.nodes.index);
     for (int t = 0; t <= 2000; ++t) {
       if (t % 100 == 0) {
-        const auto a = test::on_host(near.fields.u), b = test::on_host(far.fields.u);
+        const auto a = test::host_copy(near.fields.u), b = test::host_copy(far.fields.u);
         double difference = 0;
         left = 0;
         for (int y = 0; y < near.lattice.ny; ++y)

@@ -1,6 +1,7 @@
 // What the strip of a pathway conducts: the slot of its aperture, in any direction and wherever it lies.
 #include "coupling/strip.hpp"
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ struct Crack {
     double rate = 0;
     for (int sweep = 0; sweep < 100000; sweep += 100) {
       for (int k = 0; k < 100; ++k) flow.sweep();
-      const auto u = test::on_host(flow.fields.u);
+      const auto u = test::host_copy(flow.fields.u);
       double sum = 0;
       for (int i = 0; i < flow.nodes.count; ++i) sum += (u(i, 0) * over[0] + u(i, 1) * over[1]) / length();
       const double now = sum / length();

@@ -2,6 +2,7 @@
 #include "../reference/diffusion_reaction.hpp"
 #include "../reference/reactive_box.hpp"
 #include "../reference/steady_state.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -21,18 +22,20 @@ constexpr double D = 0.03;  // the paper's
 /// Populations of both species as one vector.
 template <class Set>
 reference::State pack(const ReactiveBox<Set, double>& box) {
-  const std::size_t n = box.acid.h.extent(0);
-  reference::State state(box.has_product ? 2 * n : n);
-  std::copy_n(box.acid.h.data(), n, state.data());
-  if (box.has_product) std::copy_n(box.product.h.data(), n, state.data() + n);
+  const auto acid = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, box.acid.h);
+  const auto product = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, box.product.h);
+  const std::size_t n = acid.extent(0), all = box.has_product ? 2 * n : n;
+  reference::State state(all);
+  for (std::size_t k = 0; k < all; ++k) state[k] = k < n ? acid(k) : product(k - n);
   return state;
 }
 
 template <class Set>
 void unpack(const reference::State& state, ReactiveBox<Set, double>& box) {
+  using Populations = Kokkos::View<const double*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
   const std::size_t n = box.acid.h.extent(0);
-  std::copy_n(state.data(), n, box.acid.h.data());
-  if (box.has_product) std::copy_n(state.data() + n, n, box.product.h.data());
+  Kokkos::deep_copy(box.acid.h, Populations(state.data(), n));
+  if (box.has_product) Kokkos::deep_copy(box.product.h, Populations(state.data() + n, n));
 }
 
 /// Steps until the populations change by less than `tolerance` in a thousand steps.
@@ -94,11 +97,11 @@ std::vector<double> centres(int n) {
 template <class Set>
 std::vector<double> wall_flux(ReactiveBox<Set, double>& box) {
   Kokkos::fence();
-  const auto before = reference::on_host(Kokkos::create_mirror(Kokkos::HostSpace{}, box.dissolved));
+  const auto before = test::host_copy(box.dissolved);
   Kokkos::deep_copy(before, box.dissolved);
   box.step();
   Kokkos::fence();
-  const auto after = reference::on_host(box.dissolved);
+  const auto after = test::host_copy(box.dissolved);
   std::vector<double> flux(box.lattice.nx);
   for (int x = 0; x < box.lattice.nx; ++x) {
     const int n = box.lattice.node(x, box.lattice.ny - 1);

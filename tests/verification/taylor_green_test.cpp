@@ -1,5 +1,6 @@
 // The decay of Taylor and Green's vortices on a periodic square: order and error of the flow without walls.
 #include "support/flow_setup.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ struct Vortices {
 void add_gradient_part(Flow<double>& flow, const Vortices& v, double tau) {
   const auto f = Kokkos::create_mirror_view(flow.fields.f);
   Kokkos::deep_copy(f, flow.fields.f);
-  const auto node = test::on_host(flow.nodes.node);
+  const auto node = test::host_copy(flow.nodes.node);
   for (int i = 0; i < flow.nodes.count; ++i) {
     const double a = v.phase(flow.lattice.x(node(i)), 0), b = v.phase(flow.lattice.y(node(i)), 1);
     const double xx = v.speed * v.k * std::sin(a) * std::sin(b);  // du/dx = -dv/dy; du/dy + dv/dx = 0
@@ -63,8 +64,8 @@ double error_after_half_life(Collision collision, int n, double carrier = 0) {
                      start.speed * std::exp(-2 * nu * start.k * start.k * steps),
                      start.carrier,
                      {start.carrier[0] * steps, start.carrier[1] * steps}};
-  const auto u = test::on_host(flow.fields.u);
-  const auto node = test::on_host(flow.nodes.node);
+  const auto u = test::host_copy(flow.fields.u);
+  const auto node = test::host_copy(flow.nodes.node);
   double error2 = 0, size2 = 0;
   for (int i = 0; i < flow.nodes.count; ++i) {
     const Macroscopic<double> exact = end(flow.lattice.x(node(i)), flow.lattice.y(node(i)));

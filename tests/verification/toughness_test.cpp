@@ -22,7 +22,8 @@ struct Plate {
   double strength(const BondParameters& bond) const {
     const double a = half_crack + 0.42 * softening_length(bond);
     const double finite_width = 1 / std::cos(std::numbers::pi * a / (2 * half_width));
-    return std::sqrt(young_modulus(bond) * bond.fracture_energy_I / (std::numbers::pi * a * finite_width));
+    return std::sqrt(elasticity_of(bond).young_modulus * bond.fracture_energy_I /
+                     (std::numbers::pi * a * finite_width));
   }
 
   /// Triangles that are three times smaller at the crack's tips than far away, there of the size `edge`.

@@ -15,6 +15,7 @@ void check_scales(const TomlDocument& document, const Scene& scene);      ///< w
 void check_species(const TomlDocument& document, const Scene& scene);     ///< names of species
 void check_boundaries(const TomlDocument& document, Scene& scene);        ///< conditions against modules and each other
 void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [laboratory] against all others
+void check_groups(const TomlDocument& document, const Scene& scene);      ///< named surfaces need a mesh
 void check_files(const TomlDocument& document, Scene& scene);             ///< meshes and images exist; resolves paths
 
 /// The generator makes no more triangles on `area` (m2) than anybody has a use for.

@@ -7,6 +7,12 @@
 
 namespace vug {
 
+/// A form or, where there is a mesh, its named surface: keys of a form with `group`.
+RockRegion read_region(const TomlCursor& table);
+/// Keys of a form, `type` first. Where a mesh may say where something lies, `type` may be "group": then there is none.
+enum class FormOf { geometry, mesh };
+std::optional<Form> read_form(const TomlCursor& table, FormOf of);
+
 void read_case(const TomlCursor& table, Scene& scene);
 LatticeSection read_lattice(const TomlCursor& table);
 TimeSection read_time(const TomlCursor& table);
@@ -19,16 +25,20 @@ SoluteSection read_solute(const TomlCursor& table);
 ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute);
 /// `fallback` gives what the preset of the case chooses.
 MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback);
+/// Of [mechanics]: bonds, elasticity and the materials of regions.
+void read_materials(const TomlCursor& table, MechanicsSection& mechanics);
 /// Also fills the chemical law of the mechanics.
 DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
 /// `meshed`: the rock's mesh says how large the specimen is.
 LaboratorySection read_laboratory(const TomlCursor& table, bool meshed);
+TractionBoundary read_traction(const TomlCursor& table);
 BoundarySection read_boundary(const TomlCursor& table);
 InjectionSection read_injection(const TomlCursor& table);
 /// The tables [boundary.shape.<name>] of the shapes that have a name.
 std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry);
 Preset read_preset(const TomlCursor& table);
 AccuracySection read_accuracy(const TomlCursor& table, Preset preset);
+std::vector<Gauge> read_gauges(const TomlCursor& output);
 OutputSection read_output(const TomlCursor& table);
 
 /// Whether a name can be part of a data set's name and of `--set`.

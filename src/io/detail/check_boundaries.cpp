@@ -40,12 +40,14 @@ void check_concentrations(const TomlDocument& document, const Scene& scene, cons
   if (scene.solute) {
     for (const Species& species : scene.solute->species) known.push_back(species.name);
   }
-  for (const auto& [species, value] : boundary.concentration) {
-    if (std::find(known.begin(), known.end(), species) != known.end()) continue;
-    document.fail(fmt::format("boundary.{}.solute.concentration.{}", name, species),
-                  fmt::format("is for \"{}\", which is not the name of a [[solute.species]]{}", excerpt(species),
-                              suggestion(species, known)));
-  }
+  for (const auto& [key, values] :
+       {std::pair{"concentration", &boundary.concentration}, std::pair{"flux", &boundary.flux}})
+    for (const auto& [species, value] : *values) {
+      if (std::find(known.begin(), known.end(), species) != known.end()) continue;
+      document.fail(fmt::format("boundary.{}.solute.{}.{}", name, key, species),
+                    fmt::format("is for \"{}\", which is not the name of a [[solute.species]]{}", excerpt(species),
+                                suggestion(species, known)));
+    }
 }
 
 /// Opposite sides are periodic together or not at all.
@@ -148,12 +150,28 @@ void check_openings(const TomlDocument& document, const Scene& scene) {
   }
 }
 
+/// Parts lie on their side; rock beyond a side answers displacements since the preload.
+void check_traction(const TomlDocument& document, const Scene& scene, const NamedBoundary& side) {
+  const std::string name = side.name, key = fmt::format("boundary.{}.traction", name);
+  const double length = name == "left" || name == "right" ? scene.lattice.length_y : scene.lattice.length_x;
+  const TractionBoundary& traction = side.section.traction;
+  const auto stands = [&](const TractionLoad& load) { return !scene.mechanics->from_unloaded || load.stiffness == 0; };
+  const char* const unloaded = "needs mechanics.displacement_from = \"preload\": it answers displacements since then";
+  if (!stands(traction.load)) document.fail(key + ".stiffness", unloaded);
+  for (std::size_t p = 0; p < traction.parts.size(); ++p) {
+    const std::string part = fmt::format("{}.parts.{}", key, p);
+    if (traction.parts[p].to > length * (1 + 1e-9))
+      document.fail(part + ".to", fmt::format("m lies beyond the end of the {} side, {:g} m", name, length));
+    if (!stands(traction.parts[p].load)) document.fail(part + ".stiffness", unloaded);
+  }
+}
+
 /// A wall only moves along itself.
 void check_wall(const TomlDocument& document, const NamedBoundary& side) {
   const FlowBoundary& flow = side.section.flow;
   const std::string_view name = side.name;
   const int normal = name == "left" || name == "right" ? 0 : 1;
-  if (flow.kind == FlowBoundaryKind::wall && flow.velocity[normal] != 0) {
+  if (flow.kind == FlowBoundaryKind::wall && flow.velocity[normal].peak() != 0) {
     document.fail(
         fmt::format("boundary.{}.flow.velocity", name),
         fmt::format("moves a wall through itself; its {} component must be 0", normal == 0 ? "first" : "second"));
@@ -163,6 +181,8 @@ void check_wall(const TomlDocument& document, const NamedBoundary& side) {
 }  // namespace
 
 void check_boundaries(const TomlDocument& document, Scene& scene) {
+  if (scene.mechanics)
+    for (const NamedBoundary& side : sides(scene)) check_traction(document, scene, side);
   for (const NamedBoundary& side : sides(scene)) {
     check_modules_of(document, scene, side.name);
     check_concentrations(document, scene, side.name, side.section.solute);

@@ -19,17 +19,17 @@ struct Box {
   double x0, y0, x1, y1;
 };
 
-Box box_of(const Shape& shape) {
-  if (const auto* rectangle = std::get_if<Rectangle>(&shape.form)) {
+Box box_of(const Form& form) {
+  if (const auto* rectangle = std::get_if<Rectangle>(&form)) {
     const auto [x0, x1] = std::minmax(rectangle->from[0], rectangle->to[0]);
     const auto [y0, y1] = std::minmax(rectangle->from[1], rectangle->to[1]);
     return {x0, y0, x1, y1};
   }
-  if (const auto* disc = std::get_if<Disc>(&shape.form)) {
+  if (const auto* disc = std::get_if<Disc>(&form)) {
     return {disc->centre[0] - disc->radius, disc->centre[1] - disc->radius, disc->centre[0] + disc->radius,
             disc->centre[1] + disc->radius};
   }
-  const auto& points = std::get<Polygon>(shape.form).points;
+  const auto& points = std::get<Polygon>(form).points;
   Box box{points[0][0], points[0][1], points[0][0], points[0][1]};
   for (const auto& [x, y] : points) {
     box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
@@ -47,6 +47,27 @@ void check_point(const TomlDocument& document, const LatticeSection& lattice, co
     document.fail(
         key, fmt::format("m lies outside the lattice, [0, {:g}] x [0, {:g}] m", lattice.length_x, lattice.length_y));
   }
+}
+
+/// Some of a form must be on the lattice.
+void require_on_lattice(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
+                        const Form& form) {
+  const Box box = box_of(form);
+  if (box.x1 > 0 && box.y1 > 0 && box.x0 < lattice.length_x && box.y0 < lattice.length_y) return;
+  document.fail(key,
+                fmt::format("lies outside the lattice, [0, {:g}] x [0, {:g}] m", lattice.length_x, lattice.length_y));
+}
+
+void check_gauge(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
+                 const Gauge& gauge) {
+  const bool stress = gauge.kind == GaugeKind::stress, opening = gauge.kind == GaugeKind::opening;
+  if (gauge.kind == GaugeKind::displacement || (stress && !gauge.region))
+    check_point(document, lattice, key + ".at", gauge.at);
+  if (gauge.region) require_on_lattice(document, lattice, key + ".shape", *gauge.region);
+  if (gauge.kind == GaugeKind::crack_tip) check_point(document, lattice, key + ".from", gauge.from);
+  if (!opening) return;
+  check_point(document, lattice, key + ".points", gauge.from);
+  check_point(document, lattice, key + ".points", gauge.to);
 }
 
 std::vector<std::string> names_of(const SoluteSection& solute) {
@@ -68,6 +89,31 @@ void check_file(const TomlDocument& document, const std::string& key, std::strin
 
 }  // namespace
 
+namespace {
+
+/// What of the flow depends on the temperature needs one.
+void check_thermal_flow(const TomlDocument& document, const Scene& scene) {
+  const FlowSection& flow = *scene.flow;
+  const bool gravity = flow.gravity[0] != 0 || flow.gravity[1] != 0;
+  if (gravity && flow.thermal_expansion == 0)
+    document.fail(
+        "flow.gravity",
+        "acts on differences of density (Boussinesq) and needs flow.thermal_expansion; a uniform driving force "
+        "is flow.body_force");
+  if (flow.thermal_expansion != 0 && !gravity)
+    document.fail("flow.thermal_expansion", "needs flow.gravity, [0, -9.81] on earth");
+  for (const char* key : {"gravity", "viscosity_activation_energy", "viscosity_table", "reference_temperature"}) {
+    const std::string name = std::string("flow.") + key;
+    if (!scene.heat && document.find(name) != nullptr)
+      document.fail_at(name, fmt::format("{} needs the table [heat]", name));
+  }
+  const bool two_rates = flow.collision == Collision::trt || flow.collision == Collision::bgk;
+  if (flow.viscosity_varies() && !two_rates)
+    document.fail("flow.collision", "has rates of one viscosity; where that depends on the temperature use trt or bgk");
+}
+
+}  // namespace
+
 void check_modules(const TomlDocument& document, const Scene& scene) {
   const bool rock = scene.geometry.kind == GeometryKind::rock;
   if (rock && !scene.rock) document.fail("geometry.type", "needs the table [rock]");
@@ -75,6 +121,9 @@ void check_modules(const TomlDocument& document, const Scene& scene) {
   if (scene.reaction && !scene.solute) document.fail_at("reaction", "[reaction] needs the table [solute]");
   if (scene.mechanics && !scene.rock)
     document.fail_at("mechanics", "[mechanics] needs the table [rock] (and geometry.type = \"rock\")");
+  if (scene.flow) check_thermal_flow(document, scene);
+  if (!scene.output.gauges.empty() && !scene.mechanics)
+    document.fail_at("output.gauges", "[[output.gauges]] needs the table [mechanics]");
   if (scene.damage && !scene.mechanics) document.fail_at("damage", "[damage] needs the table [mechanics]");
   if (!scene.flow && !scene.heat && !scene.solute && !scene.mechanics) {
     document.fail_at("", "the case models nothing; it needs at least one of [flow], [heat], [solute], [mechanics]");
@@ -109,12 +158,9 @@ void check_species(const TomlDocument& document, const Scene& scene) {
 void check_places(const TomlDocument& document, Scene& scene) {
   const LatticeSection& lattice = scene.lattice;
   for (std::size_t i = 0; i < scene.geometry.shapes.size(); ++i) {
-    const Box box = box_of(scene.geometry.shapes[i]);
-    if (box.x1 <= 0 || box.y1 <= 0 || box.x0 >= lattice.length_x || box.y0 >= lattice.length_y) {
-      document.fail(
-          fmt::format("geometry.shapes.{}", i),
-          fmt::format("lies outside the lattice, [0, {:g}] x [0, {:g}] m", lattice.length_x, lattice.length_y));
-    }
+    const Form& form = scene.geometry.shapes[i].form;
+    require_on_lattice(document, lattice, fmt::format("geometry.shapes.{}", i), form);
+    const Box box = box_of(form);
     const auto between_centres = [&](double low, double high) {
       return std::floor(high / lattice.spacing - 0.5) < std::ceil(low / lattice.spacing - 0.5);
     };
@@ -125,16 +171,26 @@ void check_places(const TomlDocument& document, Scene& scene) {
   for (std::size_t i = 0; i < scene.output.probes.size(); ++i) {
     check_point(document, lattice, fmt::format("output.probes.{}.at", i), scene.output.probes[i].at);
   }
+  for (std::size_t g = 0; g < scene.output.gauges.size(); ++g)
+    check_gauge(document, lattice, fmt::format("output.gauges.{}", g), scene.output.gauges[g]);
   if (!scene.rock) return;
   const RockSection& rock = *scene.rock;
-  for (std::size_t i = 0; i < rock.notches.size(); ++i) {
-    check_point(document, lattice, fmt::format("rock.notches.{}.from", i), rock.notches[i].from);
-    check_point(document, lattice, fmt::format("rock.notches.{}.to", i), rock.notches[i].to);
+  for (const Notch& notch : rock.notches) {
+    const std::string key = fmt::format("rock.notches.{}", notch.entry);
+    const bool row = document.find(key + ".points") != nullptr;
+    check_point(document, lattice, key + (row ? ".points" : ".from"), notch.from);
+    check_point(document, lattice, key + (row ? ".points" : ".to"), notch.to);
   }
+  for (std::size_t i = 0; i < rock.holes.size(); ++i)
+    require_on_lattice(document, lattice, fmt::format("rock.holes.{}", i), rock.holes[i]);
   if (rock.hole) {
     check_point(document, lattice, "rock.hole.from", rock.hole->from);
     check_point(document, lattice, "rock.hole.to", rock.hole->to);
   }
+  if (scene.mechanics)
+    for (std::size_t i = 0; i < scene.mechanics->regions.size(); ++i)
+      if (const auto& form = scene.mechanics->regions[i].form)
+        require_on_lattice(document, lattice, fmt::format("mechanics.material.{}", i), *form);
   const double largest = std::min(lattice.length_x, lattice.length_y);
   if (!rock.mesh && rock.element_size > largest) {
     document.fail("rock.element_size", fmt::format("is larger than the rock itself; at most {:g} m", largest));
@@ -159,6 +215,7 @@ void check_times(const TomlDocument& document, const Scene& scene) {
     if (*interval > end + slack) document.fail(key, fmt::format("is longer than the whole run, {:g} s", end));
   };
   check_interval("output.interval", scene.output.interval);
+  check_interval("output.history_interval", scene.output.history_interval);
   check_interval("output.checkpoint_interval", scene.output.checkpoint_interval);
   if (scene.output.interval_steps && static_cast<double>(*scene.output.interval_steps) * step > end + slack) {
     document.fail("output.interval_steps", fmt::format("is more than the whole run, {:.0f} steps", end / step));
@@ -174,8 +231,15 @@ void check_triangles(const TomlDocument& document, const RockSection& rock, doub
                               rock.element_size * std::sqrt(triangles / most_triangles)));
 }
 
+void check_groups(const TomlDocument& document, const Scene& scene) {
+  if (!scene.mechanics || (scene.rock && scene.rock->mesh)) return;
+  for (std::size_t i = 0; i < scene.mechanics->regions.size(); ++i)
+    if (!scene.mechanics->regions[i].form)
+      document.fail(fmt::format("mechanics.material.{}.group", i), "is a named surface of a mesh; it needs rock.mesh");
+}
+
 void check_files(const TomlDocument& document, Scene& scene) {
-  if (scene.geometry.kind == GeometryKind::image) check_file(document, "geometry.file", scene.geometry.image_file);
+  if (scene.geometry.kind == GeometryKind::image) check_file(document, "geometry.file", scene.geometry.image.file);
   if (scene.rock && scene.rock->mesh) check_file(document, "rock.mesh", *scene.rock->mesh);
 }
 

@@ -24,14 +24,6 @@ std::string why_no_file(const struct stat& status) {
   throw InputError(one_line(fmt::format("{}: {}", path, why)));
 }
 
-/// Closes what it holds.
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
-
 }  // namespace
 
 std::string why_no_file(const std::string& path) {
@@ -42,24 +34,51 @@ std::string why_no_file(const std::string& path) {
   throw_file_error(path, "open");
 }
 
-std::string read_input_file(const std::string& path, std::size_t most) {
+BinaryFile::BinaryFile(const std::string& path) : path_(path), descriptor_(-1) {
   if (const std::string why = why_no_file(path); !why.empty()) refuse(path, why);
   // O_NONBLOCK: if the name has become that of a pipe meanwhile, opening it does not wait for a writer
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor_ < 0) throw_file_error(path, "open");
   struct stat status {};
-  if (file.number < 0 || ::fstat(file.number, &status) != 0) throw_file_error(path, "open");
-  if (const std::string why = why_no_file(status); !why.empty()) refuse(path, why);
+  const bool known = ::fstat(descriptor_, &status) == 0;
+  const int error = errno;
+  if (known && why_no_file(status).empty()) {
+    size_ = static_cast<std::uint64_t>(status.st_size);
+    return;
+  }
+  ::close(descriptor_);
+  if (known) refuse(path, why_no_file(status));
+  errno = error;
+  throw_file_error(path, "open");
+}
+
+BinaryFile::~BinaryFile() {
+  ::close(descriptor_);
+}
+
+std::size_t BinaryFile::read(std::uint64_t at, void* bytes, std::size_t count) const {
+  std::size_t done = 0;
+  while (done < count) {
+    const ssize_t got =
+        ::pread(descriptor_, static_cast<char*>(bytes) + done, count - done, static_cast<off_t>(at + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw_file_error(path_, "read");
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  return done;
+}
+
+std::string read_input_file(const std::string& path, std::size_t most) {
+  const BinaryFile file(path);
   std::string text;
   char block[1 << 16];
-  while (true) {
-    const ssize_t count = ::read(file.number, block, sizeof block);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw_file_error(path, "read");
-    if (count == 0) return text;
-    if (static_cast<std::size_t>(count) > most - text.size())
+  while (const std::size_t count = file.read(text.size(), block, sizeof block)) {
+    if (count > most - text.size())
       refuse(path, fmt::format("is larger than {} MiB, which no such file is", most >> 20));
-    text.append(block, static_cast<std::size_t>(count));
+    text.append(block, count);
   }
+  return text;
 }
 
 }  // namespace vug::detail

@@ -42,6 +42,28 @@ std::optional<Box> hole_in_rock(Point length, const RockSection& rock) {
   return box;
 }
 
+std::vector<Line> lines_around(const Polygon& polygon) {
+  std::vector<Line> lines;
+  const auto& v = polygon.points;
+  for (std::size_t a = 0; a < v.size(); ++a) lines.push_back({v[a], v[(a + 1) % v.size()], false});
+  return lines;
+}
+
+double distance_to_rim(const Polygon& polygon, Point p) {
+  double least = -1;
+  for (const Line& line : lines_around(polygon)) {
+    const double d = distance(line.at(nearest(line, p)), p);
+    if (least < 0 || d < least) least = d;
+  }
+  return least;
+}
+
+/// Its corners, those of a disc as far apart as the triangles there want.
+Polygon polygon_of(const Form& form, const ElementSize& size) {
+  const auto* disc = std::get_if<Disc>(&form);
+  return {outline_of(form, disc ? size({disc->centre[0] + disc->radius, disc->centre[1]}) : 1)};
+}
+
 std::vector<Line> box_lines(const Box& box) {
   const Point a = box.low, b{box.high[0], box.low[1]}, c = box.high, d{box.low[0], box.high[1]};
   return {{a, b, false}, {b, c, false}, {c, d, false}, {d, a, false}};
@@ -52,6 +74,12 @@ bool on_a_side(const Line& line, Point length) {
     for (const double side : {0.0, length[axis]})
       if (line.from[axis] == side && line.to[axis] == side) return true;
   return false;
+}
+
+// A point of a side a little way into the rock.
+Point moved_inside(Point p, Point length, double by) {
+  for (int axis = 0; axis < 2; ++axis) p[axis] = std::clamp(p[axis], by, length[axis] - by);
+  return p;
 }
 
 // Leads an end of a notch that stops just short of a side or of the hole up to it: what is left would be a sliver.
@@ -121,9 +149,15 @@ void divide(Outline& outline, int a, int b, bool notch, const ElementSize& size)
 
 }  // namespace
 
+bool Outline::in_holes(Point p) const {
+  return std::any_of(holes.begin(), holes.end(),
+                     [&](const Polygon& cut) { return holds(cut, p, 0) && distance_to_rim(cut, p) > tie; });
+}
+
 ElementSize::ElementSize(Point length, const RockSection& rock)
     : hole_(hole_in_rock(length, rock)), notches_(rock.notches), grading_(rock.grading) {
-  if (grading_ > 1 && !hole_ && notches_.empty())
+  for (const Form& hole : rock.holes) holes_.push_back({outline_of(hole, rock.element_size / 4)});
+  if (grading_ > 1 && !hole_ && holes_.empty() && notches_.empty())
     throw InputError("rock.grading: needs a hole or a notch at which the elements are finest");
   if (grading_ > 1)
     for (const Point corner : {Point{0, 0}, Point{length[0], 0}, length, Point{0, length[1]}})
@@ -135,6 +169,7 @@ ElementSize::ElementSize(Point length, const RockSection& rock)
     for (int x = 0; x < samples; ++x) {
       const Point p{length[0] * (x + 0.5) / samples, length[1] * (y + 0.5) / samples};
       if (hole_ && hole_->contains(p, 0)) continue;
+      if (std::any_of(holes_.begin(), holes_.end(), [&](const Polygon& hole) { return holds(hole, p, 0); })) continue;
       const double h = relative(p);
       sum1 += 1 / h;
       sum2 += 1 / (h * h);
@@ -144,16 +179,18 @@ ElementSize::ElementSize(Point length, const RockSection& rock)
 }
 
 double ElementSize::distance(Point p) const {
+  double least = -1;
+  const auto note = [&least](double d) { least = least < 0 || d < least ? d : least; };
   if (hole_) {
     const double dx = std::max({hole_->low[0] - p[0], p[0] - hole_->high[0], 0.0});
     const double dy = std::max({hole_->low[1] - p[1], p[1] - hole_->high[1], 0.0});
-    return std::sqrt(dx * dx + dy * dy);
+    note(std::sqrt(dx * dx + dy * dy));
   }
-  double least = -1;
+  for (const Polygon& cut : holes_) note(holds(cut, p, 0) ? 0 : distance_to_rim(cut, p));
+  if (least >= 0) return least;
   for (const Notch& notch : notches_) {
     const Line line{notch.from, notch.to, true};
-    const double d = detail::distance(line.at(nearest(line, p)), p);
-    if (least < 0 || d < least) least = d;
+    note(detail::distance(line.at(nearest(line, p)), p));
   }
   return least;
 }
@@ -173,11 +210,20 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
   if (outline.hole)
     for (const Line& line : box_lines(*outline.hole))
       if (!on_a_side(line, length)) lines.push_back(line);
+  const double tolerance = 1e-7 * std::max(length[0], length[1]);
+  outline.tie = tolerance;
+  for (const Form& hole : rock.holes) {
+    outline.holes.push_back(polygon_of(hole, size));
+    for (const Line& line : lines_around(outline.holes.back()))
+      if (!on_a_side(line, length)) lines.push_back(line);
+  }
   const std::vector<Line> rims = lines;
+  for (const Form& border : rock.borders)
+    for (const Line& line : lines_around(polygon_of(border, size)))
+      if (!on_a_side(line, length)) lines.push_back(line);
   for (const Notch& notch : rock.notches)
     lines.push_back({attached(notch.from, rims, size), attached(notch.to, rims, size), true});
 
-  const double tolerance = 1e-7 * std::max(length[0], length[1]);
   const Box rock_box{{0, 0}, length};
   std::vector<Outline::Edge> pieces;
   for (const Line& line : lines) {
@@ -186,7 +232,8 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
       const Point middle = line.at((stops[i].t + stops[i + 1].t) / 2);
       const bool in_hole = outline.hole && outline.hole->contains(middle, line.notch ? -tolerance : 0);
       const bool rim_in_hole = outline.hole && on_a_side(line, length) && outline.hole->contains(middle, tolerance);
-      if (in_hole || rim_in_hole || !rock_box.contains(middle, tolerance)) continue;
+      const bool cut = outline.in_holes(on_a_side(line, length) ? moved_inside(middle, length, 4 * tolerance) : middle);
+      if (in_hole || rim_in_hole || cut || !rock_box.contains(middle, tolerance)) continue;
       if (distance(stops[i].point, stops[i + 1].point) < tolerance) continue;
       const int a = point_number(outline, stops[i].point, tolerance);
       const int b = point_number(outline, stops[i + 1].point, tolerance);

@@ -1,7 +1,7 @@
 #pragma once
 // The lines that a generated mesh must contain: the sides of the rock, the rim of the hole, the notches.
 #include "io/detail/delaunay.hpp"
-#include "io/scene.hpp"
+#include "io/form.hpp"
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ struct Box {
   }
 };
 
-/// Wanted edge length at a point: linear in the distance from the hole (or the notches), scaled so that the mean over
+/// Wanted edge length at a point: linear in the distance from the holes (or the notches), scaled so that the mean over
 /// all edges is the element size of the case.
 class ElementSize {
  public:
@@ -30,6 +30,7 @@ class ElementSize {
 
   std::optional<Box> hole_;
   std::vector<Notch> notches_;
+  std::vector<Polygon> holes_;
   double grading_ = 1, reach_ = 0, finest_ = 1;
 };
 
@@ -40,6 +41,9 @@ struct Outline {
     bool notch;
   };
   std::optional<Box> hole;  ///< cut to the rock
+  std::vector<Polygon> holes;
+  double tie = 0;                ///< m, within which a point is on the rim of one of `holes`
+  bool in_holes(Point p) const;  ///< in one of `holes` and not on its rim
   /// Convex outline inside its rectangle, whose corners, the first four points, are no part of the rock.
   bool round = false;
   std::vector<Point> points;

@@ -73,20 +73,20 @@ std::vector<TomlCursor> TomlCursor::tables(std::string_view key) const {
   return elements;
 }
 
-std::vector<std::pair<std::string, double>> TomlCursor::named_numbers(std::string_view key,
-                                                                      std::string_view documented_name, Unit unit,
-                                                                      Range range) const {
-  const toml::node* found =
-      look_up({fmt::format("{}.{}", key, documented_name), "number", std::string(unit.symbol), "-", range.text()});
+std::vector<std::pair<std::string, TimeTable>> TomlCursor::named_numbers(std::string_view key,
+                                                                         std::string_view documented_name, Unit unit,
+                                                                         Range range) const {
+  const toml::node* found = look_up(
+      {fmt::format("{}.{}", key, documented_name), "number or table", std::string(unit.symbol), "-", range.text()});
   if (describing()) return {};
   found = node(key);
   if (found == nullptr) return {};
   const auto* entries = found->as_table();
   if (entries == nullptr) document_->fail(inside(key), "must be a table such as { L1 = 3000 }");
-  std::vector<std::pair<std::string, double>> values;
+  std::vector<std::pair<std::string, TimeTable>> values;
   for (const auto& [name, value] : *entries) {
     const std::string path = fmt::format("{}.{}", inside(key), name.str());
-    values.emplace_back(std::string(name.str()), number(value, path, unit, range));
+    values.emplace_back(std::string(name.str()), time_table(value, path, unit, range));
   }
   return values;
 }

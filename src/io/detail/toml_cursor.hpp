@@ -5,6 +5,7 @@
 #include "io/case_keys.hpp"
 #include "io/detail/range.hpp"
 #include "io/detail/toml_document.hpp"
+#include "io/time_table.hpp"
 
 #include <array>
 #include <cstdint>
@@ -36,13 +37,20 @@ class TomlCursor {
   /// The elements of the array of tables `key`; one empty element while describing.
   std::vector<TomlCursor> tables(std::string_view key) const;
   /// Names and values of a table with free keys; `documented` stands for such a key.
-  std::vector<std::pair<std::string, double>> named_numbers(std::string_view key, std::string_view documented,
-                                                            Unit unit, Range range) const;
+  std::vector<std::pair<std::string, TimeTable>> named_numbers(std::string_view key, std::string_view documented,
+                                                               Unit unit, Range range) const;
 
   void read(std::string_view key, double& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::optional<double>& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, Point& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::vector<Point>& value, Unit unit, Range range = range::any) const;
+  /// A number, or a table over time, [[s, value], ...].
+  void read(std::string_view key, TimeTable& value, Unit unit, Range range = range::any) const;
+  void read(std::string_view key, std::optional<TimeTable>& value, Unit unit, Range range = range::any) const;
+  /// Two numbers, or a table over time, [[s, x, y], ...].
+  void read(std::string_view key, std::array<TimeTable, 2>& value, Unit unit, Range range = range::any) const;
+  /// A table of pairs whose first numbers ascend.
+  void read_curve(std::string_view key, std::vector<Point>& value, Unit along, Unit unit, Range range) const;
   void read(std::string_view key, int& value, Range range) const;
   void read(std::string_view key, std::int64_t& value, Range range) const;
   void read(std::string_view key, std::uint64_t& value) const;
@@ -53,6 +61,7 @@ class TomlCursor {
   void read(std::string_view key, std::string& value) const;
   void read(std::string_view key, std::optional<std::string>& value) const;
   void read(std::string_view key, std::vector<std::string>& value) const;
+  void read(std::string_view key, std::vector<std::int64_t>& value) const;
 
   template <class Value>
   using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
@@ -77,6 +86,10 @@ class TomlCursor {
  private:
   const toml::node* look_up(KeyDescription description) const;
   const toml::node* node(std::string_view key) const;
+  /// Rows of numbers, the first of each in `along` and ascending, the others in `unit`.
+  std::vector<std::vector<double>> rows(const toml::node& node, const std::string& key, std::size_t columns, Unit along,
+                                        Unit unit, Range range, std::string_view expected) const;
+  TimeTable time_table(const toml::node& node, const std::string& key, Unit unit, Range range) const;
   double number(const toml::node& node, const std::string& key, Unit unit, Range range) const;
   std::int64_t whole(const toml::node& node, const std::string& key, Range range) const;
   std::string word(std::string_view key, const std::string& fallback, const std::vector<std::string>& words) const;

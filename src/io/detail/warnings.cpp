@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace vug {
 namespace {
@@ -50,17 +51,22 @@ void warn_about_small_cavities(Scene& scene) {
   if (rock.hole &&
       std::min(std::abs(rock.hole->to[0] - rock.hole->from[0]), std::abs(rock.hole->to[1] - rock.hole->from[1])) < cell)
     scene.warnings.emplace_back("rock.hole is narrower than a cell: it may hold no node");
-  for (std::size_t i = 0; i < rock.notches.size(); ++i)
-    if (std::hypot(rock.notches[i].to[0] - rock.notches[i].from[0], rock.notches[i].to[1] - rock.notches[i].from[1]) <
-        cell)
-      scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", i));
+  std::map<int, double> length;  // of notches that may be rows of lines
+  for (const Notch& notch : rock.notches)
+    length[notch.entry] += std::hypot(notch.to[0] - notch.from[0], notch.to[1] - notch.from[1]);
+  for (const auto& [entry, metres] : length)
+    if (metres < cell) scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", entry));
 }
 
 /// Rock that nothing holds drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
   for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
-    const Support support = side->traction.support;
-    if (support == Support::roller || support == Support::fixed) return;
+    const auto holds = [](const TractionLoad& load) {
+      return load.support != Support::free && load.support != Support::servo;
+    };
+    const std::vector<TractionPart>& parts = side->traction.parts;
+    if (holds(side->traction.load)) return;
+    if (std::any_of(parts.begin(), parts.end(), [&](const TractionPart& part) { return holds(part.load); })) return;
   }
   scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
 }

@@ -7,6 +7,8 @@ from matplotlib import pyplot as plt
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 
+from .style import save, tidy
+
 CM, MPA, PERCENT, MM = 100, 1e-6, 100, 1e3  # of m, Pa, 1, m
 ROCK, OUTLINE = "#e6e2d9", "#8a8578"
 # states of a bond (src/dem/bonds.hpp): label, states, colour, line width; later ones lie on top
@@ -27,24 +29,12 @@ def read_table(path):
     return {name: values[:, k] for k, name in enumerate(rows[0])}
 
 
-def tidy(axes):
-    axes.grid(alpha=0.25)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
-
-
-def save(figure, path):
-    figure.savefig(path, dpi=150, facecolor="white")
-    plt.close(figure)
-    print(path)
-
-
 def plot_curves(path, folder, heading):
     """Stress over strain of every seed, the peaks marked, their mean and scatter in the title."""
     table = read_table(path)
     seeds = np.unique(table["seed_1"])
     if not len(seeds):
-        return
+        return None
     figure, axes = plt.subplots(figsize=(6, 4.2), constrained_layout=True)
     peaks = []
     for seed, colour in zip(seeds, plt.get_cmap("viridis")(np.linspace(0, 0.85, len(seeds)))):
@@ -63,7 +53,7 @@ def plot_curves(path, folder, heading):
     tidy(axes)
     if len(seeds) <= 12:
         axes.legend(fontsize=7, frameon=False)
-    save(figure, os.path.join(folder, "stress_strain.png"))
+    return save(figure, os.path.join(folder, "stress_strain.png"))
 
 
 def plot_crack_count(path, folder, heading):
@@ -76,7 +66,7 @@ def plot_crack_count(path, folder, heading):
     axes.set_ylabel("cracks")
     axes.set_ylim(0)
     tidy(axes)
-    save(figure, os.path.join(folder, "cracks_over_depth.png"))
+    return save(figure, os.path.join(folder, "cracks_over_depth.png"))
 
 
 def outline_of(numbers, places):
@@ -118,4 +108,4 @@ def plot_cracks(particles, step, folder, suffix, heading):
     if handles:
         axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=7, frameon=False,
                     ncol=1 if height > width else len(handles))
-    save(figure, os.path.join(folder, f"crack_pattern{suffix}.png"))
+    return save(figure, os.path.join(folder, f"crack_pattern{suffix}.png"))

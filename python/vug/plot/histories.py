@@ -1,0 +1,128 @@
+"""history.csv as a few figures that each answer a question: acid, rock, heat, cracks, balances."""
+import numpy as np
+from matplotlib import pyplot as plt
+
+from .style import DASHES, LINES, save, tidy
+
+
+class Curve:
+    """A line: its label, its values over time."""
+
+    def __init__(self, label, values):
+        self.label, self.values = label, values
+
+
+def _named(history, *wanted):
+    """Curves of those columns that are there and are not zero throughout."""
+    return [Curve(label, sign * history[name]) for name, label, sign in wanted
+            if name in history and np.any(history[name] != 0)]
+
+
+def species_of(history):
+    """Names of the species in a history."""
+    ending = "_gain_injected"
+    return [name[:-len(ending)] for name in history if name.endswith(ending)]
+
+
+def acid(history):
+    """Where each species has gone, mol/m."""
+    axes = []
+    for name in species_of(history):
+        curves = _named(history, (f"{name}_gain_injected", "injected", 1), (f"{name}_gain_reaction", "made by reaction", 1)
+                        if np.sum(history.get(f"{name}_gain_reaction", np.zeros(1))) > 0
+                        else (f"{name}_gain_reaction", "spent on rock", -1),
+                        (f"{name}_gain_outflow", "left", -1), (f"{name}_stored", "in the pores", 1))
+        axes.append((name, "mol/m", curves))
+    return axes
+
+
+def rock(history):
+    """What dissolves: volume, surface, and how many cells."""
+    return [("dissolved rock", "m²", _named(history, ("dissolved_volume", "volume per metre", 1))),
+            ("reactive surface", "m", _named(history, ("reactive_area", "area per metre", 1))),
+            ("new pores", "nodes", _named(history, ("nodes_dissolved", "dissolved", 1),
+                                          ("nodes_opened_by_damage", "opened by damage", 1)))]
+
+
+def heat(history):
+    """What heat has come and gone, J/m, and the largest change of temperature."""
+    return [("heat", "J/m", _named(history, ("heat_gain_injection", "injected", 1), ("heat_gain_sides", "through the sides", 1),
+                                   ("heat_stored", "stored", 1))),
+            ("largest change of temperature", "K", _named(history, ("largest_temperature_change", "", 1)))]
+
+
+def crack_counts(history):
+    """Bonds by what has become of them, and energies, J/m."""
+    return [("bonds", "bonds", _named(history, ("bonds_damaged", "damaged", 1), ("bonds_failed_in_tension", "failed in tension", 1),
+                                      ("bonds_failed_in_shear", "failed in shear", 1), ("bonds_failed", "failed", 1),
+                                      ("bonds_dissolved", "dissolved", 1))),
+            ("energy", "J/m", _named(history, ("elastic_energy", "elastic", 1), ("kinetic_energy", "kinetic", 1)))]
+
+
+def balances(history):
+    """Errors of all balances, relative; drawn on a log scale."""
+    ending = "_balance_error"
+    return [("errors of the balances", "", [Curve(name[:-len(ending)].replace("_", " "), np.abs(history[name]))
+                                            for name in history if name.endswith(ending)])]
+
+
+TOPICS = {"acid": acid, "rock": rock, "heat": heat, "cracks": crack_counts, "balances": balances}
+
+
+def topics_of(history):
+    """{topic: [(title, unit, curves)]} of what the history can show."""
+    shown = {}
+    for topic, describe in TOPICS.items():
+        axes = [entry for entry in describe(history) if entry[2]]
+        if axes:
+            shown[topic] = axes
+    if not shown:  # another kind of history: its columns by unit
+        units = {}
+        for name in list(history)[1:]:
+            units.setdefault(history.units[name], []).append(Curve(name.replace("_", " "), history[name]))
+        shown["all"] = [(unit, unit, curves) for unit, curves in units.items()]
+    return shown
+
+
+def draw_curves(axes, time, title, unit, curves, logarithmic=False):
+    """Lines over time, each with a colour and a dash of its own."""
+    for k, curve in enumerate(curves):
+        style = {"color": LINES[k % len(LINES)], "linestyle": DASHES[k % len(DASHES)], "linewidth": 1.5}
+        values = np.where(curve.values > 0, curve.values, np.nan) if logarithmic else curve.values
+        axes.plot(time, values, label=curve.label, **style)
+    axes.set_title(title, fontsize=10)
+    axes.set_xlabel("time / s")
+    axes.set_ylabel(unit if unit != "1" else "")
+    if logarithmic:
+        axes.set_yscale("log")
+        axes.axhline(np.finfo(float).eps, color="#888888", linewidth=0.8)
+        axes.annotate("rounding", (time[-1], np.finfo(float).eps), fontsize=7, ha="right", va="bottom", color="#666666")
+    else:
+        axes.ticklabel_format(axis="y", scilimits=(-3, 4))
+    tidy(axes)
+    if logarithmic:
+        axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.01, 0.5))
+    elif len(curves) > 1 or curves[0].label:
+        axes.legend(fontsize=8, frameon=False)
+
+
+def topic(history, name, path, heading=""):
+    """One figure of a history: "acid", "rock", "heat", "cracks" or "balances"; writes a PNG."""
+    entries = topics_of(history)[name]
+    columns = min(3, len(entries))
+    rows = -(-len(entries) // columns)
+    width = 7 if columns == 1 else 4.6 * columns
+    figure, grid = plt.subplots(rows, columns, squeeze=False, layout="constrained", figsize=(width, 3.2 * rows + 0.4))
+    for axes, (title, unit, curves) in zip(grid.flat, entries):
+        draw_curves(axes, history["time"], title, unit, curves, logarithmic=name == "balances")
+    for axes in grid.flat[len(entries):]:
+        axes.set_visible(False)
+    figure.suptitle(f"{heading}{name}", fontsize=12)
+    return save(figure, path)
+
+
+def histories(history, folder, heading=""):
+    """All figures of a history, history_<topic>.png; returns their paths. None for fewer than two rows."""
+    if len(history) < 2:
+        return []
+    return [topic(history, name, f"{folder}/history_{name}.png", heading) for name in topics_of(history)]

@@ -1,0 +1,51 @@
+"""The snapshots of a run one after another."""
+from matplotlib import animation
+from matplotlib import pyplot as plt
+
+from . import cracks, fields
+
+
+def scales_of(run, names):
+    """{name: (low, high)} over all snapshots, so that colours mean the same in every frame."""
+    scales = {}
+    for snapshot in run:
+        for panel in fields.panels_of(snapshot):
+            if panel.name in names:
+                low, high = scales.get(panel.name, (panel.low, panel.high))
+                scales[panel.name] = min(low, panel.low), max(high, panel.high)
+    return scales
+
+
+def movie(run, path, heading="", names=None, frames_per_second=8):
+    """Writes an animation of the fields `names`, by default the last of the overview's first four that change: a GIF, or
+    what ffmpeg makes of another ending where it is installed."""
+    first = {panel.name: panel for panel in fields.panels_of(run[0])}
+    last = {panel.name: panel for panel in fields.panels_of(run[-1])}
+    changing = [name for name in last if (first[name].values != last[name].values).any()] or list(last)
+    names = names or changing[:4]
+    scales = scales_of(run, names)
+    frame = fields.Frame(run[0])
+
+    def draw(figure, snapshot):
+        figure.clear()
+        chosen = [panel for panel in fields.panels_of(snapshot) if panel.name in names]
+        columns = 1 if len(chosen) == 1 else 2
+        grid = figure.subplots(-(-len(chosen) // columns), columns, squeeze=False)
+        for axes in grid.flat[len(chosen):]:
+            axes.set_visible(False)
+        for axes, panel in zip(grid.flat, chosen):
+            panel.low, panel.high = scales[panel.name]
+            fields.draw_panel(axes, panel, frame, cracks.segments_of(snapshot.rock, frame.scale))
+        figure.suptitle(f"{heading}t = {snapshot.time:.4g} s", fontsize=12)
+
+    columns = 1 if len(names) == 1 else 2
+    width, height = fields.panel_size(frame.shape, 4.8)
+    figure = plt.figure(figsize=(width * columns, height * -(-len(names) // columns) + 0.6), layout="constrained")
+    writer = animation.PillowWriter(fps=frames_per_second) if str(path).endswith(".gif") else \
+        animation.FFMpegWriter(fps=frames_per_second)
+    with writer.saving(figure, str(path), dpi=90):
+        for snapshot in run:
+            draw(figure, snapshot)
+            writer.grab_frame(facecolor="white")
+    plt.close(figure)
+    return path

@@ -1,0 +1,72 @@
+"""What a study has found: curves over one key, maps over two."""
+import numpy as np
+from matplotlib import pyplot as plt
+
+from .style import BLUE, save, tidy
+
+
+def _is_logarithmic(values):
+    positive = values[values > 0]
+    return len(positive) == len(values) and len(values) > 1 and positive.max() > 30 * positive.min()
+
+
+def _axis(axes, which, key, values):
+    getattr(axes, f"set_{which}label")(key)
+    if _is_logarithmic(values):
+        getattr(axes, f"set_{which}scale")("log")
+
+
+def keys_of(study):
+    """The two keys with most values that are numbers; those of later ones are averaged over (seeds)."""
+    numeric = [key for key in study.keys if np.issubdtype(study[key].dtype, np.number)]
+    return sorted(numeric, key=lambda key: -len(np.unique(study[key])))[:2]
+
+
+def results_of(study):
+    """The results that differ between runs, but for time and the errors of balances."""
+    def differs(values):
+        return np.issubdtype(values.dtype, np.number) and len(np.unique(values[np.isfinite(values)])) > 1
+
+    return [name for name in study.results if not name.startswith(("time", "step")) and "balance_error" not in name
+            and differs(study[name])]
+
+
+def draw_result(axes, study, result):
+    """One result over the keys; every run is a point, and where two runs share a place their mean is shown."""
+    keys, values = keys_of(study), study[result]
+    if len(keys) == 1:
+        axes.plot(study[keys[0]], values, "o", color=BLUE, markersize=4)
+        places = np.unique(study[keys[0]])
+        axes.plot(places, [values[study[keys[0]] == place].mean() for place in places], "-", color=BLUE, linewidth=1)
+        _axis(axes, "x", keys[0], study[keys[0]])
+        _axis(axes, "y", result, values)
+        tidy(axes)
+        return
+    x, y = (study[key] for key in keys)
+    places = np.unique(np.column_stack([x, y]), axis=0)
+    means = np.array([values[(x == place[0]) & (y == place[1])].mean() for place in places])
+    norm = "log" if _is_logarithmic(means) else "linear"
+    image = axes.scatter(places[:, 0], places[:, 1], c=means, cmap="viridis", norm=norm, s=max(30, 5000 / len(places)),
+                         marker="s", edgecolors="white", linewidths=0.5)
+    _axis(axes, "x", keys[0], x)
+    _axis(axes, "y", keys[1], y)
+    axes.margins(0.12)
+    axes.figure.colorbar(image, ax=axes, label="")
+    axes.set_title(result, fontsize=9)
+
+
+def regime_map(study, path, results=None):
+    """Results of a study over its keys; writes a PNG. None where no run is done or nothing differs."""
+    results = results or results_of(study)[:6]
+    if not results or not keys_of(study):
+        return None
+    columns = min(3, len(results))
+    rows = -(-len(results) // columns)
+    figure, grid = plt.subplots(rows, columns, squeeze=False, layout="constrained",
+                                figsize=(4.8 * columns if columns > 1 else 6, 3.8 * rows + 0.4))
+    for axes, result in zip(grid.flat, results):
+        draw_result(axes, study, result)
+    for axes in grid.flat[len(results):]:
+        axes.set_visible(False)
+    figure.suptitle(f"{study.name}: {len(study)} runs", fontsize=12)
+    return save(figure, path)

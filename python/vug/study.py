@@ -1,0 +1,62 @@
+"""What `vug sweep` has left behind, opened."""
+import csv
+import pathlib
+
+import numpy as np
+
+from .errors import FileTrouble
+from .run_folder import Run
+
+
+def _column(cells):
+    """Numbers where all of them are, else text."""
+    try:
+        return np.array([float(cell) for cell in cells])
+    except ValueError:
+        return np.array(cells)
+
+
+class Study:
+    """The table of a study: a mapping of names to arrays, one value per run that is done, in the order of the study.
+
+    `keys` are the keys that differ, `results` the columns of the histories; `run(i)` opens the i-th of the table;
+    `failures` has a dict for every run that is not done.
+    """
+
+    def __init__(self, directory):
+        self.directory = pathlib.Path(directory)
+        self.name = self.directory.resolve().name
+        path = self.directory / "table.csv"
+        if not path.exists():
+            raise FileTrouble(f"{path}: there is no such file; is {directory} the directory of a study?")
+        with open(path, newline="", encoding="utf-8") as file:
+            header, *rows = csv.reader(file)
+        self._column = {name: _column([row[k] for row in rows]) for k, name in enumerate(header) if name != "run"}
+        self.runs = [row[0] for row in rows]
+        self.keys = [name for name in self._column if "." in name]
+        self.results = [name for name in self._column if "." not in name]
+
+    @property
+    def failures(self):
+        with open(self.directory / "failures.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def run(self, index):
+        """The run in that row."""
+        return Run(self.directory / "runs" / self.runs[index])
+
+    def __getitem__(self, name):
+        return self._column[name]
+
+    def __iter__(self):
+        return iter(self._column)
+
+    def __contains__(self, name):
+        return name in self._column
+
+    def __len__(self):
+        """Number of runs that are done."""
+        return len(self.runs)
+
+    def __repr__(self):
+        return f"<vug.Study {str(self.directory)!r}: {len(self)} runs over {', '.join(self.keys)}>"

@@ -1,0 +1,86 @@
+#include "command_line.hpp"
+
+#include "kernels/threads.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+/// What is wrong with a number of steps; empty where it is one.
+std::string not_negative(const std::string& text) {
+  std::int64_t steps = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && steps >= 0 ? "" : "must be a whole number, 0 or more";
+}
+
+/// The same of a strength.
+std::string positive(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  return number && value > 0 && std::isfinite(value) ? "" : "must be a number above 0";
+}
+
+}  // namespace
+
+void describe(CLI::App& app, CommandLine& line) {
+  app.require_subcommand(0, 1);
+  app.add_flag("--cite", line.cite, "How to cite vug");
+  app.set_help_all_flag("--help-all", "Help of all commands");
+  line.run = app.add_subcommand("run", "Run a case");
+  line.run->add_option("case", line.case_file, "Case file (TOML)")->required();
+  line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
+  line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(not_negative);
+  line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  CLI::Option* resume =
+      line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory, if any");
+  line.run->add_flag("--overwrite", line.overwrite, "Replace the run that the run directory holds")->excludes(resume);
+  line.run->add_flag("--error-bars", line.error_bars,
+                     "Run coarser lattices as well (rock: finer intervals) and tell how wrong the numbers are");
+  line.run->add_flag("--quiet", line.quiet, "No progress");
+  line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
+  line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
+  line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.check->add_flag("--json", line.json, "Machine-readable");
+  line.check->add_option("--preview", line.preview, "Draw rock and pores into this PNG file");
+  line.lab = app.add_subcommand("lab", "Run the laboratory test of a case: compression, tension, splitting, heat");
+  line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
+  line.lab->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the case file>)");
+  line.lab->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.lab
+      ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
+      ->check(CLI::Range(1, 1000));
+  line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
+      ->check(positive);
+  line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.lab->add_flag("--overwrite", line.overwrite, "Replace the results that the directory holds");
+  line.lab->add_flag("--quiet", line.quiet, "No progress");
+  line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
+  line.info->add_flag("--json", line.json, "Machine-readable");
+  line.sweep = app.add_subcommand("sweep", "Run a study: many runs of a case that differ in some keys");
+  line.sweep->add_option("study", line.study, "Study (TOML)")->required();
+  line.sweep->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the study>)");
+  line.sweep->add_option("-j,--jobs", line.jobs, "Runs at once, each with one thread (default: one per processor)")
+      ->check(CLI::Range(1, 4096));
+  line.sweep->add_flag("--resume", line.resume, "Continue what the directory holds");
+  line.sweep->add_option("--batch", line.batch, "Run nothing; print a script for this batch system: slurm")
+      ->check(CLI::IsMember({"slurm"}));
+  line.sweep->add_option("--member", line.member, "Run only this one, counted from 0, in this process");
+  line.sweep->add_flag("--quiet", line.quiet, "No progress");
+  line.start = app.add_subcommand(
+      "new", "Write a case to begin with: channel, reactive_channel, heated_channel, rock, fracture");
+  line.start->add_option("template", line.name, "Name of the template")->required();
+  line.start->add_option("file", line.case_file, "File to write (default: <name of the template>.toml)");
+  line.schema = app.add_subcommand("schema", "JSON schema of the case file, for editors");
+  line.completion = app.add_subcommand("completion", "Completion for a shell: bash, zsh, fish");
+  line.completion->add_option("shell", line.name, "Name of the shell")->required();
+  line.man = app.add_subcommand("man", "Manual page, for man -l");
+}
+
+}  // namespace vug

@@ -1,0 +1,41 @@
+#pragma once
+// What may be typed behind `vug`.
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// What the user typed.
+struct CommandLine {
+  std::string case_file;
+  std::string directory;
+  std::vector<std::string> overrides;
+  std::optional<std::int64_t> steps;
+  int threads = 0;
+  int seeds = 0;
+  std::optional<double> fit_cohesion;
+  std::string preview;        ///< of check
+  std::string study, batch;   ///< of sweep; the batch system that a script is for
+  int jobs = 0;               ///< of sweep, at once
+  std::optional<int> member;  ///< of sweep: only this one
+  std::string name;           ///< of a template or a shell
+  bool resume = false, overwrite = false, quiet = false, json = false, error_bars = false, cite = false;
+  CLI::App* run = nullptr;
+  CLI::App* check = nullptr;
+  CLI::App* lab = nullptr;
+  CLI::App* info = nullptr;
+  CLI::App* sweep = nullptr;
+  CLI::App* start = nullptr;  ///< `vug new`
+  CLI::App* schema = nullptr;
+  CLI::App* completion = nullptr;
+  CLI::App* man = nullptr;
+};
+
+/// Commands and options of `app`, which parses into `line`.
+void describe(CLI::App& app, CommandLine& line);
+
+}  // namespace vug

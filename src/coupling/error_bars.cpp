@@ -1,0 +1,217 @@
+#include "coupling/error_bars.hpp"
+
+#include "coupling/run_directory.hpp"
+#include "io/history_writer.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <span>
+#include <string_view>
+
+namespace vug {
+
+namespace {
+
+Scene with(const Scene& scene, const std::vector<std::string>& more) {
+  std::vector<std::string> overrides = scene.overrides;
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return read_scene(scene.path, overrides);
+}
+
+std::int64_t steps_over(std::int64_t steps, double ratio) {
+  return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) / (ratio * ratio)));
+}
+
+/// The scene on a lattice `ratio` times coarser. Throws InputError where that does not fit.
+Scene coarser(const Scene& scene, double ratio) {
+  std::vector<std::string> change{fmt::format("lattice.spacing={:.17g}", ratio * scene.lattice.spacing),
+                                  fmt::format("lattice.time_step={:.17g}", ratio * ratio * scene.lattice.time_step)};
+  if (scene.time.steps) change.push_back(fmt::format("time.steps={}", steps_over(*scene.time.steps, ratio)));
+  if (scene.output.interval_steps)
+    change.push_back(fmt::format("output.interval_steps={}", steps_over(*scene.output.interval_steps, ratio)));
+  return with(scene, change);
+}
+
+/// The ratio nearest to 2, of 5/4 to 3, that leaves whole numbers of cells; best one whose square does so too. 0: none.
+double ratio_of_twins(const LatticeSection& lattice) {
+  const int common = std::gcd(lattice.nx, lattice.ny);
+  double best = 0, least = std::numeric_limits<double>::max();
+  for (int part = 1; part < common; ++part) {
+    const double ratio = static_cast<double>(common) / part;
+    if (ratio < 1.25 || ratio > 3) continue;
+    const auto whole = [&](int nodes) { return std::fmod(nodes / (ratio * ratio) + 1e-9, 1.0) < 1e-6; };
+    const double badness = std::abs(std::log2(ratio) - 1) + (whole(lattice.nx) && whole(lattice.ny) ? 0 : 1);
+    if (badness < least) {
+      least = badness;
+      best = ratio;
+    }
+  }
+  return best;
+}
+
+Twins coarser_twins(const Scene& scene) {
+  Twins found{ratio_of_twins(scene.lattice), {}};
+  if (found.ratio == 0)
+    throw InputError(
+        fmt::format("{}: an error bar needs a coarser lattice of the same size, and {} x {} nodes have none; "
+                    "give both directions a common divisor, 8 or so",
+                    scene.path, scene.lattice.nx, scene.lattice.ny));
+  found.twins.push_back({"error_bars/coarse", coarser(scene, found.ratio)});
+  try {
+    found.twins.push_back({"error_bars/coarser", coarser(scene, found.ratio * found.ratio)});
+  } catch (const InputError&) {
+    // two lattices are better than none
+  }
+  return found;
+}
+
+Twins finer_twins(const Scene& scene) {
+  const AccuracySection& accuracy = scene.accuracy;
+  std::vector<std::string> change;
+  const auto halve = [&](const char* key, int interval) {
+    if (interval > 1) change.push_back(fmt::format("accuracy.{}={}", key, interval / 2));
+  };
+  halve("update_interval", accuracy.update_interval);
+  halve("wall_interval", accuracy.wall_interval);
+  halve("heat_interval", accuracy.heat_interval);
+  halve("solute_interval", accuracy.solute_interval);
+  halve("exchange_interval", accuracy.exchange_interval);
+  if (change.empty())
+    throw InputError(scene.path + ": has no interval of [accuracy] that could be halved for an error bar");
+  if (accuracy.precision != Precision::double_precision) change.push_back("accuracy.precision=\"double\"");
+  return {0, {{"error_bars/finer", with(scene, change)}}};
+}
+
+/// An amount that has an error: no count, no step, no error of a balance, nothing of the start.
+bool has_a_bar(std::string_view name) {
+  return !name.ends_with("_1") && name != "time_s" && name.find("_initial_") == std::string_view::npos;
+}
+
+/// values at `time`, which both have, linear in between.
+double at(double moment, const std::vector<double>& time, const std::vector<double>& values) {
+  const auto after = std::lower_bound(time.begin(), time.end(), moment * (1 - 1e-9)) - time.begin();
+  const std::size_t k = static_cast<std::size_t>(after);
+  if (k == time.size()) return values.back();
+  if (k == 0 || std::abs(time[k] - moment) <= 1e-9 * moment) return values[k];
+  return values[k - 1] + (values[k] - values[k - 1]) * (moment - time[k - 1]) / (time[k] - time[k - 1]);
+}
+
+ErrorBar bar_of(double value, std::span<const double> twins, double ratio) {
+  // halved intervals: what is left is of first order, e = 2 (value - finer), a quarter more as for lattices
+  if (ratio == 0) return {2.5 * std::abs(value - twins[0]), std::nullopt, Convergence::unknown};
+  return error_bar(value, twins[0], twins.size() > 1 ? std::optional(twins[1]) : std::nullopt, ratio);
+}
+
+const char* remark(Convergence convergence) {
+  switch (convergence) {
+    case Convergence::monotone:
+      return "";
+    case Convergence::oscillating:
+      return "warning: oscillates from lattice to lattice";
+    case Convergence::none:
+      return "warning: does not converge; use a finer lattice";
+    case Convergence::unknown:
+      return "one comparison only: no order";
+  }
+  return "";
+}
+
+std::string report(const ErrorBars& bars) {
+  std::string text = fmt::format("{:<52} {:>12} {:>9} {:>8} {:>6}\n", "at the end", "value", "+-", "", "order");
+  for (const BarOfColumn& column : bars.last) {
+    const std::string percent =
+        column.value != 0 ? fmt::format("{:.2g} %", 100 * column.error.bar / std::abs(column.value)) : "";
+    const std::string order = column.error.order ? fmt::format("{:.1f}", *column.error.order) : "";
+    text += fmt::format("{:<52} {:>12.5g} {:>9.2g} {:>8} {:>6}  {}\n", column.name, column.value, column.error.bar,
+                        percent, order, remark(column.error.convergence));
+  }
+  return text;
+}
+
+void write(const ErrorBars& bars, const std::string& path) {
+  std::vector<std::string> header{"time_s"};
+  for (const std::string& name : bars.names) {
+    header.push_back(name);
+    header.push_back("bar_of_" + name);
+  }
+  HistoryWriter file(path, header);
+  std::vector<double> row(header.size());
+  for (std::size_t k = 0; k < bars.time.size(); ++k) {
+    row[0] = bars.time[k];
+    for (std::size_t c = 0; c < bars.names.size(); ++c) {
+      row[1 + 2 * c] = bars.value[c][k];
+      row[2 + 2 * c] = bars.bar[c][k];
+    }
+    file.write(row);
+  }
+}
+
+}  // namespace
+
+Twins find_twins(const Scene& scene) {
+  return scene.rock ? finer_twins(scene) : coarser_twins(scene);
+}
+
+ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio) {
+  ErrorBars bars;
+  bars.time = run.time();
+  std::vector<double> others(twins.size());
+  for (std::size_t c = 0; c < run.names.size(); ++c) {
+    const std::string& name = run.names[c];
+    if (!has_a_bar(name)) continue;
+    std::vector<const std::vector<double>*> of_twins;
+    for (const History& twin : twins)
+      if (const int at = twin.find(name); at >= 0) of_twins.push_back(&twin.values[static_cast<std::size_t>(at)]);
+    if (of_twins.size() < twins.size()) continue;
+    std::vector<double> bar;
+    ErrorBar last;
+    for (std::size_t k = 0; k < run.rows(); ++k) {
+      for (std::size_t t = 0; t < twins.size(); ++t) others[t] = at(bars.time[k], twins[t].time(), *of_twins[t]);
+      last = bar_of(run.values[c][k], others, ratio);
+      bar.push_back(last.bar);
+    }
+    bars.names.push_back(name);
+    bars.value.push_back(run.values[c]);
+    bars.bar.push_back(std::move(bar));
+    bars.last.push_back({name, bars.value.back().back(), last});
+  }
+  return bars;
+}
+
+std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
+  Twins found = find_twins(scene);  // before anything runs
+  RunOptions own = options;
+  own.directory = run_directory(scene, options.directory);
+  run_case(scene, own);
+  const History history = read_history(own.directory + "/history.csv");
+  std::vector<History> histories;
+  std::string left_out;
+  for (const Twin& twin : found.twins) {
+    RunOptions of_twin = own;
+    of_twin.directory = own.directory + "/" + twin.folder;
+    if (options.steps && found.ratio > 0)
+      of_twin.steps = steps_over(*options.steps, twin.scene.lattice.spacing / scene.lattice.spacing);
+    if (options.progress) *options.progress << "error bars: " << of_twin.directory << '\n';
+    try {
+      run_case(twin.scene, of_twin);
+      histories.push_back(read_history(of_twin.directory + "/history.csv"));
+    } catch (const StabilityError& error) {
+      left_out = fmt::format("left out, {}: {}\n", of_twin.directory, error.what());
+    } catch (const InputError& error) {  // too fast for a coarser lattice, or somebody else's folder
+      left_out = fmt::format("left out, {}: {}\n", of_twin.directory, error.what());
+    }
+    if (!left_out.empty()) break;  // a lattice coarser still would do no better
+  }
+  if (histories.empty()) return left_out + "no error bars: there is nothing to compare with\n";
+  const ErrorBars bars = find_error_bars(history, histories, found.ratio);
+  write(bars, own.directory + "/error_bars.csv");
+  return report(bars) + left_out;
+}
+
+}  // namespace vug

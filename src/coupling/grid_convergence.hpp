@@ -1,0 +1,39 @@
+#pragma once
+// How wrong a number is, from the same number on coarser lattices (Richardson 1911; the index of Roache 1994).
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace vug {
+
+/// What three lattices say of how a number converges.
+enum class Convergence { monotone, oscillating, none, unknown };
+
+struct ErrorBar {
+  double bar = 0;               ///< half its length, in units of the number
+  std::optional<double> order;  ///< observed, where the three lattices show one
+  Convergence convergence = Convergence::unknown;
+};
+
+/// Error bar of `fine` from `coarse`, of `ratio` times the spacing, and `coarser`, of ratio² times.
+///
+/// With d = coarse - fine and D = coarser - coarse the observed order is p = ln(D/d) / ln(ratio), and
+///
+///     bar = 1.25 |d| / (ratio^p - 1)
+///
+/// (Roache 1994, grid convergence index), p held between 1/2 and the 2 of the schemes. Where the numbers oscillate
+/// (d/D < 0) the bar is the larger of 3 |d| and |D|; where they do not converge (|d| >= |D|) it is 3 times the larger;
+/// without `coarser`, that of first order with Roache's factor of 3 for two lattices: 3 |d| / (ratio - 1).
+inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coarser, double ratio) {
+  const double d = std::abs(coarse - fine);
+  if (!coarser) return {3 * d / (ratio - 1), std::nullopt, Convergence::unknown};
+  const double D = std::abs(*coarser - coarse);
+  if (d == 0 && D == 0) return {0, std::nullopt, Convergence::monotone};
+  if (d >= D) return {3 * d / (ratio - 1), std::nullopt, Convergence::none};
+  if ((coarse - fine) * (*coarser - coarse) < 0) return {std::max(3 * d, D), std::nullopt, Convergence::oscillating};
+  if (d == 0) return {D, std::nullopt, Convergence::unknown};
+  const double order = std::log(D / d) / std::log(ratio);
+  return {1.25 * d / (std::pow(ratio, std::clamp(order, 0.5, 2.0)) - 1), order, Convergence::monotone};
+}
+
+}  // namespace vug

@@ -1,0 +1,24 @@
+#pragma once
+// The gauges of a case in the rock, as columns of history.csv.
+#include "coupling/module.hpp"
+#include "dem/gauges.hpp"
+#include "dem/mechanics.hpp"
+#include "io/scene.hpp"
+
+#include <functional>
+
+namespace vug {
+
+/// What [[output.gauges]] asks for. Without gauges nothing is allocated or launched.
+class RockGauges {
+ public:
+  /// Throws InputError where a gauge finds no rock.
+  RockGauges(const Scene& scene, const Assembly& assembly, const Mechanics& rock);
+  void history(std::vector<HistoryValue>& row) const;
+
+ private:
+  using Read = std::function<void(const Exec&, std::vector<HistoryValue>&)>;
+  std::vector<Read> gauges_;
+};
+
+}  // namespace vug

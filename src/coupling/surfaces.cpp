@@ -1,0 +1,130 @@
+// What crosses the sides of the lattice and the surfaces of openings at the present time, and the force of the fluid on
+// them: what the next step will do there, done and undone.
+#include "coupling/flow_module.hpp"
+#include "coupling/heat_module.hpp"
+#include "coupling/solute_module.hpp"
+#include "kernels/launch.hpp"
+#include "kernels/link_populations.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace vug {
+
+namespace {
+
+/// Adds to the value of that name, of which every part of a side has a share.
+void add_value(std::vector<HistoryValue>& row, const std::string& name, double value) {
+  const auto found = std::find_if(row.begin(), row.end(), [&](const HistoryValue& v) { return v.name == name; });
+  if (found == row.end())
+    row.push_back({name, value});
+  else
+    found->value += value;
+}
+
+/// A boundary that has been dressed for a look.
+template <class T>
+struct DressedBoundary {
+  const StretchLinks& boundary;
+  ScalarField<T> outgoing;    ///< (link) what it had in the populations
+  ScalarField<double> gain;   ///< (link) what enters in a step
+  ScalarField<double> level;  ///< of an outflow of the fluid, what it keeps from step to step
+};
+
+template <class T>
+DressedBoundary<T> dressing(const Exec& exec, const FluidNodes& fluid, const StretchLinks& boundary,
+                            const ScalarField<T>& populations) {
+  const BoundaryLinks& links = boundary.links;
+  return {boundary, outgoing_populations(exec, fluid, links, populations),
+          ScalarField<double>("vug::surfaces::gain", links.count),
+          Kokkos::create_mirror(typename Exec::memory_space{}, boundary.outflow.level)};
+}
+
+}  // namespace
+
+template <class T>
+void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const {
+  const Exec exec;
+  const FluidNodes& fluid = geometry_.fluid;
+  std::vector<DressedBoundary<T>> dressed;
+  for (const StretchLinks& boundary : boundaries_) {
+    dressed.push_back(dressing(exec, fluid, boundary, fields_.f));
+    Kokkos::deep_copy(dressed.back().level, boundary.outflow.level);
+  }
+  for (const DressedBoundary<T>& d : dressed) dress(exec, d.boundary, clock.time(), d.gain);
+  for (const DressedBoundary<T>& d : dressed) {
+    const Stretch& stretch = d.boundary.stretch;
+    const FlowBoundary& flow = stretch.conditions.flow;
+    if (wanted.forces && flow.kind != FlowBoundaryKind::periodic) {
+      const LinkForce force = force_on_links(exec, fluid, d.boundary.links, d.outgoing, fields_.f, stretch.centre);
+      add_value(row, stretch.name + "_force_x_N_per_m", units_.force() * force.x);
+      add_value(row, stretch.name + "_force_y_N_per_m", units_.force() * force.y);
+      add_value(row, stretch.name + "_torque_N", units_.force() * units_.spacing * force.torque);
+    }
+    if (wanted.flows && is_open(flow))
+      add_value(row, stretch.name + "_mass_flow_kg_per_m_s",
+                units_.fluid_density * units_.diffusivity() * sum_in_order(d.gain));
+  }
+  for (const DressedBoundary<T>& d : dressed) {
+    restore_outgoing(exec, fluid, d.boundary.links, d.outgoing, fields_.f);
+    Kokkos::deep_copy(d.boundary.outflow.level, d.level);
+  }
+}
+
+template <class T>
+void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const {
+  if (!wanted.flows) return;
+  const Exec exec;
+  const double watt = section_.fluid_density * section_.fluid_heat_capacity * units_.diffusivity() / interval_;
+  const auto look = [&](const std::string& name, const HeatBoundary& heat, auto surface, const auto& fill) {
+    surface.energy_in = ScalarField<double>("vug::surfaces::energy_in", surface.energy_in.extent(0));
+    surface.value = value_of(heat, clock.time());
+    fill(surface);
+    if (surface.condition != HeatCondition::adiabatic)
+      add_value(row, name + "_heat_flow_W_per_m", watt * sum_in_order(surface.energy_in));
+  };
+  for (std::size_t o = 0; o < openings_.size(); ++o)
+    look(geometry_.openings[o].name, geometry_.openings[o].conditions.heat, openings_[o],
+         [&](const HeatOpening& opening) { fill_heat_opening(exec, fields_, opening); });
+  for (int axis = 0; axis < 2; ++axis)
+    if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    look(stretches_[s].name, stretches_[s].conditions.heat, sides_[s],
+         [&](const HeatSide& side) { fill_heat_side(exec, fields_, side); });
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wanted,
+                                    std::vector<HistoryValue>& row) const {
+  if (!wanted.flows) return;
+  const Exec exec;
+  const FluidNodes& fluid = geometry_.fluid;
+  const double mol_per_s = units_.amount() / (interval_ * units_.time_step);
+  const VectorField<T> u = carrier_ ? carrier_->u : VectorField<T>();
+  for (const SpeciesState<T>& s : species_) {
+    const auto column = [&](const StretchLinks& boundary, const char* what) {
+      return boundary.stretch.name + "_" + s.section.name + "_" + what;
+    };
+    std::vector<DressedBoundary<T>> dressed;
+    for (const StretchLinks& boundary : s.boundaries) dressed.push_back(dressing(exec, fluid, boundary, s.fields.h));
+    for (const DressedBoundary<T>& d : dressed) dress(exec, s, d.boundary, clock.time(), d.gain);
+    for (const DressedBoundary<T>& d : dressed)
+      add_value(row, column(d.boundary, "flow_mol_per_m_s"), mol_per_s * sum_in_order(d.gain));
+    for (const DressedBoundary<T>& d : dressed) restore_outgoing(exec, fluid, d.boundary.links, d.outgoing, s.fields.h);
+    std::map<std::string, LinkMean> mean;
+    for (const StretchLinks& boundary : s.boundaries)
+      mean[column(boundary, "mean_mol_per_m3")] += mean_at_links(exec, boundary.links, s.fields.C, u);
+    for (const auto& [name, value] : mean) row.push_back({name, units_.concentration * value.value()});
+  }
+}
+
+#define VUG_INSTANTIATE(T)                                                                                             \
+  template void FlowModule<T>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const;         \
+  template void HeatModule<T>::surfaces(const Clock& clock, const OutputSection&, std::vector<HistoryValue>&) const;   \
+  template void SoluteModule<T, D2Q5>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const; \
+  template void SoluteModule<T, D2Q9>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,16 @@
+#pragma once
+// The temperatures that a case names.
+#include "io/scene.hpp"
+
+namespace vug {
+
+struct TemperatureRange {
+  double coldest = 0, hottest = 0;  ///< K
+  double span() const { return hottest - coldest; }
+};
+
+/// From the temperatures at the start and on all sides and openings; a heat flux adds what it makes in a layer of fluid
+/// as thick as the lattice is long. `scene` has [heat].
+TemperatureRange temperature_range(const Scene& scene);
+
+}  // namespace vug

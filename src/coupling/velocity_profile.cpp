@@ -1,0 +1,94 @@
+#include "coupling/velocity_profile.hpp"
+
+#include "kernels/launch.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+TimeTable curve(const FlowBoundary& flow) {
+  std::vector<double> at, share;
+  for (const auto& [x, value] : flow.profile_table) {
+    at.push_back(x);
+    share.push_back(value);
+  }
+  return {at, share};
+}
+
+}  // namespace
+
+double share_of_velocity(const FlowBoundary& flow, double at, double length) {
+  switch (flow.profile) {
+    case VelocityShape::parabolic: {
+      const double x = std::clamp(at / length, 0.0, 1.0);
+      return 6 * x * (1 - x);
+    }
+    case VelocityShape::table:
+      return curve(flow).at(at);
+    case VelocityShape::uniform:
+      break;
+  }
+  return 1;
+}
+
+double largest_share(const FlowBoundary& flow) {
+  if (flow.profile == VelocityShape::table) return std::abs(curve(flow).peak());
+  return flow.profile == VelocityShape::parabolic ? 1.5 : 1.0;
+}
+
+double mean_share(const FlowBoundary& flow, double length) {
+  if (flow.profile != VelocityShape::table) return 1;
+  constexpr int samples = 1000;
+  double sum = 0;
+  for (int i = 0; i < samples; ++i) sum += share_of_velocity(flow, (i + 0.5) / samples * length, length);
+  return sum / samples;
+}
+
+/// Where a link crosses a side: half a link from its node, cells along the side.
+struct CrossingOfLink {
+  Lattice lattice;
+  bool upright;
+  IndexList node, fluid;
+  Kokkos::View<const std::uint8_t*> direction;
+  ScalarField<double> at;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int n = node(fluid(link)), q = direction(link);
+    at(link) = 0.5 + (upright ? lattice.y(n) + 0.5 * D2Q9::c(q, 1) : lattice.x(n) + 0.5 * D2Q9::c(q, 0));
+  }
+};
+
+ScalarField<double> shares_at_links(const Exec& exec, const FluidNodes& fluid, const StretchLinks& boundary,
+                                    double spacing) {
+  const Stretch& stretch = boundary.stretch;
+  const FlowBoundary& flow = stretch.conditions.flow;
+  if (stretch.opening || flow.profile == VelocityShape::uniform) return {};
+  const BoundaryLinks& links = boundary.links;
+  const ScalarField<double> share("vug::velocity_profile::share", links.count);
+  const bool upright = stretch.side == Side::left || stretch.side == Side::right;
+  for_each_node(exec, "vug::velocity_profile::crossing", links.count,
+                CrossingOfLink{fluid.lattice, upright, fluid.node, links.fluid, links.direction, share});
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, share);
+  const double length = (stretch.last + 1 - stretch.first) * spacing;
+  for (int link = 0; link < links.count; ++link)
+    host(link) = share_of_velocity(flow, (host(link) - stretch.first) * spacing, length);
+  Kokkos::deep_copy(share, host);
+  return share;
+}
+
+double inflow_per_speed(const StretchLinks& boundary) {
+  if (boundary.stretch.opening) return sum_in_order(boundary.area);
+  const auto direction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, boundary.links.direction);
+  const auto share = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, boundary.share);
+  const int outward = static_cast<int>(boundary.stretch.side);
+  double volume = 0;
+  for (int link = 0; link < boundary.links.count; ++link) {
+    const int q = direction(link);
+    const int across = D2Q9::c(q, 0) * D2Q9::c(outward, 0) + D2Q9::c(q, 1) * D2Q9::c(outward, 1);
+    volume += 6 * D2Q9::w(q) * across * (share.extent(0) > 0 ? share(link) : 1.0);
+  }
+  return volume;
+}
+
+}  // namespace vug

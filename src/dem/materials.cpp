@@ -1,0 +1,59 @@
+#include "dem/materials.hpp"
+
+#include "kernels/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+/// Of two springs one behind the other.
+double in_series(double m_a, double h_a, double m_b, double h_b) {
+  return m_a == m_b ? m_a : (h_a + h_b) / (h_a / m_a + h_b / m_b);
+}
+
+}  // namespace
+
+RockMaterial material_of(const MechanicsParameters& parameters, const Assembly& assembly, int triangle) {
+  const int region = assembly.region.empty() ? 0 : assembly.region[static_cast<std::size_t>(triangle)];
+  if (region == 0) return {parameters.density, parameters.thermal_expansion, parameters.bond};
+  return parameters.materials[static_cast<std::size_t>(region - 1)];
+}
+
+BondParameters joint_of(const BondParameters& a, double h_a, const BondParameters& b, double h_b) {
+  BondParameters joint = a;
+  joint.normal_modulus = in_series(a.normal_modulus, h_a, b.normal_modulus, h_b);
+  joint.tangential_modulus = in_series(a.tangential_modulus, h_a, b.tangential_modulus, h_b);
+  for (double BondParameters::*number :
+       {&BondParameters::normal_strength, &BondParameters::cohesion, &BondParameters::internal_friction,
+        &BondParameters::fracture_energy_I, &BondParameters::fracture_energy_II})
+    joint.*number = std::min(a.*number, b.*number);
+  if (a.damping != b.damping) joint.damping = (h_a * a.damping + h_b * b.damping) / (h_a + h_b);
+  return joint;
+}
+
+double largest_expansion(const MechanicsParameters& parameters) {
+  double largest = parameters.thermal_expansion;
+  for (const RockMaterial& material : parameters.materials)
+    if (std::abs(material.thermal_expansion) > std::abs(largest)) largest = material.thermal_expansion;
+  return largest;
+}
+
+double least_normal_strength(const MechanicsParameters& parameters) {
+  double least = parameters.bond.normal_strength;
+  for (const RockMaterial& material : parameters.materials) least = std::min(least, material.bond.normal_strength);
+  return least;
+}
+
+void require_materials(const MechanicsParameters& parameters, const Assembly& assembly) {
+  if (assembly.region.empty()) return;
+  if (assembly.region.size() != assembly.triangles.size())
+    throw InputError("rock assembly: the region of every triangle must be given, or of none");
+  for (const int region : assembly.region)
+    if (region < 0 || region > static_cast<int>(parameters.materials.size()))
+      throw InputError("rock assembly: region " + std::to_string(region) + " has no material");
+}
+
+}  // namespace vug

@@ -1,0 +1,26 @@
+#pragma once
+// Rock of several materials: which numbers a triangle and a bond get.
+#include "dem/assembly.hpp"
+#include "dem/parameters.hpp"
+
+namespace vug {
+
+/// Material of a triangle.
+RockMaterial material_of(const MechanicsParameters& parameters, const Assembly& assembly, int triangle);
+
+/// A bond between two materials whose centroids lie h_a and h_b from the common edge: springs in series,
+///   M = (h_a + h_b) / (h_a / M_a + h_b / M_b),
+/// strengths, friction and fracture energies of the weaker one, the viscosity's eta weighted with h. Within one
+/// material its own numbers, to the bit.
+BondParameters joint_of(const BondParameters& a, double h_a, const BondParameters& b, double h_b);
+
+/// Thermal expansion on which those of all materials are counted: the largest.
+double largest_expansion(const MechanicsParameters& parameters);
+
+/// Least normal strength of all materials, Pa.
+double least_normal_strength(const MechanicsParameters& parameters);
+
+/// Throws InputError where an assembly names a region that has no material.
+void require_materials(const MechanicsParameters& parameters, const Assembly& assembly);
+
+}  // namespace vug

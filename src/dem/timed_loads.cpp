@@ -1,0 +1,160 @@
+#include "dem/timed_loads.hpp"
+
+#include "kernels/launch.hpp"
+#include "kernels/require.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace vug {
+
+namespace {
+
+/// (part, axis) tractions or velocities now.
+struct PartValues {
+  double of[most_timed_parts][2];
+};
+
+PartValues values_at(const std::vector<SidePart>& parts, std::array<OverTime, 2> SidePart::*number, double time) {
+  PartValues values{};
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const OverTime& value = (parts[p].*number)[axis];
+      values.of[p][axis] = value ? value(time) : 0;
+    }
+  return values;
+}
+
+struct FollowLoads {
+  PartValues traction, velocity;
+  IndexList particle, row, part;
+  ScalarField<double> length;
+  VectorField<double> arm;
+  IndexList axes;
+  VectorField<double> other_force, other_moment;
+  BoundaryLoads loads;
+  Particles p;
+
+  KOKKOS_FUNCTION void operator()(int j) const {
+    const int i = particle(j);
+    Vec2 force{other_force(j, 0), other_force(j, 1)};
+    double turning = other_moment(j, 0), along = other_moment(j, 1);
+    for (int e = row(j); e < row(j + 1); ++e) {
+      const int n = part(e);
+      const Vec2 f{length(e) * traction.of[n][0], length(e) * traction.of[n][1]}, r{arm(e, 0), arm(e, 1)};
+      force = force + f;
+      turning += cross(r, f);
+      along += dot(r, f);
+      for (int axis = 0; axis < 2; ++axis)
+        if (axes(e) & 1 << axis) p.drive(i, axis) = velocity.of[n][axis];
+    }
+    loads.force(i, 0) = force.x;
+    loads.force(i, 1) = force.y;
+    loads.moment(i, 0) = turning;
+    loads.moment(i, 1) = along;
+  }
+};
+
+IndexList indices(const char* label, const std::vector<int>& values) {
+  const IndexList list(std::string("vug::dem::timed_") + label, values.size());
+  const auto host = Kokkos::create_mirror_view(list);
+  for (std::size_t k = 0; k < values.size(); ++k) host(k) = values[k];
+  Kokkos::deep_copy(list, host);
+  return list;
+}
+
+double at_start(const OverTime& value) {
+  return value ? value(0) : 0;
+}
+
+/// Axes that the platen of a piece moves.
+int moved_axes(const LoadedPiece& piece, const SidePart& part) {
+  if (!piece.decides || !part.moves()) return 0;
+  const bool both = part.support == Support::fixed || part.support == Support::pin;
+  return both ? 3 : 1 << piece.side % 2;
+}
+
+}  // namespace
+
+bool TimedLoads::moves() const {
+  return std::any_of(parts.begin(), parts.end(), [](const SidePart& one) { return one.moves(); });
+}
+
+std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
+                                           const Loads& loads, const Particles& particles,
+                                           const BoundaryLoads& at_start_) {
+  TimedLoads timed;
+  std::vector<int> number(loads.parts.size(), -1);
+  for (std::size_t p = 0; p < loads.parts.size(); ++p) {
+    if (!loads.parts[p].changes && !loads.parts[p].moves()) continue;
+    number[p] = static_cast<int>(timed.parts.size());
+    timed.parts.push_back(loads.parts[p]);
+  }
+  if (timed.parts.empty()) return std::nullopt;
+  if (timed.parts.size() > most_timed_parts)
+    throw InputError("boundary: at most " + std::to_string(most_timed_parts) +
+                     " sides and parts of sides may change in time or move");
+  std::map<int, std::vector<LoadedPiece>> pieces;  // by particle
+  for (const LoadedPiece& piece : pieces_of_boundary(assembly, boundary, loads, particles))
+    if (piece.part >= 0 && number[static_cast<std::size_t>(piece.part)] >= 0) pieces[piece.particle].push_back(piece);
+
+  std::vector<int> particle, row{0}, part, axes;
+  std::vector<LoadedPiece> all;
+  for (const auto& [i, of_particle] : pieces) {
+    particle.push_back(i);
+    for (const LoadedPiece& piece : of_particle) {
+      const SidePart& own = loads.parts[static_cast<std::size_t>(piece.part)];
+      part.push_back(number[static_cast<std::size_t>(piece.part)]);
+      axes.push_back(moved_axes(piece, own));
+      all.push_back(piece);
+    }
+    row.push_back(static_cast<int>(part.size()));
+  }
+  timed.particle = indices("particle", particle);
+  timed.row = indices("row", row);
+  timed.part = indices("part", part);
+  timed.axes = indices("axes", axes);
+  timed.length = ScalarField<double>("vug::dem::timed_length", all.size());
+  timed.arm = VectorField<double>("vug::dem::timed_arm", all.size());
+  timed.force = VectorField<double>("vug::dem::timed_force", particle.size());
+  timed.moment = VectorField<double>("vug::dem::timed_moment", particle.size());
+  const auto length = Kokkos::create_mirror_view(timed.length);
+  const auto arm = Kokkos::create_mirror_view(timed.arm);
+  const auto force = Kokkos::create_mirror_view(timed.force), moment = Kokkos::create_mirror_view(timed.moment);
+  const auto first_force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start_.force);
+  const auto first_moment = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start_.moment);
+  for (std::size_t j = 0; j < particle.size(); ++j)
+    for (std::size_t c = 0; c < 2; ++c) {
+      force(j, c) = first_force(particle[j], c);
+      moment(j, c) = first_moment(particle[j], c);
+    }
+  for (std::size_t j = 0; j < particle.size(); ++j)
+    for (int e = row[j]; e < row[j + 1]; ++e) {
+      const LoadedPiece& piece = all[static_cast<std::size_t>(e)];
+      const SidePart& own = timed.parts[static_cast<std::size_t>(part[static_cast<std::size_t>(e)])];
+      const Vec2 f{piece.length * at_start(own.traction[0]), piece.length * at_start(own.traction[1])};
+      length(e) = piece.length;
+      arm(e, 0) = piece.arm.x;
+      arm(e, 1) = piece.arm.y;
+      force(j, 0) -= f.x;
+      force(j, 1) -= f.y;
+      moment(j, 0) -= cross(piece.arm, f);
+      moment(j, 1) -= dot(piece.arm, f);
+    }
+  Kokkos::deep_copy(timed.length, length);
+  Kokkos::deep_copy(timed.arm, arm);
+  Kokkos::deep_copy(timed.force, force);
+  Kokkos::deep_copy(timed.moment, moment);
+  return timed;
+}
+
+void follow_loads(const Exec& exec, const TimedLoads& timed, double time, double dt, const BoundaryLoads& loads,
+                  const Particles& particles) {
+  for_each_node(
+      exec, "vug::dem::follow_loads", static_cast<int>(timed.particle.extent(0)),
+      FollowLoads{values_at(timed.parts, &SidePart::traction, time),
+                  values_at(timed.parts, &SidePart::velocity, time + 0.5 * dt), timed.particle, timed.row, timed.part,
+                  timed.length, timed.arm, timed.axes, timed.force, timed.moment, loads, particles});
+}
+
+}  // namespace vug

@@ -1,0 +1,100 @@
+#include "front/completion.hpp"
+
+#include "kernels/require.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
+
+namespace vug {
+
+namespace {
+
+/// "--steps", "-o": the names of all options of a command.
+std::vector<std::string> options_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::string bash(const CLI::App& app) {
+  std::vector<std::string> names;
+  std::string cases;
+  for (const CLI::App* command : commands_of(app)) {
+    names.push_back(command->get_name());
+    cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(options_of(*command), " "));
+  }
+  return fmt::format(
+      "# bash completion of vug: source it, or put it into /usr/share/bash-completion/completions/vug\n"
+      "_vug() {{\n"
+      "  local word=${{COMP_WORDS[COMP_CWORD]}} words\n"
+      "  case ${{COMP_WORDS[1]}} in\n"
+      "{}"
+      "  esac\n"
+      "  if ((COMP_CWORD == 1)); then words=\"{} {}\"; fi\n"
+      "  if ((COMP_CWORD > 1)) && [[ $word != -* ]]; then\n"
+      "    mapfile -t COMPREPLY < <(compgen -f -X '!*.toml' -- \"$word\"; compgen -d -- \"$word\")\n"
+      "  else\n"
+      "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+      "  fi\n"
+      "}}\n"
+      "complete -o filenames -F _vug vug\n",
+      cases, fmt::join(names, " "), fmt::join(options_of(app), " "));
+}
+
+std::string fish(const CLI::App& app) {
+  std::string text = "# fish completion of vug: put it into ~/.config/fish/completions/vug.fish\n";
+  for (const CLI::App* command : commands_of(app)) {
+    text += fmt::format("complete -c vug -n __fish_use_subcommand -f -a {} -d '{}'\n", command->get_name(),
+                        command->get_description());
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames())
+        text += fmt::format("complete -c vug -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n", command->get_name(),
+                            name, option->get_description());
+  }
+  return text;
+}
+
+/// Text of a page: a line may not begin with a dot, and a backslash is one of its own.
+std::string roff(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '\\' ? std::string("\\e") : std::string(1, c);
+  return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
+}
+
+}  // namespace
+
+std::string completion_script(const CLI::App& app, const std::string& shell) {
+  if (shell == "bash" || shell == "zsh") return bash(app);
+  if (shell == "fish") return fish(app);
+  throw InputError(fmt::format("there is no completion for \"{}\"; there are bash, zsh and fish", shell));
+}
+
+std::string man_page(const CLI::App& app, const std::string& version) {
+  std::string text = fmt::format(
+      ".Dd $Mdocdate$\n.Dt VUG 1\n.Os vug {}\n.Sh NAME\n.Nm vug\n.Nd rock that dissolves and fractures while hot and "
+      "cold fluid is pushed through it\n.Sh SYNOPSIS\n.Nm\n.Ar command\n.Op Ar options\n.Sh COMMANDS\n",
+      version);
+  for (const CLI::App* command : commands_of(app)) {
+    text += fmt::format(".Ss {}\n{}\n.Bl -tag -width Ds\n", command->get_name(), roff(command->get_description()));
+    for (const CLI::Option* option : command->get_options())
+      text += fmt::format(".It {}\n{}\n", roff(option->get_name(false, true)), roff(option->get_description()));
+    text += ".El\n";
+  }
+  return text +
+         ".Sh EXIT STATUS\n0 done, 2 invalid case or command line, 3 the run diverged, 4 reading or writing failed, 5 "
+         "the memory does not suffice, 130 interrupted.\n.Sh SEE ALSO\nThe keys of the case file: docs/case-file.md of "
+         "the project, and\n.Nm\n.Cm schema .\n";
+}
+
+}  // namespace vug

@@ -1,0 +1,18 @@
+#pragma once
+// `vug completion`: what a shell may offer behind `vug`.
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace vug {
+
+/// A script for bash (zsh reads it after `autoload -U bashcompinit; bashcompinit`) or fish, made from the commands and
+/// options of the program. Throws InputError for another shell.
+std::string completion_script(const CLI::App& app, const std::string& shell);
+
+/// A page for man(1), in mdoc, made from the same.
+std::string man_page(const CLI::App& app, const std::string& version);
+
+}  // namespace vug

@@ -1,0 +1,14 @@
+#pragma once
+// `vug new` and `vug --cite`.
+#include <string>
+
+namespace vug {
+
+/// Writes the template of that name to `path` (<name>.toml where it is empty) and returns the path. Throws InputError
+/// when there is no such template or the file is there already, FileError.
+std::string new_case(const std::string& name, std::string path);
+
+/// How to cite vug: BibTeX.
+std::string citation_text();
+
+}  // namespace vug

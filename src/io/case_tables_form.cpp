@@ -1,0 +1,76 @@
+// The keys of a form, wherever a case draws one: a rectangle, a disc, a polygon.
+#include "io/detail/case_tables.hpp"
+
+namespace vug {
+namespace {
+
+enum class Kind { rectangle, disc, polygon, group };
+
+Rectangle read_rectangle(const TomlCursor& table) {
+  Rectangle rectangle{};
+  table.need("from", rectangle.from, unit::metre);
+  table.need("to", rectangle.to, unit::metre);
+  for (int axis = 0; axis < 2 && !table.describing(); ++axis) {
+    if (rectangle.from[axis] == rectangle.to[axis])
+      table.fail("to", "makes a rectangle without area; from and to are opposite corners");
+  }
+  return rectangle;
+}
+
+Disc read_disc(const TomlCursor& table) {
+  Disc disc{};
+  table.need("centre", disc.centre, unit::metre);
+  table.need("radius", disc.radius, unit::metre, range::positive);
+  return disc;
+}
+
+Polygon read_polygon(const TomlCursor& table) {
+  Polygon polygon;
+  table.need("points", polygon.points, unit::metre);
+  if (polygon.points.size() < 3 && !table.describing()) table.fail("points", "must hold three points or more");
+  return polygon;
+}
+
+}  // namespace
+
+std::optional<Form> read_form(const TomlCursor& table, FormOf of) {
+  Kind kind = Kind::rectangle;
+  if (of == FormOf::mesh)
+    table.need_choice(
+        "type", kind,
+        {{"rectangle", Kind::rectangle}, {"disc", Kind::disc}, {"polygon", Kind::polygon}, {"group", Kind::group}});
+  else
+    table.need_choice("type", kind, {{"rectangle", Kind::rectangle}, {"disc", Kind::disc}, {"polygon", Kind::polygon}});
+  const bool describing = table.describing();
+  std::optional<Form> form;
+  if (kind == Kind::rectangle || describing) {
+    form = read_rectangle(table);
+  } else {
+    table.refuse("from", "is only for type = \"rectangle\"");
+    table.refuse("to", "is only for type = \"rectangle\"");
+  }
+  if (kind == Kind::disc || describing) {
+    form = read_disc(table);
+  } else {
+    table.refuse("centre", "is only for type = \"disc\"");
+    table.refuse("radius", "is only for type = \"disc\"");
+  }
+  if (kind == Kind::polygon || describing) {
+    form = read_polygon(table);
+  } else {
+    table.refuse("points", "is only for type = \"polygon\"");
+  }
+  return form;
+}
+
+RockRegion read_region(const TomlCursor& table) {
+  RockRegion region;
+  region.form = read_form(table, FormOf::mesh);
+  if (!region.form || table.describing())
+    table.need("group", region.group);
+  else
+    table.refuse("group", "is only for type = \"group\"");
+  return region;
+}
+
+}  // namespace vug

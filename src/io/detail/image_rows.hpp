@@ -1,0 +1,52 @@
+#pragma once
+// A picture that is read row by row from the top, so that a crop of a large one costs the memory of a few rows.
+#include "io/detail/input_file.hpp"
+#include "io/scene.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace vug::detail {
+
+struct ImageHeader {
+  std::int64_t width = 0, height = 0;
+  std::string type;                  ///< of the values, for people: "uint16", "colour"
+  double white = 0;                  ///< the value of white; 0 where the type has none
+  bool stored = true;                ///< values are as they stand in the file; not so of colours
+  std::optional<double> pixel_size;  ///< m, where the file says one
+};
+
+/// One page of a picture in any format. Throws InputError `path: what is wrong`.
+class ImageRows {
+ public:
+  virtual ~ImageRows() = default;
+  /// Values of row `y` from column `first` on. Rows are asked for from the top down.
+  virtual void read(int y, int first, std::span<double> values) = 0;
+  ImageHeader header;
+};
+
+/// Opens the picture that the case names, by the ending of its name: .png, .tif, .tiff, .nrrd, .npy; others are raw.
+std::unique_ptr<ImageRows> open_image(const ImageSection& image);
+
+std::unique_ptr<ImageRows> open_png(const ImageSection& image);
+std::unique_ptr<ImageRows> open_tiff(const ImageSection& image);
+std::unique_ptr<ImageRows> open_nrrd(const ImageSection& image);
+std::unique_ptr<ImageRows> open_npy(const ImageSection& image);
+std::unique_ptr<ImageRows> open_raw(const ImageSection& image);
+
+/// Throws InputError `path: problem`, on one line.
+[[noreturn]] void refuse_image(const std::string& path, const std::string& problem);
+
+/// Throws InputError unless the file has the page that the case asks for.
+void require_page(const ImageSection& image, std::int64_t pages);
+
+/// Edge of a pixel, m, from its two; throws InputError when they differ.
+double square_pixel(const std::string& path, double width, double height);
+
+/// Metres in a unit of length by its name ("mm", "micron", "µm", ...); none where it is no unit of length.
+std::optional<double> metres_in(const std::string& unit);
+
+}  // namespace vug::detail

@@ -1,0 +1,62 @@
+#include "io/form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+/// A fraction for the tangent, good to 1e-3: how evenly the points lie.
+double tangent(double x) {
+  return x * (15 - x * x) / (15 - 6 * x * x);
+}
+
+std::vector<Point> circle(const Disc& disc, double edge) {
+  constexpr double quarter = 1.5707963267948966, whole = 0.7855044319574624;  // tangent(whole) = 1
+  const int parts = std::max(2, static_cast<int>(std::lround(quarter * disc.radius / edge)));
+  std::vector<Point> points;
+  for (int turn = 0; turn < 4; ++turn)
+    for (int i = 0; i < parts; ++i) {
+      const double t = tangent(whole * i / parts), x = (1 - t * t) / (1 + t * t), y = 2 * t / (1 + t * t);
+      const Point unit = turn == 0 ? Point{x, y} : turn == 1 ? Point{-y, x} : turn == 2 ? Point{-x, -y} : Point{y, -x};
+      points.push_back({disc.centre[0] + disc.radius * unit[0], disc.centre[1] + disc.radius * unit[1]});
+    }
+  return points;
+}
+
+}  // namespace
+
+bool holds(const Rectangle& r, const Point& p, double) {
+  return p[0] >= std::min(r.from[0], r.to[0]) && p[0] < std::max(r.from[0], r.to[0]) &&
+         p[1] >= std::min(r.from[1], r.to[1]) && p[1] < std::max(r.from[1], r.to[1]);
+}
+
+bool holds(const Disc& d, const Point& p, double tie) {
+  return std::hypot(p[0] - d.centre[0], p[1] - d.centre[1]) <= d.radius + tie;
+}
+
+bool holds(const Polygon& polygon, const Point& p, double tie) {
+  bool in = false;
+  const auto& v = polygon.points;
+  for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++)
+    if ((v[a][1] > p[1]) != (v[b][1] > p[1]) &&
+        p[0] < (v[b][0] - v[a][0]) * (p[1] - v[a][1]) / (v[b][1] - v[a][1]) + v[a][0] - tie)
+      in = !in;
+  return in;
+}
+
+bool holds(const Form& form, const Point& p, double tie) {
+  return std::visit([&](const auto& one) { return holds(one, p, tie); }, form);
+}
+
+std::vector<Point> outline_of(const Form& form, double edge) {
+  if (const auto* disc = std::get_if<Disc>(&form)) return circle(*disc, edge);
+  if (const auto* polygon = std::get_if<Polygon>(&form)) return polygon->points;
+  const auto& [a, c] = std::get<Rectangle>(form);
+  return {a, {c[0], a[1]}, c, {a[0], c[1]}};
+}
+
+}  // namespace vug

@@ -1,0 +1,23 @@
+#pragma once
+// history.csv, read back.
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// The columns of a history: values[c][row] belongs to names[c]; the first column is the time in s.
+struct History {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+
+  std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }
+  const std::vector<double>& time() const { return values.front(); }
+  /// Place of a column, or -1.
+  int find(const std::string& name) const;
+};
+
+/// Reads a file that HistoryWriter wrote; a torn last line is left out. Throws FileError where there is none, or where
+/// a cell is no number.
+History read_history(const std::string& path);
+
+}  // namespace vug

@@ -1,0 +1,18 @@
+#pragma once
+// Small pictures for people: a few colours, a pixel per node.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
+
+/// Writes `path` as a PNG of `width` columns; `pixels` are indices into `palette`, row by row from the bottom. Pictures
+/// of few pixels are enlarged. Throws FileError.
+void write_palette_picture(const std::string& path, int width, std::span<const std::uint8_t> pixels,
+                           std::span<const Colour> palette);
+
+}  // namespace vug

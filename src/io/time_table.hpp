@@ -1,0 +1,41 @@
+#pragma once
+// A number of a case that may change in time.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+/// A number, or a table of numbers over time: linear between its points, constant before the first and after the last.
+class TimeTable {
+ public:
+  TimeTable(double value = 0) : value_{value} {}
+  /// Times (s) ascend; as many values.
+  TimeTable(std::vector<double> time, std::vector<double> value) : time_(std::move(time)), value_(std::move(value)) {}
+
+  bool constant() const { return value_.size() == 1; }
+  /// At a time, s.
+  double at(double time) const {
+    const auto next = std::upper_bound(time_.begin(), time_.end(), time) - time_.begin();
+    if (constant() || next == 0) return value_.front();
+    if (next == static_cast<std::ptrdiff_t>(time_.size())) return value_.back();
+    const double share = (time - time_[next - 1]) / (time_[next] - time_[next - 1]);
+    return value_[next - 1] + share * (value_[next] - value_[next - 1]);
+  }
+  double lowest() const { return *std::min_element(value_.begin(), value_.end()); }
+  double highest() const { return *std::max_element(value_.begin(), value_.end()); }
+  /// The value furthest from zero, with its sign.
+  double peak() const {
+    return *std::max_element(value_.begin(), value_.end(),
+                             [](double a, double b) { return std::abs(a) < std::abs(b); });
+  }
+  /// When it has taken its last value, s.
+  double settled() const { return constant() ? 0 : time_.back(); }
+
+ private:
+  std::vector<double> time_;  ///< empty for a number
+  std::vector<double> value_;
+};
+
+}  // namespace vug

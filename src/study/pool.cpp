@@ -1,0 +1,91 @@
+#include "study/pool.hpp"
+
+#include "io/progress.hpp"
+#include "kernels/interruption.hpp"
+#include "kernels/require.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <map>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vug {
+
+namespace {
+
+/// Of the child, between fork and exec: calls that a signal handler may use, and nothing else.
+[[noreturn]] void become(char* const* words, const char* log, pid_t parent) {
+  const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND, 0666);
+  if (file >= 0) {
+    ::dup2(file, STDOUT_FILENO);
+    ::dup2(file, STDERR_FILENO);
+  }
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() == parent) ::execv(words[0], words);
+  ::_exit(127);
+}
+
+pid_t begin(const Job& job) {
+  std::vector<std::string> words = job.words;
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const pid_t self = ::getpid(), child = ::fork();
+  if (child == 0) become(pointers.data(), job.log.c_str(), self);
+  if (child < 0) throw FileError(job.words[0] + ": cannot begin a process: " + std::strerror(errno));
+  return child;
+}
+
+struct Running {
+  std::size_t job;
+  double since;
+};
+
+}  // namespace
+
+void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(const Ended&)>& tell) {
+  const StopsInOrder in_order;
+  std::map<pid_t, Running> running;
+  std::size_t next = 0;
+  bool stopped = false;
+  while (!running.empty() || (next < jobs.size() && !stop_requested())) {
+    if (next < jobs.size() && running.size() < static_cast<std::size_t>(at_once) && !stop_requested()) {
+      running[begin(jobs[next])] = {next, steady_seconds()};
+      ++next;
+      continue;
+    }
+    if (stop_requested() && !stopped)
+      for (const auto& [child, job] : running) ::kill(child, SIGTERM);
+    stopped = stop_requested();
+    int status = 0;
+    const pid_t child = ::waitpid(-1, &status, WNOHANG);
+    const auto found = running.find(child);
+    if (found == running.end()) {
+      ::usleep(20000);  // a stop is seen at once, and a child that ends soon enough
+      continue;
+    }
+    const Ended ended{found->second.job, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
+                      steady_seconds() - found->second.since};
+    running.erase(found);
+    tell(ended);
+  }
+}
+
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  const int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+  return count > 0 ? count : 1;
+}
+
+std::string this_program() {
+  return std::filesystem::read_symlink("/proc/self/exe").string();
+}
+
+}  // namespace vug

@@ -1,0 +1,34 @@
+#pragma once
+// Several processes at once.
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// A program to be run, and where what it says goes.
+struct Job {
+  std::vector<std::string> words;  ///< the program and its arguments
+  std::string log;                 ///< file that its standard output and error go to
+};
+
+/// How a job has ended: its exit code, 128 + the signal that ended it.
+struct Ended {
+  std::size_t job = 0;
+  int code = 0;
+  double seconds = 0;
+};
+
+/// Runs all jobs, `at_once` at a time in their order, and tells of each when it has ended. When the process is asked to
+/// stop, so are the jobs, and no more are begun; when it is killed, the system stops the jobs. Throws FileError when a
+/// process cannot be begun.
+void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(const Ended&)>& tell);
+
+/// Processors that this process may use.
+int processors();
+
+/// This program.
+std::string this_program();
+
+}  // namespace vug

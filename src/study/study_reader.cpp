@@ -1,0 +1,138 @@
+#include "io/detail/case_text.hpp"
+#include "io/detail/input_file.hpp"
+#include "io/detail/nearest_name.hpp"
+#include "io/detail/toml_cursor.hpp"
+#include "kernels/require.hpp"
+#include "study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace vug {
+
+namespace {
+
+constexpr int most_runs = 100000;
+
+void check_known(const TomlDocument& document, const toml::table& table, const std::string& path,
+                 const std::vector<std::string>& known) {
+  for (const auto& [name, node] : table) {
+    const std::string key(name.str());
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      document.fail_at(path + key, fmt::format("{}{} is not a key of a study{}", path, key, suggestion(key, known)));
+  }
+}
+
+/// A value of a list as TOML, or nothing where it is an array or a table.
+std::string text_of(const toml::node& node) {
+  std::ostringstream text;
+  if (const auto* word = node.as_string()) text << toml::value<std::string>(word->get());
+  if (const auto* number = node.as_integer()) text << number->get();
+  if (const auto* number = node.as_floating_point()) text << fmt::format("{}", number->get());
+  if (const auto* truth = node.as_boolean()) text << (truth->get() ? "true" : "false");
+  if (const auto* array = node.as_array()) text << toml::toml_formatter(*array);
+  std::string line = text.str();
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  return line;
+}
+
+/// `count` values from `from` to `to`, both included.
+std::vector<std::string> spread(const StudyKey& key, int count) {
+  std::vector<std::string> values;
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    const double value = i == count - 1    ? key.to
+                         : key.logarithmic ? key.from * std::pow(key.to / key.from, share)
+                                           : key.from + share * (key.to - key.from);
+    values.push_back(fmt::format("{:.12g}", value));
+  }
+  return values;
+}
+
+StudyKey read_key(const TomlDocument& document, const TomlCursor& table, int index, Sampling sampling) {
+  StudyKey key;
+  table.need("key", key.key);
+  const std::string path = fmt::format("study.keys.{}", index);
+  if (key.key.find('=') != std::string::npos || key.key.empty())
+    table.fail("key", "must be a key of the case, such as reaction.damkohler");
+  if (const toml::node* values = document.find(path + ".values")) {
+    const auto* array = values->as_array();
+    if (array == nullptr || array->empty()) table.fail("values", "must be a list of values");
+    for (const toml::node& value : *array) key.values.push_back(text_of(value));
+  }
+  std::optional<int> seeds, count;
+  std::optional<double> from, to;
+  table.read("seeds", seeds, range::between(1, most_runs));
+  table.read("from", from, unit::none);
+  table.read("to", to, unit::none);
+  table.read("count", count, range::between(2, most_runs));
+  table.choose("scale", key.logarithmic, {{"linear", false}, {"log", true}});
+  if (key.values.empty() + !seeds + !from < 2 || (key.values.empty() && !seeds && !from))
+    document.fail_at(path, fmt::format("{}: give one of values, seeds, and from with to", path));
+  if (seeds)
+    for (int i = 1; i <= *seeds; ++i) key.values.push_back(fmt::format("{}", i));
+  if (!from) {
+    for (const char* other : {"to", "count", "scale"}) table.refuse(other, "needs from");
+    return key;
+  }
+  if (!to) table.fail("to", "is missing; from needs it");
+  key.from = *from;
+  key.to = *to;
+  if (key.logarithmic && !(key.from > 0 && key.to > 0)) table.fail("scale", "needs from and to above 0");
+  const bool hypercube = sampling == Sampling::latin_hypercube;
+  if (hypercube && count) table.fail("count", "is for grids and lists; study.samples says how many there are");
+  if (!hypercube && !count) table.fail("count", "is missing; it says how many values lie from ... to");
+  if (count) key.values = spread(key, *count);
+  return key;
+}
+
+}  // namespace
+
+Study read_study(const std::string& path) {
+  Study study;
+  study.path = path;
+  study.text = read_case_text(path);
+  const TomlDocument document(study.text, path, {});
+  check_known(document, document.root(), "", {"study"});
+  const TomlCursor table = TomlCursor(document).table("study");
+  if (!table.given()) document.fail_at("", "has no table [study]");
+  check_known(document, *document.find("study")->as_table(), "study.",
+              {"case", "sampling", "samples", "seed", "set", "keys", "results"});
+  table.need("case", study.case_path);
+  if (const std::filesystem::path relative(study.case_path); relative.is_relative())
+    study.case_path = (std::filesystem::path(path).parent_path() / relative).lexically_normal().string();
+  if (const std::string why = detail::why_no_file(study.case_path); !why.empty())
+    table.fail("case", fmt::format("{} (looked for {})", why, study.case_path));
+  table.choose("sampling", study.sampling,
+               {{"grid", Sampling::grid}, {"list", Sampling::list}, {"latin_hypercube", Sampling::latin_hypercube}});
+  const bool hypercube = study.sampling == Sampling::latin_hypercube;
+  table.read("samples", study.samples, range::between(2, most_runs));
+  if (hypercube && study.samples == 0) table.fail("samples", "is missing; a Latin hypercube needs it");
+  if (!hypercube) table.refuse("samples", "is for sampling = \"latin_hypercube\"");
+  table.read("seed", study.seed);
+  table.read("set", study.overrides);
+  table.read("results", study.results);
+  int index = 0;
+  for (const TomlCursor& element : table.tables("keys")) {
+    const std::string at = fmt::format("study.keys.{}", index);
+    check_known(document, *document.find(at)->as_table(), at + ".",
+                {"key", "values", "seeds", "from", "to", "count", "scale"});
+    study.keys.push_back(read_key(document, element, index++, study.sampling));
+  }
+  if (study.keys.empty()) table.fail("keys", "is missing; a study needs at least one [[study.keys]]");
+  double runs = study.sampling == Sampling::grid ? 1 : 0;
+  for (const StudyKey& key : study.keys) {
+    if (study.sampling == Sampling::grid) runs *= static_cast<double>(key.values.size());
+    if (study.sampling == Sampling::list && key.values.size() != study.keys[0].values.size())
+      table.fail("sampling", fmt::format("needs keys with equally many values; {} has {}, {} has {}", study.keys[0].key,
+                                         study.keys[0].values.size(), key.key, key.values.size()));
+  }
+  if (runs > most_runs) table.fail("keys", fmt::format("make {:g} runs, at most {} are accepted", runs, most_runs));
+  return study;
+}
+
+}  // namespace vug

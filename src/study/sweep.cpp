@@ -1,0 +1,135 @@
+#include "study/sweep.hpp"
+
+#include "io/detail/files.hpp"
+#include "kernels/interruption.hpp"
+#include "kernels/require.hpp"
+#include "study/members.hpp"
+#include "study/pool.hpp"
+#include "study/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace vug {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string directory_of(const std::string& study, const SweepOptions& options) {
+  return options.directory.empty() ? "runs/" + fs::path(study).stem().string() : options.directory;
+}
+
+void make_directory(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw FileError(fmt::format("{}: cannot make the folder: {}", path, error.message()));
+}
+
+/// One sweep at a time in a directory. The runs of a sweep hold the lock as well: where one was killed, the next waits
+/// for those that are still writing their checkpoints.
+class SweepLock {
+ public:
+  explicit SweepLock(const std::string& directory, std::ostream* progress)
+      : descriptor_(::open((directory + "/sweep.lock").c_str(), O_RDWR | O_CREAT, 0666)) {
+    if (descriptor_ < 0) detail::throw_file_error(directory + "/sweep.lock", "open");
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    if (progress) *progress << "waiting for another sweep of " << directory << " to end" << std::endl;
+    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  SweepLock(const SweepLock&) = delete;
+  SweepLock& operator=(const SweepLock&) = delete;
+  ~SweepLock() { ::close(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+std::vector<std::string> words_of(const Study& study, const Member& member) {
+  std::vector<std::string> words = {this_program(), "run",     study.case_path, "-o", member.directory,
+                                    "--resume",     "--quiet", "--threads",     "1"};
+  for (const std::string& entry : member.overrides) {
+    words.emplace_back("--set");
+    words.push_back(entry);
+  }
+  return words;
+}
+
+/// The members that are yet to be run. Throws InputError where the directory holds something else.
+std::vector<const Member*> open_members(const std::vector<Member>& members, const std::string& directory, bool resume) {
+  std::vector<const Member*> open;
+  for (const Member& member : members) {
+    const MemberState state = state_of(member);
+    if (state == MemberState::other_case)
+      throw InputError(fmt::format("{}: holds a run of another study; -o DIR leaves it alone", member.directory));
+    if (state != MemberState::missing && !resume)
+      throw InputError(fmt::format("{}: holds a study; --resume continues it, -o DIR leaves it alone", directory));
+    if (state == MemberState::missing || state == MemberState::unfinished) open.push_back(&member);
+  }
+  return open;
+}
+
+std::string said_of(const Ended& ended, const Member& member, const Study& study) {
+  std::string line =
+      fmt::format("run {} {}", member.name, ended.code == 0 ? "done" : fmt::format("failed ({})", ended.code));
+  for (std::size_t k = 0; k < study.keys.size(); ++k)
+    line += fmt::format(", {} = {}", study.keys[k].key, member.values[k]);
+  return line + fmt::format(", {:.3g} s", ended.seconds);
+}
+
+}  // namespace
+
+int sweep(const std::string& path, const SweepOptions& options) {
+  const Study study = read_study(path);
+  const std::string directory = directory_of(path, options);
+  const std::vector<Member> members = members_of(study, directory);
+  open_members(members, directory, options.resume);  // looks before it writes
+  make_directory(directory + "/runs");
+  const SweepLock lock(directory, options.progress);
+  const std::vector<const Member*> open = open_members(members, directory, options.resume);
+  detail::replace_file(directory + "/study.toml", study.text, false);
+  std::vector<Job> jobs;
+  for (const Member* member : open) jobs.push_back({words_of(study, *member), member->log});
+  std::size_t ended = members.size() - open.size();
+  const int at_once = options.at_once > 0 ? options.at_once : processors();
+  if (options.progress)
+    *options.progress << fmt::format("{} runs, {} of them to do, {} at once", members.size(), open.size(), at_once)
+                      << std::endl;
+  run_jobs(jobs, at_once, [&](const Ended& job) {
+    ++ended;
+    if (options.progress)
+      *options.progress << fmt::format("[{}/{}] {}", ended, members.size(), said_of(job, *open[job.job], study))
+                        << std::endl;
+  });
+  detail::replace_file(directory + "/table.csv", table_text(study, members), false);
+  detail::replace_file(directory + "/failures.csv", failures_text(study, members), false);
+  if (stop_requested()) throw Interrupted(stop_reason() + "; --resume continues the study");
+  return static_cast<int>(std::count_if(members.begin(), members.end(),
+                                        [](const Member& member) { return state_of(member) != MemberState::done; }));
+}
+
+void become_member(const std::string& path, const SweepOptions& options, int number) {
+  const Study study = read_study(path);
+  const std::string directory = directory_of(path, options);
+  const std::vector<Member> members = members_of(study, directory);
+  if (number < 0 || static_cast<std::size_t>(number) >= members.size())
+    throw InputError(
+        fmt::format("{}: has {} runs, counted from 0; --member {} is none of them", path, members.size(), number));
+  make_directory(directory + "/runs");
+  std::vector<std::string> words = words_of(study, members[number]);
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  ::execv(pointers[0], pointers.data());
+  throw FileError(fmt::format("{}: cannot run it: {}", words[0], std::strerror(errno)));
+}
+
+}  // namespace vug

@@ -1,0 +1,132 @@
+#include "study/table.hpp"
+
+#include "io/detail/files.hpp"
+#include "io/detail/nearest_name.hpp"
+#include "io/message.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+namespace vug {
+
+namespace {
+
+/// A field of a CSV file (RFC 4180).
+std::string csv(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+/// A value without the quotes that TOML's text has.
+std::string plain(const std::string& value) {
+  const bool quoted =
+      value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
+  return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// Names and last values of a history.
+struct LastRow {
+  std::vector<std::string> names;
+  std::map<std::string, std::string> values;
+};
+
+LastRow last_row(const Member& member) {
+  std::istringstream file(detail::read_file(member.directory + "/history.csv"));
+  std::string header, line, last;
+  std::getline(file, header);
+  while (std::getline(file, line)) last = line;
+  LastRow row{split(header), {}};
+  const std::vector<std::string> cells = split(last);
+  for (std::size_t i = 0; i < std::min(cells.size(), row.names.size()); ++i) row.values[row.names[i]] = cells[i];
+  return row;
+}
+
+void require_columns(const Study& study, const LastRow& row) {
+  for (const std::string& name : study.results)
+    if (!row.values.contains(name))
+      throw InputError(fmt::format("{}: study.results: \"{}\" is no column of the history{}", study.path, name,
+                                   suggestion(name, row.names)));
+}
+
+std::string beginning(const Study& study) {
+  std::string text = "run";
+  for (const StudyKey& key : study.keys) text += "," + csv(key.key);
+  return text;
+}
+
+std::string beginning(const Member& member) {
+  std::string text = member.name;
+  for (const std::string& value : member.values) text += "," + csv(plain(value));
+  return text;
+}
+
+const char* words_of(MemberState state) {
+  switch (state) {
+    case MemberState::missing:
+      return "not begun";
+    case MemberState::diverged:
+      return "diverged";
+    case MemberState::other_case:
+      return "of another case";
+    default:
+      return "unfinished";
+  }
+}
+
+/// The last line of a file that says anything.
+std::string last_words(const std::string& path) {
+  if (!std::filesystem::exists(path)) return "";
+  std::istringstream file(detail::read_file(path));
+  std::string last;
+  for (std::string line; std::getline(file, line);)
+    if (!line.empty()) last = line;
+  return excerpt(last, 500);
+}
+
+}  // namespace
+
+std::string table_text(const Study& study, const std::vector<Member>& members) {
+  std::vector<std::string> columns = study.results;
+  std::string rows;
+  for (const Member& member : members) {
+    if (state_of(member) != MemberState::done) continue;
+    const LastRow row = last_row(member);
+    require_columns(study, row);
+    if (columns.empty()) columns = row.names;
+    rows += beginning(member);
+    for (const std::string& column : columns) {
+      const auto value = row.values.find(column);
+      rows += "," + (value == row.values.end() ? "" : value->second);
+    }
+    rows += "\n";
+  }
+  std::string header = beginning(study);
+  for (const std::string& column : columns) header += "," + csv(column);
+  return header + "\n" + rows;
+}
+
+std::string failures_text(const Study& study, const std::vector<Member>& members) {
+  std::string text = beginning(study) + ",state,last line\n";
+  for (const Member& member : members) {
+    const MemberState state = state_of(member);
+    if (state != MemberState::done)
+      text += fmt::format("{},{},{}\n", beginning(member), words_of(state), csv(last_words(member.log)));
+  }
+  return text;
+}
+
+}  // namespace vug

@@ -1,0 +1,75 @@
+// A study has one table, however many runs are made at once and however often they are killed.
+#include "support/background_vug.hpp"
+#include "support/run_vug.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace vug {
+namespace {
+
+/// Six runs of a channel, of which two cannot work: their fluid is far too fast for the lattice.
+std::string study_file(const test::TemporaryFolder& folder, const std::string& more = "") {
+  const std::string path = folder / "study.toml";
+  test::write_text(
+      path, "[study]\ncase = \"" + std::filesystem::absolute(VUG_SOURCE_DIR "/cases/poiseuille.toml").string() +
+                "\"\nset = [\"time.steps=3000\", \"output.interval_steps=500\", \"flow.speed_limit=0\"]\n" + more +
+                "[[study.keys]]\nkey = \"flow.viscosity\"\nvalues = [1e-6, 2e-6]\n"
+                "[[study.keys]]\nkey = \"flow.body_force\"\nvalues = [[1e-3, 0], [2e-3, 0], [3e4, 0]]\n");
+  return path;
+}
+
+int rows_of(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) - 1;
+}
+
+TEST(Sweep, HasOneTableForAnyNumberOfRunsAtOnce) {
+  const test::TemporaryFolder folder;
+  const std::string study = study_file(folder);
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "one") + " -j 1 --quiet").exit_code, 3);
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "two") + " -j 2 --quiet").exit_code, 3);
+  const std::string table = test::contents(folder / "one/table.csv");
+  EXPECT_EQ(table, test::contents(folder / "two/table.csv"));
+  EXPECT_EQ(rows_of(table), 4) << table;
+  EXPECT_TRUE(table.starts_with("run,flow.viscosity,flow.body_force,time_s,step_1,")) << table;
+  EXPECT_NE(table.find("\n0002,1e-06,\"[ 0.002, 0 ]\",3,3000,"), std::string::npos) << table;
+  const std::string failures = test::contents(folder / "one/failures.csv");
+  EXPECT_EQ(rows_of(failures), 2) << failures;
+  EXPECT_NE(failures.find("diverged"), std::string::npos) << failures;
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "one") + " --quiet").exit_code, 2) << "asks first";
+}
+
+TEST(Sweep, HasTheSameTableAfterKills) {
+  const test::TemporaryFolder folder;
+  const std::string study = study_file(folder, "results = [\"largest_mach_1\"]\n");
+  const std::string study_alone = " sweep " + study + " -o ";
+  ASSERT_EQ(test::run_vug(study_alone + (folder / "whole") + " -j 2 --quiet").exit_code, 3);
+  const std::string call = "sweep " + study + " -o " + (folder / "killed") + " -j 2 --resume";
+  for (int kill = 0; kill < 6; ++kill) {
+    test::BackgroundVug sweep(call, folder / "log");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100 + 150 * kill));
+    sweep.signal(kill % 2 == 0 ? SIGKILL : SIGTERM);
+    sweep.wait();
+  }
+  EXPECT_EQ(test::run_vug(call).exit_code, 3);
+  EXPECT_EQ(test::contents(folder / "killed/table.csv"), test::contents(folder / "whole/table.csv"));
+}
+
+TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
+  const test::TemporaryFolder folder;
+  const std::string study = study_file(folder);
+  const test::Outcome script = test::run_vug("sweep " + study + " -o " + (folder / "array") + " --batch slurm");
+  ASSERT_EQ(script.exit_code, 0) << script.output;
+  EXPECT_NE(script.output.find("#SBATCH --array=0-5\n"), std::string::npos) << script.output;
+  test::write_text(folder / "array.sh", script.output);
+  for (int member = 0; member < 6; ++member)
+    test::run_command("SLURM_ARRAY_TASK_ID=" + std::to_string(member) + " bash " + (folder / "array.sh"));
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --resume --quiet").exit_code, 3);
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "local") + " --quiet").exit_code, 3);
+  EXPECT_EQ(test::contents(folder / "array/table.csv"), test::contents(folder / "local/table.csv"));
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --member 6").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace vug

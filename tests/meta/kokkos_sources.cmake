@@ -1,0 +1,35 @@
+# Where Kokkos comes from, without the internet: a folder of archives, and a source tree that is kept with the project.
+# cmake -DROOT=<project> -DWORK=<empty folder> -P kokkos_sources.cmake
+include("${ROOT}/cmake/kokkos.cmake")
+
+file(REMOVE_RECURSE "${WORK}")
+
+# an archive that is there, with the bytes that are asked for
+file(MAKE_DIRECTORY "${WORK}/kokkos-5.0.2" "${WORK}/archives")
+file(WRITE "${WORK}/kokkos-5.0.2/CMakeLists.txt"
+  "set(Kokkos_VERSION_MAJOR 5)\nset(Kokkos_VERSION_MINOR 0)\nset(Kokkos_VERSION_PATCH 2)\n")
+file(ARCHIVE_CREATE OUTPUT "${WORK}/archives/kokkos-5.0.2.tar.gz" PATHS "${WORK}/kokkos-5.0.2" FORMAT gnutar COMPRESSION GZip)
+file(SHA256 "${WORK}/archives/kokkos-5.0.2.tar.gz" VUG_KOKKOS_SHA256)
+set(VUG_ARCHIVES "${WORK}/archives")
+set(VUG_DEPS_DIR "${WORK}/deps")
+vug_fetch_kokkos_archive("${WORK}/fetched.tar.gz")
+file(SHA256 "${WORK}/fetched.tar.gz" fetched)
+if(NOT fetched STREQUAL VUG_KOKKOS_SHA256)
+  message(FATAL_ERROR "the archive in VUG_ARCHIVES was not taken")
+endif()
+
+# a vendored tree goes before everything, and says its version
+set(VUG_KOKKOS_SOURCE "${WORK}/kokkos-5.0.2")
+vug_kokkos_source(source)
+vug_kokkos_version("${source}" version)
+if(NOT source STREQUAL VUG_KOKKOS_SOURCE OR NOT version STREQUAL "5.0.2")
+  message(FATAL_ERROR "VUG_KOKKOS_SOURCE gave ${source}, version ${version}")
+endif()
+
+# what is none is refused in words
+file(WRITE "${WORK}/refused.cmake" "include(\"${ROOT}/cmake/kokkos.cmake\")\nvug_kokkos_version(\"${WORK}\" version)\n")
+execute_process(COMMAND "${CMAKE_COMMAND}" -P "${WORK}/refused.cmake" RESULT_VARIABLE code ERROR_VARIABLE said)
+string(REGEX REPLACE "[ \n]+" " " said "${said}")  # CMake breaks lines where the path happens to end
+if(code EQUAL 0 OR NOT said MATCHES "not the source tree")
+  message(FATAL_ERROR "a folder without Kokkos was taken for one: ${said}")
+endif()

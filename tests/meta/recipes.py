@@ -1,0 +1,25 @@
+"""The syntax of the recipes in packaging/: what can be said of them without Spack and conda."""
+import ast
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2] / "packaging"
+VERSION = re.search(r"project\(vug VERSION (\S+)", (ROOT.parent / "CMakeLists.txt").read_text()).group(1)
+
+tree = ast.parse((ROOT / "spack/package.py").read_text())
+assert [node.name for node in tree.body if isinstance(node, ast.ClassDef)] == ["Vug"]
+
+recipe = re.sub(r"\{\{.*?\}\}", "compiler", (ROOT / "conda/meta.yaml").read_text())
+assert f'version: "{VERSION}"' in recipe, f"the recipe for conda is not of version {VERSION}"
+try:
+    import yaml
+except ImportError:
+    print("PyYAML is not installed: the recipe for conda was not parsed")
+else:
+    assert set(yaml.safe_load(recipe)) >= {"package", "source", "build", "requirements", "test", "about"}
+
+words = {line.split()[0] for line in (ROOT / "Containerfile").read_text().replace("\\\n", " ").splitlines()
+         if line and not line.startswith("#")}
+if not words <= {"FROM", "ENV", "RUN", "COPY", "WORKDIR", "ENTRYPOINT"}:
+    sys.exit(f"packaging/Containerfile: unknown words in {words}")

@@ -1,0 +1,86 @@
+// Loads over time: what they do, from where a run may be resumed, and that they cost nothing where nobody asked.
+#include "support/coupled_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace {
+
+using namespace vug;
+using test::CoupledRun;
+
+/// A block whose top is pressed by a table and whose right side is moved by one.
+const char* const moving_loads =
+    "[lattice]\nsize = [0.02, 0.02]\nspacing = 1e-3\ntime_step = 2e-7\n[time]\nsteps = 60\n[geometry]\ntype = "
+    "\"rock\"\n"
+    "[rock]\nelement_size = 2e-3\n[mechanics]\n[boundary.left]\ntraction = { support = \"roller\" "
+    "}\n[boundary.bottom]\n"
+    "traction = { support = \"roller\" }\n[boundary.top.traction]\nnormal_stress = "
+    "1e6\n[[boundary.top.traction.parts]]\n"
+    "from = 0.005\nto = 0.012\nnormal_stress = [[0, 2e6], [\"3 us\", 8e6], [\"8 us\", "
+    "4e6]]\n[boundary.right.traction]\n"
+    "support = \"pin_roller\"\nvelocity = [[0, 0, 0], [\"2 us\", -0.5, 0], [\"9 us\", 0.2, "
+    "0]]\n[[output.gauges]]\nname = "
+    "\"wall\"\ntype = \"reaction\"\nside = \"left\"\n[[output.gauges]]\nname = \"floor\"\ntype = \"reaction\"\nside = "
+    "\"bottom\"\n[[output.gauges]]\nname = \"core\"\ntype = \"stress\"\nshape = { type = \"disc\", centre = [0.01, "
+    "0.01], "
+    "radius = 0.005 }\n";
+
+TEST(MovingLoads, MoveAPlatenByTheIntegralOfItsTable) {
+  CoupledRun run(moving_loads);
+  EXPECT_NEAR(run.now("floor_y_N_per_m"), 1e6 * 0.013 + 2e6 * 0.007, 1e-6 * 27e3);  // at rest under the first values
+  run.steps(45);                                                                    // 9 us
+  const auto u = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run.rock().particles().u);
+  const auto reference = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run.rock().particles().u_reference);
+  const double way = -0.5 * 2e-6 / 2 + 0.5 * (-0.5 + 0.2) * 7e-6;
+  int held = 0;
+  for (const BoundaryEdge& edge : run.rock().boundary()) {
+    if (edge.side != static_cast<int>(RockSide::right)) continue;
+    ++held;
+    EXPECT_NEAR(u(edge.particle, 0) - reference(edge.particle, 0), way, 1e-3 * std::abs(way));
+  }
+  EXPECT_GT(held, 5);
+}
+
+TEST(MovingLoads, GoOnWithTheSameBitsFromAStateTakenAnywhere) {
+  const Scene scene = parse_scene(moving_loads, "case.toml");
+  for (const int stop : {1, 13, 40}) {
+    Simulation whole(scene), half(scene), rest(scene);
+    whole.begin();
+    half.begin();
+    for (int step = 0; step < 60; ++step) whole.step();
+    for (int step = 0; step < stop; ++step) half.step();
+    std::map<std::string, std::vector<std::byte>> state;
+    for (const StateBlock& block : half.state().blocks) state[block.name] = block.save();
+    rest.restore([&](StateList& list) {
+      for (const StateBlock& block : list.blocks) block.load(state.at(block.name));
+    });
+    for (int step = stop; step < 60; ++step) rest.step();
+    const auto a = whole.history(), b = rest.history();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].value, b[k].value) << a[k].name << " from step " << stop;
+  }
+}
+
+TEST(MovingLoads, AreOneKernelPerSubStepWhereAskedForAndNoneElsewhere) {
+  const auto launches = [](const Scene& scene) {
+    static int found;
+    Simulation simulation(scene);
+    simulation.begin();
+    simulation.step();
+    found = 0;
+    Kokkos::Tools::Experimental::set_begin_parallel_for_callback([](const char* label, std::uint32_t, std::uint64_t*) {
+      const std::string name = label;
+      found += name == "vug::dem::follow_loads" || name == "vug::dem::follow_temperature" ||
+               name.starts_with("vug::dem::gauge") || name.starts_with("vug::dem::mean_stress");
+    });
+    simulation.step();
+    Kokkos::Tools::Experimental::set_begin_parallel_for_callback(nullptr);
+    return found;
+  };
+  EXPECT_GT(launches(parse_scene(moving_loads, "case.toml")), 0);
+  EXPECT_EQ(launches(read_scene(VUG_SOURCE_DIR "/cases/rock/cantilever.toml")), 0);
+}
+
+}  // namespace

@@ -1,0 +1,156 @@
+// Error bars: the law, the lattices that are compared, and what is left out.
+#include "coupling/error_bars.hpp"
+
+#include "kernels/require.hpp"
+#include "unit/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace vug {
+namespace {
+
+TEST(ErrorBar, OfAPureOrderIsAQuarterLongerThanTheError) {
+  for (const double order : {0.5, 1.0, 1.5, 2.0})
+    for (const double ratio : {4.0 / 3, 1.5, 2.0}) {
+      const auto value = [&](double h) { return 7 - 0.3 * std::pow(h, order); };
+      const ErrorBar found = error_bar(value(1), value(ratio), value(ratio * ratio), ratio);
+      EXPECT_EQ(found.convergence, Convergence::monotone);
+      EXPECT_NEAR(*found.order, order, 1e-9);
+      EXPECT_NEAR(found.bar, 1.25 * 0.3, 1e-9);
+    }
+}
+
+TEST(ErrorBar, TrustsNoOrderAboveThatOfTheSchemes) {
+  const ErrorBar found = error_bar(1, 1 + 0.1, 1 + 0.1 + 6.4, 2);  // sixth order, by chance
+  EXPECT_NEAR(*found.order, 6, 1e-9);
+  EXPECT_NEAR(found.bar, 1.25 * 0.1 / 3, 1e-12);
+}
+
+TEST(ErrorBar, GrowsWhereTheLatticesAgreeOnNoOrder) {
+  EXPECT_EQ(error_bar(1, 1.1, 0.9, 2).convergence, Convergence::oscillating);
+  EXPECT_NEAR(error_bar(1, 1.1, 0.9, 2).bar, 0.3, 1e-12);
+  EXPECT_NEAR(error_bar(1, 1.1, 0.1, 2).bar, 1.0, 1e-12);
+  EXPECT_EQ(error_bar(1, 1.3, 1.4, 2).convergence, Convergence::none);
+  EXPECT_NEAR(error_bar(1, 1.3, 1.4, 2).bar, 0.9, 1e-12);
+  EXPECT_EQ(error_bar(1, 1.1, std::nullopt, 2).convergence, Convergence::unknown);
+  EXPECT_NEAR(error_bar(1, 1.1, std::nullopt, 2).bar, 0.3, 1e-12);
+  EXPECT_EQ(error_bar(1, 1, 1, 2).bar, 0);
+}
+
+const std::string slab = R"(
+[lattice]
+size = [0.024, 0.012]
+spacing = 1e-3
+time_step = 1e-2
+[time]
+steps = 64
+[geometry]
+type = "open"
+[heat]
+fluid_diffusivity = 1e-6
+solid_diffusivity = 1e-6
+[boundary.left]
+heat = { type = "temperature", temperature = 320 }
+[output]
+interval_steps = 16
+)";
+
+class CaseFile {
+ public:
+  explicit CaseFile(const std::string& text) { std::ofstream(path()) << text; }
+  std::string path() const { return folder_ / "case.toml"; }
+  Scene scene(const std::vector<std::string>& overrides = {}) const { return read_scene(path(), overrides); }
+  const test::TemporaryFolder& folder() const { return folder_; }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST(Twins, KeepTheTimeTheSizeAndTheLatticeDiffusivity) {
+  const CaseFile file(slab);
+  const Scene scene = file.scene();
+  const Twins found = find_twins(scene);
+  EXPECT_EQ(found.ratio, 2);
+  ASSERT_EQ(found.twins.size(), 2u);
+  for (const Twin& twin : found.twins) {
+    const Scene& coarse = twin.scene;
+    EXPECT_NEAR(coarse.lattice.time_step / std::pow(coarse.lattice.spacing, 2),
+                scene.lattice.time_step / std::pow(scene.lattice.spacing, 2), 1e-9);
+    EXPECT_NEAR(static_cast<double>(last_step(coarse)) * coarse.lattice.time_step, 0.64, 1e-12);
+    EXPECT_NEAR(static_cast<double>(*coarse.output.interval_steps) * coarse.lattice.time_step, 0.16, 1e-12);
+  }
+  EXPECT_EQ(found.twins[0].scene.lattice.nx, 12);
+  EXPECT_EQ(found.twins[1].scene.lattice.ny, 3);
+}
+
+TEST(Twins, TakeAnotherRatioWhereTwoDoesNotFit) {
+  const CaseFile file(slab);
+  EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.027, 0.018]"})).ratio, 1.5);
+  EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.027, 0.018]"})).twins.size(), 2u);
+  EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.028, 0.014]"})).twins.size(), 1u);
+  EXPECT_THROW(find_twins(file.scene({"lattice.size=[0.029, 0.013]"})), InputError);
+}
+
+TEST(ErrorBarsOfARun, StandBesideEveryAmountOfItsHistory) {
+  const CaseFile file(slab);
+  RunOptions options;
+  options.directory = file.folder() / "run";
+  const std::string report = run_with_error_bars(file.scene(), options);
+  EXPECT_NE(report.find("heat_stored_J_per_m"), std::string::npos) << report;
+  const History run = read_history(options.directory + "/history.csv");
+  const History bars = read_history(options.directory + "/error_bars.csv");
+  EXPECT_EQ(bars.time(), run.time());
+  EXPECT_EQ(bars.find("step_1"), -1);
+  EXPECT_EQ(bars.find("heat_balance_error_1"), -1);
+  const int stored = bars.find("heat_stored_J_per_m");
+  ASSERT_GE(stored, 0);
+  EXPECT_EQ(bars.values[static_cast<std::size_t>(stored)],
+            run.values[static_cast<std::size_t>(run.find("heat_stored_J_per_m"))]);
+  const auto& bar = bars.values[static_cast<std::size_t>(stored) + 1];
+  EXPECT_EQ(bar.front(), 0);
+  for (std::size_t k = 1; k < bar.size(); ++k) EXPECT_GT(bar[k], 0);
+  EXPECT_THROW(run_with_error_bars(file.scene(), options), InputError);  // what is there is not replaced unasked
+  options.resume = true;
+  EXPECT_EQ(run_with_error_bars(file.scene(), options), report);
+}
+
+TEST(ErrorBarsOfARun, LeaveOutALatticeOnWhichNoRunHolds) {
+  // stirred by 0.15 cells per step, and by 0.3 and 0.6 on the coarser lattices: above 0.5 none is begun
+  const CaseFile file(R"(
+[lattice]
+size = [0.016, 0.016]
+spacing = 1e-3
+time_step = 5e-3
+[time]
+steps = 512
+[geometry]
+type = "open"
+[flow]
+viscosity = 1e-6
+speed_limit = 0
+[boundary.top]
+flow = { type = "wall", velocity = [0.03, 0] }
+[accuracy]
+guard_interval = 1
+[output]
+interval_steps = 64
+)");
+  RunOptions options;
+  options.directory = file.folder() / "run";
+  const std::string report = run_with_error_bars(file.scene(), options);
+  EXPECT_NE(report.find("left out"), std::string::npos) << report;
+}
+
+TEST(ErrorBarsOfARun, AreNotBegunWhereThereIsNothingToCompare) {
+  const CaseFile file(slab);
+  RunOptions options;
+  options.directory = file.folder() / "run";
+  EXPECT_THROW(run_with_error_bars(file.scene({"lattice.size=[0.029, 0.013]"}), options), InputError);
+  EXPECT_THROW(read_history(options.directory + "/history.csv"), FileError);  // nothing written
+}
+
+}  // namespace
+}  // namespace vug

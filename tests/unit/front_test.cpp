@@ -1,0 +1,72 @@
+// What the program carries with it: templates, the schema, its citation.
+#include "front/embedded.hpp"
+#include "front/schema.hpp"
+#include "front/templates.hpp"
+#include "io/scene.hpp"
+#include "kernels/require.hpp"
+#include "support/run_vug.hpp"
+
+#include <gtest/gtest.h>
+
+namespace vug {
+namespace {
+
+TEST(Templates, AreCasesThatCanBeRead) {
+  const test::TemporaryFolder folder;
+  EXPECT_GE(templates().size(), 3u);
+  for (const Template& entry : templates()) {
+    const std::string path = new_case(entry.name, folder / (entry.name + ".toml"));
+    EXPECT_NO_THROW(read_scene(path)) << entry.name;
+    EXPECT_THROW(new_case(entry.name, path), InputError) << "is not written over";
+  }
+  EXPECT_THROW(new_case("chanel", ""), InputError);
+}
+
+// An evaluator of schemas that nobody here has written says what they mean, where it is installed.
+TEST(Schema, IsJsonThatHoldsEveryKeyOfTheCases) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "schema.json", case_schema());
+  test::write_text(
+      folder / "hold.py",
+      "import json, sys, tomllib, pathlib\n"
+      "schema = json.load(open(sys.argv[1]))\n"
+      "def walk(value, schema, path):\n"
+      "    if isinstance(value, dict):\n"
+      "        for key, inner in value.items():\n"
+      "            known = schema['properties'].get(key) or schema['additionalProperties']\n"
+      "            assert known, f'{path}.{key} is not in the schema'\n"
+      "            walk(inner, known, f'{path}.{key}')\n"
+      "    elif isinstance(value, list) and value and isinstance(value[0], dict):\n"
+      "        for inner in value: walk(inner, schema['items'], path)\n"
+      "try:\n"
+      "    import jsonschema\n"
+      "except ImportError:\n"
+      "    jsonschema = None\n"
+      "for case in sys.argv[2:]:\n"
+      "    case = tomllib.load(open(case, 'rb'))\n"
+      "    walk(case, schema, '')\n"
+      "    if jsonschema: jsonschema.validate(case, schema)\n"
+      "assert schema['properties']['lattice']['properties']['size']['minItems'] == 2\n"
+      "assert 'exclusiveMinimum' in json.dumps(schema['properties']['flow']['properties']['viscosity'])\n");
+  const test::Outcome outcome =
+      test::run_command(VUG_PYTHON " " + (folder / "hold.py") + " " + (folder / "schema.json") +
+                        " " VUG_SOURCE_DIR "/tests/cases/complete/*.toml " VUG_SOURCE_DIR
+                        "/cases/*.toml " VUG_SOURCE_DIR "/cases/rock/*.toml " VUG_SOURCE_DIR "/cases/laboratory/*.toml");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
+TEST(CommandLine, OffersCompletionACitationAndAManualPage) {
+  EXPECT_NE(test::run_vug("--cite").output.find("cff-version"), std::string::npos);
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "completion", test::run_vug("completion bash").output);
+  const test::Outcome offered =
+      test::run_command("bash -c 'source " + (folder / "completion") +
+                        "; COMP_WORDS=(vug run --res); COMP_CWORD=2; _vug; echo ${COMPREPLY[@]}'");
+  EXPECT_EQ(offered.output, "--resume\n");
+  const std::string page = test::run_vug("man").output;
+  EXPECT_NE(page.find(".It --fit-cohesion"), std::string::npos) << page;
+  EXPECT_EQ(test::run_vug("completion tcsh").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace vug

@@ -1,0 +1,275 @@
+// Forces of the fluid on sides and named shapes, and what flows through them, in SI: balances that hold exactly.
+#include "support/case_shapes.hpp"
+#include "support/coupled_run.hpp"
+#include "support/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace vug {
+namespace {
+
+constexpr double dx = 2e-3, dt = 1e-3, density = 800;
+
+std::string lattice(int nx, int ny) {
+  return fmt::format("[lattice]\nsize = [{:.17g}, {:.17g}]\nspacing = 2e-3\ntime_step = 1e-3\n[time]\nsteps = 100000\n",
+                     nx * dx, ny * dx);
+}
+
+const std::string flow = "[flow]\ndensity = 800\nviscosity = 1.2e-3\ninitial_pressure = 3e5\npressure_scale = 5\n";
+const std::string told = "[output]\nforces = true\nflows = true\n";
+
+std::string shape(double x, double y, double radius) {
+  return test::disc(x * dx, y * dx, radius * dx, "name = \"post\"") + "[boundary.shape.post]\n";
+}
+
+double sum_of(const test::CoupledRun& run, const std::string& what) {
+  double sum = 0;
+  for (const char* name : {"left", "right", "bottom", "top", "shape_post"}) {
+    const std::string column = std::string(name) + what;
+    sum += run.now(column);
+  }
+  return sum;
+}
+
+/// The weight of the fluid rests on what is around it; Archimedes' law holds for what stands in it.
+TEST(SurfaceForces, CarryTheWeightOfTheFluidAtRest) {
+  constexpr int nx = 20, ny = 16;
+  test::CoupledRun run(lattice(nx, ny) + flow + told + shape(9, 7, 3.2), {"flow.body_force=[0.4, -3.0]"});
+  run.steps(4000);
+  const double fluid = run.now("fluid_nodes_1"), post = nx * ny - fluid, node = density * dx * dx;
+  EXPECT_NEAR(sum_of(run, "_force_x_N_per_m"), 0.4 * node * fluid, 1e-9 * node * fluid);
+  EXPECT_NEAR(sum_of(run, "_force_y_N_per_m"), -3.0 * node * fluid, 1e-9 * node * fluid);
+  EXPECT_NEAR(run.now("shape_post_force_x_N_per_m"), -0.4 * node * post, 1e-9 * node * fluid);
+  EXPECT_NEAR(run.now("shape_post_force_y_N_per_m"), 3.0 * node * post, 1e-9 * node * fluid);
+  EXPECT_NEAR(run.now("shape_post_torque_N"), 0, 1e-9 * node * fluid * dx);
+  // the pressure on the left side grows downwards: its moment about the middle is rho g h^3 / 12, in whole cells
+  const double n = ny, moment = density * -3.0 * dx * dx * dx * n * (n * n - 1) / 12;
+  EXPECT_NEAR(run.now("left_torque_N"), moment, 0.02 * std::abs(moment));
+}
+
+TEST(SurfaceForces, OnTheWallsOfAChannelAreTheShearThatDrivesIt) {
+  constexpr int nx = 6, ny = 9;
+  test::CoupledRun run(lattice(nx, ny) + flow + told +
+                           "[boundary.left.flow]\ntype = \"periodic\"\n[boundary.right.flow]\ntype = \"periodic\"\n",
+                       {"flow.body_force=[3.0, 0.0]"});
+  run.steps(3000);
+  const double each = density * 3.0 * nx * ny * dx * dx / 2;
+  EXPECT_NEAR(run.now("bottom_force_x_N_per_m"), each, 1e-9 * each);
+  EXPECT_NEAR(run.now("top_force_x_N_per_m"), each, 1e-9 * each);
+}
+
+TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
+  constexpr int nx = 24, ny = 8;
+  test::CoupledRun run(lattice(nx, ny) + flow + told +
+                       "[boundary.left.flow]\ntype = \"pressure\"\npressure = 3.002e5\n"
+                       "[boundary.right.flow]\ntype = \"pressure\"\npressure = 3e5\n");
+  run.steps(4000);
+  // on the fluid: pressure on both ends, shear on both walls, to which the diagonal links out of the corners belong
+  const double push = 200 * (ny - 2.0 / 6) * dx;
+  const double shear = run.now("bottom_force_x_N_per_m") + run.now("top_force_x_N_per_m");
+  EXPECT_NEAR(shear, push, 1e-4 * push);
+  EXPECT_NEAR(run.now("left_force_x_N_per_m") + run.now("right_force_x_N_per_m"), -shear, 1e-6 * push);
+  EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), -run.now("right_mass_flow_kg_per_m_s"),
+              1e-9 * run.now("left_mass_flow_kg_per_m_s"));
+}
+
+const std::string heat =
+    "[heat]\nfluid_diffusivity = 3e-4\nsolid_diffusivity = 5e-4\nfluid_density = 900\nfluid_heat_capacity = 3500\n"
+    "solid_density = 2600\nsolid_heat_capacity = 850\ninitial_temperature = 350\n";
+
+/// Newton's law of cooling: the resistances of slab and film add up.
+TEST(HeatFlow, ThroughASlabWithAFilm) {
+  constexpr int nx = 10, ny = 5;
+  for (const std::string set : {"d2q5", "d2q9"})
+    for (const bool rock : {false, true}) {
+      const double conductivity = rock ? 2600 * 850 * 5e-4 : 900 * 3500 * 3e-4, coefficient = 3e4;
+      const std::string all = rock ? "[geometry]\ntype = \"shapes\"\n" + test::rectangle(0, 0, nx * dx, ny * dx) : "";
+      test::CoupledRun run(lattice(nx, ny) + all + heat + told +
+                               "[boundary.left.heat]\ntype = \"temperature\"\ntemperature = 360\n"
+                               "[boundary.right.heat]\ntype = \"convection\"\ntemperature = 340\ncoefficient = 3e4\n",
+                           {"heat.velocity_set=" + set});
+      run.steps(20000);
+      const double flux = 20 / (nx * dx / conductivity + 1 / coefficient), through = flux * ny * dx;
+      EXPECT_NEAR(run.now("left_heat_flow_W_per_m"), through, 1e-9 * through) << set << rock;
+      EXPECT_NEAR(run.now("right_heat_flow_W_per_m"), -through, 1e-9 * through) << set << rock;
+      test::record("heat_film", {{"what", "steady"}, {"error", run.now("right_heat_flow_W_per_m") / -through - 1}});
+      const std::vector<double> temperature = run.nodes("temperature");
+      for (int x = 0; x < nx; ++x)
+        EXPECT_NEAR(temperature[x], 360 - flux * (x + 0.5) * dx / conductivity, 1e-8) << set << rock;
+    }
+}
+
+/// Of a slab of so many cells that is warm throughout and cools by a film: the rate at which its first mode, a cosine,
+/// decays, over its exact one, zeta^2 with zeta tan zeta = Bi (Carslaw and Jaeger 1959, section 3.11), less 1.
+double error_of_decay(int cells) {
+  constexpr double length = 0.08, diffusivity = 3e-4, conductivity = 900 * 3500 * diffusivity, biot = 1.5;
+  double zeta = 1;
+  for (int i = 0; i < 200; ++i) zeta = std::atan(biot / zeta);
+  const double spacing = length / cells, step = 0.075 * spacing * spacing / diffusivity;
+  test::CoupledRun run(
+      heat + told + "[boundary.right.heat]\ntype = \"convection\"\ntemperature = 340\ncoefficient = 1\n",
+      {fmt::format("boundary.right.heat.coefficient={:.17g}", biot * conductivity / length),
+       fmt::format("lattice.size=[0.08, {:.17g}]", 3 * spacing), fmt::format("lattice.spacing={:.17g}", spacing),
+       fmt::format("lattice.time_step={:.17g}", step), "time.steps=1000000"});
+  const double unit = length * length / diffusivity;  // s
+  const int steps = static_cast<int>(0.5 * unit / step);
+  run.steps(2 * steps);  // of the second mode exp(-13) is left
+  const double before = run.now("right_heat_flow_W_per_m");
+  run.steps(steps);
+  return std::log(before / run.now("right_heat_flow_W_per_m")) / (steps * step) * unit / (zeta * zeta) - 1;
+}
+
+TEST(HeatFlow, OfACoolingSlabDecaysAtTheRateOfItsBiotNumber) {
+  const double coarse = error_of_decay(20), fine = error_of_decay(40);
+  EXPECT_LT(std::abs(fine), 1e-4);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.25) << coarse << " " << fine;
+  test::record("heat_film", {{"what", "decay"}, {"error", fine}});
+}
+
+TEST(HeatFlow, OfAGivenFluxIsThatFlux) {
+  test::CoupledRun run(lattice(10, 8) + heat + told + test::disc(5 * dx, 4 * dx, 2.2 * dx, "name = \"post\"") +
+                       "[boundary.shape.post.heat]\ntype = \"flux\"\nflux = 2e4\n"
+                       "[boundary.left.heat]\ntype = \"flux\"\nflux = -1e4\n");
+  run.steps(10);
+  EXPECT_NEAR(run.now("left_heat_flow_W_per_m"), -1e4 * 8 * dx, 1e-6);
+  const double gained = run.gain("heat", "shape_post");
+  run.steps(1);
+  EXPECT_NEAR(run.now("shape_post_heat_flow_W_per_m"), (run.gain("heat", "shape_post") - gained) / dt, 1e-4);
+}
+
+/// A parabola of mean U lets in U times the height exactly; its concentration leaves as it came.
+TEST(Flows, OfMassAndSpeciesThroughAChannel) {
+  constexpr int nx = 24, ny = 8;
+  test::CoupledRun run(
+      lattice(nx, ny) + flow + told +
+      "[[solute.species]]\nname = \"A\"\ndiffusivity = 4e-4\n"
+      "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.05, 0], profile = \"parabolic\" }\n"
+      "solute = { type = \"concentration\", concentration = { A = 30 } }\n"
+      "[boundary.right]\nflow = { type = \"outflow\" }\nsolute = { type = \"outflow\" }\n");
+  run.steps(6000);
+  const double volume = 0.05 * ny * dx;  // m2/s
+  EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), density * volume, 1e-9 * density * volume);
+  EXPECT_NEAR(run.now("right_mass_flow_kg_per_m_s"), -density * volume, 1e-6 * density * volume);
+  EXPECT_NEAR(run.now("left_A_flow_mol_per_m_s"), 30 * volume, 1e-3 * 30 * volume);
+  EXPECT_NEAR(run.now("right_A_flow_mol_per_m_s"), -30 * volume, 1e-3 * 30 * volume);
+  EXPECT_NEAR(run.now("right_A_mean_mol_per_m3"), 30, 0.03);
+  // the nodes' speeds are those of the parabola and add up to the rate; midpoints of a parabola have 1/(2 n^2) more
+  const std::vector<double> velocity = run.nodes("velocity");
+  for (int y = 0; y < ny; ++y) {
+    const double s = (y + 0.5) / ny;
+    EXPECT_NEAR(velocity[2 * (y * nx + nx / 2)], 0.05 * 6 * s * (1 - s) / (1 + 0.5 / (ny * ny)), 1e-6);
+  }
+}
+
+/// A rate is a rate whatever part of the side the fluid has, also out of a shape.
+TEST(Flows, GivenAsRatesEnterExactly) {
+  constexpr int nx = 20, ny = 12;
+  const std::string rock = "[geometry]\ntype = \"shapes\"\n" + test::rectangle(0, 0, nx * dx, 3 * dx);
+  for (const std::string given : {"flow_rate = 3e-4", "mass_flow_rate = 0.24", "flow_rate = [[0, 3e-4], [1, 3e-4]]",
+                                  "flow_rate = 3e-4, profile = \"parabolic\""}) {
+    test::CoupledRun run(lattice(nx, ny) + rock + flow + told + "[boundary.left]\nflow = { type = \"velocity\", " +
+                         given + " }\n[boundary.right]\nflow = { type = \"outflow\" }\n");
+    run.steps(10);
+    EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), 0.24, 1e-12) << given;
+  }
+  test::CoupledRun well(lattice(nx, ny) + flow + told + test::disc(9 * dx, 6 * dx, 2.7 * dx, "name = \"post\"") +
+                        "[boundary.shape.post]\nflow = { type = \"velocity\", flow_rate = 3e-4 }\n"
+                        "[boundary.right]\nflow = { type = \"outflow\" }\n");
+  well.steps(10);
+  EXPECT_NEAR(well.now("shape_post_mass_flow_kg_per_m_s"), 0.24, 1e-12);
+}
+
+/// Linear between the points, constant outside; a table of the velocity along the side.
+TEST(Flows, FollowTablesOverTimeAndAlongTheSide) {
+  constexpr int nx = 12, ny = 10;
+  const auto run_with = [&](const std::string& condition) {
+    return test::CoupledRun(lattice(nx, ny) + flow + told + "[boundary.left]\nflow = { type = \"velocity\", " +
+                            condition + " }\n[boundary.right]\nflow = { type = \"outflow\" }\n");
+  };
+  test::CoupledRun run = run_with("velocity = [[0.010, 0, 0], [0.030, 0.05, 0], [\"40 ms\", 0.02, 0]]");
+  const double full = density * ny * dx;
+  const auto expect = [&](int step, double velocity) {
+    run.steps(step - static_cast<int>(run.now("step_1")));
+    EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), full * velocity, 1e-10) << step;
+  };
+  expect(5, 0);
+  expect(15, 0.0125);
+  expect(35, 0.035);
+  expect(100, 0.02);
+  test::CoupledRun ramp = run_with("velocity = [0.05, 0], ramp_time = 0.02");
+  ramp.steps(5);
+  EXPECT_NEAR(ramp.now("left_mass_flow_kg_per_m_s"), full * 0.0125, 1e-10);
+  test::CoupledRun half = run_with("velocity = [0.05, 0], profile = \"table\", profile_table = [[0, 0], [0.020, 1]]");
+  half.steps(5);
+  EXPECT_NEAR(half.now("left_mass_flow_kg_per_m_s"), full * 0.025, 1e-10);
+}
+
+TEST(Flows, OfHeatAndSpeciesFollowTablesOverTime) {
+  constexpr int nx = 12, ny = 10;
+  test::CoupledRun run(
+      lattice(nx, ny) + flow + heat + told +
+      "[[solute.species]]\nname = \"A\"\ndiffusivity = 4e-4\n"
+      "[boundary.left]\nheat = { type = \"flux\", flux = [[0, 0], [0.1, 1e5]] }\n"
+      "solute = { type = \"concentration\", concentration = { A = [[0.05, 10], [0.06, 20]] } }\n"
+      "[boundary.bottom]\nheat = { type = \"temperature\", temperature = [[0.0, 350], [0.1, 400]] }\n");
+  run.steps(50);
+  EXPECT_NEAR(run.now("left_heat_flow_W_per_m"), 0.5e5 * ny * dx, 1e-6);
+  run.steps(30000);
+  for (const double value : run.nodes("concentration_A")) EXPECT_NEAR(value, 20, 1e-6);
+}
+
+/// mol/(cm2 s) through a slab: the gradient is flux over diffusivity, and what enters is the flux times the area.
+TEST(Flows, OfAGivenFluxOfSpecies) {
+  constexpr int nx = 12, ny = 10;
+  for (const std::string set : {"d2q5", "d2q9"}) {
+    test::CoupledRun run(lattice(nx, ny) + told +
+                             "[[solute.species]]\nname = \"A\"\ndiffusivity = \"4 cm2/s\"\ninitial = \"1e-5 mol/cm3\"\n"
+                             "[boundary.left]\nsolute = { type = \"flux\", flux = { A = \"2e-6 mol/(cm2 s)\" } }\n"
+                             "[boundary.right]\nsolute = { type = \"concentration\", concentration = { A = 10 } }\n",
+                         {"solute.velocity_set=" + set});
+    run.steps(20000);
+    EXPECT_NEAR(run.now("left_A_flow_mol_per_m_s"), 2e-2 * ny * dx, 1e-12) << set;
+    EXPECT_NEAR(run.now("right_A_flow_mol_per_m_s"), -2e-2 * ny * dx, 1e-10) << set;
+    const std::vector<double> acid = run.nodes("concentration_A");
+    const double tolerance = set == "d2q5" ? 1e-6 : 0.025;  // its walls turn back what moves diagonally along them
+    for (int x = 1; x < nx - 1; ++x)
+      EXPECT_NEAR(acid[ny / 2 * nx + x], 10 + 2e-2 / 4e-4 * (nx - x - 0.5) * dx, tolerance) << set;
+  }
+  test::CoupledRun post(lattice(nx, ny) + told + test::disc(6 * dx, 5 * dx, 2.2 * dx, "name = \"post\"") +
+                        "[[solute.species]]\nname = \"A\"\ndiffusivity = 4e-4\n"
+                        "[boundary.shape.post]\nsolute = { type = \"flux\", flux = { A = [[0, 0], [0.01, 2e-2]] } }\n");
+  post.steps(20);
+  const double circumference = 2 * std::acos(-1.0) * 2.2 * dx;
+  EXPECT_NEAR(post.now("shape_post_A_flow_mol_per_m_s"), 2e-2 * circumference, 0.03 * 2e-2 * circumference);
+}
+
+/// A row of the history leaves the run as it was.
+TEST(Surfaces, ALookDisturbsNothing) {
+  const std::string text = lattice(24, 12) + flow + heat + shape(10, 6.3, 2.4) +
+                           "[[solute.species]]\nname = \"A\"\ndiffusivity = 4e-4\n"
+                           "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.05, 0] }\n"
+                           "heat = { type = \"temperature\", temperature = 300 }\n"
+                           "solute = { type = \"concentration\", concentration = { A = 30 } }\n"
+                           "[boundary.right]\nflow = { type = \"outflow\" }\nheat = { type = \"outflow\" }\n"
+                           "solute = { type = \"outflow\" }\n"
+                           "[boundary.top]\nheat = { type = \"convection\", temperature = 330, coefficient = 1e4 }\n"
+                           "flow = { type = \"pressure\", pressure = 3e5 }\n";
+  for (const std::string set : {"d2q5", "d2q9"}) {
+    const std::vector<std::string> sets{"heat.velocity_set=" + set, "solute.velocity_set=" + set};
+    test::CoupledRun silent(text, sets), telling(text + told, sets);
+    silent.steps(31);
+    for (int step = 0; step < 31; ++step) {
+      telling.now("shape_post_force_x_N_per_m");
+      telling.steps(1);
+    }
+    for (const char* field : {"pressure", "velocity", "temperature", "concentration_A"})
+      EXPECT_EQ(silent.nodes(field), telling.nodes(field)) << field;
+    EXPECT_THROW(silent.now("left_force_x_N_per_m"), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace vug
