@@ -26,7 +26,8 @@ BondParameters joint_of(const BondParameters& a, double h_a, const BondParameter
   BondParameters joint = a;
   joint.normal_modulus = in_series(a.normal_modulus, h_a, b.normal_modulus, h_b);
   joint.tangential_modulus = in_series(a.tangential_modulus, h_a, b.tangential_modulus, h_b);
-  for (double BondParameters::*number :
+  using Number = double BondParameters::*;
+  for (const Number number :
        {&BondParameters::normal_strength, &BondParameters::cohesion, &BondParameters::internal_friction,
         &BondParameters::fracture_energy_I, &BondParameters::fracture_energy_II})
     joint.*number = std::min(a.*number, b.*number);
