@@ -55,15 +55,13 @@ struct OfTriangle {
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int t) const { return sum(3 * t) + sum(3 * t + 1) + sum(3 * t + 2); }
 };
 
-/// Share of the solid of g that is left (see DissolvedShares). Sums of nodes in another order may differ by rounding: what
-/// has dissolved since is never less than nothing, so that no share grows above the one before.
+/// Share of the solid of g that is left (see DissolvedShares).
 template <class Of>
 struct RemainingShare {
   Of dissolved;
   SolidMoved moved;
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int g) const {
-    const double held = moved.held(g), part = held > 0 ? (dissolved(g) - moved.dissolved(g)) / held : 0.0;
-    return part >= 1 ? 0.0 : part > 0 ? moved.left(g) * (1 - part) : moved.left(g);
+    return remaining_share(moved.left(g), dissolved(g) - moved.dissolved(g), moved.held(g));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "coupling/run_directory.hpp"
 #include "io/history_writer.hpp"
+#include "io/time_table.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
@@ -93,15 +94,6 @@ bool has_a_bar(std::string_view name) {
   return !name.ends_with("_1") && name != "time_s" && name.find("_initial_") == std::string_view::npos;
 }
 
-/// values at `time`, which both have, linear in between.
-double at(double moment, const std::vector<double>& time, const std::vector<double>& values) {
-  const auto after = std::lower_bound(time.begin(), time.end(), moment * (1 - 1e-9)) - time.begin();
-  const std::size_t k = static_cast<std::size_t>(after);
-  if (k == time.size()) return values.back();
-  if (k == 0 || std::abs(time[k] - moment) <= 1e-9 * moment) return values[k];
-  return values[k - 1] + (values[k] - values[k - 1]) * (moment - time[k - 1]) / (time[k] - time[k - 1]);
-}
-
 ErrorBar bar_of(double value, std::span<const double> twins, double ratio) {
   // halved intervals: what is left is of first order, e = 2 (value - finer), a quarter more as for lattices
   if (ratio == 0) return {2.5 * std::abs(value - twins[0]), std::nullopt, Convergence::unknown};
@@ -165,14 +157,15 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
   for (std::size_t c = 0; c < run.names.size(); ++c) {
     const std::string& name = run.names[c];
     if (!has_a_bar(name)) continue;
-    std::vector<const std::vector<double>*> of_twins;
+    std::vector<TimeTable> of_twins;
     for (const History& twin : twins)
-      if (const int at = twin.find(name); at >= 0) of_twins.push_back(&twin.values[static_cast<std::size_t>(at)]);
+      if (const int column = twin.find(name); column >= 0)
+        of_twins.push_back({twin.time(), twin.values[static_cast<std::size_t>(column)]});
     if (of_twins.size() < twins.size()) continue;
     std::vector<double> bar;
     ErrorBar last;
     for (std::size_t k = 0; k < run.rows(); ++k) {
-      for (std::size_t t = 0; t < twins.size(); ++t) others[t] = at(bars.time[k], twins[t].time(), *of_twins[t]);
+      for (std::size_t t = 0; t < twins.size(); ++t) others[t] = of_twins[t].at(bars.time[k]);
       last = bar_of(run.values[c][k], others, ratio);
       bar.push_back(last.bar);
     }

@@ -18,7 +18,7 @@ struct Twin {
 /// What a case is compared with.
 ///
 /// Lattices of 2 and 4 times the spacing and 4 and 16 times the step (so that viscosity and diffusivities keep their
-/// lattice values and every error of second order falls alike): a fourteenth of the run's cost. Where such lattices do
+/// lattice values and every error of second order falls alike): a fifteenth of the run's cost. Where such lattices do
 /// not fit the size, the ratio nearest to 2 that does, of 5/4 to 3, is taken. Rock that is broken into pathways a
 /// number of cells wide has no such twin: there every interval of [accuracy] is halved instead, and the precision is
 /// double.

@@ -11,6 +11,8 @@ namespace vug {
 
 /// Beyond this speed, lattice units, the weakly compressible scheme has lost its meaning whatever it still computes.
 inline constexpr double speed_bound = 0.5;
+/// Largest deviation of the density from 1 that passes as a flow, lattice units.
+inline constexpr double density_bound = 2;
 
 /// What is found in the geometry at the start.
 struct FlowPaths {

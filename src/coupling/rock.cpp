@@ -8,6 +8,7 @@
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
 #include "kernels/require.hpp"
+#include "kernels/to_device.hpp"
 
 #include <fmt/format.h>
 
@@ -166,14 +167,6 @@ std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice
   for (std::size_t b = 0; b < aperture.size(); ++b)
     if (chosen[b]) aperture[b] = wide[b];
   return aperture;
-}
-
-template <class ViewType, class Value>
-ViewType to_device(const char* label, const std::vector<Value>& values) {
-  ViewType view(label, values.size());
-  Kokkos::deep_copy(
-      view, Kokkos::View<const Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
-  return view;
 }
 
 /// The solid nodes that the widest aperture of some bond would open.

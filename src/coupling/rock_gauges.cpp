@@ -4,6 +4,7 @@
 #include "dem/mean_stress.hpp"
 #include "io/form.hpp"
 #include "kernels/require.hpp"
+#include "kernels/to_device.hpp"
 
 #include <fmt/format.h>
 
@@ -19,14 +20,6 @@ using Point = std::array<double, 2>;
 
 Vec2 vec(const Point& p) {
   return {p[0], p[1]};
-}
-
-IndexList to_device(const std::vector<int>& values) {
-  const IndexList list("vug::rock_gauges::list", values.size());
-  const auto host = Kokkos::create_mirror_view(list);
-  for (std::size_t k = 0; k < values.size(); ++k) host(k) = values[k];
-  Kokkos::deep_copy(list, host);
-  return list;
 }
 
 /// How far a point lies outside of a triangle, over the triangle's size; negative inside.
@@ -59,14 +52,14 @@ RockPoint rock_point(const Assembly& assembly, const Point& point, const std::st
 }
 
 IndexList triangles_of(const Gauge& gauge, const Assembly& assembly, const std::string& what) {
-  if (!gauge.region) return to_device({triangle_at(assembly, gauge.at, what)});
+  if (!gauge.region) return to_device<IndexList>("vug::rock_gauges::members", {triangle_at(assembly, gauge.at, what)});
   std::vector<int> members;
   for (int t = 0; t < static_cast<int>(assembly.triangles.size()); ++t) {
     const Vec2 centroid = triangle_of(assembly, t).centroid();
     if (holds(*gauge.region, {centroid.x, centroid.y}, 0)) members.push_back(t);
   }
   if (members.empty()) throw InputError(what + ": the shape holds the centroid of no triangle");
-  return to_device(members);
+  return to_device<IndexList>("vug::rock_gauges::members", members);
 }
 
 /// Particles with an edge of the side whose middle lies between `first` and `last`.
@@ -84,7 +77,7 @@ IndexList held_particles(const Gauge& gauge, const Assembly& assembly, const Mec
   held.erase(std::unique(held.begin(), held.end()), held.end());
   if (held.empty())
     throw InputError(fmt::format("{}: the rock has no edge on this stretch of the {} side", what, gauge.side));
-  return to_device(held);
+  return to_device<IndexList>("vug::rock_gauges::held", held);
 }
 
 }  // namespace

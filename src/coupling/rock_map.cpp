@@ -1,6 +1,7 @@
 #include "coupling/rock_map.hpp"
 
 #include "coupling/cells.hpp"
+#include "kernels/to_device.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,14 +80,8 @@ NodeGroups group_nodes(const std::vector<int>& key, int groups, const Lattice& l
     ++length[next[g] - 1];
     ++nodes[g];
   });
-  const auto to_device = [](const char* label, const std::vector<int>& values) {
-    IndexList list(label, values.size());
-    Kokkos::deep_copy(
-        list, Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(values.data(), values.size()));
-    return list;
-  };
-  return {to_device("vug::rock_map::offset", offset), to_device("vug::rock_map::first", first),
-          to_device("vug::rock_map::length", length), to_device("vug::rock_map::nodes", nodes)};
+  return {to_device<IndexList>("vug::rock_map::offset", offset), to_device<IndexList>("vug::rock_map::first", first),
+          to_device<IndexList>("vug::rock_map::length", length), to_device<IndexList>("vug::rock_map::nodes", nodes)};
 }
 
 }  // namespace vug

@@ -21,6 +21,14 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double presence(double solid_fraction) {
   return is_gone(solid_fraction) ? 0.0 : 1.0;
 }
 
+/// Share of its solid that a group of nodes has left, which had the share `left` when its nodes held the volume `held`
+/// and has lost `lost` of that since. Sums over nodes in another order may differ by rounding, so that `lost` may be a
+/// little below zero: no share grows.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double remaining_share(double left, double lost, double held) {
+  const double part = held > 0 ? lost / held : 0.0;
+  return part >= 1 ? 0.0 : part > 0 ? left * (1 - part) : left;
+}
+
 /// Mass or inertia of a particle of which `solid_fraction` remains, relative to the intact one.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double mass_fraction(double solid_fraction) {
   return solid_fraction > smallest_mass_fraction ? solid_fraction : smallest_mass_fraction;

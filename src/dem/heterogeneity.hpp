@@ -1,5 +1,7 @@
 #pragma once
 // Strengths that vary from bond to bond: Weibull numbers that depend on names, never on the order of drawing.
+#include "kernels/splitmix64.hpp"
+
 #include <cmath>
 #include <cstdint>
 
@@ -7,14 +9,6 @@ namespace vug {
 
 /// What is drawn; each property of a bond has its own independent number.
 enum class BondProperty : std::uint64_t { normal_strength = 1, cohesion = 2, energy_I = 3, energy_II = 4 };
-
-/// One round of splitmix64: every bit of the result depends on every bit of the argument.
-constexpr std::uint64_t splitmix64(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
 
 /// A number in (0, 1) from a seed, the two vertex names of an edge (low, high) and a property.
 constexpr double uniform_of(std::uint64_t seed, std::uint64_t low, std::uint64_t high, std::uint64_t property) {

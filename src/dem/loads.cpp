@@ -101,10 +101,6 @@ void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const s
   pieces.push_back({point, edge.side, edge.particle, 0, {}, true});
 }
 
-double at_start(const OverTime& value) {
-  return value ? value(0) : 0;
-}
-
 }  // namespace
 
 std::vector<BoundaryEdge> find_boundary(const Assembly& assembly) {
@@ -155,7 +151,7 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     const auto side = static_cast<std::size_t>(piece.side);
     const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[static_cast<std::size_t>(piece.part)];
     std::array<double, 2> traction = loads.traction[side];
-    if (part) traction = {at_start(part->traction[0]), at_start(part->traction[1])};
+    if (part) traction = {value_at(part->traction[0], 0), value_at(part->traction[1], 0)};
     const Support support = support_of(piece, loads);
     Vec2 f{piece.length * traction[0], piece.length * traction[1]};
     if (support == Support::servo) (side % 2 == 0 ? f.x : f.y) = 0;  // its platen sees to it

@@ -15,6 +15,9 @@ inline constexpr int rock_side_count = 4;
 
 /// A number over the time since the preload, s; empty: 0.
 using OverTime = std::function<double(double)>;
+inline double value_at(const OverTime& number, double time) {
+  return number ? number(time) : 0;
+}
 
 /// A part of a side that is loaded and held in its own way; what of the side's own loads lies there does not count.
 struct SidePart {
@@ -37,8 +40,8 @@ struct Loads {
   /// Of the rock beyond a free side: stress that it adds per distance that the side moves outwards after the preload,
   /// Pa/m; about its Young's modulus over the size of the specimen. 0: a dead load, whatever the rock does.
   std::array<double, 4> stiffness{};
-  std::array<double, 2> gravity{};                  ///< m/s2
-  std::vector<SidePart> parts;                      ///< later ones count where they overlap
+  std::array<double, 2> gravity{};  ///< m/s2
+  std::vector<SidePart> parts;      ///< later ones count where they overlap
 };
 
 /// An edge of the rock's boundary.
@@ -54,10 +57,10 @@ std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
 /// Steady loads of each particle, ready for the integrator. The torque of a dead load turns with the particle:
 /// T = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
 struct BoundaryLoads {
-  VectorField<double> force;   ///< (particle, axis) N
-  VectorField<double> moment;  ///< (particle, A or B) N m
+  VectorField<double> force;      ///< (particle, axis) N
+  VectorField<double> moment;     ///< (particle, A or B) N m
   VectorField<double> stiffness;  ///< (particle, axis) of the rock beyond, at the centroid, N/m
-  double gravity_x = 0;        ///< m/s2
+  double gravity_x = 0;           ///< m/s2
   double gravity_y = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "dem/mean_stress.hpp"
 
 #include "kernels/launch.hpp"
+#include "kernels/to_device.hpp"
 
 namespace vug {
 
@@ -80,11 +81,7 @@ Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bo
 }
 
 Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members) {
-  const IndexList list("vug::dem::mean_stress_members", members.size());
-  const auto host = Kokkos::create_mirror_view(list);
-  for (std::size_t m = 0; m < members.size(); ++m) host(m) = members[m];
-  Kokkos::deep_copy(list, host);
-  return mean_stress(Exec(), particles, bonds, list);
+  return mean_stress(Exec(), particles, bonds, to_device<IndexList>("vug::dem::mean_stress_members", members));
 }
 
 }  // namespace vug

@@ -1,6 +1,7 @@
 #include "dem/servo.hpp"
 
 #include "kernels/launch.hpp"
+#include "kernels/to_device.hpp"
 
 #include <set>
 
@@ -66,11 +67,7 @@ std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& bou
       held.insert(edge.particle);
     }
     platen.compliance = servo_gain * platen.length / stiffness_behind(held, platen.axis, law, bonds);
-    platen.held = IndexList("vug::dem::servo_held", held.size());
-    const auto list = Kokkos::create_mirror_view(platen.held);
-    int k = 0;
-    for (const int i : held) list(k++) = i;
-    Kokkos::deep_copy(platen.held, list);
+    platen.held = to_device<IndexList>("vug::dem::servo_held", {held.begin(), held.end()});
     platens.push_back(platen);
   }
   return platens;

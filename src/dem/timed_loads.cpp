@@ -2,6 +2,7 @@
 
 #include "kernels/launch.hpp"
 #include "kernels/require.hpp"
+#include "kernels/to_device.hpp"
 
 #include <algorithm>
 #include <map>
@@ -18,10 +19,7 @@ struct PartValues {
 PartValues values_at(const std::vector<SidePart>& parts, std::array<OverTime, 2> SidePart::*number, double time) {
   PartValues values{};
   for (std::size_t p = 0; p < parts.size(); ++p)
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const OverTime& value = (parts[p].*number)[axis];
-      values.of[p][axis] = value ? value(time) : 0;
-    }
+    for (std::size_t axis = 0; axis < 2; ++axis) values.of[p][axis] = value_at((parts[p].*number)[axis], time);
   return values;
 }
 
@@ -55,18 +53,6 @@ struct FollowLoads {
   }
 };
 
-IndexList indices(const char* label, const std::vector<int>& values) {
-  const IndexList list(std::string("vug::dem::timed_") + label, values.size());
-  const auto host = Kokkos::create_mirror_view(list);
-  for (std::size_t k = 0; k < values.size(); ++k) host(k) = values[k];
-  Kokkos::deep_copy(list, host);
-  return list;
-}
-
-double at_start(const OverTime& value) {
-  return value ? value(0) : 0;
-}
-
 /// Axes that the platen of a piece moves.
 int moved_axes(const LoadedPiece& piece, const SidePart& part) {
   if (!piece.decides || !part.moves()) return 0;
@@ -82,7 +68,7 @@ bool TimedLoads::moves() const {
 
 std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                            const Loads& loads, const Particles& particles,
-                                           const BoundaryLoads& at_start_) {
+                                           const BoundaryLoads& at_start) {
   TimedLoads timed;
   std::vector<int> number(loads.parts.size(), -1);
   for (std::size_t p = 0; p < loads.parts.size(); ++p) {
@@ -110,10 +96,10 @@ std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::
     }
     row.push_back(static_cast<int>(part.size()));
   }
-  timed.particle = indices("particle", particle);
-  timed.row = indices("row", row);
-  timed.part = indices("part", part);
-  timed.axes = indices("axes", axes);
+  timed.particle = to_device<IndexList>("vug::dem::timed_particle", particle);
+  timed.row = to_device<IndexList>("vug::dem::timed_row", row);
+  timed.part = to_device<IndexList>("vug::dem::timed_part", part);
+  timed.axes = to_device<IndexList>("vug::dem::timed_axes", axes);
   timed.length = ScalarField<double>("vug::dem::timed_length", all.size());
   timed.arm = VectorField<double>("vug::dem::timed_arm", all.size());
   timed.force = VectorField<double>("vug::dem::timed_force", particle.size());
@@ -121,8 +107,8 @@ std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::
   const auto length = Kokkos::create_mirror_view(timed.length);
   const auto arm = Kokkos::create_mirror_view(timed.arm);
   const auto force = Kokkos::create_mirror_view(timed.force), moment = Kokkos::create_mirror_view(timed.moment);
-  const auto first_force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start_.force);
-  const auto first_moment = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start_.moment);
+  const auto first_force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start.force);
+  const auto first_moment = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start.moment);
   for (std::size_t j = 0; j < particle.size(); ++j)
     for (std::size_t c = 0; c < 2; ++c) {
       force(j, c) = first_force(particle[j], c);
@@ -132,7 +118,7 @@ std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::
     for (int e = row[j]; e < row[j + 1]; ++e) {
       const LoadedPiece& piece = all[static_cast<std::size_t>(e)];
       const SidePart& own = timed.parts[static_cast<std::size_t>(part[static_cast<std::size_t>(e)])];
-      const Vec2 f{piece.length * at_start(own.traction[0]), piece.length * at_start(own.traction[1])};
+      const Vec2 f{piece.length * value_at(own.traction[0], 0), piece.length * value_at(own.traction[1], 0)};
       length(e) = piece.length;
       arm(e, 0) = piece.arm.x;
       arm(e, 1) = piece.arm.y;

@@ -147,7 +147,7 @@ Assembly triangulate(const Mesher& mesher, const RockSection& rock) {
   const AssemblyLimits limits{20, 0.2 / (rock.grading * rock.grading), 1};
   std::string why;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    auto points = mesher.scatter(detail::CounterRandom{rock.seed * attempts + attempt}.next());
+    auto points = mesher.scatter(CounterRandom{rock.seed * attempts + attempt}.next());
     auto triangles = detail::delaunay(mesher.grid, points);
     for (int sweep = 0; sweep < smoothing_sweeps; ++sweep) {
       mesher.smooth(points, triangles);

@@ -1,3 +1,4 @@
+#include "kernels/splitmix64.hpp"
 #include "study/study.hpp"
 
 #include <fmt/format.h>
@@ -10,25 +11,8 @@ namespace vug {
 
 namespace {
 
-/// SplitMix64 (Steele, Lea & Flood 2014): the same numbers on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  /// In [0, 1).
-  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-
- private:
-  std::uint64_t state_;
-};
-
 /// 0 ... count - 1 in a random order (Fisher & Yates).
-std::vector<int> shuffled(int count, Random& random) {
+std::vector<int> shuffled(int count, CounterRandom& random) {
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
   for (int i = count - 1; i > 0; --i) std::swap(order[i], order[random.next() % static_cast<std::uint64_t>(i + 1)]);
@@ -52,14 +36,14 @@ std::vector<std::vector<std::string>> grid(const Study& study) {
 /// The values of one key, [run]: lists are gone through from the start again and again.
 std::vector<std::string> hypercube_values(const Study& study, const StudyKey& key, std::uint64_t stream) {
   std::vector<std::string> values;
-  Random random(study.seed * 0x100000001b3u + stream);
+  CounterRandom random{study.seed * 0x100000001b3u + stream};
   const std::vector<int> part = shuffled(study.samples, random);
   for (int i = 0; i < study.samples; ++i) {
     if (!key.values.empty()) {
       values.push_back(key.values[static_cast<std::size_t>(i) % key.values.size()]);
       continue;
     }
-    const double share = (part[i] + random.unit()) / study.samples;
+    const double share = (part[i] + random.uniform()) / study.samples;
     const double value =
         key.logarithmic ? key.from * std::pow(key.to / key.from, share) : key.from + share * (key.to - key.from);
     values.push_back(fmt::format("{:.9g}", value));

@@ -71,7 +71,7 @@ StudyKey read_key(const TomlDocument& document, const TomlCursor& table, int ind
   table.read("to", to, unit::none);
   table.read("count", count, range::between(2, most_runs));
   table.choose("scale", key.logarithmic, {{"linear", false}, {"log", true}});
-  if (key.values.empty() + !seeds + !from < 2 || (key.values.empty() && !seeds && !from))
+  if (!key.values.empty() + seeds.has_value() + from.has_value() != 1)
     document.fail_at(path, fmt::format("{}: give one of values, seeds, and from with to", path));
   if (seeds)
     for (int i = 1; i <= *seeds; ++i) key.values.push_back(fmt::format("{}", i));

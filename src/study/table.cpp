@@ -2,14 +2,13 @@
 
 #include "io/detail/files.hpp"
 #include "io/detail/nearest_name.hpp"
+#include "io/history_reader.hpp"
 #include "io/message.hpp"
 #include "kernels/require.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <sstream>
 
 namespace vug {
@@ -31,35 +30,17 @@ std::string plain(const std::string& value) {
   return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
+/// The last value of a column as history.csv has it; nothing where there is none.
+std::string last_value(const History& history, const std::string& name) {
+  const int column = history.find(name);
+  return column < 0 || history.rows() == 0 ? "" : fmt::format("{:.17g}", history.values[column].back());
 }
 
-/// Names and last values of a history.
-struct LastRow {
-  std::vector<std::string> names;
-  std::map<std::string, std::string> values;
-};
-
-LastRow last_row(const Member& member) {
-  std::istringstream file(detail::read_file(member.directory + "/history.csv"));
-  std::string header, line, last;
-  std::getline(file, header);
-  while (std::getline(file, line)) last = line;
-  LastRow row{split(header), {}};
-  const std::vector<std::string> cells = split(last);
-  for (std::size_t i = 0; i < std::min(cells.size(), row.names.size()); ++i) row.values[row.names[i]] = cells[i];
-  return row;
-}
-
-void require_columns(const Study& study, const LastRow& row) {
+void require_columns(const Study& study, const History& history) {
   for (const std::string& name : study.results)
-    if (!row.values.contains(name))
+    if (history.find(name) < 0)
       throw InputError(fmt::format("{}: study.results: \"{}\" is no column of the history{}", study.path, name,
-                                   suggestion(name, row.names)));
+                                   suggestion(name, history.names)));
 }
 
 std::string beginning(const Study& study) {
@@ -104,14 +85,11 @@ std::string table_text(const Study& study, const std::vector<Member>& members) {
   std::string rows;
   for (const Member& member : members) {
     if (state_of(member) != MemberState::done) continue;
-    const LastRow row = last_row(member);
-    require_columns(study, row);
-    if (columns.empty()) columns = row.names;
+    const History history = read_history(member.directory + "/history.csv");
+    require_columns(study, history);
+    if (columns.empty()) columns = history.names;
     rows += beginning(member);
-    for (const std::string& column : columns) {
-      const auto value = row.values.find(column);
-      rows += "," + (value == row.values.end() ? "" : value->second);
-    }
+    for (const std::string& column : columns) rows += "," + last_value(history, column);
     rows += "\n";
   }
   std::string header = beginning(study);

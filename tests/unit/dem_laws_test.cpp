@@ -1,5 +1,6 @@
 #include "dem/bond_law.hpp"
 #include "dem/contact_law.hpp"
+#include "dem/dissolved_rock.hpp"
 #include "dem_support.hpp"
 
 #include <gtest/gtest.h>
@@ -104,6 +105,14 @@ TEST(ContactLaw, NeverPullsAndRubsWithinCoulombsLimit) {
   const ContactReaction sliding = contact_reaction(p, 1e-6, 0, 1e-5, 0, 0);
   EXPECT_DOUBLE_EQ(sliding.tangential, -3000);
   EXPECT_NEAR(sliding.slip, 1e-5 - 3000 / 5e9, 1e-18);
+}
+
+TEST(DissolvedRock, ShareThatRemainsFallsOnly) {
+  EXPECT_DOUBLE_EQ(remaining_share(0.8, 0.5, 2.0), 0.6);
+  EXPECT_EQ(remaining_share(0.8, 2.0, 2.0), 0);
+  EXPECT_EQ(remaining_share(0.8, 2.1, 2.0), 0);
+  EXPECT_EQ(remaining_share(1.0, -1e-16, 0.5), 1.0);  // by rounding: 1 + 2e-16 would be no share
+  EXPECT_EQ(remaining_share(0.8, 0.0, 0.0), 0.8);     // nodes that hold nothing lose nothing
 }
 
 }  // namespace

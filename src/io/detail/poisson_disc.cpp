@@ -6,24 +6,21 @@
 
 namespace vug::detail {
 
-std::uint64_t CounterRandom::next() {
-  std::uint64_t z = counter += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
+namespace {
 
 // A point of the unit disc, pushed to its rim: no sine, whose last bit depends on the C library.
-Point CounterRandom::direction() {
+Point direction(CounterRandom& random) {
   while (true) {
-    const double x = 2 * uniform() - 1;
-    const double y = 2 * uniform() - 1;
+    const double x = 2 * random.uniform() - 1;
+    const double y = 2 * random.uniform() - 1;
     const double square = x * x + y * y;
     if (square > 1 || square < 1e-4) continue;
     const double norm = std::sqrt(square);
     return {x / norm, y / norm};
   }
 }
+
+}  // namespace
 
 KeepOut::KeepOut(Point length, double reach) : width_(reach), cells_{} {
   for (int axis = 0; axis < 2; ++axis) cells_[axis] = std::max(1, static_cast<int>(length[axis] / reach) + 1);
@@ -62,7 +59,7 @@ void fill_with_points(std::vector<Point>& points, KeepOut& keep_out, const std::
     const Point from = points[active[pick]];
     bool found = false;
     for (int k = 0; k < tries && !found; ++k) {
-      const Point along = random.direction();
+      const Point along = direction(random);
       // Just outside the kept distance: a dense, even packing without the gaps that become obtuse triangles.
       const double distance = spacing(from) * (1 + 0.25 * random.uniform());
       const Point p{from[0] + distance * along[0], from[1] + distance * along[1]};

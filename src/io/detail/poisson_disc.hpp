@@ -1,20 +1,12 @@
 #pragma once
 // Points that keep a distance of their own from each other (Bridson's growth from the points already there).
 #include "io/detail/delaunay.hpp"
+#include "kernels/splitmix64.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace vug::detail {
-
-/// splitmix64: the whole state is one counter, the same numbers everywhere (std::distributions are not).
-struct CounterRandom {
-  std::uint64_t counter;
-  std::uint64_t next();
-  double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }  ///< in [0, 1)
-  Point direction();                                                        ///< unit vector
-};
 
 /// Places that new points must keep clear of, in square cells.
 class KeepOut {

@@ -1,0 +1,126 @@
+// How fast the flow of a case may become, and whether its numbers are safe.
+#include "coupling/flow_module.hpp"
+#include "coupling/flow_paths.hpp"
+#include "coupling/velocity_profile.hpp"
+#include "kernels/guards.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+/// A disc that leaves two thirds of a channel open holds at 0.26 in the passage and is lost at 0.39
+/// (docs/stability.md).
+constexpr double largest_prescribed_mach = 0.35;
+
+/// The lowest relaxation time that survived a stair-step geometry at a pressure difference in lattice units
+/// (docs/stability.md).
+double lowest_relaxation_time(Collision collision, double pressure) {
+  if (pressure > 0.04) return 0.764;
+  if (pressure > 0.01) return 0.60;
+  return collision == Collision::trt ? 0.55 : collision == Collision::bgk ? 0.52 : 0.505;
+}
+
+}  // namespace
+
+template <class T>
+void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
+  steady_.look(exec, clock, geometry_.fluid, fields_.u);
+  const FlowExtremes extremes = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
+  if (extremes.bad < 0) return;
+  int node = 0;
+  Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, extremes.bad));
+  throw StabilityError(
+      fmt::format("flow diverged at step {}: node ({}, {}) is not finite or beyond |u| = {}, |rho'| = {} (lattice "
+                  "units); {}",
+                  clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), speed_bound, density_bound,
+                  advice_on_divergence()));
+}
+
+template <class T>
+std::string FlowModule<T>::advice_on_divergence() const {
+  const double pressure = largest_pressure(), speed = std::max(prescribed_speed(), passage_speed_);
+  if (pressure > 0 && std::sqrt(2 * pressure) >= speed)
+    return "lower the pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)";
+  return speed > 0 ? "lower the prescribed velocity or the time step" : "lower what drives the flow or the time step";
+}
+
+template <class T>
+double FlowModule<T>::largest_pressure() const {
+  double highest = 0;
+  for (const StretchLinks& boundary : boundaries_)
+    if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::pressure)
+      for (const double pressure :
+           {boundary.stretch.conditions.flow.pressure.lowest(), boundary.stretch.conditions.flow.pressure.highest()})
+        highest = std::max(highest, std::abs(units_.lattice_pressure(pressure)));
+  return highest;
+}
+
+template <class T>
+double FlowModule<T>::prescribed_speed() const {
+  double prescribed = 0;
+  for (const StretchLinks& boundary : boundaries_) {
+    const FlowBoundary& flow = boundary.stretch.conditions.flow;
+    double speed = flow.peak_speed() / units_.velocity();
+    if (flow.has_rate() && boundary.inflow > 0)
+      speed = std::abs(flow.peak_rate(section_.density)) / (units_.diffusivity() * boundary.inflow);
+    prescribed = std::max(prescribed, largest_share(flow) * speed);
+  }
+  return prescribed;
+}
+
+template <class T>
+double FlowModule<T>::largest_speed() const {
+  const double prescribed = std::max(prescribed_speed(), passage_speed_);
+  const double limit = section_.speed_limit > 0 ? section_.speed_limit : speed_bound;
+  const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
+  return driven ? limit : std::min(limit, prescribed + buoyant_speed_ + std::sqrt(2 * largest_pressure()));
+}
+
+template <class T>
+void FlowModule<T>::limits(LimitTable& table) const {
+  const double nu = section_.viscosity / units_.diffusivity();
+  const double highest = largest_pressure();
+  const double lowest_tau = lowest_relaxation_time(section_.collision, highest);
+  const auto viscosity = [&](const std::string& where, double value) {
+    table.push_back({"flow", "relaxation time tau_f" + where, 0.5 + 3 * value, "1", lowest_tau - 1e-9, 2.5,
+                     "change lattice.time_step: tau - 1/2 is proportional to it"});
+    table.push_back({"flow", "viscosity" + where, value, "lattice", 0, 1, "change lattice.time_step"});
+  };
+  viscosity("", nu);
+  if (section_.viscosity_varies()) {
+    viscosity(", coldest", section_.viscosity_at(range_.coldest) / units_.diffusivity());
+    viscosity(", hottest", section_.viscosity_at(range_.hottest) / units_.diffusivity());
+  }
+  if (buoyant_speed_ > 0)
+    table.push_back({"flow", "Mach number of free convection, (g beta dT L)^1/2 / c_s", std::sqrt(3.0) * buoyant_speed_,
+                     "1", 0, 0.35, "lower lattice.time_step"});
+  table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
+                   "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+  if (highest > 0)
+    table.push_back({"flow", "Mach number of Bernoulli's bound", std::sqrt(6 * highest), "1", 0, 0.9,
+                     "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+  const auto prescribed = [&](const char* name, double speed) {
+    if (speed > 0)
+      table.push_back({"flow", name, std::sqrt(3.0) * speed, "1", 0, largest_prescribed_mach,
+                       "lower the velocity or lattice.time_step (docs/stability.md)"});
+  };
+  prescribed("Mach number of the prescribed velocities", prescribed_speed());
+  prescribed("Mach number in the narrowest passage", passage_speed_);
+}
+
+#define VUG_INSTANTIATE(T)                                       \
+  template void FlowModule<T>::guard(const Exec&, const Clock&); \
+  template double FlowModule<T>::prescribed_speed() const;       \
+  template double FlowModule<T>::largest_speed() const;          \
+  template void FlowModule<T>::limits(LimitTable&) const
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,19 @@
+#pragma once
+// From a host's list to a View.
+#include <Kokkos_Core.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// A new View (entry) on the device with the entries of `values`.
+template <class ViewType>
+ViewType to_device(const std::string& label, const std::vector<typename ViewType::non_const_value_type>& values) {
+  using Host = Kokkos::View<const typename ViewType::non_const_value_type*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
+  ViewType view(label, values.size());
+  Kokkos::deep_copy(view, Host(values.data(), values.size()));
+  return view;
+}
+
+}  // namespace vug
