@@ -89,11 +89,18 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
   std::vector<Mouth> mouths;
   int opening = 0;
   for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
-    const std::string name = stretch.opening ? "shape." + stretch.name.substr(6) : stretch.name;
-    Mouth mouth{"boundary." + name, nullptr, {}, 0};
+    const auto injection = std::find_if(scene.injections.begin(), scene.injections.end(),
+                                        [&](const InjectionSection& own) { return own.name == stretch.name; });
+    const bool injects = injection != scene.injections.end();
+    Mouth mouth{stretch.opening ? "boundary.shape." + stretch.name.substr(6)
+                : injects       ? injection->key
+                                : "boundary." + stretch.name,
+                nullptr,
+                {},
+                0};
     mouth.nodes = stretch.opening ? nodes_of_opening(opening_of, opening, picture) : nodes_of_side(stretch, picture);
     mouth.conditions = stretch.opening                ? &geometry.openings[opening++].conditions
-                       : stretch.name == "injection"  ? &scene.injection->conditions
+                       : injects                      ? &injection->conditions
                        : stretch.side == Side::left   ? &scene.left
                        : stretch.side == Side::right  ? &scene.right
                        : stretch.side == Side::bottom ? &scene.bottom
@@ -155,7 +162,7 @@ void look_for_dry_mouths(const Scene& scene, const std::vector<Mouth>& mouths, b
     if ((!flows && !carries) || !dry) continue;
     const std::string line = fmt::format("{}.{} has no effect{}: no fluid touches it", mouth.key,
                                          flows ? "flow" : "solute", rock_opens ? " until rock opens" : "");
-    if (mouth.key == "boundary.injection" && !rock_opens) throw InputError(fmt::format("{}: {}", scene.path, line));
+    if (mouth.key.starts_with("boundary.injection") && !rock_opens) throw InputError(fmt::format("{}: {}", scene.path, line));
     if (std::find(found.warnings.begin(), found.warnings.end(), line) == found.warnings.end())
       found.warnings.push_back(line);
   }

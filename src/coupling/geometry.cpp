@@ -20,21 +20,26 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     if (side == Side::left || side == Side::right) return {side == Side::left ? 0.0 : lattice.nx, along};
     return {along, side == Side::bottom ? 0.0 : lattice.ny};
   };
-  const auto add = [&](const char* name, Side side, int first, int last, const BoundarySection& conditions,
+  const auto add = [&](const std::string& name, Side side, int first, int last, const BoundarySection& conditions,
                        double centre) {
     if (first <= last) stretches.push_back({name, side, first, last, conditions, nullptr, middle(side, centre)});
   };
   const auto side = [&](Side which, int length, const BoundarySection& conditions) {
     const char* name = name_of(which);
-    if (!scene.injection || scene.injection->side != name)
-      return add(name, which, 0, length - 1, conditions, length / 2.0);
-    const InjectionSection& injection = *scene.injection;
     const auto cell = [&](double at) { return first_cell(at / lattice.spacing); };
-    const int first = std::clamp(cell(injection.centre - injection.width / 2), 0, length - 1);
-    const int last = std::clamp(cell(injection.centre + injection.width / 2) - 1, first, length - 1);
-    add(name, which, 0, first - 1, conditions, length / 2.0);
-    add("injection", which, first, last, injection.conditions, (first + last + 1) / 2.0);
-    add(name, which, last + 1, length - 1, conditions, length / 2.0);
+    std::vector<const InjectionSection*> here;
+    for (const InjectionSection& injection : scene.injections)
+      if (injection.side == name) here.push_back(&injection);
+    std::sort(here.begin(), here.end(), [](const auto* a, const auto* b) { return a->centre < b->centre; });
+    int begin = 0;
+    for (const InjectionSection* injection : here) {
+      const int first = std::clamp(cell(injection->centre - injection->width / 2), begin, length - 1);
+      const int last = std::clamp(cell(injection->centre + injection->width / 2) - 1, first, length - 1);
+      add(name, which, begin, first - 1, conditions, length / 2.0);
+      add(injection->name, which, first, last, injection->conditions, (first + last + 1) / 2.0);
+      begin = last + 1;
+    }
+    add(name, which, begin, length - 1, conditions, length / 2.0);
   };
   side(Side::left, lattice.ny, scene.left);
   side(Side::right, lattice.ny, scene.right);

@@ -38,7 +38,7 @@ struct Stretch {
   std::array<double, 2> centre{0, 0};  ///< of the whole side, the injection or the opening, cells
 };
 
-/// The four sides, cut where the injection lies.
+/// The four sides, cut where injections lie.
 std::vector<Stretch> boundary_stretches(const Scene& scene);
 /// The same and after them the openings.
 std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geometry);

@@ -20,7 +20,7 @@ TemperatureRange temperature_range(const Scene& scene) {
     cooled = std::max(cooled, -boundary.flux.lowest() * length / conductivity);
   };
   for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) add(side->heat);
-  if (scene.injection) add(scene.injection->conditions.heat);
+  for (const InjectionSection& injection : scene.injections) add(injection.conditions.heat);
   for (const OpeningSection& opening : scene.openings) add(opening.conditions.heat);
   range.hottest += warmed;
   range.coldest = std::max(1.0, range.coldest - cooled);

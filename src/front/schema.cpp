@@ -16,11 +16,12 @@ struct Node {
   std::string name;
   const KeyDescription* key = nullptr;
   std::vector<Node> children;
+  bool repeats = false;  ///< a table, or several of it
 
   Node& child(const std::string& wanted) {
     for (Node& node : children)
       if (node.name == wanted) return node;
-    children.push_back({wanted, nullptr, {}});
+    children.push_back({wanted, nullptr, {}, false});
     return children.back();
   }
 };
@@ -120,7 +121,8 @@ std::string schema_of(const Node& node, const std::string& indent) {
   }
   if (node.children.size() == 1 && node.children[0].name == "N")
     return fmt::format("{{\"type\": \"array\", \"items\": {}}}", schema_of(node.children[0], indent));
-  return "{" + properties_of(node, indent) + "}";
+  const std::string one = "{" + properties_of(node, indent) + "}";
+  return node.repeats ? fmt::format("{{\"anyOf\": [{}, {{\"type\": \"array\", \"items\": {}}}]}}", one, one) : one;
 }
 
 }  // namespace
@@ -130,7 +132,12 @@ std::string case_schema() {
   for (const KeyDescription& key : case_keys()) {
     Node* node = &root;
     std::istringstream path(key.key);
-    for (std::string name; std::getline(path, name, '.');) node = &node->child(name);
+    std::string table;
+    for (std::string name; std::getline(path, name, '.');) {
+      node = &node->child(name);
+      table += (table.empty() ? "" : ".") + name;
+      node->repeats = may_repeat(table);
+    }
     node->key = &key;
   }
   return fmt::format(

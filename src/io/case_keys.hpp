@@ -1,6 +1,7 @@
 #pragma once
 // The keys of the case file as the reader knows them.
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vug {
@@ -15,5 +16,10 @@ struct KeyDescription {
 
 /// Every key that can be read, in the order of reading.
 const std::vector<KeyDescription>& case_keys();
+
+/// Whether a table may be given once or, in double brackets, several times.
+constexpr bool may_repeat(std::string_view table) {
+  return table == "boundary.injection";
+}
 
 }  // namespace vug

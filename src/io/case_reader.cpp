@@ -39,7 +39,7 @@ void read_tables(const TomlCursor& root, Scene& scene) {
     scene.bottom = read_boundary(boundary.table("bottom", "<side>"));
     scene.top = read_boundary(boundary.table("top", "<side>"));
   }
-  if (const auto table = boundary.table("injection"); table.given()) scene.injection = read_injection(table);
+  scene.injections = read_injections(boundary);
   scene.openings = read_openings(boundary, scene.geometry);
   if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);

@@ -152,8 +152,15 @@ BoundarySection read_boundary(const TomlCursor& table) {
   return section;
 }
 
+namespace {
+
 InjectionSection read_injection(const TomlCursor& table) {
   InjectionSection injection;
+  injection.key = table.path();
+  std::optional<std::string> name;
+  table.read("name", name);
+  if (name && !is_plain_name(*name)) table.fail("name", plain_name_rule);
+  if (name) injection.name += "_" + *name;
   Side side = Side::left;
   table.need_choice("side", side,
                     {{"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}});
@@ -162,6 +169,21 @@ InjectionSection read_injection(const TomlCursor& table) {
   table.need("width", injection.width, unit::metre, range::positive);
   read_lattice_conditions(table, injection.conditions);
   return injection;
+}
+
+}  // namespace
+
+std::vector<InjectionSection> read_injections(const TomlCursor& boundary) {
+  std::vector<InjectionSection> injections;
+  for (const TomlCursor& table : boundary.one_or_more("injection")) {
+    InjectionSection injection = read_injection(table);
+    for (const InjectionSection& other : injections)
+      if (other.name == injection.name)
+        table.fail("name", injection.name == "injection" ? "is missing; several injections need one each"
+                                                         : "is the name of an earlier injection");
+    injections.push_back(std::move(injection));
+  }
+  return injections;
 }
 
 std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry) {

@@ -291,6 +291,8 @@ struct BoundarySection {
 };
 /// A stretch of one side with conditions of its own.
 struct InjectionSection {
+  std::string key = "boundary.injection";  ///< of its table
+  std::string name = "injection";          ///< for columns and states
   std::string side = "left";
   double centre = 0;  ///< m along the side
   double width = 0;   ///< m
@@ -368,7 +370,7 @@ struct Scene {
   std::optional<DamageSection> damage;
   std::optional<LaboratorySection> laboratory;  ///< then lattice, time and all other physics are absent
   BoundarySection left, right, bottom, top;
-  std::optional<InjectionSection> injection;
+  std::vector<InjectionSection> injections;
   std::vector<OpeningSection> openings;  ///< one per named shape, in the order of shapes
   AccuracySection accuracy;
   OutputSection output;

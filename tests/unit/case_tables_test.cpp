@@ -47,10 +47,10 @@ TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   ASSERT_EQ(scene.rock->notches.size(), 1u);
   EXPECT_DOUBLE_EQ(scene.flow->viscosity, 2.2e-3);
   EXPECT_DOUBLE_EQ(scene.flow->pressure_scale, 25);
-  EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injection->conditions.heat.temperature.at(0), 200);
+  EXPECT_DOUBLE_EQ(scene.heat->initial_temperature - scene.injections.at(0).conditions.heat.temperature.at(0), 200);
   ASSERT_EQ(scene.solute->species.size(), 2u);
-  EXPECT_DOUBLE_EQ(scene.injection->conditions.solute.concentration.at("L1").at(0), 3000);
-  EXPECT_DOUBLE_EQ(scene.injection->conditions.flow.pressure.at(0), 20e6);
+  EXPECT_DOUBLE_EQ(scene.injections.at(0).conditions.solute.concentration.at("L1").at(0), 3000);
+  EXPECT_DOUBLE_EQ(scene.injections.at(0).conditions.flow.pressure.at(0), 20e6);
   EXPECT_DOUBLE_EQ(scene.reaction->rate_constant, 1.5 * 5e-4 / 0.07);  // Eq. 13
   EXPECT_DOUBLE_EQ(scene.reaction->inverse_equilibrium_constant, 1e-7);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.cohesion, 58e6);
@@ -96,7 +96,7 @@ TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
   const Scene scene = parsed("");
   EXPECT_TRUE(scene.flow.has_value());
   EXPECT_FALSE(scene.heat || scene.solute || scene.reaction || scene.rock || scene.mechanics || scene.damage);
-  EXPECT_FALSE(scene.injection.has_value());
+  EXPECT_TRUE(scene.injections.empty());
   EXPECT_EQ(scene.geometry.kind, GeometryKind::open);
   EXPECT_EQ(scene.accuracy.preset, "careful");
   EXPECT_EQ(scene.left.flow.kind, FlowBoundaryKind::wall);

@@ -31,6 +31,8 @@ TEST(Schema, IsJsonThatHoldsEveryKeyOfTheCases) {
       "import json, sys, tomllib, pathlib\n"
       "schema = json.load(open(sys.argv[1]))\n"
       "def walk(value, schema, path):\n"
+      "    if isinstance(value, (dict, list)) and 'anyOf' in schema and 'properties' in schema['anyOf'][0]:\n"
+      "        schema = schema['anyOf'][isinstance(value, list)]\n"
       "    if isinstance(value, dict):\n"
       "        for key, inner in value.items():\n"
       "            known = schema['properties'].get(key) or schema['additionalProperties']\n"

@@ -76,6 +76,25 @@ TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
               1e-9 * run.now("left_mass_flow_kg_per_m_s"));
 }
 
+/// Each has the rate that is given to it, drawn or pressed, and the rest leaves.
+TEST(SurfaceFlows, OfSeveralInjectionsAreEachItsOwn) {
+  const std::string stretch =
+      "[[boundary.injection]]\nname = \"{}\"\nside = \"{}\"\ncentre = {}\nwidth = {}\n"
+      "[boundary.injection.flow]\ntype = \"velocity\"\nflow_rate = {}\n";
+  const auto injection = [&](const char* name, const char* side, double centre, double width, double rate) {
+    return fmt::format(fmt::runtime(stretch), name, side, centre * dx, width * dx, rate);
+  };
+  test::CoupledRun run(lattice(24, 20) + flow + told + injection("upper", "left", 14, 4, 3e-5) +
+                       injection("lower", "left", 5, 2, -1e-5) + injection("floor", "bottom", 9.5, 3, 2e-5) +
+                       "[boundary.right.flow]\ntype = \"pressure\"\npressure = 3e5\n");
+  run.steps(6000);
+  const auto rate = [&](const std::string& name) { return run.now(name + "_mass_flow_kg_per_m_s") / density; };
+  EXPECT_NEAR(rate("injection_upper"), 3e-5, 1e-15);
+  EXPECT_NEAR(rate("injection_lower"), -1e-5, 1e-15);
+  EXPECT_NEAR(rate("injection_floor"), 2e-5, 1e-15);
+  EXPECT_NEAR(rate("right"), -4e-5, 1e-9);
+}
+
 const std::string heat =
     "[heat]\nfluid_diffusivity = 3e-4\nsolid_diffusivity = 5e-4\nfluid_density = 900\nfluid_heat_capacity = 3500\n"
     "solid_density = 2600\nsolid_heat_capacity = 850\ninitial_temperature = 350\n";

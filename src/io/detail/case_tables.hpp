@@ -33,7 +33,7 @@ DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
 LaboratorySection read_laboratory(const TomlCursor& table, bool meshed);
 TractionBoundary read_traction(const TomlCursor& table);
 BoundarySection read_boundary(const TomlCursor& table);
-InjectionSection read_injection(const TomlCursor& table);
+std::vector<InjectionSection> read_injections(const TomlCursor& boundary);
 /// The tables [boundary.shape.<name>] of the shapes that have a name.
 std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry);
 Preset read_preset(const TomlCursor& table);

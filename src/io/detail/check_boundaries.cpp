@@ -88,20 +88,19 @@ void check_periodic(const TomlDocument& document, const Scene& scene, const char
   }
 }
 
-void check_injection(const TomlDocument& document, const Scene& scene) {
-  const InjectionSection& injection = *scene.injection;
+void check_injection(const TomlDocument& document, const Scene& scene, const InjectionSection& injection) {
   const bool upright = injection.side == "left" || injection.side == "right";
   const double side = upright ? scene.lattice.length_y : scene.lattice.length_x;
   const double slack = 1e-6 * scene.lattice.spacing;
   if (injection.width > side + slack) {
-    document.fail("boundary.injection.width", fmt::format("m is wider than the {} side, {:g} m", injection.side, side));
+    document.fail(injection.key + ".width", fmt::format("m is wider than the {} side, {:g} m", injection.side, side));
   }
   if (injection.width < scene.lattice.spacing - slack) {
-    document.fail("boundary.injection.width",
+    document.fail(injection.key + ".width",
                   fmt::format("m is narrower than one cell, lattice.spacing = {:g} m", scene.lattice.spacing));
   }
   if (injection.centre - injection.width / 2 < -slack || injection.centre + injection.width / 2 > side + slack) {
-    document.fail("boundary.injection.centre",
+    document.fail(injection.key + ".centre",
                   fmt::format("m with width = {:g} m reaches beyond the {} side, 0 ... {:g} m", injection.width,
                               injection.side, side));
   }
@@ -111,8 +110,19 @@ void check_injection(const TomlDocument& document, const Scene& scene) {
                           section.heat.kind == HeatBoundaryKind::periodic ||
                           section.solute.kind == SoluteBoundaryKind::periodic;
     if (periodic)
-      document.fail("boundary.injection.side", "is periodic; a stretch of it cannot have conditions of its own");
+      document.fail(injection.key + ".side", "is periodic; a stretch of it cannot have conditions of its own");
   }
+}
+
+/// Two injections share no cell.
+void check_apart(const TomlDocument& document, const Scene& scene) {
+  const double slack = 1e-6 * scene.lattice.spacing;
+  for (const InjectionSection& a : scene.injections)
+    for (const InjectionSection& b : scene.injections) {
+      if (&b >= &a || a.side != b.side) continue;
+      if (std::abs(a.centre - b.centre) < (a.width + b.width) / 2 - slack)
+        document.fail(a.key + ".centre", fmt::format("lies within the stretch of {}", b.key));
+    }
 }
 
 /// What is not a whole side has no opposite.
@@ -191,11 +201,14 @@ void check_boundaries(const TomlDocument& document, Scene& scene) {
   check_periodic(document, scene, "left", scene.left, "right", scene.right);
   check_periodic(document, scene, "bottom", scene.bottom, "top", scene.top);
   check_openings(document, scene);
-  if (!scene.injection) return;
-  check_modules_of(document, scene, "injection");
-  check_concentrations(document, scene, "injection", scene.injection->conditions.solute);
-  check_injection(document, scene);
-  check_not_periodic(document, "injection", scene.injection->conditions);
+  for (const InjectionSection& injection : scene.injections) {
+    const std::string name = injection.key.substr(std::string_view("boundary.").size());
+    check_modules_of(document, scene, name);
+    check_concentrations(document, scene, name, injection.conditions.solute);
+    check_injection(document, scene, injection);
+    check_not_periodic(document, name, injection.conditions);
+  }
+  check_apart(document, scene);
 }
 
 }  // namespace vug

@@ -89,6 +89,7 @@ struct NameCheck {
     const auto below = tree.find(documented);
     if (below == tree.end()) return;  // a plain key: its reader checks the type
     if (below->second.front() == "N") return elements(node, key, documented + ".N");
+    if (node.is_array() && may_repeat(documented)) return elements(node, key, documented);
     if (!node.is_table()) document.fail(key, fmt::format("must be a table, [{}]", key));
     table(*node.as_table(), key, documented);
   }

@@ -73,6 +73,14 @@ std::vector<TomlCursor> TomlCursor::tables(std::string_view key) const {
   return elements;
 }
 
+std::vector<TomlCursor> TomlCursor::one_or_more(std::string_view key) const {
+  const toml::node* found = node(key);
+  if (found != nullptr && found->is_array()) return tables(key);
+  const TomlCursor one = table(key);
+  if (!one.given()) return {};
+  return {one};
+}
+
 std::vector<std::pair<std::string, TimeTable>> TomlCursor::named_numbers(std::string_view key,
                                                                          std::string_view documented_name, Unit unit,
                                                                          Range range) const {

@@ -30,12 +30,16 @@ class TomlCursor {
   /// Whether the table is in the case; always so while describing.
   bool given() const { return given_; }
   bool describing() const { return log_ != nullptr; }
+  /// "boundary.left".
+  const std::string& path() const { return path_; }
   bool has(std::string_view key) const { return !describing() && given_ && document_->find(inside(key)) != nullptr; }
 
   /// The table `key` below this one; `documented` replaces its name in the documentation ("<side>").
   TomlCursor table(std::string_view key, std::string_view documented = {}) const;
   /// The elements of the array of tables `key`; one empty element while describing.
   std::vector<TomlCursor> tables(std::string_view key) const;
+  /// The table `key`, or the elements of an array of tables of that name (see may_repeat).
+  std::vector<TomlCursor> one_or_more(std::string_view key) const;
   /// Names and values of a table with free keys; `documented` stands for such a key.
   std::vector<std::pair<std::string, TimeTable>> named_numbers(std::string_view key, std::string_view documented,
                                                                Unit unit, Range range) const;

@@ -26,10 +26,8 @@ void warn_about_reaction(Scene& scene) {
   }
 }
 
-/// The hole should open where the injection is.
-void warn_about_injection(Scene& scene) {
-  const InjectionHole& hole = *scene.rock->hole;
-  const InjectionSection& injection = *scene.injection;
+/// Whether the hole opens where the injection is.
+bool meets(const InjectionSection& injection, const InjectionHole& hole, const Scene& scene) {
   const bool upright = injection.side == "left" || injection.side == "right";
   const double side_at = injection.side == "right" ? scene.lattice.length_x
                          : injection.side == "top" ? scene.lattice.length_y
@@ -38,10 +36,14 @@ void warn_about_injection(Scene& scene) {
   const double cell = scene.lattice.spacing;
   const bool touches = std::min(std::abs(hole.from[across] - side_at), std::abs(hole.to[across] - side_at)) < cell;
   const auto [low, high] = std::minmax(hole.from[along], hole.to[along]);
-  const bool overlaps = injection.centre + injection.width / 2 > low && injection.centre - injection.width / 2 < high;
-  if (!touches || !overlaps) {
-    scene.warnings.push_back(fmt::format("boundary.injection on the {} side does not meet rock.hole", injection.side));
-  }
+  return touches && injection.centre + injection.width / 2 > low && injection.centre - injection.width / 2 < high;
+}
+
+void warn_about_injections(Scene& scene) {
+  const InjectionHole& hole = *scene.rock->hole;
+  const auto& all = scene.injections;
+  if (std::any_of(all.begin(), all.end(), [&](const InjectionSection& own) { return meets(own, hole, scene); })) return;
+  scene.warnings.push_back(fmt::format("{} on the {} side does not meet rock.hole", all[0].key, all[0].side));
 }
 
 /// What is drawn into the rock should be found on the lattice.
@@ -110,7 +112,7 @@ void warn_about_press(Scene& scene) {
 void collect_warnings(Scene& scene) {
   if (scene.laboratory) return warn_about_press(scene);
   if (scene.reaction) warn_about_reaction(scene);
-  if (scene.rock && scene.rock->hole && scene.injection) warn_about_injection(scene);
+  if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
   if (scene.mechanics) warn_about_support(scene);
   if (scene.mechanics) warn_about_sides(scene);
