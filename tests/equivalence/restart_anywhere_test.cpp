@@ -1,6 +1,7 @@
 // A state may be taken after any lattice step: what goes on from it has the bits of what never stopped, and what it was
 // taken from is not disturbed.
 #include "coupling/simulation.hpp"
+#include "support/rock_settings.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
@@ -112,7 +113,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Set{"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "accuracy.heat_interval=2",
                         "flow.viscosity_activation_energy=8000"},
                     Set{"boundary.top.traction.normal_stress=[[0, 1e6], [5e-5, 9e6], [1e-4, 2e6]]",
-                        "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"}));
+                        "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"},
+                    Set{test::several_materials, test::moving_part, test::gauges}));
 
 }  // namespace
 }  // namespace vug

@@ -1,4 +1,5 @@
 // The same case gives the same bits: on every run, for any number of threads, and after a restart.
+#include "support/rock_settings.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ const char* const resting =
     "mechanics.rest_tolerance=1 --set rock.element_size=2e-3 --set mechanics.local_damping=0.8"
     " --set mechanics.bond.normal_strength=6e6";
 
-class SameBits : public testing::TestWithParam<const char*> {};
+class SameBits : public testing::TestWithParam<std::string> {};
 
 TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
   const TemporaryFolder folder;
@@ -65,7 +66,9 @@ INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                                          "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10",
                                          // no divisors of the steps of a restart
                                          "accuracy.exchange_interval=7 --set accuracy.wall_interval=35", resting,
-                                         "boundary.top.traction.support=servo"));
+                                         "boundary.top.traction.support=servo",
+                                         "'" + test::several_materials + "' --set '" + test::moving_part + "' --set '" + test::gauges +
+                                             "'"));
 
 /// In place, populations are turned an odd number of steps after births, which were at step 55 and 135.
 TEST(SameBitsOfTurned, AfterARestartBetweenTwoSteps) {

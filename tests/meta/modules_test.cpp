@@ -120,7 +120,9 @@ TEST(AbsentKeys, AllocateNothingAndLaunchNothing) {
   const Watch watch;
   live(scene_without({}));
   for (const char* label : {"vug::thermal_flow", "vug::flow::spread", "vug::heat::fluid_theta", "vug::surfaces",
-                            "vug::link_populations", "vug::velocity_profile", "vug::open_boundary::velocity_profile"})
+                            "vug::link_populations", "vug::velocity_profile", "vug::open_boundary::velocity_profile",
+                            "vug::dem::timed", "vug::dem::gauge", "vug::rock_gauges", "vug::dem::mean_stress",
+                            "vug::dem::triangle_stress", "vug::dem::relative_expansion"})
     EXPECT_FALSE(watch.saw(label)) << label;
 }
 
