@@ -80,6 +80,11 @@ void describe(CLI::App& app, CommandLine& line) {
   line.schema = app.add_subcommand("schema", "JSON schema of the case file, for editors");
   line.completion = app.add_subcommand("completion", "Completion for a shell: bash, zsh, fish");
   line.completion->add_option("shell", line.name, "Name of the shell")->required();
+  line.watch = app.add_subcommand("watch", "Follow a run under way: how far it is, and the course of its numbers");
+  line.watch->add_option("directory", line.directory, "Run directory")->required();
+  line.watch->add_option("--columns", line.columns, "Columns of history.csv (default: those that change)")
+      ->delimiter(',');
+  line.watch->add_flag("--once", line.once, "Only now (also when the output is no terminal)");
   line.man = app.add_subcommand("man", "Manual page, for man -l");
 }
 

@@ -8,6 +8,7 @@
 #include "front/completion.hpp"
 #include "front/schema.hpp"
 #include "front/templates.hpp"
+#include "front/watch.hpp"
 #include "io/message.hpp"
 #include "io/run_record.hpp"
 #include "kernels/free_memory.hpp"
@@ -31,6 +32,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace {
@@ -120,9 +122,20 @@ int fail(ExitCode code, const std::string& what) {
   return code;
 }
 
+int watch(const CommandLine& line) {
+  winsize window{};
+  const bool terminal = isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0;
+  vug::WatchView view{80, 40, line.columns};
+  if (terminal && window.ws_col > 0) view = {window.ws_col, window.ws_row, line.columns};
+  const bool once = line.once || !terminal;
+  const auto show = [&](const std::string& text) { vug::print(once ? text : "\x1b[H\x1b[2J" + text); };
+  return vug::watch(line.directory, view, once, show) ? done : diverged;
+}
+
 /// Commands that compute nothing, and need no threads.
 std::optional<int> plain_command(const CLI::App& app, const CommandLine& line) {
   if (*line.sweep) return sweep(line);
+  if (*line.watch) return watch(line);
   if (*line.start)
     vug::print(vug::new_case(line.name, line.case_file) + "\n");
   else if (*line.schema)

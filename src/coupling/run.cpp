@@ -163,6 +163,7 @@ class Run {
     const StopsInOrder in_order;  // from here on there is something to bring to an end
     folder_.take();
     if (options_.resume && !resumed_at_) folder_.clear();
+    record_.last_step = last_;
     write_run_record(folder_.path(), record_);
     std::ostream silent(nullptr);
     Progress progress(options_.progress ? *options_.progress : silent, options_.terminal && options_.progress,

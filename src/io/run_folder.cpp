@@ -94,10 +94,19 @@ std::optional<RunSummary> read_run_summary(const std::string& directory) {
   if (!fs::is_regular_file(path, none)) return std::nullopt;
   const std::string json = detail::read_file(path);
   RunSummary summary{value_of(json, "run"), value_of(json, "status"), value_of(json, "case_hash"),
-                     value_of(json, "inputs"), value_of(json, "steps")};
+                     value_of(json, "inputs"), value_of(json, "steps"), value_of(json, "started"),
+                     value_of(json, "exit_reason"), value_of(json, "first_step"), value_of(json, "last_step")};
   if (summary.status.empty() || summary.case_hash.empty())
     throw InputError(path + ": is no record of a run of vug; choose another folder");
   return summary;
+}
+
+bool is_in_use(const std::string& directory) {
+  const int lock = ::open((directory + "/run.lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (lock < 0) return false;
+  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(lock);
+  return held;
 }
 
 RunFolder::RunFolder(std::string path, Use use, std::string offer)

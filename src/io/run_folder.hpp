@@ -10,10 +10,15 @@ struct RunSummary {
   std::string run, status, case_hash;
   std::string inputs;  ///< as in the file: paths and hashes of the files that the case names
   std::string steps;
+  std::string started, exit_reason;
+  std::string first_step, last_step;  ///< the latter empty where none is said
 };
 
 /// That of `directory`; nothing where there is no run.json. Throws InputError when that is none of vug's.
 std::optional<RunSummary> read_run_summary(const std::string& directory);
+
+/// Whether a process holds the folder and writes into it.
+bool is_in_use(const std::string& directory);
 
 /// A folder that one process writes results into at a time. The lock is the operating system's, on the file run.lock,
 /// and ends with the process, however that ends; the file itself stays and means nothing.

@@ -97,6 +97,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("wall_time_s", number(r.wall_time));
   put("first_step", fmt::format("{}", r.first_step));
   put("steps", fmt::format("{}", r.steps));
+  if (r.last_step > 0) put("last_step", fmt::format("{}", r.last_step));
   put("simulated_time_s", number(r.simulated_time));
   put("mlups", number(r.mlups));
   if (!r.events.empty()) put("events", list(r.events));

@@ -31,6 +31,7 @@ struct RunRecord {
   std::string started, ended;   ///< UTC, ISO 8601
   std::int64_t first_step = 0;  ///< more than 0 after --resume
   std::int64_t steps = 0;       ///< lattice steps reached
+  std::int64_t last_step = 0;   ///< at which it will be done
   double simulated_time = 0;    ///< s reached
   double wall_time = 0;         ///< s
   double mlups = 0;             ///< million lattice-node updates per second of wall time

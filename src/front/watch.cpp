@@ -1,0 +1,161 @@
+#include "front/watch.hpp"
+
+#include "io/detail/nearest_name.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <thread>
+
+namespace vug {
+
+namespace {
+
+bool ends_in_balance_error(const std::string& name) {
+  return name.ends_with("_balance_error_1");
+}
+
+/// Parts of balances, and what the first line says already.
+bool is_secondary(const std::string& name) {
+  if (name == "time_s" || name == "step_1" || ends_in_balance_error(name)) return true;
+  return name.find("_initial_") != std::string::npos || name.find("_stored_") != std::string::npos ||
+         name.find("_gain_") != std::string::npos;
+}
+
+bool changes(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
+}
+
+/// Places of the columns to draw.
+std::vector<int> chosen_columns(const History& history, const WatchView& view) {
+  std::vector<int> chosen;
+  for (const std::string& name : view.columns) {
+    const int column = history.find(name);
+    if (column < 0)
+      throw InputError(fmt::format("\"{}\" is no column of the history{}", name, suggestion(name, history.names)));
+    chosen.push_back(column);
+  }
+  if (!view.columns.empty()) return chosen;
+  constexpr int other_lines = 5;
+  for (std::size_t c = 0; c < history.names.size(); ++c)
+    if (!is_secondary(history.names[c]) && changes(history.values[c])) chosen.push_back(static_cast<int>(c));
+  const auto room = static_cast<std::size_t>(std::max(1, view.height - other_lines));
+  if (chosen.size() > room) chosen.resize(room);
+  return chosen;
+}
+
+/// A duration as people say it.
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+double number(const std::string& text) {
+  return text.empty() ? 0 : std::strtod(text.c_str(), nullptr);
+}
+
+/// "running, step 1200 of 4000 (30 %), 0.012 s of physical time, 3 min 20 s left"
+std::string state_of(const WatchedRun& run) {
+  const RunSummary& summary = run.summary;
+  const bool running = summary.status == "running";
+  const int steps = run.history.find("step_1");
+  const bool begun = run.history.rows() > 0 && steps >= 0;
+  const double step = running && begun ? run.history.values[steps].back() : number(summary.steps);
+  const double last = number(summary.last_step), first = number(summary.first_step);
+  std::string text = running && !run.alive ? "ended without a word (killed?)" : summary.status;
+  text += last > 0 ? fmt::format(", step {:.0f} of {:.0f} ({:.0f} %)", step, last, 100 * step / last)
+                   : fmt::format(", step {:.0f}", step);
+  if (begun) text += fmt::format(", {:.4g} s of physical time", run.history.time().back());
+  if (running && run.alive && step > first && last > step)
+    text += ", " + duration(run.seconds * (last - step) / (step - first)) + " left";
+  if (!summary.exit_reason.empty()) text += "\n" + summary.exit_reason;
+  return text;
+}
+
+/// The column's balance whose error is the largest of the last row.
+std::string worst_balance(const History& history) {
+  int worst = -1;
+  for (std::size_t c = 0; c < history.names.size(); ++c)
+    if (ends_in_balance_error(history.names[c]) &&
+        (worst < 0 || std::abs(history.values[c].back()) > std::abs(history.values[worst].back())))
+      worst = static_cast<int>(c);
+  if (worst < 0) return "";
+  const std::string& name = history.names[worst];
+  return fmt::format("largest error of a balance: {:.1e} ({})\n", std::abs(history.values[worst].back()),
+                     name.substr(0, name.size() - std::string_view("_balance_error_1").size()));
+}
+
+/// Seconds since a time in UTC, ISO 8601; 0 where it is none.
+double seconds_since(const std::string& started) {
+  std::tm parts{};
+  if (::strptime(started.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts) == nullptr) return 0;
+  return std::max(0.0, std::difftime(std::time(nullptr), ::timegm(&parts)));
+}
+
+WatchedRun look(const std::string& directory) {
+  const std::optional<RunSummary> summary = read_run_summary(directory);
+  if (!summary) throw InputError(directory + ": holds no run (it has no run.json)");
+  WatchedRun run{*summary, {}, is_in_use(directory), seconds_since(summary->started)};
+  if (const std::string path = directory + "/history.csv"; std::filesystem::exists(path))
+    run.history = read_history(path);
+  return run;
+}
+
+}  // namespace
+
+std::string sparkline(const std::vector<double>& time, const std::vector<double>& values, int width) {
+  constexpr const char* blocks[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  if (values.empty()) return "";
+  double low = INFINITY, high = -INFINITY;
+  for (const double value : values)
+    if (std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  std::string line;
+  std::size_t row = 0;
+  for (int i = 0; i < width; ++i) {
+    const double moment = time.front() + (time.back() - time.front()) * (i + 1) / width;
+    while (row + 1 < time.size() && time[row + 1] <= moment) ++row;
+    const double share = high > low ? (values[row] - low) / (high - low) : 0.0;
+    line += std::isfinite(values[row]) ? blocks[std::clamp(static_cast<int>(8 * share), 0, 7)] : "!";
+  }
+  return line;
+}
+
+std::string watch_text(const WatchedRun& run, const WatchView& view) {
+  std::string text = state_of(run) + "\n\n";
+  const History& history = run.history;
+  if (history.rows() == 0) return text + "no row of history.csv yet\n";
+  const std::vector<int> columns = chosen_columns(history, view);
+  std::size_t longest = 0;
+  for (const int c : columns) longest = std::max(longest, history.names[c].size());
+  const int names = std::min<int>(static_cast<int>(longest), view.width / 2);
+  constexpr int of_value = 12;
+  for (const int c : columns)
+    text += fmt::format("{:<{}} {} {:>{}.4g}\n", history.names[c].substr(0, static_cast<std::size_t>(names)), names,
+                        sparkline(history.time(), history.values[c], std::max(8, view.width - names - of_value - 2)),
+                        history.values[c].back(), of_value);
+  return text + worst_balance(history);
+}
+
+bool watch(const std::string& directory, const WatchView& view, bool once,
+           const std::function<void(const std::string&)>& show) {
+  while (true) {
+    const WatchedRun run = look(directory);
+    show(watch_text(run, view));
+    const bool running = run.summary.status == "running" && run.alive;
+    if (once || !running) return running || run.summary.status == "done";
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+}
+
+}  // namespace vug

@@ -1,0 +1,38 @@
+#pragma once
+// `vug watch`: a run under way, in a terminal.
+#include "io/history_reader.hpp"
+#include "io/run_folder.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// What there is to draw.
+struct WatchedRun {
+  RunSummary summary;
+  History history;     ///< empty before the first row
+  bool alive = true;   ///< a process writes into the folder
+  double seconds = 0;  ///< since the run began or was resumed
+};
+
+/// How it is drawn.
+struct WatchView {
+  int width = 80, height = 24;       ///< of the terminal, characters
+  std::vector<std::string> columns;  ///< of history.csv; none: those that change, as many as there is room for
+};
+
+/// Eight heights of a block for `values` over `time`, `width` of them from the first moment to the last.
+std::string sparkline(const std::vector<double>& time, const std::vector<double>& values, int width);
+
+/// State and progress of the run, a line for each column (name, its course, value, unit), the largest error of a
+/// balance. Throws InputError for a column that the history does not have.
+std::string watch_text(const WatchedRun& run, const WatchView& view);
+
+/// Reads `directory`, hands its text to `show`, and again every second until no process writes there any more, or only
+/// once. Returns whether the run is done or under way. Throws InputError where there is no run, FileError.
+bool watch(const std::string& directory, const WatchView& view, bool once,
+           const std::function<void(const std::string&)>& show);
+
+}  // namespace vug
