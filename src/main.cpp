@@ -157,7 +157,7 @@ int dispatch(const CLI::App& app, const CommandLine& line) {
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
-    const vug::ThreadChoice threads = vug::choose_threads(line.threads);
+    const vug::ThreadChoice threads = vug::choose_threads(line.threads, *line.run || *line.lab);
     if (!threads.remark.empty() && !line.quiet) vug::complain("vug: " + threads.remark);
     if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();

@@ -1,5 +1,6 @@
 #include "kernels/threads.hpp"
 
+#include "kernels/idle_processors.hpp"
 #include "kernels/require.hpp"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ int threads_of_a_region(int count) {
 
 }  // namespace
 
-ThreadChoice choose_threads(int wanted) {
+ThreadChoice choose_threads(int wanted, bool looks_around) {
   check_environment();
   ThreadChoice choice;
 #if defined(_OPENMP)
@@ -103,12 +104,20 @@ ThreadChoice choose_threads(int wanted) {
     fewer(std::min(omp_get_num_procs(), most_threads),
           "at most " + std::to_string(most_threads) + " are possible; this is one per processor");
   if (choice.count > omp_get_thread_limit()) fewer(omp_get_thread_limit(), "OMP_THREAD_LIMIT allows no more");
+  constexpr double while_looking = 0.15;  // s
+  const bool said = wanted > 0 || std::getenv("KOKKOS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
+  if (looks_around && !said && choice.count > 1)
+    if (const int idle = idle_processors(while_looking); idle > 0 && idle < choice.count)
+      fewer(idle,
+            "other programs keep processors busy, and threads that wait for those are slower than fewer threads; "
+            "--threads insists");
   require_startable(choice.count);
   omp_set_num_threads(choice.count);
   if (const int given = threads_of_a_region(choice.count); given < choice.count) fewer(given, "OpenMP gives no more");
   omp_set_num_threads(choice.count);
 #else
   (void)wanted;
+  (void)looks_around;
 #endif
   return choice;
 }
