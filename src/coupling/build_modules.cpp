@@ -5,6 +5,7 @@
 #include "coupling/heat_module.hpp"
 #include "coupling/mechanics_module.hpp"
 #include "coupling/memory_need.hpp"
+#include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/free_memory.hpp"
@@ -90,13 +91,15 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
     parts.mechanics = &mechanics->mechanics();
     d_m = mechanics->mechanics().bonds().d_m;
     if (scene.damage && geometry.fluid.count > 0)
-      opener = std::make_unique<PathwayOpener>(geometry.lattice, parts.rock->pathways,
-                                               SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours));
+      opener = std::make_unique<PathwayOpener>(
+          geometry.lattice, parts.rock->pathways,
+          SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours,
+                      MineralNodes{geometry.mineral, static_cast<int>(scene.minerals.size()) + 1}));
   }
-  const bool dissolves = reaction && scene.reaction->molar_volume > 0;
+  const bool dissolves = reaction && rock_dissolves(scene);
   if (!dissolves && !opener) return;
   parts.growth = std::make_unique<PoreGrowth>(geometry, std::move(opener), d_m,
-                                              dissolves ? reaction->lost() : ScalarField<double>());
+                                              reaction ? reaction->losses() : PoreGrowth::Losses{});
 }
 
 }  // namespace
@@ -112,8 +115,15 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
   if (scene.geometry.kind == GeometryKind::rock) {
     parts->rock = build_rock(scene, geometry.lattice);
     geometry.type = node_types(geometry.lattice, parts->rock->solid, opening_of_nodes(scene));
+    geometry.mineral = mineral_field(geometry.lattice, parts->rock->mineral);
   } else {
-    geometry.type = node_types(geometry.lattice, solid_mask(scene), opening_of_nodes(scene));
+    DrawnRock drawn = drawn_rock(scene);
+    const std::vector<int> opening = opening_of_nodes(scene);
+    geometry.type = node_types(geometry.lattice, drawn.solid, opening);
+    for (std::size_t n = 0; n < opening.size(); ++n)
+      if (opening[n] >= 0) drawn.solid[n] = false;
+    geometry.mineral =
+        mineral_field(geometry.lattice, mineral_of_nodes(scene, drawn.solid, std::move(drawn.of_label), nullptr));
   }
   geometry.openings = make_openings(scene, geometry.lattice);
   if (scene.flow || scene.solute) {

@@ -49,7 +49,8 @@ std::vector<std::size_t> nodes_of_side(const Stretch& stretch, const FluidPictur
 }
 
 /// Fluid nodes beside an opening.
-std::vector<std::size_t> nodes_of_opening(const std::vector<int>& opening_of, int opening, const FluidPicture& picture) {
+std::vector<std::size_t> nodes_of_opening(const std::vector<int>& opening_of, int opening,
+                                          const FluidPicture& picture) {
   std::set<std::size_t> nodes;
   for (std::size_t n = 0; n < opening_of.size(); ++n)
     if (opening_of[n] == opening)
@@ -244,7 +245,7 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   if (picture.fluid_nodes() == 0)
     throw InputError(fmt::format("{}: the geometry has no fluid node, and {} is only in fluid", scene.path,
                                  scene.flow ? "[flow]" : "[solute]"));
-  const bool rock_opens = scene.damage || (scene.reaction && scene.reaction->molar_volume > 0);
+  const bool rock_opens = scene.damage || rock_dissolves(scene);
   const std::vector<Mouth> mouths = mouths_of(scene, geometry, units, picture);
   if (scene.flow) look_for_speeds(scene, mouths, units);
   look_for_dry_mouths(scene, mouths, rock_opens, found);

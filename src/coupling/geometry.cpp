@@ -85,15 +85,15 @@ Polygon in_cells(Polygon polygon, double spacing) {
   return polygon;
 }
 
-/// Calls paint(node) for every node, row by row without halo, whose centre lies in the shape.
+/// Calls paint(node) for every node, row by row without halo, whose centre lies in the form.
 template <class Paint>
-void draw(const Shape& shape, const LatticeSection& lattice, const Paint& paint) {
+void draw(const Form& shape, const LatticeSection& lattice, const Paint& paint) {
   const auto draw_form = [&](const auto& form) {
     for (int y = 0; y < lattice.ny; ++y)
       for (int x = 0; x < lattice.nx; ++x)
         if (holds(form, Point{x + 0.5, y + 0.5}, tie)) paint(static_cast<std::size_t>(y) * lattice.nx + x);
   };
-  std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape.form);
+  std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape);
 }
 
 Point unit_vector(const Point& v) {
@@ -161,7 +161,7 @@ std::vector<int> opening_of_nodes(const Scene& scene) {
   const auto& shapes = scene.geometry.shapes;
   for (std::size_t s = 0, next = 0; s < shapes.size(); ++s) {
     const int painted = shapes[s].name.empty() ? -1 : static_cast<int>(next++);
-    draw(shapes[s], scene.lattice, [&](std::size_t n) { opening[n] = painted; });
+    draw(shapes[s].form, scene.lattice, [&](std::size_t n) { opening[n] = painted; });
   }
   return opening;
 }
@@ -203,15 +203,23 @@ void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geome
   }
 }
 
-std::vector<bool> solid_mask(const Scene& scene) {
+void for_each_node_in(const Form& form, const LatticeSection& lattice, const std::function<void(std::size_t)>& visit) {
+  draw(form, lattice, visit);
+}
+
+DrawnRock drawn_rock(const Scene& scene) {
   const int nx = scene.lattice.nx, ny = scene.lattice.ny;
   const GeometrySection& geometry = scene.geometry;
-  if (geometry.kind == GeometryKind::image) return read_solid_image(geometry.image, scene.lattice).solid;
+  if (geometry.kind == GeometryKind::image) {
+    SolidImage image = read_solid_image(geometry.image, scene.lattice);
+    return {std::move(image.solid), std::move(image.mineral)};
+  }
   std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,
                           geometry.kind == GeometryKind::shapes && geometry.background == "solid");
-  if (geometry.kind != GeometryKind::shapes) return solid;
-  for (const Shape& shape : geometry.shapes) draw(shape, scene.lattice, [&](std::size_t n) { solid[n] = shape.solid; });
-  return solid;
+  if (geometry.kind != GeometryKind::shapes) return {std::move(solid), {}};
+  for (const Shape& shape : geometry.shapes)
+    draw(shape.form, scene.lattice, [&](std::size_t n) { solid[n] = shape.solid; });
+  return {std::move(solid), {}};
 }
 
 }  // namespace vug

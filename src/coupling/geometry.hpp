@@ -4,6 +4,7 @@
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/opening.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace vug {
@@ -24,6 +25,8 @@ struct Geometry {
   FluidNodes fluid;              ///< empty where the scene has neither flow nor solute
   Surface surface;
   std::vector<InnerOpening> openings;
+  Kokkos::View<std::uint8_t*>
+      mineral;                    ///< (dense node) number of its mineral from 1, 0 rock of none; empty: none at all
   ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty unless the rock can dissolve
   ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
 };
@@ -56,7 +59,17 @@ void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geome
 /// Joined pairs of sides {left-right, bottom-top} according to the flow or scalar boundaries.
 std::array<bool, 2> periodic_sides(const Scene& scene);
 
-/// Solid mask (row by row, without halo; true = solid) of an open, drawn or photographed geometry.
-std::vector<bool> solid_mask(const Scene& scene);
+/// Calls visit(node) for every node (row by row, without halo) whose centre lies in the form.
+void for_each_node_in(const Form& form, const LatticeSection& lattice, const std::function<void(std::size_t)>& visit);
+
+/// Where an open, drawn or photographed geometry is solid, row by row without halo.
+struct DrawnRock {
+  std::vector<bool> solid;
+  std::vector<std::uint8_t> of_label;  ///< the mineral that a label map gives each node; empty without
+};
+DrawnRock drawn_rock(const Scene& scene);
+inline std::vector<bool> solid_mask(const Scene& scene) {
+  return drawn_rock(scene).solid;
+}
 
 }  // namespace vug

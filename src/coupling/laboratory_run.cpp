@@ -220,7 +220,7 @@ Assembly triangles_of_specimen(const Scene& scene) {
 
 Assembly build_specimen(const Scene& scene) {
   Assembly specimen = triangles_of_specimen(scene);
-  assign_regions(scene.mechanics->regions, scene.path, specimen);
+  assign_regions(scene.mechanics->regions, scene.minerals, scene.path, specimen);
   return specimen;
 }
 

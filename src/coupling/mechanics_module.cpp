@@ -44,7 +44,8 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
   for (std::size_t n = 0; n < section_.initial_velocities.size(); ++n) {
     const InitialVelocity& start = section_.initial_velocities[n];
     const std::string what = fmt::format("{}: mechanics.initial_velocity.{}", scene.path, n);
-    initial_velocities_.emplace_back(triangles_of_region(start.region, what, rock.assembly), start.velocity);
+    initial_velocities_.emplace_back(triangles_of_region(start.region, scene.minerals, what, rock.assembly),
+                                     start.velocity);
   }
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
   const bool dissolves = geometry.volume.extent(0) > 0;

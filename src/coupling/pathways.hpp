@@ -29,8 +29,9 @@ class PathwayOpener {
   PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSpread spread);
   int open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
            const ScalarField<double>& volume, const ScalarField<double>& dissolved);
-  /// (triangle) solid volume that has found no room, pixels.
-  const ScalarField<double>& waiting() const { return spread_.waiting(); }
+  int parts() const { return spread_.parts(); }  ///< minerals, or 1
+  /// (triangle) solid volume of a mineral that has found no room, pixels.
+  const ScalarField<double>& waiting(int mineral = 0) const { return spread_.waiting(mineral); }
 
  private:
   PathwayNodes nodes_;

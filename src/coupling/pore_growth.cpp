@@ -5,18 +5,15 @@
 
 namespace vug {
 
-PoreGrowth::PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m,
-                       ScalarField<double> lost)
-    : geometry_(geometry),
-      opener_(std::move(opener)),
-      d_m_(std::move(d_m)),
-      lost_(std::move(lost)) {}
+PoreGrowth::PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m, Losses lost)
+    : geometry_(geometry), opener_(std::move(opener)), d_m_(std::move(d_m)), lost_(std::move(lost)) {}
 
 int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules) {
   FluidNodes& fluid = geometry_.fluid;
   int dissolved = 0, opened = 0;
-  if (lost_.extent(0) > 0)
-    dissolved = mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_);
+  if (lost_.all.extent(0) > 0)
+    dissolved =
+        mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_.all, lost_.of_minerals);
   if (opener_) opened = opener_->open(exec, d_m_, geometry_.type, geometry_.volume, geometry_.dissolved);
   if (dissolved + opened > 0) {
     Births births{fluid.count, fluid.count, opened > 0};
@@ -31,12 +28,21 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
 }
 
 void PoreGrowth::ledger(Ledger& ledger, double pixel_volume) const {
-  if (opener_ && geometry_.volume.extent(0) > 0)
-    ledger.of("solid_volume", "m3/m").gains.push_back({"waiting", -pixel_volume * sum_in_order(opener_->waiting())});
+  if (!opener_ || geometry_.volume.extent(0) == 0) return;
+  double all = 0;
+  for (int m = 0; m < opener_->parts(); ++m) {
+    const double waiting = sum_in_order(opener_->waiting(m));
+    all += waiting;
+    if (lost_.names.empty() || lost_.names[m].empty()) continue;
+    ledger.of(lost_.names[m] + "_volume", "m3/m").gains.push_back({"waiting", -pixel_volume * waiting});
+  }
+  ledger.of("solid_volume", "m3/m").gains.push_back({"waiting", -pixel_volume * all});
 }
 
 void PoreGrowth::state(StateList& list) {
-  if (opener_) list.add("growth/waiting", opener_->waiting());
+  if (opener_)
+    for (int m = 0; m < opener_->parts(); ++m)
+      list.add(m == 0 ? "growth/waiting" : "growth/waiting/" + std::to_string(m), opener_->waiting(m));
   const StateRange nodes{0, static_cast<double>(geometry_.lattice.size())};
   list.add_value("growth/dissolved_nodes", dissolved_nodes_, nodes);
   list.add_value("growth/opened_nodes", opened_nodes_, nodes);

@@ -3,18 +3,26 @@
 #include "coupling/geometry.hpp"
 #include "coupling/module.hpp"
 #include "coupling/pathways.hpp"
+#include "kernels/dissolution.hpp"
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace vug {
 
 /// Looks for new fluid nodes at a fixed small interval, between steps, and tells every module. Writes the geometry.
 class PoreGrowth {
  public:
-  /// `opener` is null and `d_m` empty without damage; `lost` is empty without dissolution.
-  PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m,
-             ScalarField<double> lost);
+  /// What a dissolving rock loses by rounding off pixels; empty without dissolution.
+  struct Losses {
+    ScalarField<double> all;
+    MineralLosses of_minerals;
+    std::vector<std::string> names;  ///< of the minerals in the ledger, "" of one that is not there
+  };
+  /// `opener` is null and `d_m` empty without damage.
+  PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m, Losses lost);
 
   /// Opens what is due and returns how many nodes turned fluid. Waits for the device.
   int grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules);
@@ -29,7 +37,8 @@ class PoreGrowth {
  private:
   Geometry& geometry_;
   std::unique_ptr<PathwayOpener> opener_;
-  ScalarField<double> d_m_, lost_;
+  ScalarField<double> d_m_;
+  Losses lost_;
   std::int64_t dissolved_nodes_ = 0, opened_nodes_ = 0;
 };
 

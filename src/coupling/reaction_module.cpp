@@ -1,9 +1,12 @@
 #include "coupling/reaction_module.hpp"
 
 #include "coupling/face_temperature.hpp"
+#include "coupling/gas_constant.hpp"
+#include "coupling/minerals.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/launch.hpp"
+#include "kernels/mineral_sums.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
 #include "kernels/solid_share.hpp"
 #include "kernels/surface_normal.hpp"
@@ -13,8 +16,6 @@
 namespace vug {
 
 namespace {
-
-constexpr double gas_constant = 8.314462618;  // J/(mol K)
 
 /// V = 1 in solid, 0 in fluid, over the interior.
 struct FillVolume {
@@ -27,6 +28,13 @@ struct FillVolume {
   }
 };
 
+/// The rates of reactant number r on all minerals, rock first.
+std::vector<RateLaw> rates_of(const Scene& scene, const RateLaw& of_rock, std::size_t r) {
+  std::vector<RateLaw> rates{of_rock};
+  for (const MineralSection& mineral : scene.minerals) rates.push_back(mineral.rates[r]);
+  return rates;
+}
+
 }  // namespace
 
 template <class T, class Set>
@@ -36,30 +44,96 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       units_(units),
       geometry_(geometry),
       solutes_(solutes),
-      reactant_(solutes.species(section_.reactant)),
-      product_(section_.product ? &solutes.species(*section_.product) : nullptr),
       heat_(heat),
       wall_interval_(scene.accuracy.wall_interval),
-      faster_(scene.accuracy.dissolution_factor > 1) {
-  wall_.law = section_.wall;
-  wall_.molar_volume = scene.accuracy.dissolution_factor * section_.molar_volume * units.concentration;
-  wall_.inverse_equilibrium = section_.inverse_equilibrium_constant;
-  wall_.D_reactant = reactant_.parameters.diffusivity();
-  if (product_) wall_.D_product = product_->parameters.diffusivity();
-
+      factor_(scene.accuracy.dissolution_factor),
+      dissolves_(rock_dissolves(scene)) {
   const Lattice& lattice = geometry.lattice;
   geometry.volume = ScalarField<double>("vug::reaction::volume", lattice.size());
   geometry.dissolved = ScalarField<double>("vug::reaction::dissolved", lattice.size());
   for_each_node(exec, "vug::reaction::fill", lattice.nx * lattice.ny,
                 FillVolume{geometry.type, lattice, geometry.volume});
-  consumed_ = LongSum("vug::reaction::consumed", block_count(lattice.size()));
-  sums_ = {geometry.volume, geometry.dissolved, consumed_.recent(), {}};
-  if (wall_.law == ReactiveWallLaw::paper && product_)
-    sums_.released = ScalarField<double>("vug::reaction::released", lattice.size());
-  lost_ = ScalarField<double>("vug::reaction::lost", block_count(lattice.size()));
+  const ScalarField<double> lost("vug::reaction::lost", block_count(lattice.size()));
+  if (dissolves_) losses_.all = lost;
+  lost_ = lost;
   initial_volume_ = sum_in_order(geometry.volume);
-  find_reactive_links<Set>(exec, geometry.fluid, geometry.surface, wall_.law, links_);
-  solutes.react({&wall_, &links_, &reactant_, product_});
+  if (has_minerals()) set_up_minerals(scene);
+
+  attacks_.resize(1 + section_.further.size());
+  for (std::size_t r = 0; r < attacks_.size(); ++r) {
+    Attack<T>& attack = attacks_[r];
+    const FurtherReactant* further = r > 0 ? &section_.further[r - 1] : nullptr;
+    if (further) attack.key = further->reactant;
+    attack.rate = further ? static_cast<const RateLaw&>(*further) : section_;
+    if (has_minerals()) attack.rates = rates_of(scene, attack.rate, r);
+    attack.reactant = &solutes.species(further ? further->reactant : section_.reactant);
+    const auto& product = further ? further->product : section_.product;
+    if (product) attack.product = &solutes.species(*product);
+    set_up(attack);
+  }
+  find_links(exec);
+  std::vector<ReactingSpecies<T>> reacting;
+  for (Attack<T>& attack : attacks_) reacting.push_back({&attack.wall, &attack.links, attack.reactant, attack.product});
+  solutes.react(std::move(reacting));
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::set_up_minerals(const Scene& scene) {
+  const std::vector<double> initial =
+      sums_by_mineral(Exec{}, "vug::minerals::initial", geometry_.lattice.size(), geometry_.volume, geometry_.mineral,
+                      static_cast<int>(scene.minerals.size()) + 1);
+  const std::vector<std::string> names = mineral_names(scene);
+  losses_.of_minerals.of_node = geometry_.mineral;
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    const bool there = initial[m] > 0;
+    solids_.push_back({there ? names[m] : "",
+                       m == 0                        ? section_.molar_volume
+                       : scene.minerals[m - 1].inert ? 0
+                                                     : scene.minerals[m - 1].molar_volume,
+                       initial[m]});
+    losses_.names.push_back(solids_.back().name);
+    losses_.of_minerals.lost.emplace_back("vug::minerals::lost", block_count(geometry_.lattice.size()));
+  }
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::set_up(Attack<T>& attack) {
+  const double pixels = factor_ * units_.concentration;
+  ReactiveWall& wall = attack.wall;
+  wall.law = section_.wall;
+  wall.molar_volume = pixels * section_.molar_volume / attack.rate.stoichiometry;
+  wall.inverse_equilibrium = attack.rate.inverse_equilibrium_constant;
+  wall.reference_concentration = section_.reference_concentration / units_.concentration;
+  wall.D_reactant = attack.reactant->parameters.diffusivity();
+  if (attack.product) wall.D_product = attack.product->parameters.diffusivity();
+  const int size = geometry_.lattice.size();
+  attack.consumed = LongSum("vug::reaction::consumed", block_count(size));
+  attack.sums = {geometry_.volume, geometry_.dissolved, attack.consumed.recent(), {}, {}};
+  if (wall.law == ReactiveWallLaw::paper && attack.product)
+    attack.sums.released = ScalarField<double>("vug::reaction::released", size);
+  if (has_minerals()) attack.sums.acid = ScalarField<double>("vug::minerals::acid", size);
+  const std::vector<RateLaw> rates = has_minerals() ? attack.rates : std::vector<RateLaw>{attack.rate};
+  if (!has_minerals() && attack.rate.order == 1) return;  // then the constants of the wall say all
+  const Kokkos::View<MineralRate*> table("vug::minerals::rate", rates.size());
+  const auto host = Kokkos::create_mirror_view(table);
+  for (std::size_t m = 0; m < rates.size(); ++m)
+    host(m) = {scaled(rates[m]), rates[m].activation_energy / gas_constant, rates[m].inverse_equilibrium_constant,
+               rates[m].order,
+               pixels * (solids_.empty() ? section_.molar_volume : solids_[m].molar_volume) / rates[m].stoichiometry};
+  Kokkos::deep_copy(table, host);
+  wall.minerals = {geometry_.mineral, table};
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::scaled(const RateLaw& rate) const {
+  return solutes_.interval() * rate.rate_constant / units_.rate_constant();
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::find_links(const Exec& exec) {
+  for (Attack<T>& attack : attacks_)
+    find_reactive_links<Set>(exec, geometry_.fluid, geometry_.surface, attack.wall.law, attack.links,
+                             geometry_.mineral);
 }
 
 template <class T, class Set>
@@ -72,100 +146,43 @@ void ReactionModule<T, Set>::refresh(const Exec& exec, std::int64_t step) {
   refreshed_ = step;
   if (section_.surface_normal)
     find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal_);
-  const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
-  const double activation = section_.activation_energy / gas_constant;
-  if (heat_) {
-    const ArrheniusRate<FaceTemperature<T>> rate{k0, activation, section_.reference_temperature,
-                                                 heat_->face_temperature(exec)};
-    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_, ahead);
-  } else {
-    const UniformRate rate{arrhenius(k0, activation, section_.temperature, section_.reference_temperature)};
-    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, wall_, rate, normal_, links_, ahead);
-  }
+  for (Attack<T>& attack : attacks_) set_rates(exec, attack, ahead);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, double ahead) {
+  const auto set = [&](const auto& rate) {
+    set_conductances<Set>(exec, geometry_.fluid, geometry_.surface, attack.wall, rate, normal_, attack.links, ahead);
+  };
+  const double k0 = scaled(attack.rate), activation = attack.rate.activation_energy / gas_constant;
+  const double reference = section_.reference_temperature;
+  const MineralRates& minerals = attack.wall.minerals;
+  if (minerals.given() && heat_)
+    set(MineralArrhenius<FaceTemperature<T>>{minerals, reference, heat_->face_temperature(exec)});
+  else if (minerals.given())
+    set(MineralArrhenius<UniformTemperature>{minerals, reference, {section_.temperature}});
+  else if (heat_)
+    set(ArrheniusRate<FaceTemperature<T>>{k0, activation, reference, heat_->face_temperature(exec)});
+  else
+    set(UniformRate{arrhenius(k0, activation, section_.temperature, reference)});
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   refresh(exec, clock.step);
-  if (clock.every(LongSum::interval)) consumed_.settle(exec);
+  if (clock.every(LongSum::interval))
+    for (const Attack<T>& attack : attacks_) attack.consumed.settle(exec);
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::book(const Exec& exec) {
-  book_turnover(exec, geometry_.surface, wall_, links_, sums_);
+  for (Attack<T>& attack : attacks_) book_turnover(exec, geometry_.surface, attack.wall, attack.links, attack.sums);
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
-  find_reactive_links<Set>(exec, geometry_.fluid, geometry_.surface, wall_.law, links_);
+  find_links(exec);
   refreshed_ = -1;
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::limits(LimitTable& table) const {
-  const double k0 = solutes_.interval() * section_.rate_constant / units_.rate_constant();
-  const double activation = section_.activation_energy / gas_constant;
-  const double D = reactant_.parameters.diffusivity();
-  const auto row = [&](const char* name, double kelvin) {
-    const double k = arrhenius(k0, activation, kelvin, section_.reference_temperature);
-    table.push_back({"reaction", std::string("Damkohler number of a node, k dx/D, ") + name, k / D, "1", 0,
-                     std::numeric_limits<double>::infinity(), ""});
-  };
-  const double coldest = heat_ ? heat_->coldest() : section_.temperature;
-  const double hottest = heat_ ? heat_->hottest() : section_.temperature;
-  if (heat_) {
-    row("coldest", coldest);
-    row("hottest", hottest);
-  } else {
-    row("at the case's temperature", section_.temperature);
-  }
-  const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
-  table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
-  table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
-  if (faster_)
-    table.push_back({"reaction", "volume dissolved per volume of the strongest acid", wall_.molar_volume, "1", 0, 0.1 + 1e-9,
-                     "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
-  if (wall_.law == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
-    table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9", D, "lattice", 0.05, 1,
-                     "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});
-}
-
-template <class T, class Set>
-double ReactionModule<T, Set>::dissolving() const {
-  return wall_.molar_volume * sum_in_order(links_.solid);
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
-  const double mol = units_.amount();
-  const double consumed = consumed_.total() + sum_in_order(links_.acid);  // booked and not yet
-  ledger.of(reactant_.section.name, "mol/m").gains.push_back({"reaction", -mol * consumed});
-  if (product_) {
-    const double released =
-        sums_.released.extent(0) > 0 ? sum_in_order(sums_.released) + sum_in_order(links_.product) : consumed;
-    ledger.of(product_->section.name, "mol/m").gains.push_back({"reaction", mol * released});
-  }
-  if (wall_.molar_volume == 0) return;
-  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
-  Balance& solid = ledger.of("solid_volume", "m3/m");
-  solid.initial = units_.volume() * initial_volume_;
-  solid.stored = units_.volume() * (sum_in_order(geometry_.volume) - dissolving());
-  solid.gains.push_back({"dissolved", -units_.volume() * dissolved});
-  solid.gains.push_back({"overdrawn", -units_.volume() * sum_in_order(lost_)});
-  Balance& reaction = ledger.of("dissolved_volume", "m3/m");
-  reaction.stored = units_.volume() * dissolved;
-  reaction.gains.push_back({"acid_times_molar_volume", units_.volume() * wall_.molar_volume * consumed});
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
-  VectorField<double> normal;
-  if (section_.surface_normal)
-    find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);
-  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal);
-  row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
-  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
-  row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});
 }
 
 template <class T, class Set>
@@ -178,19 +195,26 @@ template <class T, class Set>
 void ReactionModule<T, Set>::state(StateList& list) {
   list.add("reaction/volume", geometry_.volume);
   list.add("reaction/dissolved", geometry_.dissolved);
-  add_state(list, "reaction/consumed", consumed_);
-  if (sums_.released.extent(0) > 0) list.add("reaction/released", sums_.released);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
   list.add_value("reaction/refreshed", refreshed_, {-1, most_steps});
-  const std::pair all(0, links_.count);
-  list.add("reaction/link_acid", Kokkos::subview(links_.acid, all));  // not booked yet
-  if (wall_.law != ReactiveWallLaw::kinetic) {
-    list.add("reaction/link_product", Kokkos::subview(links_.product, all));
-    list.add("reaction/link_solid", Kokkos::subview(links_.solid, all));
+  for (std::size_t m = 0; m < solids_.size(); ++m)
+    list.add("reaction/lost/" + std::to_string(m), losses_.of_minerals.lost[m]);
+  for (Attack<T>& attack : attacks_) {
+    const std::string key = attack.key.empty() ? "reaction" : "reaction/" + attack.key;
+    add_state(list, key + "/consumed", attack.consumed);
+    if (attack.sums.released.extent(0) > 0) list.add(key + "/released", attack.sums.released);
+    if (attack.sums.acid.extent(0) > 0) list.add(key + "/acid", attack.sums.acid);
+    const ReactiveLinks<T>& links = attack.links;
+    const std::pair all(0, links.count);
+    list.add(key + "/link_acid", Kokkos::subview(links.acid, all));  // not booked yet
+    if (attack.wall.law != ReactiveWallLaw::kinetic) {
+      list.add(key + "/link_product", Kokkos::subview(links.product, all));
+      list.add(key + "/link_solid", Kokkos::subview(links.solid, all));
+    }
+    list.add(key + "/link_rate", Kokkos::subview(links.rate, all));
+    list.add(key + "/link_conductance", Kokkos::subview(links.conductance, all));
   }
-  list.add("reaction/link_rate", Kokkos::subview(links_.rate, all));
-  list.add("reaction/link_conductance", Kokkos::subview(links_.conductance, all));
 }
 
 template class ReactionModule<float, D2Q5>;

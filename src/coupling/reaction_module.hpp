@@ -1,11 +1,26 @@
 #pragma once
-// The reaction at the walls and the solid it dissolves (paper Eqs. 6-9, 21-24).
+// The reactions at the walls and the solid they dissolve (paper Eqs. 6-9, 21-24).
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
+#include "coupling/pore_growth.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/reactive_wall.hpp"
 
 namespace vug {
+
+/// One reactant at the walls.
+template <class T>
+struct Attack {
+  std::string key;  ///< of its states, and before names in the ledger: empty of the first
+  SpeciesState<T>* reactant = nullptr;
+  SpeciesState<T>* product = nullptr;  ///< may be null
+  RateLaw rate;                        ///< of rock that no mineral holds
+  std::vector<RateLaw> rates;          ///< (mineral) number 0 is that rock; empty without minerals
+  ReactiveWall wall;
+  ReactiveLinks<T> links;  ///< their turnover is booked at every update interval, before pores
+  LongSum consumed;        ///< (block) reactant that has reacted
+  ReactionLedger sums;
+};
 
 /// How fast every link at a wall reacts, and what that has dissolved. The solutes react at the links when they step:
 /// this stands before them in the list of modules, and TurnoverModule after them.
@@ -28,32 +43,55 @@ class ReactionModule final : public Module {
   /// Takes what has reacted off the solid nodes.
   void book(const Exec& exec);
 
-  /// (block) volume that dissolving pixels were overdrawn by and that found no neighbour, pixels.
-  const ScalarField<double>& lost() const { return lost_; }
+  /// What dissolving pixels were overdrawn by without an heir; `all` is empty where nothing dissolves.
+  const PoreGrowth::Losses& losses() const { return losses_; }
 
  private:
   /// Surface normals and what the links conduct, where they are due: the solid shrinks and the temperature changes
   /// slowly, so both are renewed at every wall interval, sooner at the start of a run, and where the links are new.
   void refresh(const Exec& exec, std::int64_t step);
-  /// Volume that has reacted and is not yet taken off the solid, pixels.
+  void set_rates(const Exec& exec, Attack<T>& attack, double ahead);
+  void set_up_minerals(const Scene& scene);
+  void set_up(Attack<T>& attack);
+  void find_links(const Exec& exec);
+  bool has_minerals() const { return geometry_.mineral.extent(0) > 0; }
+  int minerals() const { return static_cast<int>(solids_.size()); }
+  double scaled(const RateLaw& rate) const;
+  /// Volume that has reacted and is not yet taken off the solid, pixels; of each mineral.
   double dissolving() const;
+  std::vector<double> dissolving_of_minerals() const;
+  /// Volume that the reactant which an attack has consumed pays for, pixels.
+  double paid_for(const Attack<T>& attack, double consumed) const;
+  double volume_per_acid(const Attack<T>& attack, std::size_t mineral) const;
+  /// Reactant that each mineral has taken.
+  std::vector<double> acid_of_minerals(const Attack<T>& attack) const;
+  /// Sums by mineral of what solid nodes have, or the links of an attack.
+  std::vector<double> of_minerals(const ScalarField<double>& values) const;
+  std::vector<double> of_links(const Attack<T>& attack, const ScalarField<double>& values) const;
+  void limits_of(const Attack<T>& attack, const RateLaw& rate, const std::string& name, LimitTable& table) const;
+  void mineral_ledger(Ledger& ledger) const;
+
+  /// A kind of solid: number 0 is rock that no mineral holds.
+  struct Solid {
+    std::string name;         ///< empty: there is none of it
+    double molar_volume = 0;  ///< m3/mol
+    double initial = 0;       ///< pixels
+  };
 
   ReactionSection section_;
   LatticeUnits units_;
   Geometry& geometry_;
   const SoluteModule<T, Set>& solutes_;
-  SpeciesState<T>& reactant_;
-  SpeciesState<T>* product_;
   const HeatModule<T>* heat_;
-  ReactiveWall wall_;
-  LongSum consumed_;  ///< (block) reactant that has reacted
-  ReactionLedger sums_;
+  std::vector<Attack<T>> attacks_;
+  std::vector<Solid> solids_;   ///< empty without minerals
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
-  ReactiveLinks<T> links_;      ///< their turnover is booked at every update interval, before pores
-  ScalarField<double> lost_;
+  ScalarField<double> lost_;    ///< (block) volume that dissolving pixels were overdrawn by without an heir, pixels
+  PoreGrowth::Losses losses_;
   int wall_interval_;
   std::int64_t refreshed_ = -1;  ///< the step in which the links were refreshed last; -1: they are new
-  bool faster_;  ///< the rock ages faster than the fluid (accuracy.dissolution_factor)
+  double factor_;                ///< how many times faster the rock ages than the fluid (accuracy.dissolution_factor)
+  bool dissolves_;
   double initial_volume_ = 0;  ///< pixels
 };
 
@@ -62,8 +100,7 @@ template <class T, class Set>
 class TurnoverModule final : public Module {
  public:
   TurnoverModule(ReactionModule<T, Set>& reaction, int update_interval)
-      : reaction_(reaction),
-        update_interval_(update_interval) {}
+      : reaction_(reaction), update_interval_(update_interval) {}
 
   std::string_view name() const override { return "turnover"; }
   void step(const Exec& exec, const Clock& clock) override {

@@ -38,6 +38,18 @@ void read_dense(const Lattice& lattice, const ViewType& values, const Conversion
           conversion.scale * static_cast<double>(host(lattice.node(x, y))) + conversion.shift;
 }
 
+/// Number of the mineral of every node of rock, from 1; 0 in rock of none, -1 elsewhere.
+inline void read_mineral(const Geometry& geometry, std::span<double> out) {
+  const auto mineral = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.mineral);
+  const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+  const Lattice& lattice = geometry.lattice;
+  for (int y = 0; y < lattice.ny; ++y)
+    for (int x = 0; x < lattice.nx; ++x) {
+      const int n = lattice.node(x, y);
+      out[static_cast<std::size_t>(y) * lattice.nx + x] = type(n) == NodeType::solid ? mineral(n) : -1.0;
+    }
+}
+
 /// share(V, dissolved) of every node of rock that can dissolve.
 template <class Share>
 void read_solid(const Geometry& geometry, const Share& share, std::span<double> out) {

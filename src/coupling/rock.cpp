@@ -2,6 +2,7 @@
 
 #include "coupling/geometry.hpp"
 #include "coupling/initial_pathways.hpp"
+#include "coupling/minerals.hpp"
 #include "coupling/strip.hpp"
 #include "dem/edges.hpp"
 #include "io/mesh_reader.hpp"
@@ -220,7 +221,7 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   Rock rock;
   rock.assembly = section.mesh ? mesh_on_lattice(scene.lattice, *section.mesh)
                                : generate_rock(scene.lattice.length_x, scene.lattice.length_y, section);
-  if (scene.mechanics) assign_regions(scene.mechanics->regions, scene.path, rock.assembly);
+  if (scene.mechanics) assign_regions(scene.mechanics->regions, scene.minerals, scene.path, rock.assembly);
   const BondEdges bonds = bond_edges(rock.assembly);
   rock.bonds = static_cast<int>(bonds.vertices.size());
   RockRaster raster = rasterise(rock.assembly, lattice, scene.lattice.spacing);
@@ -236,6 +237,8 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
     for (const StripNode& entry : strip) rock.solid[entry.node] = false;
   const auto fluid = rock_nodes - std::count(rock.solid.begin(), rock.solid.end(), true);
   rock.porosity = rock_nodes > 0 ? static_cast<double>(fluid) / static_cast<double>(rock_nodes) : 0;
+  const TriangleOfNodes triangles{rock.assembly, raster.owner};
+  rock.mineral = mineral_of_nodes(scene, rock.solid, {}, &triangles);
   rock.open_bonds = static_cast<int>(std::count_if(closed.begin(), closed.end(), [](double w) { return w > 0; }));
   rock.nodes_of_particle = group_nodes(raster.owner, static_cast<int>(rock.assembly.triangles.size()), lattice);
   rock.nodes_of_sector = group_nodes(sector_of_nodes(raster), 3 * rock.nodes_of_particle.count(), lattice);

@@ -87,6 +87,8 @@ std::vector<HistoryValue> Simulation::history() const {
 FieldList Simulation::fields() const {
   FieldList list;
   const Geometry& geometry = parts_->geometry;
+  if (geometry.mineral.extent(0) > 0)
+    list.lattice.push_back({"mineral", "1", 1, [&geometry](std::span<double> out) { read_mineral(geometry, out); }});
   for (const auto& module : parts_->modules) module->fields(list);
   list.lattice.push_back({"node_type", "1", 1, [&geometry](std::span<double> out) {
                             const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);

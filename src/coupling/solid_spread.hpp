@@ -4,6 +4,8 @@
 #include "coupling/rock_map.hpp"
 #include "kernels/fluid_nodes.hpp"
 
+#include <vector>
+
 namespace vug {
 
 /// (triangle, edge) the triangle beyond each edge, -1 where there is none.
@@ -19,25 +21,39 @@ KOKKOS_FORCEINLINE_FUNCTION double room_for_solid(double V, double dissolved) {
   return room > 0 ? room : 0.0;
 }
 
+/// The mineral of each node.
+struct MineralNodes {
+  Kokkos::View<const std::uint8_t*> of_node{};  ///< (dense node); empty: one mineral
+  int count = 1;
+};
+
 /// Hands the solid of opened nodes to the solid nodes of their triangle, each in proportion to its room; what finds no
 /// room goes in equal parts to the triangles beyond the edges, on and on, a few triangles far. What has found none even
-/// there waits in the triangle it has come to, for the next time. Total volume is kept to rounding.
+/// there waits in the triangle it has come to, for the next time. Total volume is kept to rounding. Of several minerals
+/// each goes to nodes of its own only: none turns into another, and the volume of each is kept.
 class SolidSpread {
  public:
-  SolidSpread(NodeGroups nodes_of_triangle, TriangleNeighbours neighbours);
+  SolidSpread(NodeGroups nodes_of_triangle, TriangleNeighbours neighbours, MineralNodes minerals = {});
 
   /// opening: (dense node) 1 where a node has just opened, 0 afterwards. type: dense. volume, dissolved: (dense node),
   /// cells.
   void operator()(const Exec& exec, const Kokkos::View<NodeType*>& type, const Kokkos::View<std::uint8_t*>& opening,
                   const ScalarField<double>& volume, const ScalarField<double>& dissolved);
 
-  /// (triangle) volume that has found no room, cells.
-  const ScalarField<double>& waiting() const { return waiting_; }
+  int parts() const { return static_cast<int>(waiting_.size()); }  ///< minerals, or 1
+  /// (triangle) volume of a mineral that has found no room, cells.
+  const ScalarField<double>& waiting(int mineral = 0) const { return waiting_[static_cast<std::size_t>(mineral)]; }
 
  private:
+  template <class Part>
+  void spread(const Exec& exec, const Part& part, const Kokkos::View<NodeType*>& type,
+              const Kokkos::View<std::uint8_t*>& opening, const ScalarField<double>& volume,
+              const ScalarField<double>& dissolved, const ScalarField<double>& waiting);
+
   NodeGroups nodes_;
   TriangleNeighbours neighbours_;
-  ScalarField<double> waiting_;
+  Kokkos::View<const std::uint8_t*> mineral_;
+  std::vector<ScalarField<double>> waiting_;
   ScalarField<double> arriving_;  ///< (triangle) during a round
 };
 

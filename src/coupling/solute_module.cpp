@@ -101,18 +101,28 @@ void SoluteModule<T, Set>::dress(const Exec& exec, const SpeciesState<T>& s, con
 }
 
 template <class T, class Set>
+void SoluteModule<T, Set>::step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier) {
+  for (SpeciesState<T>& s : species_) advance_solute<Set>(exec, geometry_.fluid, carrier, s.stepping());
+  for (const auto& [wall, links, reactant, product] : reacting_)
+    react_at_wall<Set>(exec, geometry_.fluid, *wall, *links, reactant->fields, product ? &product->fields : nullptr);
+}
+
+template <class T, class Set>
 void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (!due(clock)) return;
   SoluteCarrier<T> carrier;
   if (carrier_) carrier.displacement = carrier_->displacement();
   if (carrier_ && section_.advective_form) carrier.defect = carrier_->e;
   const FluidNodes& fluid = geometry_.fluid;
-  const auto& [wall, links, reactant, product] = reacting_;
+  const bool one_pair = reacting_.size() == 1, many_pairs = reacting_.size() > 1;
+  const ReactingSpecies<T> none, &pair = one_pair ? reacting_[0] : none;
+  const auto& [wall, links, reactant, product] = pair;
   for (SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries) dress(exec, s, boundary, clock.time(), boundary.gain.recent());
-    if (&s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());
+    if (!many_pairs && &s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());
   }
+  if (many_pairs) step_pairs(exec, carrier);
   if (!reactant) return;
   if (product) {
     const SteppingSolute<T> stepping = product->stepping();

@@ -30,7 +30,7 @@ struct SpeciesState {
 /// Two of the species and the wall that turns one into the other; `product` may be null.
 template <class T>
 struct ReactingSpecies {
-  const ReactiveWall* wall = nullptr;  ///< null: nothing reacts
+  const ReactiveWall* wall = nullptr;
   const ReactiveLinks<T>* links = nullptr;
   SpeciesState<T>* reactant = nullptr;
   SpeciesState<T>* product = nullptr;
@@ -58,11 +58,13 @@ class SoluteModule final : public Module {
   int interval() const { return interval_; }
   /// State of the species of that name.
   SpeciesState<T>& species(const std::string& name);
-  /// From now on these react at every step.
-  void react(const ReactingSpecies<T>& reacting) { reacting_ = reacting; }
+  /// From now on these react at every step, one pair after the other.
+  void react(std::vector<ReactingSpecies<T>> reacting) { reacting_ = std::move(reacting); }
 
  private:
   void find_boundaries(const Exec& exec);
+  /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.
+  void step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier);
   /// What leaves through a boundary of a species comes back as it says at a time (s); gain(link) += what entered.
   void dress(const Exec& exec, const SpeciesState<T>& s, const StretchLinks& boundary, double time,
              const ScalarField<double>& gain) const;
@@ -75,7 +77,7 @@ class SoluteModule final : public Module {
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
-  ReactingSpecies<T> reacting_;
+  std::vector<ReactingSpecies<T>> reacting_;
 };
 
 }  // namespace vug

@@ -5,7 +5,29 @@
 #include "io/detail/case_text.hpp"
 #include "io/scene.hpp"
 
+#include <algorithm>
+
 namespace vug {
+
+namespace {
+
+/// The outlines of a region: its own form, or those of its mineral.
+std::vector<Form> forms_of(const RockRegion& region, const std::vector<MineralSection>& minerals) {
+  std::vector<Form> forms;
+  if (region.form) forms.push_back(*region.form);
+  for (const MineralSection& mineral : minerals)
+    for (const RockRegion& part : mineral.regions)
+      if (!region.form && mineral.name == region.mineral && part.form) forms.push_back(*part.form);
+  return forms;
+}
+
+}  // namespace
+
+bool rock_dissolves(const Scene& scene) {
+  if (!scene.reaction) return false;
+  const auto dissolves = [](const MineralSection& mineral) { return !mineral.inert && mineral.molar_volume > 0; };
+  return scene.reaction->molar_volume > 0 || std::any_of(scene.minerals.begin(), scene.minerals.end(), dissolves);
+}
 
 void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("case"); table.given()) read_case(table, scene);
@@ -20,13 +42,14 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("heat"); table.given()) scene.heat = read_heat(table);
   if (const auto table = root.table("solute"); table.given()) scene.solute = read_solute(table);
   if (const auto table = root.table("reaction"); table.given()) scene.reaction = read_reaction(table, scene.solute);
+  for (const TomlCursor& mineral : root.tables("mineral")) scene.minerals.push_back(read_mineral(mineral, scene));
   const auto accuracy = root.table("accuracy");
   const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::careful;
   if (const auto table = root.table("mechanics"); table.given())
     scene.mechanics = read_mechanics(table, mechanics_of(preset));
   if (scene.rock && scene.mechanics)
     for (const RockRegion& region : scene.mechanics->regions)
-      if (region.form) scene.rock->borders.push_back(*region.form);
+      for (const Form& form : forms_of(region, scene.minerals)) scene.rock->borders.push_back(form);
   if (const auto table = root.table("damage"); table.given()) {
     ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
     scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
@@ -87,6 +110,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
   }
   check_scales(document, scene);
   check_species(document, scene);
+  check_minerals(document, scene);
   check_places(document, scene);
   check_groups(document, scene);
   check_times(document, scene);

@@ -149,6 +149,29 @@ SoluteSection read_solute(const TomlCursor& table) {
   return solute;
 }
 
+namespace {
+
+/// 1/K_eq.
+double read_inverse_equilibrium(const TomlCursor& table) {
+  double equilibrium_constant = std::numeric_limits<double>::infinity();
+  table.read("equilibrium_constant", equilibrium_constant, equilibrium_unit, equilibrium_range);
+  return 1 / equilibrium_constant;
+}
+
+FurtherReactant read_further(const TomlCursor& table) {
+  FurtherReactant further;
+  table.need("reactant", further.reactant);
+  table.read("product", further.product);
+  table.need("rate_constant", further.rate_constant, unit::metre_per_second, range::not_negative);
+  table.read("activation_energy", further.activation_energy, unit::joule_per_mole, range::not_negative);
+  further.inverse_equilibrium_constant = read_inverse_equilibrium(table);
+  table.read("order", further.order, unit::none, range::positive_to(4));
+  table.read("stoichiometry", further.stoichiometry, unit::none, range::positive_to(100));
+  return further;
+}
+
+}  // namespace
+
 ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute) {
   ReactionSection reaction;
   table.need("reactant", reaction.reactant);
@@ -157,13 +180,15 @@ ReactionSection read_reaction(const TomlCursor& table, const std::optional<Solut
   table.read("activation_energy", reaction.activation_energy, unit::joule_per_mole, range::not_negative);
   table.read("reference_temperature", reaction.reference_temperature, unit::kelvin, range::positive);
   table.read("temperature", reaction.temperature, unit::kelvin, range::positive);
-  double equilibrium_constant = std::numeric_limits<double>::infinity();
-  table.read("equilibrium_constant", equilibrium_constant, {"1", 1e100}, {.low = 1e-12, .infinity_allowed = true});
-  reaction.inverse_equilibrium_constant = 1 / equilibrium_constant;
+  reaction.inverse_equilibrium_constant = read_inverse_equilibrium(table);
+  table.read("order", reaction.order, unit::none, range::positive_to(4));
+  table.read("reference_concentration", reaction.reference_concentration, unit::mole_per_cubic_metre, range::positive);
+  table.read("stoichiometry", reaction.stoichiometry, unit::none, range::positive_to(100));
   table.read("molar_volume", reaction.molar_volume, unit::cubic_metre_per_mole, range::not_negative);
   table.choose("wall", reaction.wall, {{"kinetic", ReactiveWallLaw::kinetic}, {"paper", ReactiveWallLaw::paper}});
   table.read("surface_normal", reaction.surface_normal);
   table.choose("birth_fill", reaction.birth_fill, {{"mean", BirthFill::mean}, {"split", BirthFill::split}});
+  for (const TomlCursor& element : table.tables("further")) reaction.further.push_back(read_further(element));
   return reaction;
 }
 

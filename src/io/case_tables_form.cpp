@@ -4,7 +4,7 @@
 namespace vug {
 namespace {
 
-enum class Kind { rectangle, disc, polygon, group };
+enum class Kind { rectangle, disc, polygon, group, mineral };
 
 Rectangle read_rectangle(const TomlCursor& table) {
   Rectangle rectangle{};
@@ -31,11 +31,25 @@ Polygon read_polygon(const TomlCursor& table) {
   return polygon;
 }
 
+/// The type of a region that has been read as such.
+std::string word_of_type(const TomlCursor& table) {
+  std::string type;
+  table.read("type", type);
+  return type;
+}
+
 }  // namespace
 
 std::optional<Form> read_form(const TomlCursor& table, FormOf of) {
   Kind kind = Kind::rectangle;
-  if (of == FormOf::mesh)
+  if (of == FormOf::rock)
+    table.need_choice("type", kind,
+                      {{"rectangle", Kind::rectangle},
+                       {"disc", Kind::disc},
+                       {"polygon", Kind::polygon},
+                       {"group", Kind::group},
+                       {"mineral", Kind::mineral}});
+  else if (of == FormOf::mesh)
     table.need_choice(
         "type", kind,
         {{"rectangle", Kind::rectangle}, {"disc", Kind::disc}, {"polygon", Kind::polygon}, {"group", Kind::group}});
@@ -63,13 +77,19 @@ std::optional<Form> read_form(const TomlCursor& table, FormOf of) {
   return form;
 }
 
-RockRegion read_region(const TomlCursor& table) {
+RockRegion read_region(const TomlCursor& table, FormOf of) {
   RockRegion region;
-  region.form = read_form(table, FormOf::mesh);
-  if (!region.form || table.describing())
+  region.form = read_form(table, of);
+  const std::string type = table.describing() || region.form ? "" : word_of_type(table);
+  if (type == "group" || table.describing())
     table.need("group", region.group);
   else
     table.refuse("group", "is only for type = \"group\"");
+  if (of != FormOf::rock) return region;
+  if (type == "mineral" || table.describing())
+    table.need("mineral", region.mineral);
+  else
+    table.refuse("mineral", "is only for type = \"mineral\"");
   return region;
 }
 

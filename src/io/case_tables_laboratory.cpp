@@ -78,8 +78,8 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
 }
 
 void check_laboratory(const TomlDocument& document, const Scene& scene) {
-  for (const char* table :
-       {"lattice", "time", "geometry", "flow", "heat", "solute", "reaction", "damage", "boundary", "accuracy"})
+  for (const char* table : {"lattice", "time", "geometry", "flow", "heat", "solute", "reaction", "mineral", "damage",
+                            "boundary", "accuracy"})
     if (document.find(table) != nullptr)
       document.fail_at(table, fmt::format("[{}] has no place beside [laboratory], a test of rock alone", table));
   if (!scene.rock) document.fail_at("laboratory", "[laboratory] needs the table [rock]");

@@ -39,15 +39,13 @@ void read_elasticity(const TomlCursor& table, const TomlCursor& bonds, BondParam
 struct OwnNumber {
   const TomlCursor& table;
   void operator()(const char* key, double& value, Unit unit, Range range) const {
-    std::optional<double> own;
-    table.read(key, own, unit, range);
-    if (own) value = *own;
+    table.read_own(key, value, unit, range);
   }
 };
 
 void read_material(const TomlCursor& table, MechanicsSection& mechanics) {
   const MechanicsParameters& rock = mechanics.parameters;
-  const RockRegion region = read_region(table);
+  const RockRegion region = read_region(table, FormOf::rock);
   RockMaterial material{rock.density, rock.thermal_expansion, rock.bond};
   const OwnNumber own{table};
   own("density", material.density, unit::kilogram_per_cubic_metre, range::positive);

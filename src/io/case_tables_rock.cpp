@@ -112,7 +112,8 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
              {.low = 0, .high = 1, .low_open = true, .high_open = true});
   table.read("gravity", mechanics.gravity, unit::metre_per_square_second);
   for (const TomlCursor& element : table.tables("initial_velocity")) {
-    InitialVelocity& start = mechanics.initial_velocities.emplace_back(InitialVelocity{read_region(element), {0, 0}});
+    InitialVelocity& start =
+        mechanics.initial_velocities.emplace_back(InitialVelocity{read_region(element, FormOf::rock), {0, 0}});
     element.need("velocity", start.velocity, unit::metre_per_second);
   }
   read_materials(table, mechanics);

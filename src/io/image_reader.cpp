@@ -72,6 +72,7 @@ class Pixels {
   Pixels(const ImageSection& image, const detail::ImageHeader& header) : image_(image) {
     for (const std::int64_t label : image.solid_labels) labels_[static_cast<double>(label)].solid = true;
     for (const std::int64_t label : image.fluid_labels) labels_[static_cast<double>(label)].solid = false;
+    for (const auto& [label, mineral] : image.minerals) labels_[static_cast<double>(label)].mineral = mineral;
     if (image.labelled()) {
       if (!header.stored) refuse_image(image.file, "holds colours; labels are grey values or indices of a palette");
       return;
@@ -114,6 +115,9 @@ class Pixels {
     return last_->solid;
   }
 
+  /// Number of the mineral of the pixel that `solid` was asked for last.
+  std::uint8_t mineral() const { return last_->mineral; }
+
   void summarise(double pixels, ImageSummary& summary) const {
     if (narrow_ && largest_ <= 255)
       refuse_image(image_.file, fmt::format("no value is above {:g} of {:g}: values of 8 bits in a wider type; give "
@@ -128,6 +132,7 @@ class Pixels {
  private:
   struct Label {
     bool solid = false;
+    std::uint8_t mineral = 0;
     std::int64_t count = 0;
   };
   const ImageSection& image_;
@@ -139,23 +144,55 @@ class Pixels {
   double least_ = std::numeric_limits<double>::infinity(), largest_ = -std::numeric_limits<double>::infinity();
 };
 
+/// The minerals of a row of cells, by the pixels of each; does nothing where no label has one.
+class MineralCounts {
+ public:
+  MineralCounts(const ImageSection& image, int across) {
+    for (const auto& [label, mineral] : image.minerals) kinds_ = std::max<std::size_t>(kinds_, mineral + 1u);
+    count_.assign(kinds_ * static_cast<std::size_t>(across), 0);
+  }
+  bool any() const { return kinds_ > 0; }
+  void add(int cell, std::uint8_t mineral) { ++count_[kinds_ * static_cast<std::size_t>(cell) + mineral]; }
+  /// The mineral of most pixels, for every cell; then none has any.
+  void take(std::vector<std::uint8_t>& cells) {
+    for (auto first = count_.begin(); first != count_.end(); first += static_cast<std::ptrdiff_t>(kinds_))
+      cells.push_back(
+          static_cast<std::uint8_t>(std::max_element(first, first + static_cast<std::ptrdiff_t>(kinds_)) - first));
+    std::fill(count_.begin(), count_.end(), 0);
+  }
+
+ private:
+  std::size_t kinds_ = 0;
+  std::vector<int> count_;  ///< (cell, mineral)
+};
+
+struct Cells {
+  std::vector<bool> solid;
+  std::vector<std::uint8_t> mineral;
+};
+
 /// Cells as they lie in the picture, row by row from its top.
-std::vector<bool> cells_of(const ImageSection& image, detail::ImageRows& rows, Size size, Pixels& pixels) {
+Cells cells_of(const ImageSection& image, detail::ImageRows& rows, Size size, Pixels& pixels) {
   const int n = image.coarsen, across = size.columns / n;
-  std::vector<bool> cells;
-  cells.reserve(static_cast<std::size_t>(across) * (size.rows / n));
+  Cells cells;
+  MineralCounts minerals(image, across);
+  cells.solid.reserve(static_cast<std::size_t>(across) * (size.rows / n));
   std::vector<double> values(static_cast<std::size_t>(size.columns)), grey(across);
   std::vector<int> solid(across);
   const double area = static_cast<double>(n) * n;
   for (int y = 0; y < size.rows; ++y) {
     rows.read(image.crop_from[1] + y, image.crop_from[0], values);
     for (int x = 0; x < size.columns; ++x) {
-      solid[x / n] += pixels.solid(values[x], image.crop_from[0] + x, image.crop_from[1] + y);
+      const bool rock = pixels.solid(values[x], image.crop_from[0] + x, image.crop_from[1] + y);
+      solid[x / n] += rock;
+      if (rock && minerals.any()) minerals.add(x / n, pixels.mineral());
       grey[x / n] += pixels.grey(values[x]);
     }
     if ((y + 1) % n != 0) continue;
     for (int x = 0; x < across; ++x)
-      cells.push_back(image.coarsen_rule == CoarsenRule::mean ? pixels.dark(grey[x] / area) : 2 * solid[x] >= area);
+      cells.solid.push_back(image.coarsen_rule == CoarsenRule::mean ? pixels.dark(grey[x] / area)
+                                                                    : 2 * solid[x] >= area);
+    if (minerals.any()) minerals.take(cells.mineral);
     std::fill(solid.begin(), solid.end(), 0);
     std::fill(grey.begin(), grey.end(), 0);
   }
@@ -163,10 +200,12 @@ std::vector<bool> cells_of(const ImageSection& image, detail::ImageRows& rows, S
 }
 
 /// The same on the lattice: turned, mirrored, from the bottom.
-std::vector<bool> placed(const std::vector<bool>& cells, const ImageSection& image, int across,
-                         const LatticeSection& lattice) {
+template <class Value>
+std::vector<Value> placed(const std::vector<Value>& cells, const ImageSection& image, int across,
+                          const LatticeSection& lattice) {
   const int nx = lattice.nx, ny = lattice.ny;
-  std::vector<bool> solid(cells.size());
+  std::vector<Value> placed(cells.size());
+  if (cells.empty()) return placed;
   for (int y = 0; y < ny; ++y) {
     for (int x = 0; x < nx; ++x) {
       int column = image.mirror == ImageMirror::left_right ? nx - 1 - x : x;
@@ -181,10 +220,10 @@ std::vector<bool> placed(const std::vector<bool>& cells, const ImageSection& ima
         std::swap(column, row);
         row = nx - 1 - row;
       }
-      solid[static_cast<std::size_t>(nx) * y + x] = cells[static_cast<std::size_t>(across) * row + column];
+      placed[static_cast<std::size_t>(nx) * y + x] = cells[static_cast<std::size_t>(across) * row + column];
     }
   }
-  return solid;
+  return placed;
 }
 
 }  // namespace
@@ -196,9 +235,11 @@ SolidImage read_solid_image(const ImageSection& image, const LatticeSection& lat
   const Size size = cropped_size(image, header);
   require_lattice(image, size, lattice);
   require_pixel_size(image, pixel_size, lattice);
-  SolidImage read{{}, {header.width, header.height, header.type, pixel_size, 0, 0, {}}};
+  SolidImage read{{}, {}, {header.width, header.height, header.type, pixel_size, 0, 0, {}}};
   Pixels pixels(image, header);
-  read.solid = placed(cells_of(image, *rows, size, pixels), image, size.columns / image.coarsen, lattice);
+  const Cells cells = cells_of(image, *rows, size, pixels);
+  read.solid = placed(cells.solid, image, size.columns / image.coarsen, lattice);
+  read.mineral = placed(cells.mineral, image, size.columns / image.coarsen, lattice);
   pixels.summarise(static_cast<double>(size.columns) * size.rows, read.summary);
   return read;
 }

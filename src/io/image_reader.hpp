@@ -20,6 +20,8 @@ struct ImageSummary {
 /// Where the lattice is solid, row by row from the bottom.
 struct SolidImage {
   std::vector<bool> solid;
+  std::vector<std::uint8_t> mineral;  ///< by image.minerals, in a cell of several pixels that of most of its rock
+                                      ///< pixels, of as many the lower number; empty where no label has one
   ImageSummary summary;
 };
 

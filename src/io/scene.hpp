@@ -65,6 +65,7 @@ struct ImageSection {
   SampleType raw_type = SampleType::uint8;
   bool raw_big_endian = false;
   int raw_pages = 1;
+  std::map<std::int64_t, std::uint8_t> minerals;  ///< of labels: number of the mineral, from 1; of others 0
 
   bool labelled() const { return !solid_labels.empty() || !fluid_labels.empty(); }
 };
@@ -144,15 +145,28 @@ struct SoluteSection {
   bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
 };
 
-struct ReactionSection {
-  std::string reactant;                 ///< name of a species
-  std::optional<std::string> product;   ///< name of a species
+/// How fast one reactant attacks one solid.
+struct RateLaw {
   double rate_constant = 0;             ///< k_r^0 at the reference temperature, m/s (also when given by Da and length)
   double activation_energy = 0;         ///< J/mol
+  double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
+  double order = 1;                     ///< n in k C_ref (C/C_ref)^n
+  double stoichiometry = 1;             ///< moles of reactant that a mole of the solid takes
+};
+/// One more reactant that attacks the same walls, whatever the others do there.
+struct FurtherReactant : RateLaw {
+  std::string reactant;                 ///< name of a species
+  std::optional<std::string> product;   ///< name of a species
+};
+
+struct ReactionSection : RateLaw {
+  std::string reactant;                 ///< name of a species
+  std::optional<std::string> product;   ///< name of a species
+  std::vector<FurtherReactant> further;
+  double reference_concentration = 1000;  ///< C_ref of orders other than 1, mol/m3
   double reference_temperature = 273.15;  ///< K
   double temperature = 293.15;          ///< K, of the wall where there is no [heat]
-  double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
-  double molar_volume = 0;              ///< m3/mol; 0 = the wall reacts but does not dissolve
+  double molar_volume = 0;              ///< of the solid, m3/mol; 0 = the wall reacts but does not dissolve
   std::optional<double> damkohler;      ///< as given, Da = k_r^0 length / D (Eq. 13)
   std::optional<double> length;         ///< m, l_c of the Damkohler number
   ReactiveWallLaw wall = ReactiveWallLaw::kinetic;
@@ -164,7 +178,21 @@ struct ReactionSection {
 struct RockRegion {
   std::optional<Form> form;  ///< those whose centroid it holds
   std::string group;         ///< without a form: those of this named surface of the mesh
+  std::string mineral;       ///< with neither: those whose centroid lies in this mineral
 };
+/// A mineral of the rock: where it is and what it is; what is left out is as of the rock ([reaction], [heat]).
+struct MineralSection {
+  std::string name;
+  std::vector<RockRegion> regions;   ///< nodes that they hold, or nodes of triangles of their groups
+  std::vector<std::int64_t> labels;  ///< pixels of a label map
+  bool inert = false;                ///< no reactant attacks it
+  std::vector<RateLaw> rates;        ///< of the reactant, then of the further ones; empty without [reaction]
+  double molar_volume = 0;           ///< m3/mol
+  double diffusivity = 0;            ///< m2/s, of heat; this and the next two 0 without [heat]
+  double density = 0;                ///< kg/m3
+  double heat_capacity = 0;          ///< J/(kg K)
+};
+
 /// What moves at the start of the run.
 struct InitialVelocity {
   RockRegion region;
@@ -366,6 +394,7 @@ struct Scene {
   std::optional<HeatSection> heat;
   std::optional<SoluteSection> solute;
   std::optional<ReactionSection> reaction;
+  std::vector<MineralSection> minerals;  ///< in the order of the file: later ones paint over earlier ones
   std::optional<MechanicsSection> mechanics;
   std::optional<DamageSection> damage;
   std::optional<LaboratorySection> laboratory;  ///< then lattice, time and all other physics are absent
@@ -375,6 +404,9 @@ struct Scene {
   AccuracySection accuracy;
   OutputSection output;
 };
+
+/// Whether a reactant dissolves any of the rock.
+bool rock_dissolves(const Scene& scene);
 
 /// The files that a case names beside itself: a mesh, an image.
 std::vector<std::string> input_files(const Scene& scene);

@@ -18,10 +18,21 @@ struct MarkDissolved {
   }
 };
 
+/// Whether a node may take what another was overdrawn by: any, or one of the same mineral.
+struct AnyKin {
+  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int, int) const { return true; }
+};
+struct SameMineral {
+  Kokkos::View<const std::uint8_t*> mineral;
+  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int n, int m) const { return mineral(n) == mineral(m); }
+};
+
 /// Hands the overdrafts of dissolved nodes to their heirs, the solid nodes around them, in equal shares. What an heir
 /// gets is gathered in the order of the directions by the lowest of its overdrawn neighbours, so that nothing is added
 /// twice or in another order.
+template <class Kin>
 struct BequeathOverdraft {
+  Kin kin;
   DenseNeighbour lattice;
   IndexList node;
   Kokkos::View<const NodeType*> type;
@@ -39,7 +50,7 @@ struct BequeathOverdraft {
   }
   KOKKOS_FUNCTION int heir(int n, int q) const {
     const int m = neighbour(n, q);
-    return m >= 0 && type(m) == NodeType::solid ? m : -1;
+    return m >= 0 && type(m) == NodeType::solid && kin(n, m) ? m : -1;
   }
   KOKKOS_FUNCTION int count_heirs(int n) const {
     int heirs = 0;
@@ -51,7 +62,7 @@ struct BequeathOverdraft {
     double sum = 0;
     for (int q = 1; q < D2Q9::Q; ++q) {
       const int from = neighbour(to, q);
-      if (from < 0 || !overdrawn(from)) continue;
+      if (from < 0 || !overdrawn(from) || !kin(from, to)) continue;
       if (from < n) return;
       sum += V(from) / count_heirs(from);
     }
@@ -68,6 +79,17 @@ struct BequeathOverdraft {
   }
 };
 
+/// What a node of one mineral is overdrawn by and finds no heir for.
+struct LostOfMineral {
+  BequeathOverdraft<SameMineral> bequest;
+  int mineral;
+  KOKKOS_FUNCTION double operator()(int s) const {
+    const int n = bequest.node(s);
+    const bool lost = bequest.overdrawn(n) && bequest.kin.mineral(n) == mineral && bequest.count_heirs(n) == 0;
+    return lost ? bequest.V(n) : 0.0;
+  }
+};
+
 struct EmptyDissolved {
   IndexList node;
   Kokkos::View<const NodeType*> type;
@@ -78,13 +100,22 @@ struct EmptyDissolved {
 };
 
 int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
-                   const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost) {
+                   const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost,
+                   const MineralLosses& minerals) {
   int count = 0;
   Kokkos::parallel_reduce("vug::dissolution::mark", Kokkos::RangePolicy<Exec>(exec, 0, surface.count),
                           MarkDissolved{surface.node, type, V}, count);
   if (count == 0) return 0;
-  add_per_block(exec, "vug::dissolution::bequeath", surface.count,
-                BequeathOverdraft{DenseNeighbour(nodes), surface.node, type, V}, lost);
+  if (minerals.of_node.extent(0) > 0) {
+    const BequeathOverdraft<SameMineral> bequest{{minerals.of_node}, DenseNeighbour(nodes), surface.node, type, V};
+    for (std::size_t m = 0; m < minerals.lost.size(); ++m)
+      add_per_block(exec, "vug::dissolution::lost_of_mineral", surface.count,
+                    LostOfMineral{bequest, static_cast<int>(m)}, minerals.lost[m]);
+    add_per_block(exec, "vug::dissolution::bequeath", surface.count, bequest, lost);
+  } else {
+    add_per_block(exec, "vug::dissolution::bequeath", surface.count,
+                  BequeathOverdraft<AnyKin>{{}, DenseNeighbour(nodes), surface.node, type, V}, lost);
+  }
   for_each_node(exec, "vug::dissolution::empty", surface.count, EmptyDissolved{surface.node, type, V});
   return count;
 }

@@ -6,15 +6,25 @@
 #include "kernels/choices.hpp"
 #include "kernels/solute.hpp"
 
+#include <vector>
+
 namespace vug {
+
+/// What minerals lose when pixels dissolve.
+struct MineralLosses {
+  Kokkos::View<const std::uint8_t*> of_node;  ///< (dense node); empty: one mineral
+  std::vector<ScalarField<double>> lost;      ///< (mineral) as `lost`
+};
 
 /// Turns every surface node with V <= 0 into fluid and returns how many (0: nothing else was touched; waits for the
 /// device). What a pixel was overdrawn by, -V, is taken in equal shares from the neighbouring solid nodes (of eight),
 /// whichever number of pixels dissolve at once and in an order that does not matter; where no solid is left,
 /// lost(block) += V (negative). V of the new fluid nodes is 0: sum V + lost is unchanged.
-/// `lost` has at least block_count(surface.count) entries.
+/// `lost` has at least block_count(surface.count) entries. With `minerals` only neighbours of the same mineral take
+/// shares, since no mineral turns into another, and minerals.lost[m](block) is what those of m have lost of `lost`.
 int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
-                   const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost);
+                   const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost,
+                   const MineralLosses& minerals = {});
 
 /// Fills the newborn fluid nodes [first, last) of one species, at rest, from their old fluid neighbours of the velocity
 /// set; a newborn without any gets none. Several newborns side by side do not see each other: the result does not

@@ -47,10 +47,10 @@ void visit_flow(const SoluteCarrier<T>& carrier, const Visit& visit) {
     visit(Advection<T>{*carrier.displacement});
 }
 
-/// By the kinetic law; q = 1/K_eq.
+/// By the kinetic law.
 template <class Set, class T>
-void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier, T q,
-                     const ReactiveLinks<T>& links, const SteppingSolute<T>& reactant,
+void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                     const ReactiveWall& wall, const ReactiveLinks<T>& links, const SteppingSolute<T>& reactant,
                      const SteppingSolute<T>* product) {
   KOKKOS_ASSERT(!product || product->fields.turned == reactant.fields.turned);
   visit_flow(carrier, [&](const auto& flow) {
@@ -59,12 +59,13 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
         return sweep_of_block(nodes, solute_sweep<Set>(slots, s.parameters, s.fields, flow), s.correction);
       };
       const auto launch = [&](const auto& its_product, const auto& sweep_of_product) {
-        using Step = KineticStep<T, std::decay_t<decltype(its_product)>>;
-        const detail::ScatteredLoop<Step> react{{q, links, reactant.fields.h, its_product}};
         const int block = sweep_block_size<std::decay_t<decltype(flow)>>(nodes.count);
-        for_each_block(exec, "vug::solute::advance_and_react", nodes.count,
-                       SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},
-                       blocks_at_a_time * block);
+        visit_kinetic_step<Set>(wall, links, reactant.fields.h, its_product, [&](const auto& step) {
+          const detail::ScatteredLoop<std::decay_t<decltype(step)>> react{step};
+          for_each_block(exec, "vug::solute::advance_and_react", nodes.count,
+                         SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},
+                         blocks_at_a_time * block);
+        });
       };
       if (product)
         launch(WithProduct<T>{product->fields.h, product->fields.C}, sweep_of(*product));
@@ -100,7 +101,7 @@ void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const S
     react_at_wall<Set>(exec, nodes, wall, links, reactant.fields, product ? &product->fields : nullptr);
   } else if constexpr (runs_on_host) {
     require_product(wall, product != nullptr);
-    sweep_and_react<Set>(exec, nodes, carrier, T(wall.inverse_equilibrium), links, reactant, product);
+    sweep_and_react<Set>(exec, nodes, carrier, wall, links, reactant, product);
   }
 }
 

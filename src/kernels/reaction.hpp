@@ -33,6 +33,28 @@ KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q) {
   return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q));
 }
 
+/// What reacts at a wall of order n: y of x + y = a and y = b x^n, with the concentration x at the wall, that beside it
+/// a and b = 3 k (kinetic_conductance for n = 1). With beta = b a^(n - 1), s = x/a solves s + beta s^n = 1, and t = s^n
+/// solves beta t + t^(1/n) = 1: of the two the one that is convex is solved by Newton's method from above, which comes
+/// down without passing the root. 0 where nothing is there to react.
+template <class Real>
+KOKKOS_INLINE_FUNCTION Real converted(Real a, Real b, Real n) {
+  if (!(a > Real(0)) || !(b > Real(0))) return Real(0);
+  const Real beta = b * Kokkos::pow(a, n - Real(1));
+  if (!(beta < Real(1e30))) return a;
+  const bool of_wall = n > Real(1);  // the unknown z is s, else t: c z + d z^power = 1
+  const Real power = of_wall ? n : Real(1) / n, c = of_wall ? Real(1) : beta, d = of_wall ? beta : Real(1);
+  Real z = Real(1) < Real(1) / c ? Real(1) : Real(1) / c;
+  if (of_wall && beta > Real(1)) z = Kokkos::pow(beta, -Real(1) / n);
+  for (int round = 0; round < 40; ++round) {
+    const Real raised = d * Kokkos::pow(z, power);
+    const Real step = (c * z + raised - Real(1)) / (c + power * raised / z);
+    if (!(step > Real(0)) || z - step == z) break;
+    z -= step;
+  }
+  return of_wall ? a * beta * Kokkos::pow(z, n) : a * beta * z;
+}
+
 /// Eqs. 21-22 solved without the products K_eq D1 D2: rate = conductance (C1 - q C2), from both film resistances in
 /// series.
 template <class Real>

@@ -51,10 +51,18 @@ struct ListReactiveLinks {
   }
 };
 
+/// The mineral of the surface node of a link.
+struct MineralOfLink {
+  IndexList root, node;
+  Kokkos::View<const std::uint8_t*> of_node;
+  Kokkos::View<std::uint8_t*> mineral;
+  KOKKOS_FUNCTION void operator()(int l) const { mineral(l) = of_node(node(root(l) / 8)); }
+};
+
 namespace {
 
 template <class T>
-void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law) {
+void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law, bool minerals) {
   if (static_cast<int>(links.slot.extent(0)) >= links.count) return;
   const std::size_t room = links.count + links.count / 2;
   links.of_surface_link = IndexList("vug::reactive_wall::of_surface_link", room);
@@ -62,6 +70,7 @@ void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law) {
   links.root = IndexList("vug::reactive_wall::root", room);
   links.rate = ScalarField<T>("vug::reactive_wall::rate", room);
   links.conductance = ScalarField<T>("vug::reactive_wall::conductance", room);
+  if (minerals) links.mineral = Kokkos::View<std::uint8_t*>("vug::reactive_wall::mineral", room);
   links.acid = links.product = links.solid = ScalarField<double>("vug::reactive_wall::acid", room);
   if (law == ReactiveWallLaw::kinetic) return;
   links.product = ScalarField<double>("vug::reactive_wall::product", room);
@@ -83,12 +92,12 @@ IndexList fitting(const char* label, const IndexList& list, int n) {
 
 template <class Set, class T>
 void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
-                         ReactiveLinks<T>& links) {
+                         ReactiveLinks<T>& links, const Kokkos::View<const std::uint8_t*>& mineral) {
   links.first = fitting("vug::reactive_wall::first", links.first, nodes.count);
   links.of_surface = fitting("vug::reactive_wall::of_surface", links.of_surface, surface.count);
   links.count = places(exec, "vug::reactive_wall::count", nodes.count,
                        CountLinksOfFluid<Set>{nodes.solid_links, links.first}, links.first);
-  make_room(links, law);
+  make_room(links, law, mineral.extent(0) > 0);
   Kokkos::deep_copy(exec, links.rate, T(0));  // of places that no link takes: nothing is left of former lists
   Kokkos::deep_copy(exec, links.conductance, T(0));
   ListReactiveLinks<T, Set> list{DenseNeighbour(nodes), surface.node, nodes.index, nodes.solid_links,
@@ -96,22 +105,30 @@ void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surfac
   places(exec, "vug::reactive_wall::count_of_surface", surface.count, list, links.of_surface);
   list.fill = true;
   for_each_node(exec, "vug::reactive_wall::list", surface.count, list);
+  if (mineral.extent(0) > 0)
+    for_each_node(exec, "vug::reactive_wall::mineral_of_link", links.count,
+                  MineralOfLink{links.root, surface.node, mineral, links.mineral});
 }
 
 template <class Set, class T>
 void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const SoluteFields<T>& reactant, const SoluteFields<T>* product) {
   require_product(wall, product != nullptr);
-  const T q = T(wall.inverse_equilibrium);
+  const char* label = "vug::reactive_wall::react";
+  const auto by_paper = [&](const auto& equilibrium, const auto& its_product) {
+    using Step = PaperStep<T, Set, std::decay_t<decltype(equilibrium)>, std::decay_t<decltype(its_product)>>;
+    for_each_node(exec, label, links.count,
+                  Step{equilibrium, T(wall.D_reactant), T(wall.D_product), nodes.capacity, links, reactant.h,
+                       reactant.C, its_product});
+  };
   const auto launch = [&](const auto& its_product) {
-    using Product = std::decay_t<decltype(its_product)>;
-    const char* label = "vug::reactive_wall::react";
     if (wall.law == ReactiveWallLaw::kinetic)
-      for_each_scattered(exec, label, links.count, KineticStep<T, Product>{q, links, reactant.h, its_product});
+      visit_kinetic_step<Set>(wall, links, reactant.h, its_product,
+                              [&](const auto& step) { for_each_scattered(exec, label, links.count, step); });
+    else if (wall.minerals.given())
+      by_paper(MineralEquilibrium<T>{wall.minerals.rate, links.mineral}, its_product);
     else
-      for_each_node(exec, label, links.count,
-                    PaperStep<T, Set, Product>{q, T(wall.D_reactant), T(wall.D_product), nodes.capacity, links,
-                                               reactant.h, reactant.C, its_product});
+      by_paper(SameEquilibrium<T>{T(wall.inverse_equilibrium)}, its_product);
   };
   if (product)
     launch(WithProduct<T>{product->h, product->C});
@@ -119,14 +136,28 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     launch(NoProduct{});
 }
 
+/// Pixels dissolved per acid, of rock of one kind.
+struct OneSolid {
+  double molar_volume;
+  KOKKOS_FORCEINLINE_FUNCTION double volume_of(int) const { return molar_volume; }
+  KOKKOS_FORCEINLINE_FUNCTION void note(int, double) const {}
+};
+/// Of minerals, each node's acid noted.
+struct ManySolids {
+  MineralRates minerals;
+  ScalarField<double> acid;
+  KOKKOS_FORCEINLINE_FUNCTION double volume_of(int node) const { return minerals.at(node).molar_volume; }
+  KOKKOS_FORCEINLINE_FUNCTION void note(int node, double consumed) const { acid(node) += consumed; }
+};
+
 /// Books the links of one surface node in their order; returns the acid that they consumed.
-template <class T>
+template <class T, class Solid>
 struct BookTurnover {
   IndexList node;
   int count;
   ReactiveLinks<T> links;
   bool apart;  ///< acid, product and solid are three
-  double molar_volume;
+  Solid kind;
   ReactionLedger ledger;
 
   KOKKOS_FORCEINLINE_FUNCTION static double take(double& amount) {
@@ -152,7 +183,8 @@ struct BookTurnover {
       solid += take(links.solid(l));
     }
     const int n = node(s);
-    const double volume = molar_volume * (apart ? solid : acid);
+    const double volume = kind.volume_of(n) * (apart ? solid : acid);
+    kind.note(n, acid);
     ledger.V(n) -= volume;
     ledger.dissolved(n) += volume;
     if (ledger.released.extent(0) > 0) ledger.released(n) += apart ? product : acid;
@@ -164,16 +196,27 @@ template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const ReactionLedger& ledger) {
   const bool apart = wall.law != ReactiveWallLaw::kinetic;
-  add_per_block(exec, "vug::reactive_wall::book", surface.count,
-                BookTurnover<T>{surface.node, surface.count, links, apart, wall.molar_volume, ledger}, ledger.consumed);
+  const auto launch = [&](const auto& kind) {
+    add_per_block(
+        exec, "vug::reactive_wall::book", surface.count,
+        BookTurnover<T, std::decay_t<decltype(kind)>>{surface.node, surface.count, links, apart, kind, ledger},
+        ledger.consumed);
+  };
+  if (wall.minerals.of_node.extent(0) > 0)
+    launch(ManySolids{wall.minerals, ledger.acid});
+  else
+    launch(OneSolid{wall.molar_volume});
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                                     \
   template void find_reactive_links<Set, T>(const Exec&, const FluidNodes&, const Surface&, ReactiveWallLaw,        \
-                                            ReactiveLinks<T>&);                                                     \
+                                            ReactiveLinks<T>&, const Kokkos::View<const std::uint8_t*>&);           \
   template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,               \
                                                       const ReactiveWall&, const UniformRate&,                      \
                                                       const VectorField<double>&, const ReactiveLinks<T>&, double); \
+  template void set_conductances<Set, T, MineralArrhenius<UniformTemperature>>(                                     \
+      const Exec&, const FluidNodes&, const Surface&, const ReactiveWall&,                                          \
+      const MineralArrhenius<UniformTemperature>&, const VectorField<double>&, const ReactiveLinks<T>&, double);    \
   template void react_at_wall<Set, T>(const Exec&, const FluidNodes&, const ReactiveWall&, const ReactiveLinks<T>&, \
                                       const SoluteFields<T>&, const SoluteFields<T>*);
 VUG_INSTANTIATE(float, D2Q5)

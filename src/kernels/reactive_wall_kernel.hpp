@@ -5,12 +5,28 @@
 
 namespace vug {
 
+/// Constants of a rate that are the same at all walls: 1/K_eq at a solid node, first order.
+template <class T>
+struct SameConstants {
+  T q;
+  KOKKOS_FORCEINLINE_FUNCTION T equilibrium(int) const { return q; }
+  KOKKOS_FORCEINLINE_FUNCTION bool first_order(int) const { return true; }
+};
+/// Those of minerals.
+template <class T>
+struct MineralConstants {
+  MineralRates minerals;
+  KOKKOS_FORCEINLINE_FUNCTION T equilibrium(int node) const { return T(minerals.at(node).inverse_equilibrium); }
+  KOKKOS_FORCEINLINE_FUNCTION bool first_order(int node) const { return minerals.at(node).order == 1; }
+};
+
 /// J = conductance (A1 - q A2) by the kinetic law, rate = conductance (C1 - q C2) by the paper's
-/// (paper_wall).
-template <class T, class Set, class Rate, class Area>
+/// (paper_wall); of another order the rate constant itself.
+template <class T, class Set, class Constants, class Rate, class Area>
 struct SetConductance {
   ReactiveWallLaw law;
-  T q, D1, D2, ahead;
+  Constants constants;
+  T D1, D2, ahead;
   Rate rate;
   Area area;
   IndexList surface, fluid_node;
@@ -24,6 +40,11 @@ struct SetConductance {
     const T led = now + ahead * (now - links.rate(l));
     const T k = led < now / 2 ? now / 2 : led > 2 * now ? 2 * now : led;
     links.rate(l) = now;
+    if (!constants.first_order(surface(s))) {
+      links.conductance(l) = k;
+      return;
+    }
+    const T q = constants.equilibrium(surface(s));
     links.conductance(l) =
         law == ReactiveWallLaw::kinetic ? kinetic_conductance(k, q) : paper_conductance(k, q, D1, D2);
   }
@@ -33,13 +54,18 @@ template <class Set, class T, class Rate>
 void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
                       const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
                       double ahead) {
-  with_link_area(normal, [&](const auto& area) {
-    using Area = std::decay_t<decltype(area)>;
-    for_each_node(exec, "vug::reactive_wall::conductances", links.count,
-                  SetConductance<T, Set, Rate, Area>{wall.law, T(wall.inverse_equilibrium), T(wall.D_reactant),
-                                                     T(wall.D_product), T(ahead), rate, area, surface.node,
-                                                     nodes.node, nodes.capacity, links});
-  });
+  const auto launch = [&](const auto& constants) {
+    with_link_area(normal, [&](const auto& area) {
+      using Body = SetConductance<T, Set, std::decay_t<decltype(constants)>, Rate, std::decay_t<decltype(area)>>;
+      for_each_node(exec, "vug::reactive_wall::conductances", links.count,
+                    Body{wall.law, constants, T(wall.D_reactant), T(wall.D_product), T(ahead), rate, area, surface.node,
+                         nodes.node, nodes.capacity, links});
+    });
+  };
+  if (wall.minerals.given())
+    launch(MineralConstants<T>{wall.minerals});
+  else
+    launch(SameConstants<T>{T(wall.inverse_equilibrium)});
 }
 
 }  // namespace vug

@@ -1,6 +1,7 @@
 // A state may be taken after any lattice step: what goes on from it has the bits of what never stopped, and what it was
 // taken from is not disturbed.
 #include "coupling/simulation.hpp"
+#include "support/minerals_of_small_rock.hpp"
 #include "support/rock_settings.hpp"
 #include "support/run_vug.hpp"
 
@@ -97,7 +98,7 @@ TEST_P(RestartAnywhere, GivesTheSameBits) {
 using Set = std::vector<std::string>;
 INSTANTIATE_TEST_SUITE_P(
     Choices, RestartAnywhere,
-    testing::Values(Set{}, Set{"accuracy.precision=single"},
+    testing::Values(Set{}, Set{"accuracy.precision=single"}, test::minerals_of_small_rock(),
                     Set{"accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
                     Set{"accuracy.exchange_interval=7", "accuracy.wall_interval=35", "accuracy.update_interval=20"},
                     Set{"accuracy.solute_interval=3", "accuracy.heat_interval=2"}, Set{"reaction.wall=paper"},

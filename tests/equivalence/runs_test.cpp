@@ -1,4 +1,5 @@
 // The same case gives the same bits: on every run, for any number of threads, and after a restart.
+#include "support/minerals_of_small_rock.hpp"
 #include "support/rock_settings.hpp"
 #include "support/run_vug.hpp"
 
@@ -76,6 +77,19 @@ TEST(SameBitsOfTurned, AfterARestartBetweenTwoSteps) {
       "accuracy.update_interval=5 --set output.interval=1.25e-5 --set output.checkpoint_interval=1.25e-5";
   stop_and_resume(odd, {60, 140});
   stop_and_resume(odd + " --set accuracy.solute_interval=3 --set accuracy.heat_interval=2", {60, 140});
+}
+
+TEST(SameBitsOfMinerals, WithThreadsAndAfterARestart) {
+  const TemporaryFolder folder;
+  for (const std::string precision : {"double", "single"}) {
+    const std::string more = " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
+                             " --set accuracy.precision=" + precision + test::minerals_on_command_line();
+    const std::string whole = folder / ("whole_" + precision), parts = folder / ("parts_" + precision);
+    run(whole, "--threads 1" + more);
+    run(parts, "--threads 2 --steps 200" + more);
+    run(parts, "--threads 1 --resume" + more);
+    EXPECT_EQ(difference(whole, parts), "");
+  }
 }
 
 TEST(SameBitsOfAWell, InDissolvingRockWithThreadsAndAfterARestart) {

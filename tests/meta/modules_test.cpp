@@ -1,5 +1,6 @@
 // A module is there only when the case has its table, and a step stays on the device: counted by Kokkos itself.
 #include "coupling/simulation.hpp"
+#include "support/minerals_of_small_rock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,27 @@ TEST(AbsentKeys, AllocateNothingAndLaunchNothing) {
                             "vug::dem::timed", "vug::dem::gauge", "vug::rock_gauges", "vug::dem::mean_stress",
                             "vug::dem::triangle_stress", "vug::dem::relative_expansion"})
     EXPECT_FALSE(watch.saw(label)) << label;
+}
+
+TEST(AbsentMinerals, AllocateNothingAndLaunchNothing) {
+  const Watch watch;
+  live(scene_without({}));
+  for (const char* label : {"mineral", "vug::heat::matter", "vug::heat::capacity"})
+    EXPECT_FALSE(watch.saw(label)) << label;
+}
+
+TEST(PresentMinerals, AreSeenByTheSameWatchAndStayOnTheDevice) {
+  std::optional<Watch> setup(std::in_place);
+  Simulation simulation(parse_scene(small_rock_text(), "small_rock.toml", test::minerals_of_small_rock()));
+  for (const char* label : {"vug::minerals::of_node", "vug::reactive_wall::mineral"})
+    EXPECT_TRUE(setup->saw(label)) << label;
+  setup.reset();
+  simulation.begin();
+  for (int step = 0; step < 10; ++step) simulation.step();
+  const Watch watch;
+  for (int step = 0; step < 9; ++step) simulation.step();  // up to the next update of the pores
+  EXPECT_TRUE(watch.allocations.empty()) << *watch.allocations.begin();
+  EXPECT_TRUE(watch.copies.empty()) << *watch.copies.begin();
 }
 
 TEST(PresentKeys, AreSeenByTheSameWatchAndStayOnTheDevice) {

@@ -75,6 +75,7 @@ TEST(CaseDocumentation, EveryUnitWithItsSpellingsAndLargestValue) {
                                    unit::pascal_second,
                                    unit::mole_per_square_metre_second,
                                    unit::watt_per_square_metre_kelvin,
+                                   unit::watt_per_metre_kelvin,
                                    unit::kilogram_per_metre_second,
                                    unit::newton_per_metre,
                                    unit::newton_second_per_metre,

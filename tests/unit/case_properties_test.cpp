@@ -57,7 +57,9 @@ CaseText text_of(const std::filesystem::path& path) {
     text.lines.push_back(line);
     const int number = static_cast<int>(text.lines.size());
     if (line.starts_with("[[")) {
-      const std::string array = line.substr(2, line.find(']') - 2);
+      std::string array = line.substr(2, line.find(']') - 2);
+      if (const auto dot = array.rfind('.'); dot != std::string::npos && elements.contains(array.substr(0, dot)))
+        array.insert(dot, fmt::format(".{}", elements[array.substr(0, dot)] - 1));  // within the last element
       table = fmt::format("{}.{}", array, elements[array]++);
     } else if (line.starts_with("[")) {
       table = line.substr(1, line.find(']') - 1);

@@ -213,6 +213,26 @@ TEST(ImageReader, TellsRockByLabels) {
   EXPECT_THAT(solid_of(picture, 3, 2), ElementsAre(false, false, false, true, false, true));
 }
 
+TEST(ImageReader, TellsMineralsFromLabels) {
+  const test::TemporaryFolder folder;
+  auto picture = image(folder / "a.npy");  // 0 1 2 3 above 4 5 6 7 above 8 9 10 11
+  ASSERT_EQ(make("make_image.py", picture.file, "npy_u1"), 0);
+  picture.solid_labels = {0, 1, 4, 5, 6, 7, 9};
+  picture.fluid_labels = {2, 3, 8, 10, 11};
+  EXPECT_TRUE(read_solid_image(picture, lattice(4, 3)).mineral.empty());
+  picture.minerals = {{4, 2}, {5, 1}, {9, 1}, {7, 2}};
+  EXPECT_THAT(read_solid_image(picture, lattice(4, 3)).mineral, ElementsAre(0, 1, 0, 0, 2, 1, 0, 2, 0, 0, 0, 0));
+  picture.rotate = ImageTurn::half;
+  EXPECT_THAT(read_solid_image(picture, lattice(4, 3)).mineral, ElementsAre(0, 0, 0, 0, 2, 0, 1, 2, 0, 0, 1, 0));
+  picture.rotate = ImageTurn::none;
+  picture.crop_size = {4, 2};
+  picture.coarsen = 2;  // 0 1 4 5: two of no mineral, one each of the others; 2 3 6 7: of the two that are rock each
+  LatticeSection coarse = lattice(2, 1);
+  EXPECT_THAT(read_solid_image(picture, coarse).mineral, ElementsAre(0, 0));
+  picture.minerals = {{0, 3}, {4, 2}, {5, 1}, {1, 1}, {6, 2}};  // the earlier of two with as many is 0
+  EXPECT_THAT(read_solid_image(picture, coarse).mineral, ElementsAre(1, 0));
+}
+
 TEST(ImageReader, CropsTurnsAndMirrors) {
   const test::TemporaryFolder folder;
   auto picture = image(folder / "a.npy");

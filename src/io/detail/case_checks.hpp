@@ -13,6 +13,7 @@ void check_places(const TomlDocument& document, Scene& scene);            ///< e
 void check_times(const TomlDocument& document, const Scene& scene);       ///< end, intervals, ramps
 void check_scales(const TomlDocument& document, const Scene& scene);      ///< what the time step makes of diffusivities
 void check_species(const TomlDocument& document, const Scene& scene);     ///< names of species
+void check_minerals(const TomlDocument& document, Scene& scene);          ///< where minerals are, and their rates
 void check_boundaries(const TomlDocument& document, Scene& scene);        ///< conditions against modules and each other
 void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [laboratory] against all others
 void check_groups(const TomlDocument& document, const Scene& scene);      ///< named surfaces need a mesh

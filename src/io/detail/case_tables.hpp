@@ -7,11 +7,11 @@
 
 namespace vug {
 
-/// A form or, where there is a mesh, its named surface: keys of a form with `group`.
-RockRegion read_region(const TomlCursor& table);
 /// Keys of a form, `type` first. Where a mesh may say where something lies, `type` may be "group": then there is none.
-enum class FormOf { geometry, mesh };
+enum class FormOf { geometry, mesh, rock };  ///< of `rock` the type may also be "mineral"
 std::optional<Form> read_form(const TomlCursor& table, FormOf of);
+/// A form or, where there is a mesh, its named surface: keys of a form with `group`; of FormOf::rock also `mineral`.
+RockRegion read_region(const TomlCursor& table, FormOf of);
 
 void read_case(const TomlCursor& table, Scene& scene);
 LatticeSection read_lattice(const TomlCursor& table);
@@ -23,6 +23,12 @@ HeatSection read_heat(const TomlCursor& table);
 SoluteSection read_solute(const TomlCursor& table);
 /// Needs the solutes for the diffusivity in the Damkohler number.
 ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute);
+/// Keys of a rate, each that of the rock where it is left out.
+void read_own_rate(const TomlCursor& table, RateLaw& rate);
+inline constexpr Unit equilibrium_unit{"1", 1e100};
+inline constexpr Range equilibrium_range{.low = 1e-12, .infinity_allowed = true};
+/// Needs the reaction and the heat for what is left out.
+MineralSection read_mineral(const TomlCursor& table, const Scene& scene);
 /// `fallback` gives what the preset of the case chooses.
 MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback);
 /// Of [mechanics]: bonds, elasticity and the materials of regions.

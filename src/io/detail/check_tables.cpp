@@ -130,29 +130,44 @@ void check_modules(const TomlDocument& document, const Scene& scene) {
   }
 }
 
-void check_species(const TomlDocument& document, const Scene& scene) {
-  if (!scene.reaction) return;
-  const auto names = names_of(*scene.solute);
+namespace {
+
+/// Names of a reactant and its product, in the table `key`.
+void check_pair(const TomlDocument& document, const std::string& key, const std::vector<std::string>& names,
+                const std::string& reactant, const std::optional<std::string>& product, bool reversible) {
   const auto known = [&](const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  const ReactionSection& reaction = *scene.reaction;
-  if (!known(reaction.reactant)) {
-    document.fail("reaction.reactant",
-                  "is not the name of a [[solute.species]]" + suggestion(reaction.reactant, names));
-  }
-  if (!reaction.product) {
-    if (reaction.inverse_equilibrium_constant > 0) {
-      document.fail("reaction.equilibrium_constant",
-                    "needs reaction.product: a reversible reaction runs back from its product");
+  if (!known(reactant))
+    document.fail(key + ".reactant", "is not the name of a [[solute.species]]" + suggestion(reactant, names));
+  if (!product) {
+    if (reversible) {
+      document.fail(key + ".equilibrium_constant",
+                    fmt::format("needs {}.product: a reversible reaction runs back from its product", key));
     }
     return;
   }
-  if (!known(*reaction.product)) {
-    document.fail("reaction.product", "is not the name of a [[solute.species]]" + suggestion(*reaction.product, names));
+  if (!known(*product))
+    document.fail(key + ".product", "is not the name of a [[solute.species]]" + suggestion(*product, names));
+  if (*product == reactant) document.fail(key + ".product", "is the reactant; it must be another species");
+}
+
+}  // namespace
+
+void check_species(const TomlDocument& document, const Scene& scene) {
+  if (!scene.reaction) return;
+  const auto names = names_of(*scene.solute);
+  const ReactionSection& reaction = *scene.reaction;
+  check_pair(document, "reaction", names, reaction.reactant, reaction.product,
+             reaction.inverse_equilibrium_constant > 0);
+  for (std::size_t i = 0; i < reaction.further.size(); ++i) {
+    const FurtherReactant& further = reaction.further[i];
+    const std::string key = fmt::format("reaction.further.{}", i);
+    check_pair(document, key, names, further.reactant, further.product, further.inverse_equilibrium_constant > 0);
+    bool again = further.reactant == reaction.reactant;
+    for (std::size_t j = 0; j < i; ++j) again = again || reaction.further[j].reactant == further.reactant;
+    if (again) document.fail(key + ".reactant", "is that of an earlier reaction; each has its own");
   }
-  if (*reaction.product == reaction.reactant)
-    document.fail("reaction.product", "is the reactant; it must be another species");
 }
 
 void check_places(const TomlDocument& document, Scene& scene) {
@@ -173,6 +188,10 @@ void check_places(const TomlDocument& document, Scene& scene) {
   }
   for (std::size_t g = 0; g < scene.output.gauges.size(); ++g)
     check_gauge(document, lattice, fmt::format("output.gauges.{}", g), scene.output.gauges[g]);
+  for (std::size_t i = 0; i < scene.minerals.size(); ++i)
+    for (std::size_t r = 0; r < scene.minerals[i].regions.size(); ++r)
+      if (const auto& form = scene.minerals[i].regions[r].form)
+        require_on_lattice(document, lattice, fmt::format("mineral.{}.shapes.{}", i, r), *form);
   if (!scene.rock) return;
   const RockSection& rock = *scene.rock;
   for (const Notch& notch : rock.notches) {
@@ -232,10 +251,21 @@ void check_triangles(const TomlDocument& document, const RockSection& rock, doub
 }
 
 void check_groups(const TomlDocument& document, const Scene& scene) {
-  if (!scene.mechanics || (scene.rock && scene.rock->mesh)) return;
+  const auto check = [&](const std::string& key, const RockRegion& region) {
+    const auto named = [&](const MineralSection& mineral) { return mineral.name == region.mineral; };
+    if (!region.group.empty() && !(scene.rock && scene.rock->mesh))
+      document.fail(key + ".group", "is a named surface of a mesh; it needs rock.mesh");
+    if (!region.mineral.empty() && std::none_of(scene.minerals.begin(), scene.minerals.end(), named))
+      document.fail(key + ".mineral", "is not the name of a [[mineral]]");
+  };
+  for (std::size_t i = 0; i < scene.minerals.size(); ++i)
+    for (std::size_t r = 0; r < scene.minerals[i].regions.size(); ++r)
+      check(fmt::format("mineral.{}.shapes.{}", i, r), scene.minerals[i].regions[r]);
+  if (!scene.mechanics) return;
   for (std::size_t i = 0; i < scene.mechanics->regions.size(); ++i)
-    if (!scene.mechanics->regions[i].form)
-      document.fail(fmt::format("mechanics.material.{}.group", i), "is a named surface of a mesh; it needs rock.mesh");
+    check(fmt::format("mechanics.material.{}", i), scene.mechanics->regions[i]);
+  for (std::size_t i = 0; i < scene.mechanics->initial_velocities.size(); ++i)
+    check(fmt::format("mechanics.initial_velocity.{}", i), scene.mechanics->initial_velocities[i].region);
 }
 
 void check_files(const TomlDocument& document, Scene& scene) {

@@ -33,6 +33,7 @@ constexpr Unit newton_per_metre{"N/m", 1e15};
 constexpr Unit newton_second_per_metre{"N s/m", 1e12};
 constexpr Unit watt_per_square_metre{"W/m2", 1e15};
 constexpr Unit watt_per_square_metre_kelvin{"W/(m2 K)", 1e12};
+constexpr Unit watt_per_metre_kelvin{"W/(m K)", 1e6};
 constexpr Unit pascal_second{"Pa s", 1e9};
 constexpr Unit mole_per_square_metre_second{"mol/(m2 s)", 1e9};
 constexpr Unit kilogram_per_metre_second{"kg/(m s)", 1e9};

@@ -46,6 +46,12 @@ class TomlCursor {
 
   void read(std::string_view key, double& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::optional<double>& value, Unit unit, Range range = range::any) const;
+  /// A number of something that is made of others: it keeps theirs, in `value`, where it is left out.
+  void read_own(std::string_view key, double& value, Unit unit, Range range) const {
+    std::optional<double> own;
+    read(key, own, unit, range);
+    if (own) value = *own;
+  }
   void read(std::string_view key, Point& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::vector<Point>& value, Unit unit, Range range = range::any) const;
   /// A number, or a table over time, [[s, value], ...].

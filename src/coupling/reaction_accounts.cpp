@@ -1,0 +1,186 @@
+// What the reactions tell: limits, balances of acid, product and rock, all of it and mineral by mineral.
+#include "coupling/gas_constant.hpp"
+#include "coupling/reaction_module.hpp"
+#include "kernels/launch.hpp"
+#include "kernels/mineral_sums.hpp"
+#include "kernels/surface_normal.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace vug {
+
+template <class T, class Set>
+void ReactionModule<T, Set>::limits_of(const Attack<T>& attack, const RateLaw& rate, const std::string& name,
+                                       LimitTable& table) const {
+  const double k0 = scaled(rate), activation = rate.activation_energy / gas_constant;
+  const double D = attack.reactant->parameters.diffusivity();
+  const auto row = [&](const char* at, double kelvin) {
+    const double k = arrhenius(k0, activation, kelvin, section_.reference_temperature);
+    table.push_back({"reaction", "Damkohler number of a node, k dx/D, " + name + at, k / D, "1", 0,
+                     std::numeric_limits<double>::infinity(), ""});
+  };
+  if (heat_) {
+    row("coldest", heat_->coldest());
+    row("hottest", heat_->hottest());
+  } else {
+    row("at the case's temperature", section_.temperature);
+  }
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::limits(LimitTable& table) const {
+  double most = 0;  // dissolved per volume of acid
+  for (const Attack<T>& attack : attacks_) {
+    const std::string of = attack.key.empty() ? "" : attack.key + ", ";
+    if (!has_minerals()) limits_of(attack, attack.rate, of, table);
+    if (!has_minerals()) most = std::max(most, attack.wall.molar_volume);
+    for (std::size_t m = 0; m < solids_.size(); ++m) {
+      if (solids_[m].name.empty() || attack.rates[m].rate_constant == 0) continue;
+      limits_of(attack, attack.rates[m], of + solids_[m].name + ", ", table);
+      most = std::max(most, factor_ * units_.concentration * solids_[m].molar_volume / attack.rates[m].stoichiometry);
+    }
+  }
+  const double coldest = heat_ ? heat_->coldest() : section_.temperature;
+  const double hottest = heat_ ? heat_->hottest() : section_.temperature;
+  const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
+  table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
+  table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
+  if (factor_ > 1)
+    table.push_back({"reaction", "volume dissolved per volume of the strongest acid", most, "1", 0, 0.1 + 1e-9,
+                     "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
+  if (section_.wall == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
+    table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9",
+                     attacks_[0].reactant->parameters.diffusivity(), "lattice", 0.05, 1,
+                     "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});
+}
+
+template <class T, class Set>
+std::vector<double> ReactionModule<T, Set>::of_minerals(const ScalarField<double>& values) const {
+  return sums_by_mineral(Exec{}, "vug::minerals::sum", geometry_.lattice.size(), values, geometry_.mineral, minerals());
+}
+
+template <class T, class Set>
+std::vector<double> ReactionModule<T, Set>::of_links(const Attack<T>& attack, const ScalarField<double>& values) const {
+  return sums_by_mineral(Exec{}, "vug::minerals::sum_of_links", attack.links.count, values, attack.links.mineral,
+                         minerals());
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::volume_per_acid(const Attack<T>& attack, std::size_t m) const {
+  return factor_ * units_.concentration * solids_[m].molar_volume / attack.rates[m].stoichiometry;
+}
+
+template <class T, class Set>
+std::vector<double> ReactionModule<T, Set>::dissolving_of_minerals() const {
+  std::vector<double> volumes(solids_.size(), 0);
+  for (const Attack<T>& attack : attacks_) {
+    const std::vector<double> reacted = of_links(attack, attack.links.solid);
+    for (std::size_t m = 0; m < volumes.size(); ++m) volumes[m] += volume_per_acid(attack, m) * reacted[m];
+  }
+  return volumes;
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::dissolving() const {
+  double sum = 0;
+  if (has_minerals())
+    for (const double volume : dissolving_of_minerals()) sum += volume;
+  else
+    for (const Attack<T>& attack : attacks_) sum += attack.wall.molar_volume * sum_in_order(attack.links.solid);
+  return sum;
+}
+
+template <class T, class Set>
+std::vector<double> ReactionModule<T, Set>::acid_of_minerals(const Attack<T>& attack) const {
+  std::vector<double> acid = of_minerals(attack.sums.acid);
+  const std::vector<double> not_booked = of_links(attack, attack.links.acid);
+  for (std::size_t m = 0; m < acid.size(); ++m) acid[m] += not_booked[m];
+  return acid;
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::paid_for(const Attack<T>& attack, double consumed) const {
+  if (!has_minerals()) return attack.wall.molar_volume * consumed;
+  const std::vector<double> acid = acid_of_minerals(attack);
+  double volume = 0;
+  for (std::size_t m = 0; m < acid.size(); ++m) volume += volume_per_acid(attack, m) * acid[m];
+  return volume;
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
+  const double mol = units_.amount();
+  std::vector<double> paid;
+  for (const Attack<T>& attack : attacks_) {
+    const double consumed = attack.consumed.total() + sum_in_order(attack.links.acid);  // booked and not yet
+    const std::string reaction = attack.key.empty() ? "reaction" : "reaction_of_" + attack.key;
+    ledger.of(attack.reactant->section.name, "mol/m").gains.push_back({reaction, -mol * consumed});
+    if (attack.product) {
+      const ScalarField<double>& booked = attack.sums.released;
+      const double released =
+          booked.extent(0) > 0 ? sum_in_order(booked) + sum_in_order(attack.links.product) : consumed;
+      ledger.of(attack.product->section.name, "mol/m").gains.push_back({reaction, mol * released});
+    }
+    if (dissolves_) paid.push_back(paid_for(attack, consumed));
+  }
+  if (!dissolves_) return;
+  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
+  Balance& solid = ledger.of("solid_volume", "m3/m");
+  solid.initial = units_.volume() * initial_volume_;
+  solid.stored = units_.volume() * (sum_in_order(geometry_.volume) - dissolving());
+  solid.gains.push_back({"dissolved", -units_.volume() * dissolved});
+  solid.gains.push_back({"overdrawn", -units_.volume() * sum_in_order(lost_)});
+  Balance& reaction = ledger.of("dissolved_volume", "m3/m");
+  reaction.stored = units_.volume() * dissolved;
+  for (std::size_t r = 0; r < attacks_.size(); ++r)
+    reaction.gains.push_back({(r == 0 ? "acid" : attacks_[r].key) + "_times_molar_volume", units_.volume() * paid[r]});
+  if (has_minerals()) mineral_ledger(ledger);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::mineral_ledger(Ledger& ledger) const {
+  const std::vector<double> volume = of_minerals(geometry_.volume), booked = of_minerals(geometry_.dissolved);
+  const std::vector<double> dissolving = dissolving_of_minerals();
+  std::vector<std::vector<double>> acid;
+  for (const Attack<T>& attack : attacks_) acid.push_back(acid_of_minerals(attack));
+  for (std::size_t m = 0; m < solids_.size(); ++m) {
+    const Solid& kind = solids_[m];
+    if (kind.name.empty()) continue;
+    const double dissolved = booked[m] + dissolving[m], pixel = units_.volume();
+    Balance& solid = ledger.of(kind.name + "_volume", "m3/m");
+    solid.initial = pixel * kind.initial;
+    solid.stored = pixel * (volume[m] - dissolving[m]);
+    solid.gains.push_back({"dissolved", -pixel * dissolved});
+    solid.gains.push_back({"overdrawn", -pixel * sum_in_order(losses_.of_minerals.lost[m])});
+    if (kind.molar_volume == 0) continue;
+    Balance& amount = ledger.of(kind.name + "_dissolved", "mol/m");
+    amount.stored = pixel * dissolved / kind.molar_volume;
+    for (std::size_t r = 0; r < attacks_.size(); ++r)
+      amount.gains.push_back({"by_" + attacks_[r].reactant->section.name,
+                              factor_ * units_.amount() * acid[r][m] / attacks_[r].rates[m].stoichiometry});
+  }
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
+  VectorField<double> normal;
+  if (section_.surface_normal)
+    find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);
+  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal);
+  row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
+  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
+  row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});
+}
+
+#define VUG_INSTANTIATE(T, Set)                                    \
+  template void ReactionModule<T, Set>::limits(LimitTable&) const; \
+  template void ReactionModule<T, Set>::ledger(Ledger&) const;     \
+  template void ReactionModule<T, Set>::history(std::vector<HistoryValue>&) const;
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,80 @@
+// Where the minerals of a case are, and what their rates demand of the reaction.
+#include "io/detail/case_checks.hpp"
+#include "io/detail/toml_cursor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug {
+namespace {
+
+/// What an order other than one, a finite equilibrium and the paper's wall allow each other. `key` is the table that
+/// the rate stands in.
+void check_rate(const TomlDocument& document, const std::string& key, const RateLaw& rate, bool has_product,
+                ReactiveWallLaw wall) {
+  if (rate.inverse_equilibrium_constant > 0 && !has_product)
+    document.fail(key + ".equilibrium_constant", "needs a product: a reversible reaction runs back from it");
+  if (rate.order == 1) return;
+  if (rate.inverse_equilibrium_constant > 0)
+    document.fail(key + ".order", "is not 1; that is only for reactions without an equilibrium_constant");
+  if (wall == ReactiveWallLaw::paper)
+    document.fail(key + ".order", "is not 1; that is only for reaction.wall = \"kinetic\"");
+}
+
+/// Labels are pixels of rock, and of one mineral each.
+void check_labels(const TomlDocument& document, Scene& scene, std::size_t m) {
+  ImageSection& image = scene.geometry.image;
+  const std::string key = fmt::format("mineral.{}.labels", m);
+  const MineralSection& mineral = scene.minerals[m];
+  if (mineral.labels.empty()) return;
+  if (scene.geometry.kind != GeometryKind::image || !image.labelled())
+    document.fail(key, "are of a label map: they need geometry.type = \"image\" with geometry.solid_labels");
+  for (const std::int64_t label : mineral.labels) {
+    const auto& solid = image.solid_labels;
+    if (std::find(solid.begin(), solid.end(), label) == solid.end())
+      document.fail(key, fmt::format("holds {}, which is not in geometry.solid_labels", label));
+    const auto number = static_cast<std::uint8_t>(m + 1);
+    const auto [entry, is_new] = image.minerals.emplace(label, number);
+    if (!is_new && entry->second != number)
+      document.fail(key, fmt::format("holds {}, which is of the mineral \"{}\" as well", label,
+                                     scene.minerals[entry->second - 1u].name));
+  }
+}
+
+/// Columns of the history begin with names of species and of minerals.
+void check_columns(const TomlDocument& document, const Scene& scene, std::size_t m) {
+  if (!scene.solute) return;
+  for (const Species& species : scene.solute->species)
+    for (const char* what : {"_volume", "_dissolved"})
+      if (species.name == scene.minerals[m].name + what)
+        document.fail(fmt::format("mineral.{}.name", m),
+                      fmt::format("gives columns of the history the name of the species \"{}\"", species.name));
+}
+
+}  // namespace
+
+void check_minerals(const TomlDocument& document, Scene& scene) {
+  if (!scene.minerals.empty() && scene.geometry.kind == GeometryKind::open)
+    document.fail_at("mineral", "[[mineral]] needs rock, and geometry.type = \"open\" has none");
+  const auto* reaction = scene.reaction ? &*scene.reaction : nullptr;
+  if (reaction) {
+    if (!reaction->further.empty() && reaction->wall == ReactiveWallLaw::paper)
+      document.fail("reaction.wall", "is of one reactant; with [[reaction.further]] it must be \"kinetic\"");
+    check_rate(document, "reaction", *reaction, reaction->product.has_value(), reaction->wall);
+    for (std::size_t i = 0; i < reaction->further.size(); ++i)
+      check_rate(document, fmt::format("reaction.further.{}", i), reaction->further[i],
+                 reaction->further[i].product.has_value(), reaction->wall);
+  }
+  for (std::size_t m = 0; m < scene.minerals.size(); ++m) {
+    check_labels(document, scene, m);
+    check_columns(document, scene, m);
+    for (std::size_t r = 0; r < scene.minerals[m].rates.size(); ++r) {
+      const auto& product = r == 0 ? reaction->product : reaction->further[r - 1].product;
+      check_rate(document, fmt::format("mineral.{}", m), scene.minerals[m].rates[r], product.has_value(),
+                 reaction->wall);
+    }
+  }
+}
+
+}  // namespace vug

@@ -1,0 +1,374 @@
+// Minerals side by side: each dissolves at its own speed, takes its own amount of acid and keeps its own balance.
+#include "support/coupled_run.hpp"
+#include "support/minerals_of_small_rock.hpp"
+#include "support/record.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+constexpr double dx = 1e-4, dt = 1e-5, D = 2e-4, gas_constant = 8.31446261815324;
+constexpr int fluid_rows = 10, rock_rows = 12, channel = 4, between = 3;
+
+/// Two channels between inert walls, each over a floor of a mineral of its own; acid comes in from above.
+const std::string channels = R"(
+[lattice]
+size = [0.0017, 0.0022]
+spacing = 1e-4
+time_step = 1e-5
+[time]
+steps = 1000000
+[geometry]
+type = "shapes"
+background = "solid"
+[[geometry.shapes]]
+type = "rectangle"
+from = [0.0003, 0.0012]
+to = [0.0007, 0.0022]
+material = "fluid"
+[[geometry.shapes]]
+type = "rectangle"
+from = [0.001, 0.0012]
+to = [0.0014, 0.0022]
+material = "fluid"
+[solute]
+[[solute.species]]
+name = "acid"
+diffusivity = 2e-4
+initial = 1000
+[reaction]
+reactant = "acid"
+rate_constant = 0.5
+surface_normal = false
+[[mineral]]
+name = "calcite"
+rate_constant = 0.02
+molar_volume = 4e-5
+[[mineral.shapes]]
+type = "rectangle"
+from = [0.0003, 0]
+to = [0.0007, 0.0012]
+[[mineral]]
+name = "dolomite"
+rate_constant = 0.005
+molar_volume = 6.4e-5
+stoichiometry = 2
+[[mineral.shapes]]
+type = "rectangle"
+from = [0.001, 0]
+to = [0.0014, 0.0012]
+[[mineral]]
+name = "quartz"
+inert = true
+[[mineral.shapes]]
+type = "rectangle"
+from = [0, 0]
+to = [0.0003, 0.0022]
+[[mineral.shapes]]
+type = "rectangle"
+from = [0.0007, 0]
+to = [0.001, 0.0022]
+[[mineral.shapes]]
+type = "rectangle"
+from = [0.0014, 0]
+to = [0.0017, 0.0022]
+[boundary.top]
+solute = { type = "concentration", concentration = { acid = 1000 } }
+)";
+
+struct Slab {
+  std::string name;
+  double rate, volume_per_acid;
+};
+
+/// A wall that recedes by s where acid diffuses to it over d + s: (d s + s^2/2)/D + s/k = V C t in the quasi-steady
+/// limit.
+double receded(const Slab& slab, double t) {
+  const double d = fluid_rows * dx, a = 0.5 / D, b = d / D + 1 / slab.rate, c = -slab.volume_per_acid * 1000 * t;
+  return (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
+}
+
+TEST(Minerals, SlabsDissolveEachAtItsOwnSpeed) {
+  test::CoupledRun run(channels);
+  const std::vector<Slab> slabs{{"calcite", 0.02, 4e-5}, {"dolomite", 0.005, 6.4e-5 / 2}};
+  for (const int steps : {70000, 40000}) {
+    run.steps(steps);
+    const double t = run.now("time_s");
+    for (const Slab& slab : slabs) {
+      const double s = -run.gain(slab.name + "_volume", "dissolved") / (channel * dx), exact = receded(slab, t);
+      EXPECT_NEAR(s / exact, 1, 5e-3) << slab.name << " at " << t;
+      EXPECT_GT(exact, dx);
+      test::record("mineral_slabs", {{"rate", slab.rate}, {"time", t}, {"receded", s}, {"exact", exact}});
+    }
+  }
+  EXPECT_LT(run.worst_balance(), 1e-12);
+  EXPECT_EQ(run.gain("quartz_volume", "dissolved"), 0);
+}
+
+TEST(Minerals, InertGrainsDoNotChange) {
+  test::CoupledRun run(channels, {"mineral.0.molar_volume=8e-4", "mineral.1.molar_volume=8e-4"});
+  run.steps(60000);
+  const int nx = run.scene().lattice.nx;
+  const std::vector<double> mineral = run.nodes("mineral"), solid = run.nodes("solid_fraction"),
+                            dissolved = run.nodes("dissolved_fraction");
+  int inert = 0, gone = 0;
+  for (std::size_t n = 0; n < mineral.size(); ++n) {
+    if (mineral[n] == 3) {
+      ++inert;
+      EXPECT_EQ(solid[n], 1);
+      EXPECT_EQ(dissolved[n], 0);
+    }
+    gone += mineral[n] == -1 && n / nx < rock_rows;
+  }
+  EXPECT_EQ(inert, 3 * between * (fluid_rows + rock_rows));
+  EXPECT_GT(gone, 4 * channel);
+  EXPECT_EQ(run.now("quartz_volume_stored_m3_per_m"), run.now("quartz_volume_initial_m3_per_m"));
+  EXPECT_EQ(run.now("quartz_volume_gain_overdrawn_m3_per_m"), 0);
+  EXPECT_LT(run.worst_balance(), 1e-12);
+}
+
+/// mol/(m2 s) that a mineral takes in a steady state, by its own account.
+double flux_into(test::CoupledRun& run, const std::string& mineral, const std::string& reactant, double stoichiometry) {
+  const double before = run.gain(mineral + "_dissolved", "by_" + reactant);
+  run.steps(200);
+  return stoichiometry * (run.gain(mineral + "_dissolved", "by_" + reactant) - before) / (200 * dt * channel * dx);
+}
+
+TEST(Minerals, EachHasItsArrheniusLaw) {
+  test::CoupledRun run(
+      channels, {"reaction.temperature=350", "reaction.reference_temperature=300", "reaction.activation_energy=20000",
+                 "mineral.1.activation_energy=52000", "mineral.0.molar_volume=1e-12", "mineral.1.molar_volume=1e-12"});
+  run.steps(8000);
+  const auto exact = [](double k0, double activation) {
+    const double k = k0 * std::exp(-activation / gas_constant * (1 / 350.0 - 1 / 300.0));
+    return 1000 / (fluid_rows * dx / D + 1 / k);
+  };
+  EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / exact(0.02, 20000), 1, 1e-7);
+  EXPECT_NEAR(flux_into(run, "dolomite", "acid", 2) / exact(0.005, 52000), 1, 1e-7);
+}
+
+/// k C_ref (C/C_ref)^n at the wall = D (C_0 - C)/d, by bisection.
+double flux_of_order(double k, double n, double C_ref, double C_0) {
+  double low = 0, high = C_0;
+  for (int i = 0; i < 200; ++i) {
+    const double C = 0.5 * (low + high);
+    (k * C_ref * std::pow(C / C_ref, n) < D * (C_0 - C) / (fluid_rows * dx) ? low : high) = C;
+  }
+  return D * (C_0 - low) / (fluid_rows * dx);
+}
+
+TEST(Minerals, OrdersOtherThanOneTakeTheConcentrationAtTheWall) {
+  for (const double order : {0.3, 0.5, 0.8, 1.7, 2.0}) {
+    test::CoupledRun run(channels, {fmt::format("mineral.1.order={}", order), "mineral.1.rate_constant=0.3",
+                                    "reaction.reference_concentration=400", "mineral.0.molar_volume=1e-12",
+                                    "mineral.1.molar_volume=1e-12"});
+    run.steps(8000);
+    EXPECT_NEAR(flux_into(run, "dolomite", "acid", 2) / flux_of_order(0.3, order, 400, 1000), 1, 1e-7) << order;
+    EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / flux_of_order(0.02, 1, 400, 1000), 1, 1e-7) << order;
+  }
+}
+
+TEST(Minerals, OrderOfRockWithoutMinerals) {
+  std::string text =
+      channels.substr(0, channels.find("[[mineral]]")) + channels.substr(channels.find("[boundary.top]"));
+  test::CoupledRun run(text, {"reaction.order=0.5", "reaction.reference_concentration=400"});
+  run.steps(6000);
+  EXPECT_GT(-run.gain("acid", "reaction"), 0);
+  EXPECT_LT(run.worst_balance(), 1e-12);
+}
+
+/// An equilibrium of its own: the product leaves where the acid comes in, three resistances in series.
+TEST(Minerals, EachHasItsEquilibrium) {
+  const std::string text = channels + "[[solute.species]]\nname = \"salt\"\ndiffusivity = 3e-4\n";
+  for (const std::string law : {"kinetic", "paper"}) {
+    test::CoupledRun run(
+        text, {"reaction.product=\"salt\"", "mineral.1.equilibrium_constant=1.7", "reaction.wall=\"" + law + "\"",
+               "mineral.0.molar_volume=1e-12", "mineral.1.molar_volume=1e-12"});
+    run.steps(12000);
+    const double d = fluid_rows * dx, bound = law == "kinetic" ? 1e-7 : 1e-3;
+    EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / (1000 / (d / D + 1 / 0.02)), 1, bound) << law;
+    EXPECT_NEAR(flux_into(run, "dolomite", "acid", 2) / (1000 / (d / D + 1 / 0.005 + d / 3e-4 / 1.7)), 1, bound) << law;
+  }
+}
+
+/// Two acids at the same walls, with diffusivities, rates and moles of their own.
+const std::string weak_acid = R"(
+[[solute.species]]
+name = "weak"
+diffusivity = 1e-4
+initial = 500
+[[reaction.further]]
+reactant = "weak"
+rate_constant = 0.1
+[boundary.top.solute.concentration]
+acid = 1000
+weak = 500
+)";
+
+std::string with_weak_acid() {
+  std::string text = channels;
+  const std::string top = "solute = { type = \"concentration\", concentration = { acid = 1000 } }\n";
+  text.replace(text.find(top), top.size(), "[boundary.top.solute]\ntype = \"concentration\"\n");
+  return text + weak_acid;
+}
+
+TEST(TwoAcids, EachTakesWhatItsOwnRateAllows) {
+  test::CoupledRun run(with_weak_acid(),
+                       {"mineral.0.further=[{reactant=\"weak\", rate_constant=0.04, stoichiometry=3}]",
+                        "mineral.0.molar_volume=1e-9", "mineral.1.molar_volume=1e-9"});
+  run.steps(16000);
+  const double d = fluid_rows * dx;
+  const auto exact = [&](double C, double diffusivity, double k) { return C / (d / diffusivity + 1 / k); };
+  const double volume = -run.gain("calcite_volume", "dissolved");
+  EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / exact(1000, D, 0.02), 1, 1e-7);
+  EXPECT_NEAR(flux_into(run, "calcite", "weak", 3) / exact(500, 1e-4, 0.04), 1, 1e-6);
+  EXPECT_NEAR(flux_into(run, "dolomite", "weak", 1) / exact(500, 1e-4, 0.1), 1, 1e-6);
+  const double dissolved = -run.gain("calcite_volume", "dissolved") - volume;
+  const double speed = 1e-9 * (exact(1000, D, 0.02) + exact(500, 1e-4, 0.04) / 3);
+  EXPECT_NEAR(dissolved / (speed * 600 * dt * channel * dx), 1, 1e-6);
+  EXPECT_LT(run.worst_balance(), 1e-12);
+}
+
+TEST(TwoAcids, DissolveRockWithoutMineralsTogether) {
+  std::string text = with_weak_acid();
+  text = text.substr(0, text.find("[[mineral]]")) + text.substr(text.find("[boundary.top]"));
+  test::CoupledRun run(text, {"reaction.molar_volume=2e-5"});
+  run.steps(20000);
+  const double by_acid = run.gain("dissolved_volume", "acid_times_molar_volume");
+  const double by_weak = run.gain("dissolved_volume", "weak_times_molar_volume");
+  EXPECT_GT(by_acid, 0);
+  EXPECT_GT(by_weak, 0);
+  EXPECT_NEAR((by_acid + by_weak) / run.now("dissolved_volume_m3_per_m"), 1, 1e-12);
+  EXPECT_LT(run.worst_balance(), 1e-12);
+}
+
+/// A round grain of two halves around an inert core, which dissolves until pixels are gone everywhere.
+const std::string grain = R"(
+[lattice]
+size = [0.006, 0.006]
+spacing = 1e-4
+time_step = 1e-5
+[time]
+steps = 1000000
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "disc"
+centre = [0.003, 0.003]
+radius = 0.0018
+[solute]
+[[solute.species]]
+name = "acid"
+diffusivity = 2e-4
+initial = 1000
+[[solute.species]]
+name = "salt"
+diffusivity = 1e-4
+[reaction]
+reactant = "acid"
+product = "salt"
+rate_constant = 0.5
+equilibrium_constant = 20
+molar_volume = 2e-4
+[boundary.left]
+solute = { type = "concentration", concentration = { acid = 1000 } }
+[boundary.right]
+solute = { type = "concentration", concentration = { acid = 1000 } }
+)";
+const std::string halves = R"(
+[[mineral]]
+name = "upper"
+rate_constant = 0.1
+molar_volume = 3e-4
+order = 0.7
+equilibrium_constant = inf
+[[mineral.shapes]]
+type = "rectangle"
+from = [0, 0.003]
+to = [0.006, 0.006]
+[[mineral]]
+name = "core"
+inert = true
+[[mineral.shapes]]
+type = "disc"
+centre = [0.003, 0.003]
+radius = 0.001
+)";
+
+TEST(MineralLedger, OfEachClosesToRoundOffWhilePixelsVanish) {
+  for (const std::string precision : {"double", "single"}) {
+    test::CoupledRun run(grain + halves, {"accuracy.precision=\"" + precision + "\""});
+    run.steps(6000);
+    EXPECT_GT(run.now("nodes_dissolved_1"), 100);
+    double stored = 0, dissolved = 0, overdrawn = 0;
+    for (const char* name : {"rock", "upper", "core"}) {
+      stored += run.now(std::string(name) + "_volume_stored_m3_per_m");
+      dissolved += run.gain(std::string(name) + "_volume", "dissolved");
+      overdrawn += run.gain(std::string(name) + "_volume", "overdrawn");
+      EXPECT_LT(std::abs(run.now(std::string(name) + "_volume_balance_error_1")), 1e-13) << name;
+    }
+    EXPECT_NEAR(stored / run.now("solid_volume_stored_m3_per_m"), 1, 1e-13);
+    EXPECT_NEAR(dissolved / run.gain("solid_volume", "dissolved"), 1, 1e-13);
+    EXPECT_NEAR(overdrawn, run.gain("solid_volume", "overdrawn"), 1e-13 * std::abs(dissolved));
+    EXPECT_LT(std::abs(run.now("upper_dissolved_balance_error_1")), 1e-12);
+    EXPECT_LT(std::abs(run.now("rock_dissolved_balance_error_1")), 1e-12);
+    // the amounts that the minerals have taken are what the fluid has lost
+    const double acid = run.gain("rock_dissolved", "by_acid") + run.gain("upper_dissolved", "by_acid");
+    EXPECT_NEAR(acid / -run.gain("acid", "reaction"), 1, 1e-12);
+    EXPECT_LT(run.worst_balance(), precision == "double" ? 1e-12 : 1e-4);
+  }
+}
+
+/// Pathways that damage opens hand their solid on, within each mineral.
+TEST(MineralLedger, OfEachClosesWherePathwaysOpen) {
+  std::ostringstream text;
+  text << std::ifstream(VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml").rdbuf();
+  std::vector<std::string> choices = test::minerals_of_small_rock();
+  choices.emplace_back("reaction.rate_constant=30");
+  test::CoupledRun run(text.str(), choices);
+  run.steps(400);
+  EXPECT_GT(run.now("nodes_dissolved_1"), 10);
+  EXPECT_GT(run.now("nodes_opened_by_damage_1"), 100);
+  double stored = 0, waiting = 0;
+  for (const std::string name : {"rock", "calcite", "dolomite", "quartz"}) {
+    stored += run.now(name + "_volume_stored_m3_per_m");
+    waiting += run.gain(name + "_volume", "waiting");
+    EXPECT_LT(std::abs(run.now(name + "_volume_balance_error_1")), 1e-13) << name;
+    if (name == "quartz") continue;
+    EXPECT_LT(std::abs(run.now(name + "_dissolved_balance_error_1")), 1e-12) << name;
+  }
+  EXPECT_NEAR(stored / run.now("solid_volume_stored_m3_per_m"), 1, 1e-13);
+  EXPECT_NEAR(waiting, run.gain("solid_volume", "waiting"), 1e-13 * stored);
+  EXPECT_EQ(run.gain("quartz_volume", "dissolved"), 0);
+  EXPECT_LT(run.worst_balance(), 1e-11);
+}
+
+/// A mineral that is the rock under another name.
+TEST(MineralLedger, ARockThatIsCalledAMineralDoesTheSame) {
+  const std::string all =
+      "[[mineral]]\nname = \"all\"\n[[mineral.shapes]]\ntype = \"rectangle\"\nfrom = [0, 0]\n"
+      "to = [0.006, 0.006]\n";
+  for (const std::string wall : {"kinetic", "paper"}) {
+    const std::vector<std::string> choices{"reaction.wall=\"" + wall + "\"", "reaction.activation_energy=20000"};
+    test::CoupledRun plain(grain, choices), named(grain + all, choices);
+    plain.steps(3000);
+    named.steps(3000);
+    EXPECT_GT(plain.now("nodes_dissolved_1"), 20);
+    for (const char* field : {"concentration_acid", "concentration_salt", "dissolved_fraction", "solid_fraction"}) {
+      const std::vector<double> a = plain.nodes(field), b = named.nodes(field);
+      for (std::size_t n = 0; n < a.size(); ++n) ASSERT_NEAR(a[n], b[n], 1e-10 * (1 + std::abs(a[n]))) << field << n;
+    }
+    EXPECT_NEAR(plain.now("acid_gain_reaction_mol_per_m") / named.now("acid_gain_reaction_mol_per_m"), 1, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace vug
