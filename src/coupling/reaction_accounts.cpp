@@ -38,7 +38,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
     for (std::size_t m = 0; m < solids_.size(); ++m) {
       if (solids_[m].name.empty() || attack.rates[m].rate_constant == 0) continue;
       limits_of(attack, attack.rates[m], of + solids_[m].name + ", ", table);
-      most = std::max(most, factor_ * units_.concentration * solids_[m].molar_volume / attack.rates[m].stoichiometry);
+      most = std::max(most, volume_per_acid(attack, m));
     }
   }
   const double coldest = heat_ ? heat_->coldest() : section_.temperature;
@@ -68,7 +68,7 @@ std::vector<double> ReactionModule<T, Set>::of_links(const Attack<T>& attack, co
 
 template <class T, class Set>
 double ReactionModule<T, Set>::volume_per_acid(const Attack<T>& attack, std::size_t m) const {
-  return factor_ * units_.concentration * solids_[m].molar_volume / attack.rates[m].stoichiometry;
+  return volume_per_acid(solids_[m].molar_volume, attack.rates[m]);
 }
 
 template <class T, class Set>
@@ -101,11 +101,11 @@ std::vector<double> ReactionModule<T, Set>::acid_of_minerals(const Attack<T>& at
 
 template <class T, class Set>
 double ReactionModule<T, Set>::paid_for(const Attack<T>& attack, double consumed) const {
-  if (!has_minerals()) return attack.wall.molar_volume * consumed;
+  if (!has_minerals()) return units_.volume() * attack.wall.molar_volume * consumed;
   const std::vector<double> acid = acid_of_minerals(attack);
   double volume = 0;
   for (std::size_t m = 0; m < acid.size(); ++m) volume += volume_per_acid(attack, m) * acid[m];
-  return volume;
+  return units_.volume() * volume;
 }
 
 template <class T, class Set>
@@ -134,7 +134,7 @@ void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
   Balance& reaction = ledger.of("dissolved_volume", "m3/m");
   reaction.stored = units_.volume() * dissolved;
   for (std::size_t r = 0; r < attacks_.size(); ++r)
-    reaction.gains.push_back({(r == 0 ? "acid" : attacks_[r].key) + "_times_molar_volume", units_.volume() * paid[r]});
+    reaction.gains.push_back({(r == 0 ? "acid" : attacks_[r].key) + "_times_molar_volume", paid[r]});
   if (has_minerals()) mineral_ledger(ledger);
 }
 

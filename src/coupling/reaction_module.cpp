@@ -98,10 +98,9 @@ void ReactionModule<T, Set>::set_up_minerals(const Scene& scene) {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::set_up(Attack<T>& attack) {
-  const double pixels = factor_ * units_.concentration;
   ReactiveWall& wall = attack.wall;
   wall.law = section_.wall;
-  wall.molar_volume = pixels * section_.molar_volume / attack.rate.stoichiometry;
+  wall.molar_volume = volume_per_acid(section_.molar_volume, attack.rate);
   wall.inverse_equilibrium = attack.rate.inverse_equilibrium_constant;
   wall.reference_concentration = section_.reference_concentration / units_.concentration;
   wall.D_reactant = attack.reactant->parameters.diffusivity();
@@ -119,7 +118,7 @@ void ReactionModule<T, Set>::set_up(Attack<T>& attack) {
   for (std::size_t m = 0; m < rates.size(); ++m)
     host(m) = {scaled(rates[m]), rates[m].activation_energy / gas_constant, rates[m].inverse_equilibrium_constant,
                rates[m].order,
-               pixels * (solids_.empty() ? section_.molar_volume : solids_[m].molar_volume) / rates[m].stoichiometry};
+               volume_per_acid(solids_.empty() ? section_.molar_volume : solids_[m].molar_volume, rates[m])};
   Kokkos::deep_copy(table, host);
   wall.minerals = {geometry_.mineral, table};
 }

@@ -60,9 +60,13 @@ class ReactionModule final : public Module {
   /// Volume that has reacted and is not yet taken off the solid, pixels; of each mineral.
   double dissolving() const;
   std::vector<double> dissolving_of_minerals() const;
-  /// Volume that the reactant which an attack has consumed pays for, pixels.
+  /// Volume that the reactant which an attack has consumed pays for, m3/m.
   double paid_for(const Attack<T>& attack, double consumed) const;
   double volume_per_acid(const Attack<T>& attack, std::size_t mineral) const;
+  /// Pixels that a pixel of unit concentration dissolves of a solid with this molar volume, m3/mol.
+  double volume_per_acid(double molar_volume, const RateLaw& rate) const {
+    return factor_ * molar_volume * units_.concentration / rate.stoichiometry;
+  }
   /// Reactant that each mineral has taken.
   std::vector<double> acid_of_minerals(const Attack<T>& attack) const;
   /// Sums by mineral of what solid nodes have, or the links of an attack.
