@@ -148,4 +148,27 @@ def shrinking_disc(records, figures):
         "shrinking_disc.png")
 
 
-entries = [carried_wave, eq28, stefan, receding_wall, shrinking_disc]
+def minerals(records, figures):
+    slabs, fluxes, heat = records["mineral_slabs"], records["mineral_flux"], [
+        dict(r, layers=layers) for layers in ("series", "parallel") for r in records[f"mineral_heat_{layers}"]]
+    if not (slabs and fluxes and heat):
+        return None
+
+    def error(r, what):
+        return f"{r[what] / r['exact'] - 1:+.1e}"
+
+    rows = [[f"slab recedes, rate constant {r['rate']:g} m/s", f"t = {r['time']:.2g} s", error(r, "receded")] for r in slabs]
+    rows += [[f"flux into the wall: {r['what']}", f"{r['value']:g}", error(r, "flux")] for r in fluxes]
+    rows += [[f"heat through layers in {r['layers']}", f"D2Q{r['set']:g}", error(r, "flow")]
+             for r in sorted(heat, key=lambda r: (r["layers"], r["set"]))]
+    return section(
+        "Minerals", "Minerals.*, TwoAcids.*, MineralHeat.*",
+        "Two minerals at the ends of channels between inert walls, each with numbers of its own, against diffusion and reaction "
+        "in series: for a first-order rate D C / (d + D/k), of order n with the concentration at the wall by bisection, to an "
+        "equilibrium with the product's resistance as well; receding slabs against (d s + s²/2)/D + s/k = V C t, where pixels "
+        "vanish one by one. Heat through layers of two minerals against their conductivities in series and side by side. The walls "
+        "between the channels keep every bit.",
+        table(["what", "", "error"], rows))
+
+
+entries = [carried_wave, eq28, stefan, receding_wall, shrinking_disc, minerals]

@@ -17,4 +17,17 @@ struct FaceTemperature {
   }
 };
 
+/// The same with the conductivity of the mineral.
+template <class T>
+struct MineralFaceTemperature {
+  Kokkos::View<const T*> theta;               ///< (dense node), K above the reference
+  Kokkos::View<const std::uint8_t*> mineral;  ///< (dense node)
+  Kokkos::View<const double*> solid_share;    ///< (mineral) lambda_s/(lambda_f + lambda_s)
+  double reference = 0;                       ///< K
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
+    const double share = solid_share(mineral(solid));
+    return reference + share * static_cast<double>(theta(solid)) + (1 - share) * static_cast<double>(theta(fluid));
+  }
+};
+
 }  // namespace vug

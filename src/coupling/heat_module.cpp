@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vug {
 
@@ -49,13 +50,9 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       coldest_(section_.initial_temperature),
       hottest_(section_.initial_temperature),
       fastest_(flow ? flow->largest_speed() : 0) {
-  const double scale = interval_ / units.diffusivity();
-  const double sigma =
-      section_.solid_density * section_.solid_heat_capacity / (section_.fluid_density * section_.fluid_heat_capacity);
-  fields_ = make_heat_fields<T>(
-      exec, geometry.lattice,
-      {scale * section_.fluid_diffusivity, scale * section_.solid_diffusivity, sigma, section_.velocity_set},
-      geometry.type, periodic_, initial_theta_, !geometry.openings.empty());
+  set_up_minerals(scene);
+  fields_ = make_heat_fields<T>(exec, geometry.lattice, parameters(), geometry.type, periodic_, initial_theta_,
+                                !geometry.openings.empty(), geometry.mineral);
   if (flow && flow->needs_temperature()) {
     fluid_theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::fluid_theta"), geometry.fluid.capacity);
     gather_temperatures(exec, geometry.fluid, fields_, fluid_theta_);
@@ -93,6 +90,45 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   if (scene.mechanics || scene.reaction)
     theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), geometry.lattice.size());
   initial_energy_ = energy();
+}
+
+template <class T>
+void HeatModule<T>::set_up_minerals(const Scene& scene) {
+  const Mineral rock{"rock", section_.solid_diffusivity, section_.solid_density, section_.solid_heat_capacity};
+  minerals_.push_back(rock);
+  bool differ = false;
+  for (const MineralSection& mineral : scene.minerals) {
+    minerals_.push_back({mineral.name, mineral.diffusivity, mineral.density, mineral.heat_capacity});
+    const double held = mineral.density * mineral.heat_capacity, of_rock = rock.density * rock.heat_capacity;
+    const auto other = [](double a, double b) { return std::abs(a - b) > 1e-12 * b; };  // rounding of the reader
+    differ = differ || other(held, of_rock) || other(mineral.diffusivity * held, rock.diffusivity * of_rock);
+  }
+  if (!differ) minerals_.clear();
+  if (!differ || !scene.reaction) return;
+  solid_share_ = ScalarField<double>("vug::minerals::solid_share", minerals_.size());
+  const auto share = Kokkos::create_mirror_view(solid_share_);
+  const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
+  for (std::size_t m = 0; m < minerals_.size(); ++m) {
+    const double solid = minerals_[m].density * minerals_[m].heat_capacity * minerals_[m].diffusivity;
+    share(m) = solid / (fluid + solid);
+  }
+  Kokkos::deep_copy(solid_share_, share);
+}
+
+template <class T>
+HeatParameters HeatModule<T>::parameters() const {
+  const double scale = interval_ / units_.diffusivity();
+  const auto sigma = [&](double density, double capacity) {
+    return density * capacity / (section_.fluid_density * section_.fluid_heat_capacity);
+  };
+  HeatParameters given{scale * section_.fluid_diffusivity,
+                       scale * section_.solid_diffusivity,
+                       sigma(section_.solid_density, section_.solid_heat_capacity),
+                       section_.velocity_set,
+                       {}};
+  for (const Mineral& mineral : minerals_)
+    given.minerals.push_back({scale * mineral.diffusivity, sigma(mineral.density, mineral.heat_capacity)});
+  return given;
 }
 
 template <class T>
@@ -151,6 +187,11 @@ FaceTemperature<T> HeatModule<T>::face_temperature(const Exec& exec) const {
   const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
   const double solid = section_.solid_density * section_.solid_heat_capacity * section_.solid_diffusivity;
   return {temperature(exec), solid / (fluid + solid), units_.reference_temperature};
+}
+
+template <class T>
+MineralFaceTemperature<T> HeatModule<T>::mineral_face_temperature(const Exec& exec) const {
+  return {temperature(exec), geometry_.mineral, solid_share_, units_.reference_temperature};
 }
 
 template <class T>
@@ -219,6 +260,9 @@ void HeatModule<T>::limits(LimitTable& table) const {
                      "lower the pressures or flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
   table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
                    "change lattice.time_step"});
+  for (std::size_t m = 1; m < minerals_.size(); ++m)
+    table.push_back({"heat", "relaxation time, " + minerals_[m].name, tau(minerals_[m].diffusivity), "1", 0.5003, 3.5,
+                     "change lattice.time_step"});
 }
 
 template <class T>

@@ -35,11 +35,17 @@ class HeatModule final : public Module {
   double initial_theta() const { return initial_theta_; }
   /// Temperature of the faces between solid and fluid, for the reaction.
   FaceTemperature<T> face_temperature(const Exec& exec) const;
+  /// The same where minerals conduct each in their way.
+  bool has_minerals() const { return !minerals_.empty(); }
+  MineralFaceTemperature<T> mineral_face_temperature(const Exec& exec) const;
   double coldest() const { return coldest_; }  ///< K, of everything the case names
   double hottest() const { return hottest_; }  ///< K
 
  private:
   double energy() const;
+  /// What conducts, by its numbers, rock of none first; empty where the case gives no mineral numbers of its own.
+  void set_up_minerals(const Scene& scene);
+  HeatParameters parameters() const;
   bool rock_asks_before_next_step(const Clock& clock) const;
   /// What the kernels call the value of a condition, at a time (s), and its transfer coefficient.
   double value_of(const HeatBoundary& heat, double time) const;
@@ -50,7 +56,15 @@ class HeatModule final : public Module {
   void set_values(double time);
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
+  /// A mineral as the case gives it.
+  struct Mineral {
+    std::string name;
+    double diffusivity, density, heat_capacity;
+  };
+
   HeatSection section_;
+  std::vector<Mineral> minerals_;
+  ScalarField<double> solid_share_;  ///< (mineral) of FaceTemperature; empty without minerals
   LatticeUnits units_;
   const Geometry& geometry_;
   const Carrier<T>* carrier_ = nullptr;  ///< null: the fluid is at rest

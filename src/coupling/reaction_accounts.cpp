@@ -82,13 +82,13 @@ std::vector<double> ReactionModule<T, Set>::dissolving_of_minerals() const {
 }
 
 template <class T, class Set>
-double ReactionModule<T, Set>::dissolving() const {
-  double sum = 0;
+double ReactionModule<T, Set>::with_dissolving(double volume, double sign) const {
   if (has_minerals())
-    for (const double volume : dissolving_of_minerals()) sum += volume;
+    for (const double dissolving : dissolving_of_minerals()) volume += sign * dissolving;
   else
-    for (const Attack<T>& attack : attacks_) sum += attack.wall.molar_volume * sum_in_order(attack.links.solid);
-  return sum;
+    for (const Attack<T>& attack : attacks_)
+      volume += sign * attack.wall.molar_volume * sum_in_order(attack.links.solid);
+  return volume;
 }
 
 template <class T, class Set>
@@ -125,10 +125,10 @@ void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
     if (dissolves_) paid.push_back(paid_for(attack, consumed));
   }
   if (!dissolves_) return;
-  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
+  const double dissolved = with_dissolving(sum_in_order(geometry_.dissolved), 1);
   Balance& solid = ledger.of("solid_volume", "m3/m");
   solid.initial = units_.volume() * initial_volume_;
-  solid.stored = units_.volume() * (sum_in_order(geometry_.volume) - dissolving());
+  solid.stored = units_.volume() * with_dissolving(sum_in_order(geometry_.volume), -1);
   solid.gains.push_back({"dissolved", -units_.volume() * dissolved});
   solid.gains.push_back({"overdrawn", -units_.volume() * sum_in_order(lost_)});
   Balance& reaction = ledger.of("dissolved_volume", "m3/m");
@@ -169,7 +169,7 @@ void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
     find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);
   const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal);
   row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
-  const double dissolved = sum_in_order(geometry_.dissolved) + dissolving();
+  const double dissolved = with_dissolving(sum_in_order(geometry_.dissolved), 1);
   row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});
 }
 

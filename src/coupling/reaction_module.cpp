@@ -156,7 +156,9 @@ void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, doub
   const double k0 = scaled(attack.rate), activation = attack.rate.activation_energy / gas_constant;
   const double reference = section_.reference_temperature;
   const MineralRates& minerals = attack.wall.minerals;
-  if (minerals.given() && heat_)
+  if (minerals.given() && heat_ && heat_->has_minerals())
+    set(MineralArrhenius<MineralFaceTemperature<T>>{minerals, reference, heat_->mineral_face_temperature(exec)});
+  else if (minerals.given() && heat_)
     set(MineralArrhenius<FaceTemperature<T>>{minerals, reference, heat_->face_temperature(exec)});
   else if (minerals.given())
     set(MineralArrhenius<UniformTemperature>{minerals, reference, {section_.temperature}});

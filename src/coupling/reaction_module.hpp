@@ -57,8 +57,9 @@ class ReactionModule final : public Module {
   bool has_minerals() const { return geometry_.mineral.extent(0) > 0; }
   int minerals() const { return static_cast<int>(solids_.size()); }
   double scaled(const RateLaw& rate) const;
-  /// Volume that has reacted and is not yet taken off the solid, pixels; of each mineral.
-  double dissolving() const;
+  /// A volume with that which has reacted and is not yet taken off the solid added to it (sign 1) or taken off, pixels.
+  double with_dissolving(double volume, double sign) const;
+  /// That of each mineral.
   std::vector<double> dissolving_of_minerals() const;
   /// Volume that the reactant which an attack has consumed pays for, m3/m.
   double paid_for(const Attack<T>& attack, double consumed) const;

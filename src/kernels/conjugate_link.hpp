@@ -19,4 +19,11 @@ KOKKOS_FORCEINLINE_FUNCTION T conjugate_link(T pulled, T own, T r, T solid_here,
   return pulled + r * (solid_beyond - solid_here) * (own - pulled);
 }
 
+/// The same between any two kinds of matter, by their heat capacities: r = (c_x - c_nb) / (c_x + c_nb). It is the law
+/// above where one of them is fluid, c = 1, and passes what was pulled between like nodes.
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T conjugate_link_of(T pulled, T own, T capacity_here, T capacity_beyond) {
+  return pulled + (capacity_here - capacity_beyond) / (capacity_here + capacity_beyond) * (own - pulled);
+}
+
 }  // namespace vug

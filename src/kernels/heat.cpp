@@ -24,6 +24,32 @@ void require_positive(const char* name, double value) {
     throw InputError(std::string("heat: ") + name + " = " + std::to_string(value) + ", expected a positive number");
 }
 
+/// Relaxation rate of a diffusivity.
+double rate_of(double diffusivity) {
+  return 1 / (0.5 + diffusivity / c_s2);
+}
+
+/// Tables with an entry for every byte that a node may have.
+HeatMatter make_matter(const Exec& exec, const HeatParameters& parameters, std::size_t nodes,
+                       const Kokkos::View<const std::uint8_t*>& mineral) {
+  constexpr std::size_t kinds = no_matter + 1;
+  HeatMatter matter{Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::matter"), nodes),
+                    ScalarField<double>("vug::heat::capacity", kinds), ScalarField<double>("vug::heat::rate", kinds),
+                    mineral};
+  const auto capacity = Kokkos::create_mirror_view(matter.capacity), rate = Kokkos::create_mirror_view(matter.rate);
+  capacity(0) = 1;
+  rate(0) = rate_of(parameters.fluid_diffusivity);
+  for (std::size_t m = 0; m < parameters.minerals.size(); ++m) {
+    require_positive("mineral diffusivity", parameters.minerals[m].diffusivity);
+    require_positive("heat capacity ratio of a mineral", parameters.minerals[m].capacity_ratio);
+    capacity(1 + m) = parameters.minerals[m].capacity_ratio;
+    rate(1 + m) = rate_of(parameters.minerals[m].diffusivity);
+  }
+  Kokkos::deep_copy(matter.capacity, capacity);
+  Kokkos::deep_copy(matter.rate, rate);
+  return matter;
+}
+
 }  // namespace
 
 template <class T>
@@ -31,7 +57,7 @@ HeatRates<T> heat_rates(const HeatParameters& p) {
   require_positive("fluid diffusivity", p.fluid_diffusivity);
   require_positive("solid diffusivity", p.solid_diffusivity);
   require_positive("heat capacity ratio", p.capacity_ratio);
-  const auto rate = [](double diffusivity) { return static_cast<T>(1 / (0.5 + diffusivity / c_s2)); };
+  const auto rate = [](double diffusivity) { return static_cast<T>(rate_of(diffusivity)); };
   return {rate(p.fluid_diffusivity), rate(p.solid_diffusivity), static_cast<T>(interface_reflection(p.capacity_ratio)),
           p.capacity_ratio};
 }
@@ -51,6 +77,7 @@ struct CopySolid {
 struct CopySolidToHalo {
   Lattice lattice;
   bool periodic_x, periodic_y, marked;
+  std::uint8_t mark;
   Kokkos::View<std::uint8_t*> solid;
 
   KOKKOS_FUNCTION static int source(int p, int n, bool periodic) {
@@ -60,7 +87,7 @@ struct CopySolidToHalo {
   KOKKOS_FUNCTION void copy(int x, int y) const {
     const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
     const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
-    solid(lattice.node(x, y)) = outside && marked ? outside_lattice : solid(from);
+    solid(lattice.node(x, y)) = outside && marked ? mark : solid(from);
   }
   /// Both ends of row `item` - 1, or of a column beyond the rows.
   KOKKOS_FUNCTION void operator()(int item) const {
@@ -75,14 +102,31 @@ struct CopySolidToHalo {
   }
 };
 
+/// The kind of matter of a node inside the lattice.
+struct CopyMatter {
+  Kokkos::View<const std::uint8_t*> solid, mineral;
+  Kokkos::View<std::uint8_t*> matter;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
+    const std::uint8_t of_solid = static_cast<std::uint8_t>(1 + mineral(node));
+    matter(node) = solid(node) > 1 ? no_matter : solid(node) ? of_solid : std::uint8_t(0);
+  }
+};
+
 template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields) {
   const Lattice& lattice = fields.lattice;
   for_each_dense_node(exec, "vug::heat::copy_solid", lattice, CopySolid{type, fields.solid});
-  for_each_node(
-      exec, "vug::heat::copy_solid_to_halo", lattice.ny + 2 + lattice.nx,
-      CopySolidToHalo{lattice, periodic[0], periodic[1], fields.velocity_set == ScalarVelocitySet::d2q9, fields.solid});
+  const bool marked = fields.velocity_set == ScalarVelocitySet::d2q9;
+  const int ends = lattice.ny + 2 + lattice.nx;
+  for_each_node(exec, "vug::heat::copy_solid_to_halo", ends,
+                CopySolidToHalo{lattice, periodic[0], periodic[1], marked, outside_lattice, fields.solid});
+  HeatMatter& matter = fields.matter;
+  if (!matter.given()) return;
+  for_each_dense_node(exec, "vug::heat::copy_matter", lattice,
+                      CopyMatter{fields.solid, matter.mineral, matter.of_node});
+  for_each_node(exec, "vug::heat::copy_matter_to_halo", ends,
+                CopySolidToHalo{lattice, periodic[0], periodic[1], marked, no_matter, matter.of_node});
 }
 
 /// Populations at rest, g_q = w_q theta.
@@ -137,7 +181,7 @@ void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields) {
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
-                               bool openings) {
+                               bool openings, const Kokkos::View<const std::uint8_t*>& mineral) {
   HeatFields<T> fields;
   fields.lattice = lattice;
   fields.rates = heat_rates<T>(parameters);
@@ -151,6 +195,7 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   else
     fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
+  if (!parameters.minerals.empty()) fields.matter = make_matter(exec, parameters, size, mineral);
   set_heat_geometry(exec, type, periodic, fields);
   const ScalarField<T> start(Kokkos::view_alloc(exec, "vug::heat::start"), size);
   Kokkos::deep_copy(exec, start, static_cast<T>(theta));
@@ -158,14 +203,15 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   return fields;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                       \
-  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                    \
-  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                 \
-                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool); \
-  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                  \
-  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                     \
-  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                       \
-  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                \
+#define VUG_INSTANTIATE(T)                                                                                      \
+  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                   \
+  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                \
+                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool, \
+                                             const Kokkos::View<const std::uint8_t*>&);                         \
+  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                 \
+  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                    \
+  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                      \
+  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                               \
   template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

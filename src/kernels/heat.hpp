@@ -9,8 +9,15 @@
 #include "kernels/fluid_rows.hpp"
 
 #include <type_traits>
+#include <vector>
 
 namespace vug {
+
+/// What a mineral conducts and holds, as the solid of HeatParameters.
+struct HeatMineral {
+  double diffusivity = 0;
+  double capacity_ratio = 1;
+};
 
 /// Lattice units (dx = dt = 1); a heat step every n flow steps has n times the diffusivities.
 struct HeatParameters {
@@ -18,6 +25,8 @@ struct HeatParameters {
   double solid_diffusivity = 0;
   double capacity_ratio = 1;  ///< sigma = (rho cp)_s / (rho cp)_f
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
+  std::vector<HeatMineral>
+      minerals{};  ///< by their numbers, of which 0 is the solid above; empty: that is all there is
 };
 
 /// What the kernels need of HeatParameters.
@@ -31,6 +40,18 @@ struct HeatRates {
 /// Throws InputError unless all three parameters are positive and finite.
 template <class T>
 HeatRates<T> heat_rates(const HeatParameters& parameters);
+
+/// The kinds of matter where there is more than fluid and one solid: 0 fluid, 1 + m mineral m, `no_matter` where
+/// nothing is computed.
+struct HeatMatter {
+  Kokkos::View<std::uint8_t*> of_node;        ///< (node) with halo, as HeatFields::solid; empty: fluid and one solid
+  ScalarField<double> capacity;               ///< (kind) heat capacity over that of the fluid; 0 of no_matter
+  ScalarField<double> rate;                   ///< (kind) relaxation rate s
+  Kokkos::View<const std::uint8_t*> mineral;  ///< (dense node) number of its mineral
+
+  bool given() const { return of_node.extent(0) > 0; }
+};
+inline constexpr std::uint8_t no_matter = 255;
 
 /// Entries of the mask of the solid where nothing is computed: beyond a side that is not joined to the opposite one
 /// (D2Q9; see HeatFields), and in an opening. All that is above 1 is such.
@@ -49,6 +70,7 @@ struct HeatFields {
   /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
   /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
   Kokkos::View<std::uint8_t*> solid;
+  HeatMatter matter;
   int bands = 0;         ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
   ScalarField<T> lines;  ///< (band, line, x) what they set aside
 };
@@ -70,10 +92,11 @@ struct Temperature {
 };
 
 /// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
+/// `mineral` (dense node) numbers parameters.minerals.
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
-                               bool openings = false);
+                               bool openings = false, const Kokkos::View<const std::uint8_t*>& mineral = {});
 
 /// Sets populations at rest from the temperatures theta (node).
 template <class T>

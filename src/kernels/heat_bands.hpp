@@ -73,19 +73,18 @@ struct SetAsideBesideBand {
 };
 
 /// Conducts a band of rows; what follows in every row, `rows`, gets each part of it while that is in the nearest cache.
-template <class T, class Set, bool Openings, class Rows>
+template <class T, class Set, class Matter, class Rows>
 struct ConductBand {
   /// Nodes of a row at a time, of which some things are staged in the nearest cache: four lines of it, since longer
   /// segments ask the memory for one stream after the other, and shorter ones are mostly beginnings and ends.
   static constexpr int segment = 256 / sizeof(T);
 
   HeatBands<T, Set> bands;
-  Conduction<T, Set> law;
-  Kokkos::View<const std::uint8_t*> solid;
+  Matter matter;
   Rows rows;
 
   KOKKOS_FUNCTION void operator()(int band) const {
-    const Conduction<T, Set> local = law;
+    const Matter local = matter;
     const BandLines<T, Set> lines = bands.lines_of(band);
     const int first = bands.first_row(band), last = bands.first_row(band + 1) - 1;
     for (int y = first; y <= last; ++y) {
@@ -102,13 +101,13 @@ struct ConductBand {
     T* g[Set::Q];             ///< its populations
     const T* pulled[Set::Q];  ///< what arrives at it
     T* kept[Set::Q];          ///< where it sets aside what moves upwards; of other directions not set
-    const std::uint8_t* solid;
+    const std::uint8_t* kind;
   };
 
   KOKKOS_FORCEINLINE_FUNCTION Row row_at(int y, bool is_last, int turn, const BandLines<T, Set>& lines) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch, node = bands.lattice.node(0, y);
     Row row;
-    row.solid = &solid(node);
+    row.kind = &matter.kind(node);
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) {
       row.g[q] = bands.row(q, y);
@@ -136,8 +135,7 @@ struct ConductBand {
 
   /// Calls conducted(x) when the nodes before x are.
   template <class Conducted>
-  KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Conduction<T, Set>& conduction,
-                                           const Conducted& conducted) const {
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Matter& local, const Conducted& conducted) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;
     T before = row.g[1][-1];  // moves to the right, from the node before the segment
     for (int start = 0; start < nx; start += segment) {
@@ -149,10 +147,10 @@ struct ConductBand {
       for (int x = 0; x < n; ++x) rightward[x + 1] = row.g[1][start + x];
       before = rightward[n];
       for (int r = 0; r < 3; ++r) {
-        const std::uint8_t* const from = row.solid + (r - 1) * pitch + start - 1;
+        const std::uint8_t* const from = row.kind + (r - 1) * pitch + start - 1;
         VUG_VECTORISE
-        for (int x = 0; x < n; ++x) mask[r][x] = static_cast<T>(from[x]);
-        for (int x = n; x < n + 2; ++x) mask[r][x] = static_cast<T>(from[x]);
+        for (int x = 0; x < n; ++x) mask[r][x] = local.staged(from[x]);
+        for (int x = n; x < n + 2; ++x) mask[r][x] = local.staged(from[x]);
       }
       VUG_VECTORISE
       for (int x = 0; x < n; ++x) {
@@ -163,12 +161,11 @@ struct ConductBand {
         for (int q = 1; q < Set::Q; ++q) {
           g[q] = row.g[q][start + x];
           pulled[q] = q == 1 ? rightward[x] : row.pulled[q][start + x];
-          beyond[q] = solid_beyond<T, Set, Openings>(mask[1 - Set::c(q, 1)][x + 1 - Set::c(q, 0)], here);
+          beyond[q] = Matter::beyond(mask[1 - Set::c(q, 1)][x + 1 - Set::c(q, 0)], here);
           if (Set::c(q, 1) > 0) row.kept[q][start + x] = g[q];
         }
-        if constexpr (Openings)
-          if (here > 1) continue;
-        conduction(g, pulled, here, beyond);
+        if (!Matter::computed(here)) continue;
+        local.conduct(g, pulled, row.kind[start + x], here, beyond);
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) row.g[q][start + x] = g[q];
       }

@@ -2,6 +2,8 @@
 
 #include "kernels/launch.hpp"
 
+#include <type_traits>
+
 namespace vug {
 
 namespace {
@@ -34,11 +36,30 @@ SideNodes side_nodes(const Lattice& lattice, Side side) {
 /// One link that crosses a side, as its law sees it.
 template <class T>
 struct SideLink {
-  T leaving;  ///< A, the population that leaves through it, or that a mirror sends back through it
-  T inward;   ///< the node's own population of the opposite direction
-  T weight;   ///< w of the velocity set
-  T share;    ///< of what enters at the node
-  bool solid;
+  T leaving;   ///< A, the population that leaves through it, or that a mirror sends back through it
+  T inward;    ///< the node's own population of the opposite direction
+  T weight;    ///< w of the velocity set
+  T share;     ///< of what enters at the node, of a mineral over its heat capacity
+  bool solid;  ///< of the one solid that there is
+};
+
+/// What a boundary asks of its nodes: fluid and one solid.
+template <class T>
+struct TwoKinds {
+  double capacity_ratio;
+  Kokkos::View<const std::uint8_t*> kind;
+  KOKKOS_FORCEINLINE_FUNCTION bool solid(int node) const { return kind(node) != 0; }
+  KOKKOS_FORCEINLINE_FUNCTION T share(int, T share) const { return share; }
+  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return kind(node) ? capacity_ratio : 1; }
+};
+/// Fluid and minerals.
+template <class T>
+struct ManyKinds {
+  Kokkos::View<const double*> capacities;
+  Kokkos::View<const std::uint8_t*> kind;
+  KOKKOS_FORCEINLINE_FUNCTION bool solid(int) const { return false; }
+  KOKKOS_FORCEINLINE_FUNCTION T share(int node, T share) const { return share / static_cast<T>(capacity(node)); }
+  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return capacities(kind(node)); }
 };
 
 /// in = A + share q / c.
@@ -82,13 +103,13 @@ struct OutflowIn {
 
 /// Writes the populations that arrive at one node through a side into the halo and returns the energy they bring in,
 /// the sum of c (in - A). `Law` maps a SideLink to what arrives.
-template <class T, class Set, class Law>
+template <class T, class Set, class Law, class Kinds>
 struct FillSide {
   Law law;
+  Kinds kinds;
   Lattice lattice;
   int first, count, stride, outward;
   bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
-  double capacity_ratio;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
 
@@ -109,15 +130,15 @@ struct FillSide {
     const int step = along(outward, q), plane = lattice.size();
     const int next = node + step * stride;
     const bool beside = whole || (item + step >= 0 && item + step < count);
-    if (!Law::mirrors || step == 0 || !beside || solid(next) != solid(node)) return g(q * plane + node);
+    if (!Law::mirrors || step == 0 || !beside || kinds.kind(next) != kinds.kind(node)) return g(q * plane + node);
     int crossing = 5;
     while (crossing == q || !crosses(outward, crossing)) ++crossing;
     return g(crossing * plane + next);
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
     const int plane = lattice.size(), back = Set::opposite(q);
-    const SideLink<T> link{leaving(item, node, q), g(back * plane + node), static_cast<T>(Set::w(q)), share,
-                           solid(node) != 0};
+    const SideLink<T> link{leaving(item, node, q), g(back * plane + node), static_cast<T>(Set::w(q)),
+                           kinds.share(node, share), kinds.solid(node)};
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
@@ -134,50 +155,53 @@ struct FillSide {
       entered += fill(item, node, q, share);
     }
     entered += fill(item, node, outward, straight_share);
-    return (solid(node) ? capacity_ratio : 1) * entered;
+    return kinds.capacity(node) * entered;
   }
 };
 
 /// As FillSide for one link into an opening, whose node there takes what arrives.
-template <class T, class Set, class Law>
+template <class T, class Set, class Law, class Kinds>
 struct FillOpening {
   Law law;
+  Kinds kinds;
   int plane;
-  double capacity_ratio;
   Kokkos::View<const int*> node, beyond;
-  Kokkos::View<const std::uint8_t*> direction, solid;
+  Kokkos::View<const std::uint8_t*> direction;
   Kokkos::View<const double*> area;
   ScalarField<T> g;
   KOKKOS_FUNCTION double operator()(int item) const {
     const int n = node(item), q = direction(item), back = Set::opposite(q);
-    const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)), static_cast<T>(area(item)),
-                           solid(n) != 0};
+    const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)),
+                           kinds.share(n, static_cast<T>(area(item))), kinds.solid(n)};
     const T arriving = law(link);
     g(back * plane + beyond(item)) = arriving;
-    return (link.solid ? capacity_ratio : 1) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
+    return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
   }
 };
 
 namespace {
+
+/// visit(Set{}, the kinds of the nodes).
+template <class T, class Visit>
+void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    if (fields.matter.given())
+      visit(set, ManyKinds<T>{fields.matter.capacity, fields.matter.of_node});
+    else
+      visit(set, TwoKinds<T>{fields.rates.capacity_ratio, fields.solid});
+  });
+}
 
 template <class T, class Law>
 void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side, const Law& law) {
   const Lattice& lattice = fields.lattice;
   const auto [origin, stride] = side_nodes(lattice, side.side);
   const int start = origin + side.first * stride, step = stride, count = side.last - side.first + 1;
-  visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const FillSide<T, decltype(set), Law> body{law,
-                                               lattice,
-                                               start,
-                                               count,
-                                               step,
-                                               outward(side.side),
-                                               count == side_length(lattice, side.side),
-                                               side.corners[0],
-                                               side.corners[1],
-                                               fields.rates.capacity_ratio,
-                                               fields.solid,
-                                               fields.g};
+  const bool whole = count == side_length(lattice, side.side);
+  visit_kinds(fields, [&](auto set, const auto& kinds) {
+    using Body = FillSide<T, decltype(set), Law, std::decay_t<decltype(kinds)>>;
+    const Body body{law,   kinds,           lattice,         start,        count,   step, outward(side.side),
+                    whole, side.corners[0], side.corners[1], fields.solid, fields.g};
     add_per_block(exec, "vug::heat::fill_side", count, body, side.energy_in);
   });
 }
@@ -185,16 +209,9 @@ void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side,
 template <class T, class Law>
 void launch(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening, const Law& law) {
   const DenseLinks& links = opening.links;
-  visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const FillOpening<T, decltype(set), Law> body{law,
-                                                  fields.lattice.size(),
-                                                  fields.rates.capacity_ratio,
-                                                  links.node,
-                                                  links.beyond,
-                                                  links.direction,
-                                                  fields.solid,
-                                                  links.area,
-                                                  fields.g};
+  visit_kinds(fields, [&](auto set, const auto& kinds) {
+    using Body = FillOpening<T, decltype(set), Law, std::decay_t<decltype(kinds)>>;
+    const Body body{law, kinds, fields.lattice.size(), links.node, links.beyond, links.direction, links.area, fields.g};
     add_per_block(exec, "vug::heat::fill_opening", links.count, body, opening.energy_in);
   });
 }

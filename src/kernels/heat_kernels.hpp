@@ -40,6 +40,26 @@ struct Conduction {
   }
 };
 
+/// The same where every node has the heat capacity and the rate of its own matter.
+template <class T, class Set>
+struct MineralConduction {
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T rate, T capacity,
+                                              const T (&beyond)[Set::Q]) const {
+    T in[Set::Q];
+    T temperature = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q)
+      temperature += in[q] = conjugate_link_of(pulled[q], g[Set::opposite(q)], capacity, beyond[q]);
+    const T even = (2 - rate) * temperature;
+    g[0] = temperature;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      g[q] = (rate - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
+      g[0] -= g[q];
+    }
+  }
+};
+
 /// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
 /// `inside_opening`), that of the node itself. D2Q5 without openings never meets such.
 template <class T, class Set, bool Openings>
@@ -50,20 +70,53 @@ KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
     return beyond > 1 ? solid : beyond;
 }
 
+/// What the nodes are made of, for the conduction at one of them: fluid and one solid. `kind` is a byte per node, of
+/// which `staged` makes what the law takes for here and beyond.
+template <class T, class Set, bool Openings>
+struct TwoPhases {
+  Conduction<T, Set> law;
+  Kokkos::View<const std::uint8_t*> kind;
+
+  explicit TwoPhases(const HeatFields<T>& fields) : law(fields.rates), kind(fields.solid) {}
+  KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(k); }
+  KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return solid_beyond<T, Set, Openings>(there, here); }
+  KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return !Openings || here <= 1; }
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t, T here,
+                                           const T (&there)[Set::Q]) const {
+    law(g, pulled, here, there);
+  }
+};
+
+/// Fluid and minerals: what is staged are heat capacities.
+template <class T, class Set>
+struct ManyMinerals {
+  Kokkos::View<const std::uint8_t*> kind;
+  Kokkos::View<const double*> capacity, rate;
+
+  explicit ManyMinerals(const HeatFields<T>& fields)
+      : kind(fields.matter.of_node), capacity(fields.matter.capacity), rate(fields.matter.rate) {}
+  KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(capacity(k)); }
+  KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return there > 0 ? there : here; }
+  KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return here > 0; }
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t k, T here,
+                                           const T (&there)[Set::Q]) const {
+    MineralConduction<T, Set>{}(g, pulled, static_cast<T>(rate(k)), here, there);
+  }
+};
+
 /// Conduction at one node with two lattices: pulls from g, writes g_next. Dense fields; lattice units. Reads Q
 /// populations and a byte, writes Q. With `Openings` the nodes inside them keep what was filled in.
-template <class T, class Set, bool Openings>
+template <class T, class Set, class Matter>
 struct Conduct {
-  Conduction<T, Set> law;
+  Matter matter;
   int pitch, plane;
   Kokkos::View<const T*> g;
-  Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g_next;
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
-    if constexpr (Openings)
-      if (solid(node) > 1) return keep(node);
-    const T here = static_cast<T>(solid(node));
+    const std::uint8_t kind = matter.kind(node);
+    const T here = matter.staged(kind);
+    if (!matter.computed(here)) return keep(node);
     T own[Set::Q], pulled[Set::Q], beyond[Set::Q];
     own[0] = g(node);
     VUG_UNROLL
@@ -71,9 +124,9 @@ struct Conduct {
       const int from = node - Set::c(q, 1) * pitch - Set::c(q, 0);
       own[q] = g(q * plane + node);
       pulled[q] = g(q * plane + from);
-      beyond[q] = solid_beyond<T, Set, Openings>(static_cast<T>(solid(from)), here);
+      beyond[q] = matter.beyond(matter.staged(matter.kind(from)), here);
     }
-    law(own, pulled, here, beyond);
+    matter.conduct(own, pulled, kind, here, beyond);
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = own[q];
   }
@@ -85,10 +138,9 @@ struct Conduct {
 };
 
 /// One node of a conduction step of these fields from `fields.g` to `g_next`.
-template <class T, class Set, bool Openings>
-Conduct<T, Set, Openings> conduct_body(const HeatFields<T>& fields, const ScalarField<T>& g_next) {
-  return {
-      Conduction<T, Set>(fields.rates), fields.lattice.pitch, fields.lattice.size(), fields.g, fields.solid, g_next};
+template <class Set, class T, class Matter>
+Conduct<T, Set, Matter> conduct_body(const HeatFields<T>& fields, const Matter& matter, const ScalarField<T>& g_next) {
+  return {matter, fields.lattice.pitch, fields.lattice.size(), fields.g, g_next};
 }
 
 /// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow

@@ -10,27 +10,30 @@ namespace vug {
 
 namespace {
 
-/// visit(Set{}, std::bool_constant<Openings>{}) as the fields have them.
+/// visit(Set{}, what the nodes are made of).
 template <class T, class Visit>
-void visit_kind(const HeatFields<T>& fields, const Visit& visit) {
+void visit_matter(const HeatFields<T>& fields, const Visit& visit) {
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    if (fields.openings)
-      visit(set, std::true_type{});
+    using Set = decltype(set);
+    if (fields.matter.given())
+      visit(set, ManyMinerals<T, Set>(fields));
+    else if (fields.openings)
+      visit(set, TwoPhases<T, Set, true>(fields));
     else
-      visit(set, std::false_type{});
+      visit(set, TwoPhases<T, Set, false>(fields));
   });
 }
 
 /// Conduction in place, and what follows it in every row (heat_convection.hpp).
-template <class Set, bool Openings, class T, class Convection>
-void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Convection& convection,
+template <class Set, class T, class Matter, class Convection>
+void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Matter& matter, const Convection& convection,
                       const ScalarField<T>& theta) {
   using Rows = ThenTemperatures<T, Set, Convection>;
   const Rows rows{convection, fields.lattice, fields.g, theta};
   const HeatBands<T, Set> bands(fields);
   const Kokkos::RangePolicy<Exec> all(exec, 0, bands.count);
   Kokkos::parallel_for("vug::heat::set_aside", all, SetAsideBesideBand<T, Set>{bands});
-  const ConductBand<T, Set, Openings, Rows> band{bands, Conduction<T, Set>(fields.rates), fields.solid, rows};
+  const ConductBand<T, Set, Matter, Rows> band{bands, matter, rows};
   Kokkos::parallel_for("vug::heat::rows", all, band);
 }
 
@@ -38,13 +41,12 @@ void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Conve
 
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta) {
-  visit_kind(fields, [&](auto set, auto openings) {
+  visit_matter(fields, [&](auto set, const auto& matter) {
     using Set = decltype(set);
     if constexpr (runs_on_host)
-      conduct_in_place<Set, decltype(openings)::value>(exec, fields, NoConvection{}, theta);
+      conduct_in_place<Set>(exec, fields, matter, NoConvection{}, theta);
     else
-      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice,
-                          conduct_body<T, Set, decltype(openings)::value>(fields, fields.g_next));
+      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice, conduct_body<Set>(fields, matter, fields.g_next));
   });
   if constexpr (!runs_on_host) {
     std::swap(fields.g, fields.g_next);
@@ -71,10 +73,10 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
                         const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created,
                         const std::type_identity_t<ScalarField<T>>& theta) {
   if constexpr (runs_on_host) {
-    visit_kind(fields, [&](auto set, auto openings) {
+    visit_matter(fields, [&](auto set, const auto& matter) {
       using Set = decltype(set);
       const auto convection = convect_rows(nodes, rows, advect_body<T, Set>(nodes, u, defect, lagged, fields), created);
-      conduct_in_place<Set, decltype(openings)::value>(exec, fields, convection, theta);
+      conduct_in_place<Set>(exec, fields, matter, convection, theta);
     });
   } else {
     conduct(exec, fields);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <type_traits>
 
 namespace vug {
 namespace {
@@ -39,12 +40,12 @@ void fill_at_random(const ScalarField<T>& field, std::mt19937& random) {
 }
 
 /// One step from `fields` with two lattices, by the law of one node.
-template <class T, class Set, bool Openings>
-HeatFields<T> after_plain_step(const Exec& exec, const HeatFields<T>& fields) {
+template <class Set, class T, class Matter>
+HeatFields<T> after_plain_step(const Exec& exec, const HeatFields<T>& fields, const Matter& matter) {
   HeatFields<T> next = fields;
   next.g = ScalarField<T>("g", fields.g.extent(0));
   Kokkos::deep_copy(next.g, fields.g);
-  for_each_dense_node(exec, "two lattices", fields.lattice, conduct_body<T, Set, Openings>(fields, next.g));
+  for_each_dense_node(exec, "two lattices", fields.lattice, conduct_body<Set>(fields, matter, next.g));
   exec.fence();
   return next;
 }
@@ -64,21 +65,34 @@ int count_differences(const Lattice& lattice, int planes, const ScalarField<T>& 
   return found;
 }
 
-template <class T, class Set, bool Openings>
+/// The number of one of three minerals for every node.
+Kokkos::View<std::uint8_t*> random_minerals(const Lattice& lattice, std::mt19937& random) {
+  Kokkos::View<std::uint8_t*> mineral("mineral", lattice.size());
+  const auto host = Kokkos::create_mirror_view(mineral);
+  for (std::size_t n = 0; n < host.extent(0); ++n) host(n) = static_cast<std::uint8_t>(random() % 3);
+  Kokkos::deep_copy(mineral, host);
+  return mineral;
+}
+
+template <class T, class Set, bool Openings, bool Minerals = false>
 void expect_plain_steps(int nx, int ny, int bands) {
   std::mt19937 random(nx * 1000 + ny);
   const Exec exec;
   const Lattice lattice(nx, ny);
   const ScalarVelocitySet set = Set::Q == D2Q9::Q ? ScalarVelocitySet::d2q9 : ScalarVelocitySet::d2q5;
-  HeatFields<T> fields = make_heat_fields<T>(exec, lattice, {0.056, 0.14, 0.625, set},
-                                             random_types(lattice, Openings, random), {true, false}, 0, Openings);
+  HeatParameters parameters{0.056, 0.14, 0.625, set};
+  if (Minerals) parameters.minerals = {{0.14, 0.625}, {0.3, 0.5}, {0.08, 0.9}};
+  const auto type = random_types(lattice, Openings, random);
+  HeatFields<T> fields = make_heat_fields<T>(exec, lattice, parameters, type, {true, false}, 0, Openings,
+                                             random_minerals(lattice, random));
   if (runs_on_host && bands > 0) set_heat_bands(exec, bands, fields);
   const HeatSide lower = make_heat_side(lattice, Side::bottom, HeatCondition::temperature, 0.3);
   fill_at_random(fields.g, random);
   for (int step = 0; step < 3; ++step) {
     join_heat_sides(exec, fields, 0);
     fill_heat_side(exec, fields, lower);
-    const HeatFields<T> expected = after_plain_step<T, Set, Openings>(exec, fields);
+    using Matter = std::conditional_t<Minerals, ManyMinerals<T, Set>, TwoPhases<T, Set, Openings>>;
+    const HeatFields<T> expected = after_plain_step<Set>(exec, fields, Matter(fields));
     conduct(exec, fields);
     exec.fence();
     EXPECT_EQ(count_differences(lattice, Set::Q, fields.g, expected.g), 0)
@@ -106,6 +120,13 @@ TYPED_TEST_SUITE(ConductionInPlace, Precisions);
 TYPED_TEST(ConductionInPlace, HasTheBitsOfTwoLattices) {
   expect_plain_steps_of_all_sizes<TypeParam, D2Q5, false>();
   expect_plain_steps_of_all_sizes<TypeParam, D2Q9, false>();
+}
+
+TYPED_TEST(ConductionInPlace, HasTheBitsOfTwoLatticesInMinerals) {
+  expect_plain_steps<TypeParam, D2Q5, true, true>(131, 101, 4);
+  expect_plain_steps<TypeParam, D2Q9, true, true>(131, 101, 4);
+  expect_plain_steps<TypeParam, D2Q5, false, true>(37, 7, 0);
+  expect_plain_steps<TypeParam, D2Q9, false, true>(37, 7, 0);
 }
 
 TYPED_TEST(ConductionInPlace, HasTheBitsOfTwoLatticesAroundOpenings) {

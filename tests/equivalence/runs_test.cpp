@@ -82,8 +82,10 @@ TEST(SameBitsOfTurned, AfterARestartBetweenTwoSteps) {
 TEST(SameBitsOfMinerals, WithThreadsAndAfterARestart) {
   const TemporaryFolder folder;
   for (const std::string precision : {"double", "single"}) {
-    const std::string more = " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
-                             " --set accuracy.precision=" + precision + test::minerals_on_command_line();
+    const std::string more =
+        " --set output.checkpoint_interval=2.5e-5 --set output.interval=2.5e-5"
+        " --set accuracy.precision=" +
+        precision + test::minerals_on_command_line();
     const std::string whole = folder / ("whole_" + precision), parts = folder / ("parts_" + precision);
     run(whole, "--threads 1" + more);
     run(parts, "--threads 2 --steps 200" + more);

@@ -99,7 +99,7 @@ struct ReactiveBox {
       links_for = k;
     }
     react_at_wall<Set>(exec, nodes, wall, links, acid, has_product ? &product : nullptr);
-    book_turnover(exec, surface, wall, links, ReactionLedger{V, dissolved, consumed, {}});
+    book_turnover(exec, surface, wall, links, ReactionLedger{V, dissolved, consumed, {}, {}});
   }
 
   void step() {

@@ -35,6 +35,7 @@ RUNS = ACID | {
     "cylinder": (60, ["output.interval=0.02"]),
     "heated_cavity": (60, ["output.interval=8e-3"]),
     "poiseuille": (60, ["output.interval_steps=20"]),
+    "minerals": (60, ["output.interval=2e-3"]),
     "diffusion_reaction": (60, ["output.interval=0.06"]),
     "../tests/cases/coupled/small_rock": (60, ["output.interval=5e-5"]),
     "../tests/cases/coupled/well": (60, ["output.interval_steps=20"]),

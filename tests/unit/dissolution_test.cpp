@@ -16,8 +16,8 @@
 namespace vug {
 namespace {
 
-using test::host_copy;
 using reference::ReactiveBox;
+using test::host_copy;
 using Box = ReactiveBox<D2Q5, double>;
 
 /// Rows of '.', fluid, and '#', solid; the first row is the top.
@@ -72,6 +72,27 @@ TEST(MarkDissolved, WritesDownWhatNoSolidIsLeftToPay) {
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 1);
   EXPECT_EQ(box.solid_total(), 0);
   EXPECT_EQ(sum_in_order(box.lost), -0.25);
+}
+
+TEST(MarkDissolved, TakesTheOverdraftFromTheSameMineralOnly) {
+  Box box = box_of({"####", "####", "..##"});
+  const Kokkos::View<std::uint8_t*> mineral("mineral", box.lattice.size());
+  const MineralLosses losses{
+      mineral, {ScalarField<double>("lost", box.lost.extent(0)), ScalarField<double>("lost", box.lost.extent(0))}};
+  for (const auto& [x, y] : {std::pair{2, 0}, {3, 0}, {1, 1}}) mineral(box.lattice.node(x, y)) = 1;
+  V(box, 2, 0) = -0.25;
+  EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost, losses), 1);
+  for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}}) EXPECT_EQ(V(box, x, y), 1 - 0.25 / 2);
+  for (const auto& [x, y] : {std::pair{2, 1}, {3, 1}, {0, 1}}) EXPECT_EQ(V(box, x, y), 1);
+  EXPECT_EQ(sum_in_order(box.lost), 0);
+  find_surface(box.exec, box.nodes, box.type, box.surface);
+  mineral(box.lattice.node(1, 1)) = 0;
+  V(box, 3, 0) = -0.125;  // the last of its mineral around here
+  mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost, losses);
+  EXPECT_EQ(V(box, 2, 1), 1);
+  EXPECT_EQ(sum_in_order(box.lost), -0.125);
+  EXPECT_EQ(sum_in_order(losses.lost[0]), 0);
+  EXPECT_EQ(sum_in_order(losses.lost[1]), -0.125);
 }
 
 TEST(MarkDissolved, LeavesThePixelsThatStillHoldSolid) {
@@ -196,7 +217,8 @@ TEST(SurfaceNormal, DoesNotSeeWhereSolidOfOpenedPathwaysHasGone) {
         if (x < 6 || x >= 34 || box.nodes.index(n + box.lattice.offset(q)) < 0) continue;
         length += link_area_share(cracked(s, 0), cracked(s, 1), D2Q9::c(q, 0), D2Q9::c(q, 1));
       }
-    EXPECT_NEAR(length / (28 * std::hypot(1.0, 0.5 * slope)), 1, slope == 1 ? 5e-3 : 1e-14) << slope;  // uncracked likewise
+    EXPECT_NEAR(length / (28 * std::hypot(1.0, 0.5 * slope)), 1, slope == 1 ? 5e-3 : 1e-14)
+        << slope;  // uncracked likewise
     // half dissolved it is what rock of one cell is, half dissolved
     VectorField<double> half, half_cracked;
     for (const double of_node : {1.0, 1.5}) {

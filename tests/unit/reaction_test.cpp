@@ -56,6 +56,34 @@ TEST(KineticFlux, TurnsAVeryFastReactionIntoEquilibriumAtTheWall) {
   EXPECT_NEAR((2 * A1 - J) - q * (2 * A2 + J), 0, 1e-16);
 }
 
+template <class Real>
+void expect_converted(Real n, Real a, Real b, double bound) {
+  const double y = converted(a, b, n), x = double(a) - y;
+  ASSERT_GE(y, 0);
+  ASSERT_LE(y, double(a) * (1 + 1e-6));
+  if (x > 1e-3 * a) {
+    EXPECT_NEAR(y / (b * std::pow(x, double(n))), 1, bound) << n << " " << a << " " << b;
+  } else {  // next to nothing is left
+    EXPECT_GT(b * std::pow(2e-3 * a, double(n)), 0.9 * a) << n << " " << a << " " << b;
+  }
+}
+
+TEST(RateOfAnyOrder, SolvesWhatReactsAtTheWall) {
+  for (const double n : {0.2, 0.5, 0.9, 1.0, 1.5, 2.0, 4.0})
+    for (const double a : {1e-9, 1e-3, 0.4, 1.0, 3.0})
+      for (const double b : {1e-25, 1e-12, 1e-3, 0.5, 20.0, 1e8}) {
+        expect_converted(n, a, b, 1e-9);
+        expect_converted(float(n), float(a), float(b), 1e-2);
+      }
+  EXPECT_EQ(converted(0.0, 1.0, 0.5), 0);
+  EXPECT_EQ(converted(-0.1, 1.0, 0.5), 0);  // an undershoot of the concentration
+  EXPECT_EQ(converted(1.0, 0.0, 0.5), 0);
+  EXPECT_NEAR(converted(2.0, 1.0, 2.0), 1, 1e-15);                         // x + x^2 = 2
+  EXPECT_NEAR(converted(1.0, 1.0, 0.5), (std::sqrt(5.0) - 1) / 2, 1e-15);  // x + sqrt(x) = 1
+  EXPECT_NEAR(converted(0.7, 0.3, 1.0), 0.7 * 0.3 / 1.3, 1e-16);           // the closed form of first order
+  EXPECT_EQ(converted(0.5, 1e300, 0.5), 0.5);                              // all there is
+}
+
 TEST(PaperWall, SolvesEq22AsPrinted) {
   constexpr double k = 0.018, D1 = 0.03, D2 = 0.02, C1 = 0.7, C2 = 0.2;
   for (const double K : {0.5, 1.0, 10.0, 1e7}) {

@@ -112,8 +112,8 @@ TEST(NodeGroups, HoldEveryNodeOfTheirKeyInOrder) {
   std::vector<int> key;
   for (int n = 0; n < 35; ++n) key.push_back(n < 21 ? n / 3 % 3 : n % 4 - 1);  // runs that end with their row, gaps
   const NodeGroups groups = group_nodes(key, 4, lattice);
-  const auto offset = test::host_copy(groups.offset), first = test::host_copy(groups.first), length = test::host_copy(groups.length),
-             nodes = test::host_copy(groups.nodes);
+  const auto offset = test::host_copy(groups.offset), first = test::host_copy(groups.first),
+             length = test::host_copy(groups.length), nodes = test::host_copy(groups.nodes);
   ASSERT_EQ(groups.count(), 4);
   for (int g = 0; g < 4; ++g) {
     std::vector<int> expected, found;
@@ -329,6 +329,34 @@ TEST(SolidSpread, GoesOnToTheNeighboursBeforeANodeHoldsMoreThanTheBound) {
   spread(Exec{}, rock.type, rock.opening, rock.volume, rock.dissolved);
   EXPECT_NEAR(rock.held(0) + rock.held(4), 64 + 128, 1e-12);
   EXPECT_NEAR(sum_in_order(spread.waiting()), 320 - 192, 1e-12);
+}
+
+/// The rows of the lattice are two minerals in turn, of which one opens in the middle triangle.
+TEST(SolidSpread, KeepsTheVolumeOfEachMineral) {
+  if constexpr (!shares_host_memory) GTEST_SKIP() << "reads views on the host";
+  RowOfTriangles rock;
+  const Kokkos::View<std::uint8_t*> mineral("mineral", rock.lattice.size());
+  for (int n = 0; n < rock.lattice.size(); ++n) mineral(n) = static_cast<std::uint8_t>((rock.lattice.y(n) + 2) % 2);
+  SolidSpread spread(rock.nodes, rock.neighbours, {mineral, 2});
+  const auto held = [&](int m) {
+    double sum = 0;
+    for (int t = 0; t < RowOfTriangles::count; ++t)
+      rock.nodes.for_each(t, [&](int n) { sum += mineral(n) == m ? rock.volume(n) : 0.0; });
+    return sum;
+  };
+  rock.open(2, 3);
+  spread(Exec{}, rock.type, rock.opening, rock.volume, rock.dissolved);
+  for (const int m : {0, 1}) EXPECT_NEAR(held(m), 5 * 32, 1e-12) << m;
+  rock.nodes.for_each(1, [&](int n) {  // mineral 1 of the second triangle opens, all of it
+    if (mineral(n) == 0 || rock.type(n) == NodeType::fluid) return;
+    rock.type(n) = NodeType::fluid;
+    rock.opening(n) = 1;
+  });
+  const double of_other = held(0);
+  spread(Exec{}, rock.type, rock.opening, rock.volume, rock.dissolved);
+  EXPECT_EQ(held(0), of_other);
+  EXPECT_NEAR(held(1) + sum_in_order(spread.waiting(1)), 5 * 32, 1e-12);
+  EXPECT_EQ(sum_in_order(spread.waiting(0)), 0);
 }
 
 TEST(SolidSpread, GivesAWallThatIsNearlyGoneNoMoreThanItHolds) {

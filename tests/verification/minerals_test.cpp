@@ -1,4 +1,5 @@
 // Minerals side by side: each dissolves at its own speed, takes its own amount of acid and keeps its own balance.
+#include "kernels/require.hpp"
 #include "support/coupled_run.hpp"
 #include "support/minerals_of_small_rock.hpp"
 #include "support/record.hpp"
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -142,6 +144,12 @@ double flux_into(test::CoupledRun& run, const std::string& mineral, const std::s
   return stoichiometry * (run.gain(mineral + "_dissolved", "by_" + reactant) - before) / (200 * dt * channel * dx);
 }
 
+/// Holds the flux against the exact one and keeps both.
+void expect_flux(const std::string& what, double value, double flux, double exact, double bound) {
+  EXPECT_NEAR(flux / exact, 1, bound) << what << " " << value;
+  test::record("mineral_flux", {{"what", what}, {"value", value}, {"flux", flux}, {"exact", exact}});
+}
+
 TEST(Minerals, EachHasItsArrheniusLaw) {
   test::CoupledRun run(
       channels, {"reaction.temperature=350", "reaction.reference_temperature=300", "reaction.activation_energy=20000",
@@ -151,8 +159,8 @@ TEST(Minerals, EachHasItsArrheniusLaw) {
     const double k = k0 * std::exp(-activation / gas_constant * (1 / 350.0 - 1 / 300.0));
     return 1000 / (fluid_rows * dx / D + 1 / k);
   };
-  EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / exact(0.02, 20000), 1, 1e-7);
-  EXPECT_NEAR(flux_into(run, "dolomite", "acid", 2) / exact(0.005, 52000), 1, 1e-7);
+  expect_flux("activation energy, J/mol", 20000, flux_into(run, "calcite", "acid", 1), exact(0.02, 20000), 1e-7);
+  expect_flux("activation energy, J/mol", 52000, flux_into(run, "dolomite", "acid", 2), exact(0.005, 52000), 1e-7);
 }
 
 /// k C_ref (C/C_ref)^n at the wall = D (C_0 - C)/d, by bisection.
@@ -171,7 +179,7 @@ TEST(Minerals, OrdersOtherThanOneTakeTheConcentrationAtTheWall) {
                                     "reaction.reference_concentration=400", "mineral.0.molar_volume=1e-12",
                                     "mineral.1.molar_volume=1e-12"});
     run.steps(8000);
-    EXPECT_NEAR(flux_into(run, "dolomite", "acid", 2) / flux_of_order(0.3, order, 400, 1000), 1, 1e-7) << order;
+    expect_flux("order", order, flux_into(run, "dolomite", "acid", 2), flux_of_order(0.3, order, 400, 1000), 1e-7);
     EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / flux_of_order(0.02, 1, 400, 1000), 1, 1e-7) << order;
   }
 }
@@ -195,7 +203,8 @@ TEST(Minerals, EachHasItsEquilibrium) {
     run.steps(12000);
     const double d = fluid_rows * dx, bound = law == "kinetic" ? 1e-7 : 1e-3;
     EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / (1000 / (d / D + 1 / 0.02)), 1, bound) << law;
-    EXPECT_NEAR(flux_into(run, "dolomite", "acid", 2) / (1000 / (d / D + 1 / 0.005 + d / 3e-4 / 1.7)), 1, bound) << law;
+    const double exact = 1000 / (d / D + 1 / 0.005 + d / 3e-4 / 1.7), flux = flux_into(run, "dolomite", "acid", 2);
+    expect_flux("equilibrium constant, " + law + " wall", 1.7, flux, exact, bound);
   }
 }
 
@@ -229,8 +238,10 @@ TEST(TwoAcids, EachTakesWhatItsOwnRateAllows) {
   const auto exact = [&](double C, double diffusivity, double k) { return C / (d / diffusivity + 1 / k); };
   const double volume = -run.gain("calcite_volume", "dissolved");
   EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / exact(1000, D, 0.02), 1, 1e-7);
-  EXPECT_NEAR(flux_into(run, "calcite", "weak", 3) / exact(500, 1e-4, 0.04), 1, 1e-6);
-  EXPECT_NEAR(flux_into(run, "dolomite", "weak", 1) / exact(500, 1e-4, 0.1), 1, 1e-6);
+  expect_flux("second acid, rate constant, m/s", 0.04, flux_into(run, "calcite", "weak", 3), exact(500, 1e-4, 0.04),
+              1e-6);
+  expect_flux("second acid, rate constant, m/s", 0.1, flux_into(run, "dolomite", "weak", 1), exact(500, 1e-4, 0.1),
+              1e-6);
   const double dissolved = -run.gain("calcite_volume", "dissolved") - volume;
   const double speed = 1e-9 * (exact(1000, D, 0.02) + exact(500, 1e-4, 0.04) / 3);
   EXPECT_NEAR(dissolved / (speed * 600 * dt * channel * dx), 1, 1e-6);
@@ -325,6 +336,87 @@ TEST(MineralLedger, OfEachClosesToRoundOffWhilePixelsVanish) {
     EXPECT_NEAR(acid / -run.gain("acid", "reaction"), 1, 1e-12);
     EXPECT_LT(run.worst_balance(), precision == "double" ? 1e-12 : 1e-4);
   }
+}
+
+/// A material of a mineral is that of its shapes but where a later mineral lies, and triangles follow their outlines.
+TEST(MineralRock, GivesTrianglesTheirMaterial) {
+  const std::string rock = R"(
+[lattice]
+size = [0.02, 0.02]
+spacing = 1e-3
+time_step = 1e-5
+[time]
+steps = 10
+[geometry]
+type = "rock"
+[rock]
+element_size = 2e-3
+[heat]
+fluid_diffusivity = 1e-4
+solid_diffusivity = 1e-4
+[boundary.left]
+traction = { support = "roller" }
+[boundary.bottom]
+traction = { support = "roller" }
+[mechanics]
+preload_time = 1e-6
+)";
+  const std::string by_form = R"(
+[[mechanics.material]]
+type = "rectangle"
+from = [0.0, 0.0]
+to = [0.02, 0.01]
+young_modulus = 4e10
+[[mechanics.material]]
+type = "disc"
+centre = [0.01, 0.01]
+radius = 0.004
+)";
+  const std::string minerals = R"(
+[[mineral]]
+name = "lower"
+[[mineral.shapes]]
+type = "rectangle"
+from = [0.0, 0.0]
+to = [0.02, 0.01]
+[[mineral]]
+name = "grain"
+[[mineral.shapes]]
+type = "disc"
+centre = [0.01, 0.01]
+radius = 0.004
+)";
+  const std::string by_mineral =
+      "[[mechanics.material]]\ntype = \"mineral\"\nmineral = \"lower\"\nyoung_modulus = 4e10\n"
+      "[[mechanics.material]]\ntype = \"mineral\"\nmineral = \"grain\"\n";
+  const test::CoupledRun form(rock + by_form), mineral(rock + minerals + by_mineral);
+  const Assembly &a = form.parts().rock->assembly, &b = mineral.parts().rock->assembly;
+  EXPECT_EQ(a.vertices, b.vertices);
+  EXPECT_EQ(a.region, b.region);
+  for (const int material : {0, 1, 2})
+    EXPECT_GT(std::count(b.region.begin(), b.region.end(), material), 10) << material;
+  const std::vector<double> numbers = mineral.nodes("mineral");
+  EXPECT_EQ(numbers[9 * 20 + 9], 2);
+  EXPECT_EQ(numbers[2 * 20 + 2], 1);
+  EXPECT_EQ(numbers[18 * 20 + 2], 0);
+}
+
+TEST(MineralRock, MayBeAGroupOfAMesh) {
+  const test::CoupledRun run(read_scene(VUG_SOURCE_DIR "/tests/cases/complete/mesh.toml"));
+  const std::vector<double> mineral = run.nodes("mineral"), type = run.nodes("node_type");
+  EXPECT_GT(std::count(mineral.begin(), mineral.end(), 1), 50);
+  for (std::size_t n = 0; n < mineral.size(); ++n) EXPECT_EQ(mineral[n], type[n] == 1 ? 1 : -1) << n;
+}
+
+TEST(MineralRock, IsRefusedWhereNoNodeIsLeftToAMineral) {
+  const std::string over =
+      "[[mineral]]\nname = \"over\"\n[[mineral.shapes]]\ntype = \"rectangle\"\nfrom = [0, 0]\n"
+      "to = [0.006, 0.006]\n";
+  const std::string in_fluid =
+      "[[mineral]]\nname = \"wet\"\n[[mineral.shapes]]\ntype = \"disc\"\n"
+      "centre = [0.0005, 0.0005]\nradius = 0.0003\n";
+  EXPECT_THROW(test::CoupledRun run(grain + halves + over), InputError);
+  EXPECT_THROW(test::CoupledRun run(grain + in_fluid), InputError);
 }
 
 /// Pathways that damage opens hand their solid on, within each mineral.
