@@ -85,6 +85,7 @@ TEST(MarkDissolved, TakesTheOverdraftFromTheSameMineralOnly) {
   for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}}) EXPECT_EQ(V(box, x, y), 1 - 0.25 / 2);
   for (const auto& [x, y] : {std::pair{2, 1}, {3, 1}, {0, 1}}) EXPECT_EQ(V(box, x, y), 1);
   EXPECT_EQ(sum_in_order(box.lost), 0);
+  append_births(box.exec, box.type, box.nodes);
   find_surface(box.exec, box.nodes, box.type, box.surface);
   mineral(box.lattice.node(1, 1)) = 0;
   V(box, 3, 0) = -0.125;  // the last of its mineral around here
@@ -302,7 +303,7 @@ TEST(ReactiveWall, EveryFaceOfAPixelReactsAtItsOwnTemperature) {
                       static_cast<const SoluteFields<double>*>(nullptr));
   const int left = box.lattice.node(1, 1), right = box.lattice.node(2, 1);
   EXPECT_EQ(box.dissolved(left), 0) << "not yet booked";
-  const ReactionLedger ledger{box.V, box.dissolved, box.consumed, {}};
+  const ReactionLedger ledger{box.V, box.dissolved, box.consumed, {}, {}};
   book_turnover(box.exec, box.surface, box.wall, box.links, ledger);
   const auto at = [](double T) { return kinetic_conductance(arrhenius(1e-3, 7553.1, T, 300.0), 0.0) * 0.8 / 6; };
   EXPECT_NEAR(box.dissolved(left), 2 * at(310) + at(305), 1e-16);

@@ -60,6 +60,7 @@ template <class Real>
 void expect_converted(Real n, Real a, Real b, double bound) {
   const double y = converted(a, b, n), x = double(a) - y;
   ASSERT_GE(y, 0);
+  if (b * std::pow(double(a), double(n)) < 1e-30) return;  // may be nothing in float
   ASSERT_LE(y, double(a) * (1 + 1e-6));
   if (x > 1e-3 * a) {
     EXPECT_NEAR(y / (b * std::pow(x, double(n))), 1, bound) << n << " " << a << " " << b;
