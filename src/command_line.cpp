@@ -80,6 +80,22 @@ void describe(CLI::App& app, CommandLine& line) {
   line.schema = app.add_subcommand("schema", "JSON schema of the case file, for editors");
   line.completion = app.add_subcommand("completion", "Completion for a shell: bash, zsh, fish");
   line.completion->add_option("shell", line.name, "Name of the shell")->required();
+  line.tune =
+      app.add_subcommand("tune", "Find the fastest settings that stay within a tolerance at the beginning of a case");
+  line.tune->add_option("case", line.case_file, "Case file (TOML)")->required();
+  line.tune
+      ->add_option("--tolerance", line.tolerance,
+                   "Largest error, over the largest change of its column (default: 1e-3)")
+      ->check(positive);
+  line.tune
+      ->add_option("--steps", line.steps, "Lattice steps of each pilot (default: a twentieth of the run, 800 to 8000)")
+      ->check(not_negative);
+  line.tune
+      ->add_option("--columns", line.columns, "Columns of history.csv to hold to (default: every amount that changes)")
+      ->delimiter(',');
+  line.tune->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.tune->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.tune->add_flag("--quiet", line.quiet, "No progress");
   line.watch = app.add_subcommand("watch", "Follow a run under way: how far it is, and the course of its numbers");
   line.watch->add_option("directory", line.directory, "Run directory")->required();
   line.watch->add_option("--columns", line.columns, "Columns of history.csv (default: those that change)")

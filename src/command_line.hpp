@@ -23,7 +23,8 @@ struct CommandLine {
   int jobs = 0;               ///< of sweep, at once
   std::optional<int> member;  ///< of sweep: only this one
   std::string name;           ///< of a template or a shell
-  std::vector<std::string> columns;  ///< of watch
+  std::vector<std::string> columns;  ///< of watch and tune
+  double tolerance = 1e-3;           ///< of tune
   bool once = false;                 ///< of watch
   bool resume = false, overwrite = false, quiet = false, json = false, error_bars = false, cite = false;
   CLI::App* run = nullptr;
@@ -36,6 +37,7 @@ struct CommandLine {
   CLI::App* completion = nullptr;
   CLI::App* man = nullptr;
   CLI::App* watch = nullptr;
+  CLI::App* tune = nullptr;
 };
 
 /// Commands and options of `app`, which parses into `line`.

@@ -5,6 +5,7 @@
 #include "coupling/laboratory_run.hpp"
 #include "coupling/run.hpp"
 #include "coupling/run_directory.hpp"
+#include "coupling/tuning.hpp"
 #include "front/completion.hpp"
 #include "front/schema.hpp"
 #include "front/templates.hpp"
@@ -101,6 +102,16 @@ int run(const CommandLine& line) {
   return done;
 }
 
+int tune(const CommandLine& line) {
+  vug::TuningOptions options;
+  options.tolerance = line.tolerance;
+  options.steps = line.steps;
+  options.columns = line.columns;
+  options.progress = line.quiet ? nullptr : &std::cerr;
+  vug::print(vug::to_text(vug::tune(scene_of(line, false), options), line.tolerance));
+  return done;
+}
+
 int sweep(const CommandLine& line) {
   vug::SweepOptions options;
   options.directory = line.directory;
@@ -157,7 +168,7 @@ int dispatch(const CLI::App& app, const CommandLine& line) {
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
-    const vug::ThreadChoice threads = vug::choose_threads(line.threads, *line.run || *line.lab);
+    const vug::ThreadChoice threads = vug::choose_threads(line.threads, *line.run || *line.lab || *line.tune);
     if (!threads.remark.empty() && !line.quiet) vug::complain("vug: " + threads.remark);
     if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();
@@ -166,6 +177,7 @@ int dispatch(const CLI::App& app, const CommandLine& line) {
     if (*line.info) return info(line);
     if (*line.check) return check(line);
     if (*line.lab) return lab(line);
+    if (*line.tune) return tune(line);
     return run(line);
   } catch (const vug::InputError& error) {
     return fail(invalid_input, error.what());

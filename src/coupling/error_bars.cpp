@@ -2,6 +2,7 @@
 
 #include "coupling/run_directory.hpp"
 #include "io/history_writer.hpp"
+#include "io/override_scene.hpp"
 #include "io/time_table.hpp"
 #include "kernels/require.hpp"
 
@@ -19,12 +20,6 @@ namespace vug {
 
 namespace {
 
-Scene with(const Scene& scene, const std::vector<std::string>& more) {
-  std::vector<std::string> overrides = scene.overrides;
-  overrides.insert(overrides.end(), more.begin(), more.end());
-  return read_scene(scene.path, overrides);
-}
-
 std::int64_t steps_over(std::int64_t steps, double ratio) {
   return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) / (ratio * ratio)));
 }
@@ -36,7 +31,7 @@ Scene coarser(const Scene& scene, double ratio) {
   if (scene.time.steps) change.push_back(fmt::format("time.steps={}", steps_over(*scene.time.steps, ratio)));
   if (scene.output.interval_steps)
     change.push_back(fmt::format("output.interval_steps={}", steps_over(*scene.output.interval_steps, ratio)));
-  return with(scene, change);
+  return override_scene(scene, change);
 }
 
 /// The ratio nearest to 2, of 5/4 to 3, that leaves whole numbers of cells; best one whose square does so too. 0: none.
@@ -86,7 +81,7 @@ Twins finer_twins(const Scene& scene) {
   if (change.empty())
     throw InputError(scene.path + ": has no interval of [accuracy] that could be halved for an error bar");
   if (accuracy.precision != Precision::double_precision) change.push_back("accuracy.precision=\"double\"");
-  return {0, {{"error_bars/finer", with(scene, change)}}};
+  return {0, {{"error_bars/finer", override_scene(scene, change)}}};
 }
 
 /// An amount that has an error: no count, no step, no error of a balance, nothing of the start.

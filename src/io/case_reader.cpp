@@ -3,6 +3,7 @@
 #include "io/detail/case_checks.hpp"
 #include "io/detail/case_tables.hpp"
 #include "io/detail/case_text.hpp"
+#include "io/override_scene.hpp"
 #include "io/scene.hpp"
 
 #include <algorithm>
@@ -76,6 +77,12 @@ const std::vector<KeyDescription>& case_keys() {
     return log;
   }();
   return keys;
+}
+
+Scene override_scene(const Scene& scene, const std::vector<std::string>& more) {
+  std::vector<std::string> overrides = scene.overrides;
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return parse_scene(scene.source_text, scene.path, overrides);
 }
 
 std::vector<std::string> input_files(const Scene& scene) {

@@ -1,0 +1,262 @@
+#include "coupling/tuning.hpp"
+
+#include "coupling/run.hpp"
+#include "coupling/simulation.hpp"
+#include "io/detail/nearest_name.hpp"
+#include "io/override_scene.hpp"
+#include "kernels/interruption.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <ostream>
+
+namespace vug {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Stands for the rung of a setting that is left as the case has it.
+constexpr std::size_t as_in_case = std::numeric_limits<std::size_t>::max();
+
+/// Rows of a pilot's history lie where every interval of settings_of has just ended.
+constexpr std::int64_t steps_of_a_row = 40;
+constexpr std::int64_t rows_of_a_pilot = 20;
+
+/// Neither counts, nor parts of balances, nor what trembling rock has in one moment: its energy and momentum.
+bool is_amount(const std::string& name) {
+  if (name.ends_with("_1") || name == "time_s") return false;
+  if (name.find("_energy_") != std::string::npos || name.find("_momentum_") != std::string::npos) return false;
+  return name.find("_initial_") == std::string::npos && name.find("_gain_") == std::string::npos;
+}
+
+double largest_change(const std::vector<double>& values) {
+  double change = 0;
+  for (const double value : values) change = std::max(change, std::abs(value - values.front()));
+  return change;
+}
+
+/// Nothing but rounding: a sum of the same terms over and over.
+bool is_still(const std::vector<double>& values) {
+  double size = 0;
+  for (const double value : values) size = std::max(size, std::abs(value));
+  return largest_change(values) <= 1e-9 * size;
+}
+
+std::vector<int> columns_of(const History& history, const std::vector<std::string>& wanted) {
+  std::vector<int> columns;
+  for (const std::string& name : wanted) {
+    const int column = history.find(name);
+    if (column < 0)
+      throw InputError(fmt::format("\"{}\" is no column of the history{}", name, suggestion(name, history.names)));
+    columns.push_back(column);
+  }
+  for (std::size_t c = 0; wanted.empty() && c < history.names.size(); ++c)
+    if (is_amount(history.names[c])) columns.push_back(static_cast<int>(c));
+  return columns;
+}
+
+std::int64_t steps_of_a_pilot(const Scene& scene, const TuningOptions& options) {
+  const std::int64_t all = last_step(scene);
+  const std::int64_t wanted = options.steps.value_or(std::clamp<std::int64_t>(all / 20, 800, 8000));
+  return std::max<std::int64_t>(1, std::min(wanted, all));
+}
+
+struct Pilot {
+  History history;
+  double cost = 0;  ///< processor time, s
+};
+
+void add_row(const std::vector<HistoryValue>& row, History& history) {
+  if (history.names.empty()) {
+    for (const HistoryValue& value : row) history.names.push_back(value.name);
+    history.values.resize(row.size());
+  }
+  for (std::size_t c = 0; c < row.size(); ++c) history.values[c].push_back(row[c].value);
+}
+
+double processor_time() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The first `steps` of a scene. Throws StabilityError where it does not hold.
+Pilot fly(const Scene& scene, std::int64_t steps) {
+  const std::int64_t rows = std::max<std::int64_t>(1, std::min(rows_of_a_pilot, steps / steps_of_a_row));
+  const std::int64_t row = std::max<std::int64_t>(1, steps / rows / steps_of_a_row * steps_of_a_row);
+  Simulation simulation(scene);
+  Pilot pilot;
+  simulation.begin();
+  add_row(simulation.history(), pilot.history);
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    const double start = processor_time();
+    simulation.step();
+    if (step % scene.accuracy.guard_interval == 0 || step == steps) simulation.guard();
+    pilot.cost += processor_time() - start;
+    if (step % row == 0 || step == steps) add_row(simulation.history(), pilot.history);
+    throw_if_stop_requested();
+  }
+  return pilot;
+}
+
+/// Pilots of one scene, held against that with the first rung of everything.
+class Pilots {
+ public:
+  Pilots(const Scene& scene, const TuningOptions& options)
+      : scene_(scene), options_(options), settings_(settings_of(scene)), steps_(steps_of_a_pilot(scene, options)) {
+    reference_ = fly(scene_of(std::vector<std::size_t>(settings_.size(), 0)), steps_);
+    ++count_;
+    largest_difference(reference_.history, reference_.history, options_.columns);  // the columns are there
+  }
+
+  /// Of the case as it is, or with these rungs.
+  Difference operator()(const std::vector<std::size_t>* rungs, double& cost) {
+    ++count_;
+    try {
+      const Pilot pilot = fly(rungs ? scene_of(*rungs) : scene_, steps_);
+      cost = pilot.cost / reference_.cost;
+      return largest_difference(reference_.history, pilot.history, options_.columns);
+    } catch (const StabilityError&) {
+      return {infinite, ""};
+    } catch (const InputError&) {  // an interval that this lattice does not bear
+      return {infinite, ""};
+    }
+  }
+
+  const std::vector<Setting>& settings() const { return settings_; }
+  std::int64_t steps() const { return steps_; }
+  int count() const { return count_; }
+
+ private:
+  Scene scene_of(const std::vector<std::size_t>& rungs) const {
+    std::vector<std::string> overrides;
+    for (std::size_t s = 0; s < settings_.size(); ++s)
+      if (rungs[s] != as_in_case) overrides.push_back(settings_[s].key + "=" + settings_[s].rungs[rungs[s]]);
+    return override_scene(scene_, overrides);
+  }
+
+  const Scene& scene_;
+  const TuningOptions& options_;
+  std::vector<Setting> settings_;
+  std::int64_t steps_;
+  Pilot reference_;
+  int count_ = 0;
+};
+
+/// The highest rung of setting `s` whose error alone is at most `allowed`.
+TunedSetting climb(Pilots& pilots, std::size_t s, double allowed, const TuningOptions& options) {
+  TunedSetting tuned{pilots.settings()[s]};
+  std::vector<std::size_t> rungs(pilots.settings().size(), 0);
+  while (tuned.chosen + 1 < tuned.setting.rungs.size()) {
+    rungs[s] = tuned.chosen + 1;
+    double cost = 0;
+    const Difference difference = pilots(&rungs, cost);
+    if (options.progress)
+      *options.progress << fmt::format("{} = {}: {:.1e} {}\n", tuned.setting.key, tuned.setting.rungs[rungs[s]],
+                                       difference.value, difference.column);
+    tuned.seen = difference.value > 0;
+    if (!tuned.seen || !(difference.value <= allowed)) break;
+    tuned.chosen = rungs[s];
+    tuned.errors.push_back(difference.value);
+  }
+  return tuned;
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(const Scene& scene) {
+  std::vector<Setting> settings;
+  const auto add = [&](bool matters, const char* key, std::vector<std::string> rungs) {
+    if (matters) settings.push_back({key, std::move(rungs)});
+  };
+  const bool rock = scene.mechanics.has_value(), pores = scene.reaction || scene.damage;
+  add(true, "accuracy.precision", {"\"double\"", "\"single\""});
+  add(scene.heat.has_value(), "accuracy.heat_interval", {"1", "2", "4", "8"});
+  add(scene.solute.has_value(), "accuracy.solute_interval", {"1", "2", "4", "8"});
+  add(pores, "accuracy.update_interval", {"1", "5", "10", "20", "40"});
+  add(scene.reaction.has_value(), "accuracy.wall_interval", {"1", "10", "50", "100", "400"});
+  add(rock && scene.flow, "accuracy.exchange_interval", {"1", "2", "4", "8"});
+  add(rock && !scene.mechanics->substeps, "mechanics.critical_fraction", {"0.3", "0.5"});
+  add(rock, "mechanics.mass_scaling", {"1", "4", "16"});
+  add(rock, "mechanics.rest_tolerance", {"0", "1e-3", "2e-3", "5e-3"});
+  return settings;
+}
+
+Difference largest_difference(const History& reference, const History& other, const std::vector<std::string>& columns) {
+  Difference largest;
+  for (const int c : columns_of(reference, columns)) {
+    const std::vector<double>& truth = reference.values[c];
+    if (is_still(truth)) continue;
+    const double change = largest_change(truth);
+    const std::vector<double>& found = other.values.at(other.find(reference.names[c]));  // settings add columns
+    for (std::size_t row = 0; row < truth.size(); ++row) {
+      const double difference = std::abs(found.at(row) - truth[row]) / change;
+      if (difference > largest.value || std::isnan(difference))
+        largest = {std::isnan(difference) ? infinite : difference, reference.names[c]};
+    }
+  }
+  return largest;
+}
+
+Tuning tune(const Scene& scene, const TuningOptions& options) {
+  const StopsInOrder in_order;
+  Pilots pilots(scene, options);
+  Tuning tuning;
+  tuning.steps = pilots.steps();
+  tuning.error_of_case = pilots(nullptr, tuning.cost_of_case).value;
+  std::vector<std::size_t> rungs;
+  for (std::size_t s = 0; s < pilots.settings().size(); ++s) {
+    tuning.settings.push_back(climb(pilots, s, options.tolerance / 2, options));
+    rungs.push_back(tuning.settings.back().seen ? tuning.settings.back().chosen : as_in_case);
+  }
+  while (true) {
+    const Difference together = pilots(&rungs, tuning.cost);
+    tuning.error = together.value;
+    tuning.worst = together.column;
+    if (options.progress) *options.progress << fmt::format("together: {:.1e}\n", together.value);
+    if (together.value <= options.tolerance) break;
+    const auto costliest =
+        std::max_element(tuning.settings.begin(), tuning.settings.end(),
+                         [](const TunedSetting& a, const TunedSetting& b) { return a.error() < b.error(); });
+    if (costliest == tuning.settings.end() || costliest->chosen == 0) break;
+    rungs[static_cast<std::size_t>(costliest - tuning.settings.begin())] = --costliest->chosen;
+  }
+  tuning.pilots = pilots.count();
+  return tuning;
+}
+
+std::string to_text(const Tuning& tuning, double tolerance) {
+  std::string text =
+      fmt::format("{} pilots of {} steps; errors over the largest change since the start\n\n{:<30} {:>8} {:>12}\n",
+                  tuning.pilots, tuning.steps, "setting", "chosen", "error alone");
+  std::string lines, table;
+  for (const TunedSetting& tuned : tuning.settings) {
+    const std::string& key = tuned.setting.key;
+    if (!tuned.seen) {
+      text += fmt::format("{:<30} {:>8} {:>12}\n", key, "as it is", "no effect");
+      continue;
+    }
+    const std::string& value = tuned.setting.rungs[tuned.chosen];
+    text += fmt::format("{:<30} {:>8} {:>12.1e}\n", key, value, tuned.error());
+    const std::size_t dot = key.find('.');
+    if (key.substr(0, dot) != table) {
+      table = key.substr(0, dot);
+      lines += fmt::format("\n[{}]\n", table);
+    }
+    lines += fmt::format("{} = {}\n", key.substr(dot + 1), value);
+  }
+  const auto factor = [](double cost) { return cost > 0 ? fmt::format("{:.2f}", 1 / cost) : std::string("?"); };
+  text +=
+      fmt::format("\nall together: {:.1e} of {:.1e} allowed{}, {} times as fast as the finest settings\n", tuning.error,
+                  tolerance, tuning.worst.empty() ? "" : " (" + tuning.worst + ")", factor(tuning.cost));
+  text += std::isfinite(tuning.error_of_case) ? fmt::format("the case as it is: {:.1e}, {} times as fast\n",
+                                                            tuning.error_of_case, factor(tuning.cost_of_case))
+                                              : std::string("the case as it is does not hold\n");
+  return text + lines;
+}
+
+}  // namespace vug

@@ -1,0 +1,131 @@
+// Settings from a tolerance: what is promised of the chosen ones is found again by runs of their own.
+#include "coupling/tuning.hpp"
+
+#include "coupling/simulation.hpp"
+#include "io/override_scene.hpp"
+#include "kernels/require.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug {
+namespace {
+
+using testing::ElementsAre;
+
+const History truth{{"time_s", "a_J", "still_J", "count_1", "x_initial_J"},
+                    {{0, 1, 2}, {5, 7, 9}, {3, 3, 3}, {0, 1, 2}, {0, 1, 2}}};
+
+TEST(LargestDifference, IsOverTheChangeOfItsColumn) {
+  History other = truth;
+  other.values[1][1] += 0.02;  // of a change of 4
+  other.values[2][1] += 100;   // of a column that does not change
+  other.values[3][1] += 100;   // a count
+  other.values[4][1] += 100;   // a part of a balance
+  const Difference found = largest_difference(truth, other, {});
+  EXPECT_NEAR(found.value, 0.005, 1e-15);
+  EXPECT_EQ(found.column, "a_J");
+  EXPECT_NEAR(largest_difference(truth, other, {"count_1"}).value, 50, 1e-12);
+  EXPECT_THROW(largest_difference(truth, other, {"b_J"}), InputError);
+  other.names.insert(other.names.begin() + 1, "awake_1");  // of a setting that has a column of its own
+  other.values.insert(other.values.begin() + 1, std::vector<double>{1, 1, 1});
+  EXPECT_NEAR(largest_difference(truth, other, {}).value, 0.005, 1e-15);
+  other.values[2][2] = NAN;
+  EXPECT_EQ(largest_difference(truth, other, {}).value, INFINITY);
+}
+
+/// Acid that diffuses to a slab and dissolves it, warm: slow enough for every interval to have its price.
+Scene slab() {
+  return parse_scene(
+      "[lattice]\nsize = [24, 8]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 1600\n"
+      "[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [16, 0]\nto = [24, 8]\n"
+      "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.2\ninitial_temperature = 300\n"
+      "[solute]\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\ninitial = 1\n"
+      "[reaction]\nreactant = \"A\"\nrate_constant = 0.05\nmolar_volume = 0.02\nactivation_energy = 3e4\n"
+      "reference_temperature = 300\n"
+      "[boundary.left]\nheat = { type = \"temperature\", temperature = [[0, 300], [400, 330]] }\n"
+      "solute = { type = \"concentration\", concentration = { A = 1 } }\n",
+      "slab.toml");
+}
+
+History run(const Scene& scene, int steps) {
+  Simulation simulation(scene);
+  simulation.begin();
+  History history;
+  for (int step = 0;; ++step) {
+    if (step % 80 == 0) {
+      const std::vector<HistoryValue> row = simulation.history();
+      if (step == 0) history.values.resize(row.size());
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        if (step == 0) history.names.push_back(row[c].name);
+        history.values[c].push_back(row[c].value);
+      }
+    }
+    if (step == steps) return history;
+    simulation.step();
+  }
+}
+
+Scene with(const Tuning& tuning, bool finest) {
+  std::vector<std::string> keys;
+  for (const TunedSetting& tuned : tuning.settings)
+    keys.push_back(tuned.setting.key + "=" + tuned.setting.rungs[finest ? 0 : tuned.chosen]);
+  return override_scene(slab(), keys);
+}
+
+TEST(Tuning, KeepsItsToleranceInARunOfItsOwnAndGrowsWithIt) {
+  std::size_t before = 0;
+  for (const double tolerance : {1e-4, 1e-2}) {
+    TuningOptions options;
+    options.tolerance = tolerance;
+    options.steps = 800;
+    const Tuning tuning = tune(slab(), options);
+    EXPECT_LE(tuning.error, tolerance);
+    EXPECT_GT(tuning.error, 0) << "something was given up";
+    const Difference found = largest_difference(run(with(tuning, true), 800), run(with(tuning, false), 800), {});
+    EXPECT_NEAR(found.value, tuning.error, 0.5 * tuning.error) << "the rows are not all the same";
+    // the whole run, of which the pilots saw the first half
+    EXPECT_LE(largest_difference(run(with(tuning, true), 1600), run(with(tuning, false), 1600), {}).value, tolerance);
+    std::size_t rungs = 0;
+    for (const TunedSetting& tuned : tuning.settings) rungs += tuned.chosen;
+    EXPECT_GT(rungs, before) << "coarser settings for " << tolerance;
+    before = rungs;
+    std::printf("    tolerance %g: error %.1e, cost %.2f of the finest settings, %d pilots\n", tolerance, tuning.error,
+                tuning.cost, tuning.pilots);
+  }
+}
+
+TEST(Tuning, OfNoToleranceIsTheFinestSettings) {
+  TuningOptions options;
+  options.tolerance = 1e-300;
+  options.steps = 200;
+  const Tuning tuning = tune(slab(), options);
+  EXPECT_EQ(tuning.error, 0) << "the same bits";
+  for (const TunedSetting& tuned : tuning.settings) EXPECT_EQ(tuned.chosen, 0u) << tuned.setting.key;
+}
+
+/// Heat that does not move is the same in any interval: nothing is known of it, and nothing chosen.
+TEST(Tuning, LeavesAloneWhatNoColumnShows) {
+  TuningOptions options;
+  options.steps = 200;
+  options.columns = {"dissolved_volume_m3_per_m"};
+  const Tuning tuning = tune(override_scene(slab(), {"boundary.left.heat.temperature=300"}), options);
+  EXPECT_FALSE(tuning.settings[1].seen) << tuning.settings[1].setting.key;
+  EXPECT_TRUE(tuning.settings[2].seen) << tuning.settings[2].setting.key;
+  const std::string text = to_text(tuning, options.tolerance);
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("\nheat_interval")));
+  EXPECT_THAT(text, testing::HasSubstr("\nsolute_interval"));
+}
+
+TEST(Tuning, KnowsTheSettingsOfTheModulesThereAre) {
+  std::vector<std::string> keys;
+  for (const Setting& setting : settings_of(slab())) keys.push_back(setting.key);
+  EXPECT_THAT(keys, ElementsAre("accuracy.precision", "accuracy.heat_interval", "accuracy.solute_interval",
+                                "accuracy.update_interval", "accuracy.wall_interval"));
+}
+
+}  // namespace
+}  // namespace vug
