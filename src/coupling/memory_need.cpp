@@ -22,8 +22,11 @@ double directions(ScalarVelocitySet set) {
 double bytes_of_lattice(const Scene& scene) {
   const double nodes = static_cast<double>(scene.lattice.nx) * scene.lattice.ny, number = number_of(scene);
   double per_node = sizeof(NodeType);
-  if (scene.flow || scene.solute) per_node += sizeof(int);                    // fluid index
-  if (rock_dissolves(scene)) per_node += 2 * sizeof(double);                  // volume, dissolved
+  if (scene.flow || scene.solute) per_node += sizeof(int);    // fluid index
+  if (rock_dissolves(scene)) per_node += 2 * sizeof(double);  // volume, dissolved
+  if (!scene.minerals.empty()) per_node += 1;                 // number
+  if (!scene.minerals.empty() && scene.reaction)              // what each reactant has taken
+    per_node += sizeof(double) * (1 + static_cast<double>(scene.reaction->further.size()));
   if (scene.heat) per_node += number * directions(scene.heat->velocity_set);  // populations
   const double area = scene.lattice.length_x * scene.lattice.length_y;
   return per_node * nodes + (scene.rock ? bytes_of_triangles(*scene.rock, area) : 0);

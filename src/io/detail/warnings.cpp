@@ -19,7 +19,11 @@ void warn_about_reaction(Scene& scene) {
                     "meant, which changes the rate 66 times",
                     reaction.reference_temperature));
   }
-  if (reaction.rate_constant == 0) scene.warnings.emplace_back("reaction.rate_constant is 0: nothing reacts");
+  const auto still = [](const RateLaw& rate) { return rate.rate_constant == 0; };
+  bool nothing_reacts = still(reaction) && std::all_of(reaction.further.begin(), reaction.further.end(), still);
+  for (const MineralSection& mineral : scene.minerals)
+    nothing_reacts = nothing_reacts && std::all_of(mineral.rates.begin(), mineral.rates.end(), still);
+  if (nothing_reacts) scene.warnings.emplace_back("reaction.rate_constant is 0: nothing reacts");
   if (scene.geometry.kind == GeometryKind::open) {
     scene.warnings.emplace_back(
         "[reaction] acts on walls of rock, and geometry.type = \"open\" has none but the sides");
