@@ -1,0 +1,168 @@
+#include "ranks/halo.hpp"
+
+#include "kernels/launch.hpp"
+
+#include <algorithm>
+#include <map>
+
+#ifdef VUG_MPI
+#include <mpi.h>
+#endif
+
+namespace vug {
+
+namespace {
+
+/// Slots in the order of the ranks that they go to or come from.
+struct Slots {
+  IndexList slot;
+  std::vector<int> rank, first;  ///< (neighbour), (neighbour + 1)
+
+  Slots() = default;
+  explicit Slots(const std::vector<std::vector<int>>& lists) : first{0} {
+    std::vector<int> all;
+    for (std::size_t r = 0; r < lists.size(); ++r) {
+      if (lists[r].empty()) continue;
+      all.insert(all.end(), lists[r].begin(), lists[r].end());
+      rank.push_back(static_cast<int>(r));
+      first.push_back(static_cast<int>(all.size()));
+    }
+    slot = IndexList("vug::halo::slots", all.size());
+    const auto host = Kokkos::create_mirror_view(slot);
+    for (std::size_t k = 0; k < all.size(); ++k) host(k) = all[k];
+    Kokkos::deep_copy(slot, host);
+  }
+  int count() const { return first.empty() ? 0 : first.back(); }
+};
+
+}  // namespace
+
+template <class T, std::size_t n>
+struct PackHalo {
+  IndexList slot;
+  ScalarField<T> field[n];
+  T* buffer;
+  KOKKOS_FUNCTION void operator()(int k) const {
+    for (std::size_t c = 0; c < n; ++c) buffer[n * k + c] = field[c](slot(k));
+  }
+};
+
+template <class T, std::size_t n>
+struct UnpackHalo {
+  IndexList slot;
+  ScalarField<T> field[n];
+  const T* buffer;
+  KOKKOS_FUNCTION void operator()(int k) const {
+    for (std::size_t c = 0; c < n; ++c) field[c](slot(k)) = buffer[n * k + c];
+  }
+};
+
+#ifdef VUG_MPI
+
+namespace {
+
+/// The messages of one direction and size of value, ready to start.
+struct Channel {
+  Kokkos::View<double*> out, in;
+  std::vector<MPI_Request> requests;
+
+  Channel(const Slots& from, const Slots& to, std::size_t bytes) {
+    const auto room = [&](const char* label, const Slots& slots) {
+      return Kokkos::View<double*>(label, (slots.count() * bytes + sizeof(double) - 1) / sizeof(double));
+    };
+    out = room("vug::halo::out", from);
+    in = room("vug::halo::in", to);
+    const auto make = [&](const Slots& slots, Kokkos::View<double*>& buffer, auto init) {
+      char* const begin = reinterpret_cast<char*>(buffer.data());
+      for (std::size_t k = 0; k < slots.rank.size(); ++k) {
+        requests.emplace_back();
+        init(begin + slots.first[k] * bytes, static_cast<int>((slots.first[k + 1] - slots.first[k]) * bytes), MPI_BYTE,
+             slots.rank[k], 0, MPI_COMM_WORLD, &requests.back());
+      }
+    };
+    make(to, in, MPI_Recv_init);
+    make(from, out, MPI_Send_init);
+  }
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+  ~Channel() {
+    for (MPI_Request& request : requests) MPI_Request_free(&request);
+  }
+};
+
+}  // namespace
+
+struct Halo::Lists {
+  Slots give, take;
+  std::map<std::pair<bool, std::size_t>, std::unique_ptr<Channel>> channels;
+
+  template <class T, std::size_t n>
+  void exchange(const Exec& exec, const std::array<ScalarField<T>, n>& fields, bool back) {
+    const Slots &from = back ? take : give, &to = back ? give : take;
+    std::unique_ptr<Channel>& channel = channels[{back, n * sizeof(T)}];
+    if (!channel) channel = std::make_unique<Channel>(from, to, n * sizeof(T));
+    PackHalo<T, n> pack{from.slot, {}, reinterpret_cast<T*>(channel->out.data())};
+    UnpackHalo<T, n> unpack{to.slot, {}, reinterpret_cast<const T*>(channel->in.data())};
+    for (std::size_t c = 0; c < n; ++c) pack.field[c] = unpack.field[c] = fields[c];
+    for_each_scattered(exec, "vug::halo::pack", from.count(), pack);
+    exec.fence("vug::halo::packed");  // MPI reads what the kernel writes
+    if (const int count = static_cast<int>(channel->requests.size()); count > 0) {
+      MPI_Startall(count, channel->requests.data());
+      MPI_Waitall(count, channel->requests.data(), MPI_STATUSES_IGNORE);
+    }
+    for_each_scattered(exec, "vug::halo::unpack", to.count(), unpack);
+    exec.fence("vug::halo::unpacked");  // the next exchange receives into what the kernel reads
+  }
+};
+
+#else
+
+struct Halo::Lists {
+  Slots give, take;
+  template <class T, std::size_t n>
+  void exchange(const Exec&, const std::array<ScalarField<T>, n>&, bool) {}
+};
+
+#endif
+
+Halo::Halo(const Ranks& ranks, const std::vector<int>& slots, const std::vector<int>& owner)
+    : lists_(std::make_shared<Lists>()) {
+  std::vector<std::vector<int>> needed(ranks.size());
+  for (std::size_t k = 0; k < slots.size(); ++k) needed[owner[k]].push_back(slots[k]);
+  lists_->take = Slots(needed);
+  lists_->give = Slots(ranks.traded(needed));
+}
+
+template <class T, std::size_t n>
+void Halo::exchange(const Exec& exec, const std::array<ScalarField<T>, n>& fields) const {
+  if (lists_) lists_->exchange(exec, fields, false);
+}
+template <class T, std::size_t n>
+void Halo::exchange_back(const Exec& exec, const std::array<ScalarField<T>, n>& fields) const {
+  if (lists_) lists_->exchange(exec, fields, true);
+}
+
+int Halo::taken() const {
+  return lists_ ? lists_->take.count() : 0;
+}
+int Halo::given() const {
+  return lists_ ? lists_->give.count() : 0;
+}
+int Halo::neighbours() const {
+  if (!lists_) return 0;
+  std::vector<int> all = lists_->give.rank;
+  all.insert(all.end(), lists_->take.rank.begin(), lists_->take.rank.end());
+  std::sort(all.begin(), all.end());
+  return static_cast<int>(std::unique(all.begin(), all.end()) - all.begin());
+}
+
+#define VUG_INSTANTIATE(T, n)                                                            \
+  template void Halo::exchange(const Exec&, const std::array<ScalarField<T>, n>&) const; \
+  template void Halo::exchange_back(const Exec&, const std::array<ScalarField<T>, n>&) const;
+VUG_INSTANTIATE(float, 1)
+VUG_INSTANTIATE(double, 1)
+VUG_INSTANTIATE(float, 2)
+VUG_INSTANTIATE(double, 2)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

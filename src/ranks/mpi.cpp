@@ -1,0 +1,73 @@
+#include "ranks/mpi.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <string_view>
+#include <thread>
+
+#ifdef VUG_MPI
+#include <mpi.h>
+#endif
+
+namespace vug {
+
+void let_first_end(const Ranks& ranks) {
+  constexpr std::chrono::seconds patience(5);
+  if (!ranks.first()) std::this_thread::sleep_for(patience);
+}
+
+int processes_started() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE", "MV2_COMM_WORLD_SIZE"})
+    if (const char* text = std::getenv(variable)) {
+      const std::string_view value(text);
+      int count = 1;
+      std::from_chars(value.data(), value.data() + value.size(), count);
+      return count;
+    }
+  return 1;
+}
+
+#ifdef VUG_MPI
+
+Mpi::Mpi() {
+  int level = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
+  int rank = 0, size = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  world_ = Ranks(rank, size);
+  MPI_Comm machine;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  MPI_Comm_size(machine, &beside_);
+  MPI_Comm_free(&machine);
+}
+
+Mpi::~Mpi() {
+  MPI_Finalize();
+}
+
+void end_all_ranks(const Ranks& ranks, int code) {
+  if (!ranks.alone()) MPI_Abort(MPI_COMM_WORLD, code);
+}
+
+std::string mpi_library() {
+  char text[MPI_MAX_LIBRARY_VERSION_STRING];
+  int length = 0;
+  MPI_Get_library_version(text, &length);
+  const std::string_view all(text, length);
+  return std::string(all.substr(0, all.find_first_of(",\n")));
+}
+
+#else
+
+Mpi::Mpi() = default;
+Mpi::~Mpi() = default;
+void end_all_ranks(const Ranks&, int) {}
+std::string mpi_library() {
+  return "none";
+}
+
+#endif
+
+}  // namespace vug

@@ -1,0 +1,37 @@
+#pragma once
+// MPI from its start to its end.
+#include "ranks/ranks.hpp"
+
+namespace vug {
+
+/// Starts MPI and ends it; one of them, around all that computes. In a build without MPI there is one rank.
+class Mpi {
+ public:
+  Mpi();
+  ~Mpi();
+  Mpi(const Mpi&) = delete;
+  Mpi& operator=(const Mpi&) = delete;
+
+  /// All processes that were started together.
+  Ranks world() const { return world_; }
+  /// How many of them run on this machine.
+  int beside() const { return beside_; }
+
+ private:
+  Ranks world_;
+  int beside_ = 1;
+};
+
+/// What is wrong with a case is wrong on every rank: waits for the first one to say so and to end all, if it does.
+void let_first_end(const Ranks& ranks);
+
+/// Ends every rank with an exit code, also those that wait for this one. Returns where there is no other.
+void end_all_ranks(const Ranks& ranks, int code);
+
+/// What was built in, for instance "Open MPI v4.1.4"; "none".
+std::string mpi_library();
+
+/// What the environment says of how many processes were started together; 1 where nobody did.
+int processes_started();
+
+}  // namespace vug

@@ -1,0 +1,100 @@
+#include "ranks/ranks.hpp"
+
+#include <cstring>
+
+#ifdef VUG_MPI
+#include <mpi.h>
+#endif
+
+namespace vug {
+
+Owners owners_of(const std::vector<int>& owner, int ranks) {
+  Owners owners(ranks);
+  const int count = static_cast<int>(owner.size());
+  for (int first = 0, last = 0; first < count; first = last) {
+    while (last < count && owner[last] == owner[first]) ++last;
+    owners[owner[first]].emplace_back(first, last);
+  }
+  return owners;
+}
+
+#ifdef VUG_MPI
+
+int Ranks::most(int value) const {
+  int found = value;
+  if (!alone()) MPI_Allreduce(&value, &found, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  return found;
+}
+
+std::string Ranks::told(const std::string& text) const {
+  if (alone()) return text;
+  int size = static_cast<int>(text.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  std::string heard = text;
+  heard.resize(size);
+  MPI_Bcast(heard.data(), size, MPI_CHAR, 0, MPI_COMM_WORLD);
+  return heard;
+}
+
+std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>& lists) const {
+  if (alone()) return lists;
+  std::vector<int> sent(size_), got(size_), sent_at(size_ + 1), got_at(size_ + 1), out;
+  for (int r = 0; r < size_; ++r) {
+    sent[r] = static_cast<int>(lists[r].size());
+    sent_at[r + 1] = sent_at[r] + sent[r];
+    out.insert(out.end(), lists[r].begin(), lists[r].end());
+  }
+  MPI_Alltoall(sent.data(), 1, MPI_INT, got.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  for (int r = 0; r < size_; ++r) got_at[r + 1] = got_at[r] + got[r];
+  std::vector<int> in(got_at[size_]);
+  MPI_Alltoallv(out.data(), sent.data(), sent_at.data(), MPI_INT, in.data(), got.data(), got_at.data(), MPI_INT,
+                MPI_COMM_WORLD);
+  std::vector<std::vector<int>> heard(size_);
+  for (int r = 0; r < size_; ++r) heard[r].assign(in.begin() + got_at[r], in.begin() + got_at[r + 1]);
+  return heard;
+}
+
+void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) const {
+  char* const bytes = static_cast<char*>(values);
+  std::vector<int> count(size_), at(size_ + 1);
+  for (int r = 0; r < size_; ++r) {
+    for (const auto& [first, last] : owners[r]) count[r] += last - first;
+    at[r + 1] = at[r] + count[r];
+  }
+  std::vector<char> own(count[rank_] * item), all(at[size_] * item);
+  char* to = own.data();
+  for (const auto& [first, last] : owners[rank_]) {
+    std::memcpy(to, bytes + first * item, (last - first) * item);
+    to += (last - first) * item;
+  }
+  MPI_Datatype type;
+  MPI_Type_contiguous(static_cast<int>(item), MPI_BYTE, &type);
+  MPI_Type_commit(&type);
+  MPI_Allgatherv(own.data(), count[rank_], type, all.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
+  MPI_Type_free(&type);
+  for (int r = 0; r < size_; ++r) {
+    const char* from = all.data() + at[r] * item;
+    if (r == rank_) continue;
+    for (const auto& [first, last] : owners[r]) {
+      std::memcpy(bytes + first * item, from, (last - first) * item);
+      from += (last - first) * item;
+    }
+  }
+}
+
+#else
+
+int Ranks::most(int value) const {
+  return value;
+}
+std::string Ranks::told(const std::string& text) const {
+  return text;
+}
+std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>& lists) const {
+  return lists;
+}
+void Ranks::make_whole(const Owners&, void*, std::size_t) const {}
+
+#endif
+
+}  // namespace vug

@@ -1,0 +1,53 @@
+#pragma once
+// The processes, called ranks, that compute one case together. Without MPI, and where nobody started more, there is
+// one.
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+/// Items [first, last) of a list, one after the other.
+using Runs = std::vector<std::pair<int, int>>;
+
+/// Who computes which items of a list: (rank) in ascending order. Every item has one owner.
+using Owners = std::vector<Runs>;
+
+/// owner(item) of [0, count) as runs.
+Owners owners_of(const std::vector<int>& owner, int ranks);
+
+/// This rank among the others. What needs all of them (`most`, `told`, `traded`, `make_whole`) must be called by all,
+/// in the same order. Ends with the Mpi that gave it.
+class Ranks {
+ public:
+  Ranks() = default;  ///< one rank, this process
+  Ranks(int rank, int size) : rank_(rank), size_(size) {}
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool alone() const { return size_ == 1; }
+  /// The rank that writes the files.
+  bool first() const { return rank_ == 0; }
+
+  /// The largest of all ranks' values.
+  int most(int value) const;
+  /// What the first rank says.
+  std::string told(const std::string& text) const;
+  /// lists[r] goes to rank r; returns what came from each.
+  std::vector<std::vector<int>> traded(const std::vector<std::vector<int>>& lists) const;
+  /// Fills in the items of `values` (item) in host memory that other ranks own.
+  template <class T>
+  void make_whole(const Owners& owners, T* values) const;
+
+ private:
+  void make_whole(const Owners& owners, void* values, std::size_t item) const;
+
+  int rank_ = 0, size_ = 1;
+};
+
+template <class T>
+void Ranks::make_whole(const Owners& owners, T* values) const {
+  if (!alone()) make_whole(owners, static_cast<void*>(values), sizeof(T));
+}
+
+}  // namespace vug

@@ -1,0 +1,184 @@
+// What ranks trade, on as many as mpirun starts.
+#include "kernels/launch.hpp"
+#include "ranks/halo.hpp"
+#include "ranks/mpi.hpp"
+#include "ranks/partition.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <gtest/gtest.h>
+#define OMPI_SKIP_MPICXX
+#define MPICH_SKIP_MPICXX
+#include <algorithm>
+#include <chrono>
+#include <mpi.h>
+#include <numeric>
+#include <string>
+#include <thread>
+
+namespace vug {
+namespace {
+
+Ranks world;
+
+/// Whether a kernel that fills a message has ended and nobody has waited for it yet; and whether that was ever so when
+/// messages started.
+bool packed_unfenced = false, started_unfenced = false;
+int packing_kernels = 0, starts = 0;
+
+void watch_kernels() {
+  using namespace Kokkos::Tools::Experimental;
+  set_begin_parallel_for_callback([](const char* name, std::uint32_t, std::uint64_t*) {
+    if (std::string(name) != "vug::halo::pack") return;
+    ++packing_kernels;
+    packed_unfenced = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // a slow one
+  });
+  set_begin_fence_callback([](const char*, std::uint32_t, std::uint64_t*) { packed_unfenced = false; });
+}
+
+struct NumberSlots {
+  ScalarField<double> values;
+  double first;
+  KOKKOS_FUNCTION void operator()(int i) const { values(i) = first + i; }
+};
+
+/// Slots 0 ... count - 1, dealt out to the ranks in turn, three at a time.
+int owner_of(int slot) {
+  return slot / 3 % world.size();
+}
+
+constexpr int count = 100;
+
+/// Every rank needs the slots whose number is a multiple of its own + 2.
+std::vector<int> needed_by(int rank) {
+  std::vector<int> slots;
+  for (int s = 0; s < count; ++s)
+    if (owner_of(s) != rank && s % (rank + 2) == 0) slots.push_back(s);
+  return slots;
+}
+
+Halo make_halo() {
+  std::vector<int> slots = needed_by(world.rank()), owners;
+  for (const int s : slots) owners.push_back(owner_of(s));
+  return Halo(world, slots, owners);
+}
+
+/// Slot s of rank r holds 1000 r + s.
+ScalarField<double> numbered(double more = 0) {
+  ScalarField<double> values("values", count);
+  for_each_node(Exec{}, "number", count, NumberSlots{values, 1000.0 * world.rank() + more});
+  return values;
+}
+
+TEST(Halo, BringsTheOwnersValuesAndTouchesNoOthers) {
+  const Halo halo = make_halo();
+  for (int again = 0; again < 3; ++again) {
+    const ScalarField<double> a = numbered(again), b = numbered(0.5 + again);
+    halo.exchange<double, 2>(Exec{}, {a, b});
+    const std::vector<int> mine = needed_by(world.rank());
+    for (int s = 0; s < count; ++s) {
+      const bool needed = std::find(mine.begin(), mine.end(), s) != mine.end();
+      const double whose = needed ? owner_of(s) : world.rank();
+      EXPECT_EQ(a(s), 1000.0 * whose + s + again);
+      EXPECT_EQ(b(s), 1000.0 * whose + s + again + 0.5);
+    }
+  }
+}
+
+TEST(Halo, BringsBackWhatTheNeedyHold) {
+  // every rank needs one slot of the next
+  const int next = (world.rank() + 1) % world.size(), before = (world.rank() + world.size() - 1) % world.size();
+  if (world.alone()) GTEST_SKIP() << "one rank";
+  const Halo halo(world, {10 + next}, {next});
+  const ScalarField<double> values = numbered();
+  halo.exchange_back<double, 1>(Exec{}, {values});
+  EXPECT_EQ(values(10 + world.rank()), 1000.0 * before + 10 + world.rank());
+  EXPECT_EQ(values(10 + next), 1000.0 * world.rank() + 10 + next);
+}
+
+TEST(Halo, IsEmptyWhereNothingIsNeeded) {
+  const Halo none(world, {}, {}), absent;
+  const ScalarField<double> values = numbered();
+  none.exchange<double, 1>(Exec{}, {values});
+  absent.exchange<double, 1>(Exec{}, {values});
+  EXPECT_EQ(values(7), 1000.0 * world.rank() + 7);
+  EXPECT_EQ(none.taken(), 0);
+}
+
+TEST(Halo, WaitsForASlowPackingKernelBeforeItSends) {
+  watch_kernels();
+  packing_kernels = starts = 0;
+  started_unfenced = false;
+  const Halo halo = make_halo();
+  halo.exchange<double, 1>(Exec{}, {numbered()});
+  Kokkos::Tools::Experimental::pause_tools();
+  if (world.size() > 2) {
+    EXPECT_GT(packing_kernels, 0);
+    EXPECT_GT(starts, 0);
+  }
+  EXPECT_FALSE(started_unfenced);
+}
+
+TEST(Ranks, MakeAnArrayWholeFromItsOwners) {
+  std::vector<int> owner(count), values(count, -1);
+  for (int s = 0; s < count; ++s) {
+    owner[s] = owner_of(s);
+    if (owner[s] == world.rank()) values[s] = 7 * s;
+  }
+  world.make_whole(owners_of(owner, world.size()), values.data());
+  for (int s = 0; s < count; ++s) EXPECT_EQ(values[s], 7 * s);
+}
+
+TEST(Ranks, AgreeAndTell) {
+  EXPECT_EQ(world.most(world.rank() + 3), world.size() + 2);
+  EXPECT_EQ(world.told(world.first() ? "the first one's words" : "x"), "the first one's words");
+}
+
+TEST(Partition, CutsRowsWhereTheirWeightsAreHalved) {
+  const Partition even(std::vector<double>(12, 1.0), 3);
+  EXPECT_EQ(even.first(1), 4);
+  EXPECT_EQ(even.first(2), 8);
+  EXPECT_DOUBLE_EQ(even.imbalance(), 1);
+  const Partition heavy({8, 1, 1, 1, 1, 1, 1, 2}, 2);
+  EXPECT_EQ(heavy.last(0), 1);
+  EXPECT_EQ(heavy.part_of(0), 0);
+  EXPECT_EQ(heavy.part_of(1), 1);
+}
+
+TEST(Partition, GivesEveryRowToOnePartAlsoWhereThereAreMoreParts) {
+  for (const int parts : {1, 2, 3, 4, 7, 16}) {
+    for (const std::vector<double>& weights :
+         {std::vector<double>{1, 2, 3}, std::vector<double>(5, 0.0), std::vector<double>{0, 0, 9, 0, 0, 0, 1}}) {
+      const Partition p(weights, parts);
+      const int rows = static_cast<int>(weights.size());
+      ASSERT_EQ(p.parts(), parts);
+      EXPECT_EQ(p.first(0), 0);
+      EXPECT_EQ(p.last(parts - 1), rows);
+      for (int k = 0; k < parts; ++k) EXPECT_LE(p.first(k), p.last(k));
+      for (int y = 0; y < rows; ++y) {
+        EXPECT_LE(p.first(p.part_of(y)), y);
+        EXPECT_GT(p.last(p.part_of(y)), y);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vug
+
+/// Stands before the library's: looks whether what is sent has been waited for.
+extern "C" int MPI_Startall(int count, MPI_Request requests[]) {
+  vug::starts += count > 0;
+  vug::started_unfenced = vug::started_unfenced || vug::packed_unfenced;
+  return PMPI_Startall(count, requests);
+}
+
+int main(int argc, char** argv) {
+  const vug::Mpi mpi;
+  vug::world = mpi.world();
+  Kokkos::ScopeGuard kokkos(argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
+  const int failed = RUN_ALL_TESTS();
+  return vug::world.most(failed);
+}

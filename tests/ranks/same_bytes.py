@@ -1,0 +1,118 @@
+"""The same bytes of every file for any number of ranks and threads, over births, cracks and restarts.
+
+    same_bytes.py VUG CASE... -- MPIRUN...      (names of the table below)
+"""
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from compare_runs import differences_of  # noqa: E402
+
+COUPLED = "tests/cases/coupled/"
+FINE = ["lattice.spacing=1.25e-4"]  # as many blocks of fluid nodes as ranks
+OFTEN = ["output.interval_steps=10"]
+CASES = {  # case, steps, keys
+    "channel": ("cases/cylinder.toml", 40, []),
+    "cavity": ("cases/heated_cavity.toml", 60, []),
+    "diffusion": ("cases/diffusion_reaction.toml", 60, []),
+    "rock": (COUPLED + "small_rock.toml", 200, FINE),
+    "single": (COUPLED + "small_rock.toml", 120, FINE + ["accuracy.precision=single", "flow.collision=bgk"]),
+    "intervals": (COUPLED + "small_rock.toml", 120,
+                  FINE + ["accuracy.solute_interval=3", "accuracy.heat_interval=2", "accuracy.exchange_interval=7",
+                          "accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"]),
+    "d2q9": (COUPLED + "small_rock.toml", 120, FINE + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"]),
+    "well": (COUPLED + "well.toml", 200, ["lattice.spacing=2.5e-4"]),
+}
+COMPARED = [(2, 1), (3, 1), (4, 1), (7, 1), (1, 2), (2, 2), (3, 2)]
+
+
+def blocks(path):
+    """What a checkpoint holds, by name: all but whose run it is."""
+    data = path.read_bytes()
+    at = 8
+
+    def word():
+        nonlocal at
+        at += 8
+        return struct.unpack_from("<q", data, at - 8)[0]
+
+    def text():
+        nonlocal at
+        size = word()
+        start, at = at, at + (size + 7) // 8 * 8
+        return data[start:start + size]
+
+    found = {"head": [word() for _ in range(3)], "case": text()}
+    text()  # the run's name
+    for _ in range(word()):
+        name = text().decode()
+        found[name] = text()
+    return found
+
+
+def differences(first, second):
+    found = differences_of(first, second)
+    saved = sorted(path.name for path in (first / "checkpoint").iterdir())
+    if saved != sorted(path.name for path in (second / "checkpoint").iterdir()):
+        return found + ["checkpoint: not the same files"]
+    for name in saved:
+        a, b = blocks(first / "checkpoint" / name), blocks(second / "checkpoint" / name)
+        found += [f"{name}: not the same blocks"] if sorted(a) != sorted(b) else []
+        found += [f"{name}:{key}" for key in a if a[key] != b.get(key)]
+    return found
+
+
+class Runner:
+    def __init__(self, vug, mpirun):
+        self.vug, self.mpirun = vug, mpirun
+        self.environment = os.environ | {"OMP_PROC_BIND": "false", "OMP_WAIT_POLICY": "passive"}
+
+    def run(self, case, folder, ranks, threads, *more, to=None, resume=False):
+        path, steps, keys = CASES[case]
+        sets = [word for key in keys + list(more) for word in ("--set", key)]
+        command = [*self.mpirun, "-n", str(ranks), self.vug, "run", path, "-o", str(folder), "--quiet", "--threads",
+                   str(threads), *sets, "--steps", str(steps if to is None else to), *(["--resume"] if resume else [])]
+        done = subprocess.run(command, env=self.environment, capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f"{' '.join(command)}\n{done.stdout}{done.stderr}")
+
+
+def check(runner, case, root):
+    """Compares runs, and runs that were stopped and went on with another number of ranks."""
+    wrong = 0
+
+    def compare(what, first, second):
+        nonlocal wrong
+        found = differences(first, second)
+        print(f"{case}, {what}: {'the same' if not found else found[:8]}", flush=True)
+        wrong += bool(found)
+
+    one = root / case
+    runner.run(case, one, 1, 1)
+    for ranks, threads in COMPARED:
+        other = root / f"{case}_{ranks}_{threads}"
+        runner.run(case, other, ranks, threads)
+        compare(f"{ranks} ranks of {threads}", one, other)
+    whole, parts = root / f"{case}_whole", root / f"{case}_parts"
+    runner.run(case, whole, 1, 1, *OFTEN)
+    runner.run(case, parts, 4, 1, *OFTEN, to=20)
+    runner.run(case, parts, 3, 1, *OFTEN, to=30, resume=True)
+    runner.run(case, parts, 2, 1, *OFTEN, resume=True)
+    compare("4 ranks, then 3, then 2", whole, parts)
+    return wrong
+
+
+def main(arguments):
+    split = arguments.index("--")
+    runner = Runner(arguments[0], arguments[split + 1:])
+    with tempfile.TemporaryDirectory() as root:
+        wrong = sum(check(runner, case, pathlib.Path(root)) for case in arguments[1:split])
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
