@@ -19,6 +19,7 @@
 #include "kernels/subnormals.hpp"
 #include "kernels/threads.hpp"
 #include "process.hpp"
+#include "ranks/mpi.hpp"
 #include "study/sweep.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -42,15 +43,16 @@ enum ExitCode { done = 0, invalid_input = 2, diverged = 3, file_failed = 4, out_
 
 using vug::CommandLine;
 
-int info(const CommandLine& line) {
+int info(const CommandLine& line, const vug::Ranks& ranks) {
+  if (!ranks.first()) return done;
   const vug::BuildInfo build = vug::build_info();
   const char* format =
       line.json
           ? "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
-            "\"device\": \"{}\", \"threads\": {}, \"precisions\": [\"single\", \"double\"]}}\n"
-          : "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nprecisions single, double\n";
+            "\"device\": \"{}\", \"threads\": {}, \"mpi\": \"{}\", \"ranks\": {}, \"precisions\": [\"single\", \"double\"]}}\n"
+          : "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        {}\nranks      {}\nprecisions single, double\n";
   vug::print(fmt::format(fmt::runtime(format), build.version, build.commit, build.compiler, build.backend, build.device,
-                         build.threads));
+                         build.threads, vug::mpi_library(), ranks.size()));
   return done;
 }
 
@@ -86,7 +88,7 @@ int check(const CommandLine& line) {
   return done;
 }
 
-int run(const CommandLine& line) {
+int run(const CommandLine& line, const vug::Ranks& ranks) {
   const vug::Scene scene = scene_of(line, false);
   vug::RunOptions options;
   options.directory = line.directory;
@@ -94,7 +96,8 @@ int run(const CommandLine& line) {
   options.resume = line.resume;
   options.overwrite = line.overwrite;
   options.terminal = isatty(STDERR_FILENO) != 0;
-  options.progress = line.quiet ? nullptr : &std::cerr;
+  options.progress = line.quiet || !ranks.first() ? nullptr : &std::cerr;
+  options.ranks = ranks;
   if (line.error_bars)
     vug::print(vug::run_with_error_bars(scene, options));
   else
@@ -162,38 +165,67 @@ std::optional<int> plain_command(const CLI::App& app, const CommandLine& line) {
   return done;
 }
 
+/// Ends all ranks, of which only some may know why.
+int fail(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
+  vug::let_first_end(ranks);
+  fail(code, what);
+  vug::end_all_ranks(ranks, code);
+  return code;
+}
+
+/// Of what all ranks know.
+int agree(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
+  return ranks.first() ? fail(code, what) : code;
+}
+
+/// Several ranks compute a run, and nothing else yet.
+void require_run(const CommandLine& line, const vug::Ranks& ranks) {
+  if (*line.info) return;
+  if (ranks.alone() && vug::processes_started() > 1)
+    throw vug::InputError(fmt::format("{} processes were started together, but vug was built without MPI (-DVUG_MPI=ON)",
+                                      vug::processes_started()));
+  if (ranks.alone() || (*line.run && !line.error_bars)) return;
+  throw vug::InputError(fmt::format("{} ranks were started; this command needs one: call it without mpirun", ranks.size()));
+}
+
 int dispatch(const CLI::App& app, const CommandLine& line) {
+  std::optional<vug::Mpi> mpi;
+  vug::Ranks ranks;
   try {
     if (const std::optional<int> code = plain_command(app, line)) return *code;
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
+    if (*line.run || *line.info || vug::processes_started() > 1) ranks = mpi.emplace().world();
+    if (!ranks.first()) vug::leave_words_to_others();
+    require_run(line, ranks);
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
-    const vug::ThreadChoice threads = vug::choose_threads(line.threads, *line.run || *line.lab || *line.tune);
-    if (!threads.remark.empty() && !line.quiet) vug::complain("vug: " + threads.remark);
+    const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
+    const vug::ThreadChoice threads = vug::choose_threads(line.threads, looks_around, mpi ? mpi->beside() : 1);
+    if (!threads.remark.empty() && !line.quiet && ranks.first()) vug::complain("vug: " + threads.remark);
     if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);
     vug::flush_subnormals();
-    if (*line.info) return info(line);
+    if (*line.info) return info(line, ranks);
     if (*line.check) return check(line);
     if (*line.lab) return lab(line);
     if (*line.tune) return tune(line);
-    return run(line);
+    return run(line, ranks);
   } catch (const vug::InputError& error) {
-    return fail(invalid_input, error.what());
+    return fail(ranks, invalid_input, error.what());
   } catch (const vug::StabilityError& error) {
-    return fail(diverged, error.what());
+    return agree(ranks, diverged, error.what());
   } catch (const vug::FileError& error) {
-    return fail(file_failed, error.what());
+    return fail(ranks, file_failed, error.what());
   } catch (const vug::Interrupted& error) {
-    return fail(interrupted, error.what());
+    return agree(ranks, interrupted, error.what());
   } catch (const vug::MemoryError& error) {
-    return fail(out_of_memory, error.what());
+    return fail(ranks, out_of_memory, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(out_of_memory, "out of memory: " + vug::memory_taken());
+    return fail(ranks, out_of_memory, "out of memory: " + vug::memory_taken());
   } catch (const std::runtime_error& error) {  // Kokkos has no type of its own for this
     if (std::string_view(error.what()).find("failed to allocate") == std::string_view::npos) throw;
-    return fail(out_of_memory, fmt::format("out of memory: {}; {}", error.what(), vug::memory_taken()));
+    return fail(ranks, out_of_memory, fmt::format("out of memory: {}; {}", error.what(), vug::memory_taken()));
   }
 }
 

@@ -25,9 +25,11 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
+volatile std::sig_atomic_t silent = 0;
+
 extern "C" void on_stop_signal(int signal) {
   if (StopsInOrder::now()) return request_stop(signal);
-  write_all(STDERR_FILENO, "vug: interrupted before anything was written\n");
+  if (!silent) write_all(STDERR_FILENO, "vug: interrupted before anything was written\n");
   ::_exit(130);
 }
 
@@ -38,6 +40,10 @@ void occupy_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+void leave_words_to_others() {
+  silent = 1;
 }
 
 void listen_to_signals() {

@@ -13,6 +13,9 @@ void occupy_standard_streams();
 /// under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
 void listen_to_signals();
 
+/// Another process says why this one ends, which a launcher stops with all others.
+void leave_words_to_others();
+
 /// Writes `text` to the standard output. Throws FileError when not all of it has arrived there.
 void print(const std::string& text);
 

@@ -58,6 +58,18 @@ Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<boo
   return type;
 }
 
+/// What a step costs in every row: the populations that it moves.
+std::vector<double> row_weights(const Scene& scene, const Geometry& geometry) {
+  const auto directions = [](ScalarVelocitySet set) { return set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; };
+  const double dense = scene.heat ? directions(scene.heat->velocity_set) : 0;
+  double fluid = scene.flow ? D2Q9::Q : 0;
+  if (scene.solute) fluid += static_cast<double>(scene.solute->species.size()) * directions(scene.solute->velocity_set);
+  const Lattice& lattice = geometry.lattice;
+  std::vector<double> weights(lattice.ny, dense * lattice.nx);
+  for (int i = 0; i < geometry.fluid.count; ++i) weights[lattice.y(geometry.fluid.node(i))] += fluid;
+  return weights;
+}
+
 std::int64_t count_fluid(const Geometry& geometry) {
   const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
   return std::count(type.data(), type.data() + type.size(), NodeType::fluid);
@@ -104,7 +116,7 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
 
 }  // namespace
 
-std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
+std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const Ranks& ranks) {
   require_memory(bytes_of_lattice(scene),
                  fmt::format("{}: a lattice of {} x {} nodes", scene.path, scene.lattice.nx, scene.lattice.ny));
   auto parts = std::make_unique<Parts>();
@@ -134,6 +146,10 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene) {
     find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
     require_fluid_at_openings(exec, scene, geometry);
     find_flow_paths(scene, geometry, parts->units);  // throws at mistakes
+  }
+  if (!ranks.alone()) {
+    geometry.split = Split(ranks, geometry.lattice, row_weights(scene, geometry));
+    geometry.split.follow(geometry.fluid);
   }
   const bool paper_set = scene.solute && scene.solute->velocity_set == ScalarVelocitySet::d2q9;
   const bool single = scene.accuracy.precision == Precision::single_precision;

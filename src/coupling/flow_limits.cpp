@@ -30,8 +30,10 @@ double lowest_relaxation_time(Collision collision, double pressure) {
 
 template <class T>
 void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
+  const Split& split = geometry_.split;
+  if (steady_.on() && !split.alone()) split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
   steady_.look(exec, clock, geometry_.fluid, fields_.u);
-  const FlowExtremes extremes = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
+  const FlowExtremes extremes = this->extremes(exec);
   if (extremes.bad < 0) return;
   int node = 0;
   Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, extremes.bad));

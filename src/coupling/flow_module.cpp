@@ -22,13 +22,6 @@ namespace {
 
 constexpr double gas_constant = 8.314462618;  // J/(mol K)
 
-template <class T>
-double total_mass(const FluidNodes& fluid, const FlowFields<T>& fields) {
-  ScalarField<double> partial("vug::flow::partial", block_count(fluid.count));
-  add_mass(Exec{}, fluid, fields, partial);
-  return sum_in_order(partial);
-}
-
 /// Who has the link out of a corner: a side with a given velocity, so that all of its fluid enters; then a wall, which
 /// may slide; a pressure and an outflow last.
 SideOrder corner_order(const std::vector<StretchLinks>& boundaries) {
@@ -69,7 +62,8 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
   steady_ =
       SteadyFlow<T>(needs_temperature() ? 0 : scene.accuracy.flow_tolerance, raised, scene.accuracy.guard_interval);
   steady_.wake(exec, geometry.fluid.capacity);
-  initial_mass_ = total_mass(geometry.fluid, fields_);
+  find_halos();
+  initial_mass_ = mass();
 }
 
 template <class T>
@@ -201,6 +195,7 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
       advective_defect<D2Q5>(exec, fluid, carrier.displacement(), carrier.e);
     else
       advective_defect<D2Q9>(exec, fluid, carrier.displacement(), carrier.e, carrier.even_weight);
+    in_rows_.exchange<T, 1>(exec, {carrier.e});
   }
   for (const StretchLinks& boundary : boundaries_)
     if (clock.every(LongSum::interval)) boundary.gain.settle(exec);
@@ -208,21 +203,35 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     steady_.pass();
   } else {
     if (needs_temperature()) step_.theta = *theta_;
-    if (step_.spread.extent(0) > 0) set_spread(exec, fluid.count, step_.theta, viscosity_, step_.spread);
+    if (step_.spread.extent(0) > 0) set_spread(exec, fluid.share(), step_.theta, viscosity_, step_.spread);
+    dressed_.exchange<T, 1>(exec, {fields_.f});
     for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time(), boundary.gain.recent());
+    if (fields_.turned)
+      populations_.exchange_back<T, 1>(exec, {fields_.f});
+    else
+      populations_.exchange<T, 1>(exec, {fields_.f});
     collide_and_stream(exec, fluid, fields_, step_);
+    velocities_.exchange<T, 2>(exec, components(fields_.u));
   }
 }
 
 template <class T>
 void FlowModule<T>::births(const Exec& exec, const Births& births) {
-  fit_to_capacity(exec, geometry_.fluid, births.first, fields_);
-  const double before = total_mass(geometry_.fluid, fields_);
-  initialise_births(exec, geometry_.fluid, births.first, births.last, fields_);
-  born_mass_ += total_mass(geometry_.fluid, fields_) - before;
+  const Split& split = geometry_.split;
+  const FluidNodes& fluid = geometry_.fluid;
+  return_populations(exec);
+  fit_to_capacity(exec, fluid, births.first, fields_);
+  const double before = sum_mass();
+  settle(exec, fluid, births.first, fields_);  // the links to new nodes were walls until now
+  if (!split.alone())                          // all ranks fill the new nodes alike
+    split.make_whole(split.of_neighbours(fluid, births.first, births.last), fields_.f, D2Q9::Q, fluid.capacity);
+  initialise_births(exec, fluid, births.first, births.last, fields_);
+  born_mass_ += mass() - before;
   for (Carrier<T>& carrier : carriers_) fit_carrier(exec, carrier);
   if (step_.spread.extent(0) > 0) Kokkos::resize(exec, step_.spread, geometry_.fluid.capacity);
   find_boundaries(exec);
+  find_halos();
+  velocities_.template exchange<T, 2>(exec, components(fields_.u));
   steady_.wake(exec, geometry_.fluid.capacity);
 }
 
@@ -231,7 +240,7 @@ void FlowModule<T>::ledger(Ledger& ledger) const {
   const double kg = units_.fluid_density * units_.volume();
   Balance& balance = ledger.of("fluid_mass", "kg/m");
   balance.initial = kg * initial_mass_;
-  balance.stored = kg * total_mass(geometry_.fluid, fields_);
+  balance.stored = kg * mass();
   double entered = 0;
   for (const StretchLinks& boundary : boundaries_)
     if (!boundary.stretch.opening) entered += boundary.total();
@@ -243,8 +252,8 @@ void FlowModule<T>::ledger(Ledger& ledger) const {
 
 template <class T>
 void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
-  const FlowExtremes extremes = flow_extremes(Exec{}, geometry_.fluid, fields_, speed_bound, density_bound);
-  row.push_back({"largest_mach_1", extremes.speed * std::sqrt(3.0)});
+  geometry_.split.make_whole(geometry_.split.of_blocks(), step_.limited);
+  row.push_back({"largest_mach_1", extremes(Exec{}).speed * std::sqrt(3.0)});
   row.push_back({"fluid_nodes_1", static_cast<double>(geometry_.fluid.count)});
   row.push_back({"speed_limiter_uses_1", sum_in_order(step_.limited)});
   if (steady_.on()) row.push_back({"flow_held_steps_1", static_cast<double>(steady_.held_steps())});

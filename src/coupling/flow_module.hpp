@@ -6,6 +6,7 @@
 #include "coupling/stretch_links.hpp"
 #include "coupling/temperature_range.hpp"
 #include "kernels/flow.hpp"
+#include "kernels/guards.hpp"
 #include "kernels/thermal_flow.hpp"
 #include "kernels/units.hpp"
 
@@ -21,6 +22,7 @@ class FlowModule final : public Module {
 
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void gather(const Exec& exec) override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -48,6 +50,13 @@ class FlowModule final : public Module {
   std::string advice_on_divergence() const;
   void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);
+  void find_halos();
+  /// Gives back what our last sweep left in slots of other ranks' nodes, and the other way round.
+  void return_populations(const Exec& exec) const;
+  /// That of all ranks' nodes; of populations that have been given back.
+  double mass() const;
+  double sum_mass() const;
+  FlowExtremes extremes(const Exec& exec) const;
   /// What a velocity, or a flow rate over the surface that it has, gives at a time (s), lattice units.
   double given_speed(const StretchLinks& boundary, double time) const;
   std::array<double, 2> given_velocity(const StretchLinks& boundary, double time) const;
@@ -68,6 +77,9 @@ class FlowModule final : public Module {
   FlowStep<T> step_;
   std::deque<Carrier<T>> carriers_;
   SteadyFlow<T> steady_;
+  /// What other ranks compute: populations that our sweep pulls; those that leave through sides and openings, which
+  /// every rank dresses alike; velocities that carry, or that sides need; those of nodes in our rows.
+  Halo populations_, dressed_, velocities_, in_rows_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 // What is rock and what is pore on the lattice, shared by all modules. Written by `build` and by births only.
+#include "coupling/split.hpp"
 #include "io/scene.hpp"
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/opening.hpp"
@@ -29,6 +30,7 @@ struct Geometry {
       mineral;                    ///< (dense node) number of its mineral from 1, 0 rock of none; empty: none at all
   ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty unless the rock can dissolve
   ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
+  Split split;                    ///< what of all this the ranks compute
 };
 
 /// Part of a side of the lattice, or the surface of an opening, with one set of boundary conditions.

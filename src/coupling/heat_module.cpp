@@ -89,6 +89,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   if (scene.mechanics || scene.reaction)
     theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), geometry.lattice.size());
+  find_halos();
   initial_energy_ = energy();
 }
 
@@ -132,6 +133,42 @@ HeatParameters HeatModule<T>::parameters() const {
 }
 
 template <class T>
+void HeatModule<T>::find_halos() {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  const Lattice& lattice = geometry_.lattice;
+  fields_.first_row = split.first_row();
+  fields_.rows = split.own_rows();
+  std::vector<int> nodes;  // at sides and openings, whose heat is summed over all of them
+  const auto side = [&](int x, int y, int dx, int dy, int count) {
+    for (int k = 0; k < count; ++k) nodes.push_back(lattice.node(x + k * dx, y + k * dy));
+  };
+  if (!periodic_[0]) {
+    side(0, 0, 0, 1, lattice.ny);
+    side(lattice.nx - 1, 0, 0, 1, lattice.ny);
+  }
+  if (!periodic_[1]) {
+    side(0, 0, 1, 0, lattice.nx);
+    side(0, lattice.ny - 1, 1, 0, lattice.nx);
+  }
+  for (const HeatOpening& opening : openings_)
+    for (int link = 0; link < opening.links.count; ++link) nodes.push_back(opening.links.node(link));
+  populations_ = split.dense(lattice, directions(), periodic_[1], nodes);
+  if (carrier_ || fluid_theta_.extent(0) > 0) in_rows_ = split.in_rows(geometry_.fluid);
+}
+
+template <class T>
+void HeatModule<T>::gather(const Exec& exec) {
+  const Split& split = geometry_.split;
+  split.make_whole(geometry_.lattice, fields_.g, directions());
+  if (carrier_) {
+    split.make_whole(split.of_fluid_by_row(geometry_.fluid), lagged_);
+    split.make_whole(split.of_rows(), created_);
+  }
+  if (fluid_theta_.extent(0) > 0) gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+}
+
+template <class T>
 double HeatModule<T>::value_of(const HeatBoundary& heat, double time) const {
   if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection)
     return units_.lattice_temperature(heat.temperature.at(time));
@@ -166,7 +203,16 @@ template <class T>
 double HeatModule<T>::energy() const {
   ScalarField<double> partial("vug::heat::partial", heat_energy_sums(geometry_.lattice));
   add_heat_energy(Exec{}, fields_, partial);
+  const Split& split = geometry_.split;
+  if (!split.alone()) split.make_whole(split.of_rows(), partial);
   return sum_in_order(partial);
+}
+
+template <class T>
+HeatExtremes HeatModule<T>::extremes(const Exec& exec) const {
+  const Ranks& ranks = geometry_.split.ranks();
+  const HeatExtremes ours = heat_extremes(exec, fields_);
+  return {ranks.least(ours.lowest), ranks.most(ours.highest), ranks.most(ours.not_finite)};
 }
 
 template <class T>
@@ -178,7 +224,8 @@ bool HeatModule<T>::rock_asks_before_next_step(const Clock& clock) const {
 template <class T>
 const ScalarField<T>& HeatModule<T>::temperature(const Exec& exec) const {
   if (!fresh_) take_temperatures(exec, fields_, theta_);
-  fresh_ = true;
+  if (!whole_) geometry_.split.make_whole(geometry_.lattice, theta_);
+  fresh_ = whole_ = true;
   return theta_;
 }
 
@@ -202,31 +249,43 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     for (const LongSum& side : entered_) side.settle(exec);
   }
   set_values(clock.time());
+  populations_.exchange<T, 1>(exec, {fields_.g});
   for (const HeatOpening& opening : openings_) fill_heat_opening(exec, fields_, opening);
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
   fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);
+  whole_ = geometry_.split.alone();
   const ScalarField<T> theta = fresh_ ? theta_ : ScalarField<T>();
   if (carrier_)
     conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->displacement(), carrier_->e, lagged_, fields_,
                        created_.recent(), theta);
   else
     conduct(exec, fields_, theta);
-  if (fluid_theta_.extent(0) > 0) gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+  if (fluid_theta_.extent(0) == 0) return;
+  gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+  in_rows_.exchange_back<T, 1>(exec, {fluid_theta_});
 }
 
 template <class T>
 void HeatModule<T>::births(const Exec& exec, const Births& births) {
+  const Split& split = geometry_.split;
+  if (!split.alone()) {  // all ranks book alike what the new nodes gain
+    std::vector<int> nodes;
+    for (int i = births.first; i < births.last; ++i) nodes.push_back(geometry_.fluid.node(i));
+    split.make_whole(split.of_dense_nodes(geometry_.lattice, nodes), fields_.g, directions(), geometry_.lattice.size());
+  }
   add_birth_energy(exec, fields_, geometry_.fluid.node, births.first, births.last, born_);
   if (carrier_) {
     Kokkos::resize(exec, lagged_, geometry_.fluid.capacity);
     rows_ = fluid_rows(exec, geometry_.fluid);
   }
   set_heat_geometry(exec, geometry_.type, periodic_, fields_);
+  find_halos();
   if (fluid_theta_.extent(0) == 0) return;
   Kokkos::resize(exec, fluid_theta_, geometry_.fluid.capacity);
   gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+  in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});
 }
 
 template <class T>
@@ -234,8 +293,9 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const double margin = heated_ ? runaway_margin_with_flux : runaway_margin;
   const double lowest = units_.lattice_temperature(coldest_ - margin);
   const double highest = units_.lattice_temperature(hottest_ + margin);
-  const HeatExtremes extremes = heat_extremes(exec, fields_);
+  const HeatExtremes extremes = this->extremes(exec);
   if (extremes.not_finite == 0 && extremes.lowest > lowest && extremes.highest < highest) return;
+  if (!geometry_.split.alone()) gather(exec);
   const int node = first_outside(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest);
   throw StabilityError(fmt::format(
       "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "
@@ -272,6 +332,7 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
   Balance& balance = ledger.of("heat", "J/m");
   balance.initial = joule * initial_energy_;
   balance.stored = joule * energy();
+  if (carrier_ && !geometry_.split.alone()) geometry_.split.make_whole(geometry_.split.of_rows(), created_);
   double injected = 0, sides = 0;
   for (std::size_t s = 0; s < sides_.size(); ++s)
     (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();
@@ -285,7 +346,7 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
 
 template <class T>
 void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
-  const HeatExtremes extremes = heat_extremes(Exec{}, fields_);
+  const HeatExtremes extremes = this->extremes(Exec{});
   const double change =
       std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
   row.push_back({"largest_temperature_change_K", change});

@@ -5,6 +5,7 @@
 #include "coupling/module.hpp"
 #include "kernels/heat.hpp"
 #include "kernels/heat_boundary.hpp"
+#include "kernels/heat_sums.hpp"
 #include "kernels/long_sum.hpp"
 #include "kernels/units.hpp"
 
@@ -20,6 +21,7 @@ class HeatModule final : public Module {
 
   std::string_view name() const override { return "heat"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void gather(const Exec& exec) override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -42,10 +44,12 @@ class HeatModule final : public Module {
   double hottest() const { return hottest_; }  ///< K
 
  private:
+  void find_halos();
   double energy() const;
   /// What conducts, by its numbers, rock of none first; empty where the case gives no mineral numbers of its own.
   void set_up_minerals(const Scene& scene);
   HeatParameters parameters() const;
+  HeatExtremes extremes(const Exec& exec) const;
   bool rock_asks_before_next_step(const Clock& clock) const;
   /// What the kernels call the value of a condition, at a time (s), and its transfer coefficient.
   double value_of(const HeatBoundary& heat, double time) const;
@@ -74,6 +78,9 @@ class HeatModule final : public Module {
   ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
   ScalarField<T> fluid_theta_;      ///< (fluid) temperatures of now; empty unless the flow asks
   mutable bool fresh_ = false;      ///< no step since
+  mutable bool whole_ = true;       ///< theta_ has those of all ranks
+  Halo populations_;                ///< of other ranks' nodes that we conduct from, or that every rank reads
+  Halo in_rows_;                    ///< fluid nodes in our rows that others sweep
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::vector<HeatOpening> openings_;  ///< those of the geometry, in the same order

@@ -85,6 +85,10 @@ void MechanicsModule<T>::find_links(const Exec& exec) {
   if (flow_)
     find_wall_links(exec, geometry_.fluid, wet_->of_triangle(), wet_->node(), mechanics_.particles().x0,
                     geometry_.spacing, links_);
+  if (geometry_.split.alone() || !flow_) return;
+  std::vector<int> slots;
+  for (int k = 0; k < links_.first(links_.groups()); ++k) slots.push_back(links_.slot(k));
+  walls_ = geometry_.split.slots(geometry_.fluid, slots);
 }
 
 template <class T>
@@ -92,6 +96,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
   const double dt = units_.time_step / substeps_;
   if (flow_ && clock.step % exchange_interval_ == 0) {
+    walls_.exchange<T, 1>(exec, {flow_->flow().f});
     exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
                       particles.torque);
   }

@@ -49,6 +49,7 @@ class MechanicsModule final : public Module {
   RockGauges gauges_;
   std::vector<std::string> fields_asked_for_;  ///< output.fields
   std::optional<WetNodes> wet_;               ///< with flow or dissolution only
+  Halo walls_;                                ///< populations of other ranks' nodes that push our copy of the rock
   WallLinks links_;                           ///< of each particle about its centroid; with flow only
   std::optional<DissolvedShares> dissolved_;  ///< with dissolution only
   int substeps_ = 1;

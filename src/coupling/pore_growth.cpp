@@ -18,6 +18,7 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
   if (dissolved + opened > 0) {
     Births births{fluid.count, fluid.count, opened > 0};
     append_births(exec, geometry_.type, fluid);
+    geometry_.split.follow(fluid);
     births.last = fluid.count;
     find_surface(exec, fluid, geometry_.type, geometry_.surface);
     for (const auto& module : modules) module->births(exec, births);

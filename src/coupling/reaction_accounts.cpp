@@ -110,6 +110,7 @@ double ReactionModule<T, Set>::paid_for(const Attack<T>& attack, double consumed
 
 template <class T, class Set>
 void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
+  gather_links();
   const double mol = units_.amount();
   std::vector<double> paid;
   for (const Attack<T>& attack : attacks_) {
@@ -164,6 +165,7 @@ void ReactionModule<T, Set>::mineral_ledger(Ledger& ledger) const {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
+  gather_links();
   VectorField<double> normal;
   if (section_.surface_normal)
     find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);

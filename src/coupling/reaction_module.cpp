@@ -176,7 +176,26 @@ void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 }
 
 template <class T, class Set>
+void ReactionModule<T, Set>::gather_links() const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  for (const Attack<T>& attack : attacks_) {
+    Owners owners = split.of_fluid(geometry_.fluid);
+    for (Runs& runs : owners)
+      for (auto& [first, last] : runs) {
+        first = attack.links.first(first);
+        last = attack.links.first(last);
+      }
+    split.make_whole(owners, attack.links.acid);
+    if (attack.wall.law == ReactiveWallLaw::kinetic) continue;
+    split.make_whole(owners, attack.links.product);
+    split.make_whole(owners, attack.links.solid);
+  }
+}
+
+template <class T, class Set>
 void ReactionModule<T, Set>::book(const Exec& exec) {
+  gather_links();
   for (Attack<T>& attack : attacks_) book_turnover(exec, geometry_.surface, attack.wall, attack.links, attack.sums);
 }
 

@@ -33,6 +33,7 @@ class ReactionModule final : public Module {
 
   std::string_view name() const override { return "reaction"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void gather(const Exec&) override { gather_links(); }
   void births(const Exec& exec, const Births& births) override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
@@ -50,6 +51,8 @@ class ReactionModule final : public Module {
   /// Surface normals and what the links conduct, where they are due: the solid shrinks and the temperature changes
   /// slowly, so both are renewed at every wall interval, sooner at the start of a run, and where the links are new.
   void refresh(const Exec& exec, std::int64_t step);
+  /// Brings on every rank what the links have turned over.
+  void gather_links() const;
   void set_rates(const Exec& exec, Attack<T>& attack, double ahead);
   void set_up_minerals(const Scene& scene);
   void set_up(Attack<T>& attack);

@@ -149,22 +149,25 @@ class Run {
   Run(const Scene& scene, const RunOptions& options)
       : scene_(scene),
         options_(options),
-        folder_(run_directory(scene, options.directory), use_of(options),
-                "--resume continues it, --overwrite replaces it, -o DIR leaves it alone"),
+        ranks_(options.ranks),
+        path_(run_directory(scene, options.directory)),
+        folder_(folder()),
         record_(first_record(scene)),
         owner_(owner()),
         last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
-        simulation_(scene) {
+        simulation_(scene, options.ranks) {
     require_fields(simulation_.fields(), scene.output.fields);
   }
 
   void operator()() {
     resume();
     const StopsInOrder in_order;  // from here on there is something to bring to an end
-    folder_.take();
-    if (options_.resume && !resumed_at_) folder_.clear();
-    record_.last_step = last_;
-    write_run_record(folder_.path(), record_);
+    if (folder_) {
+      folder_->take();
+      if (options_.resume && !resumed_at_) folder_->clear();
+      record_.last_step = last_;
+      write_run_record(path_, record_);
+    }
     std::ostream silent(nullptr);
     Progress progress(options_.progress ? *options_.progress : silent, options_.terminal && options_.progress,
                       {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step()});
@@ -192,25 +195,33 @@ class Run {
   }
 
  private:
+  /// That of the rank that writes.
+  std::optional<RunFolder> folder() const {
+    if (!ranks_.first()) return std::nullopt;
+    return std::optional<RunFolder>(std::in_place, path_, use_of(options_),
+                                    "--resume continues it, --overwrite replaces it, -o DIR leaves it alone");
+  }
+
   /// This run, or that which it continues: of the same case, or nothing is touched.
   CheckpointOwner owner() {
     const std::string hash = case_hash(record_.case_text, record_.overrides, record_.inputs);
     if (!options_.resume) return {hash, record_.run};
-    const std::optional<RunSummary>& held = folder_.held();
+    if (!folder_) return {hash, ""};
+    const std::optional<RunSummary>& held = folder_->held();
     if (!held) return {hash, ""};
     if (held->case_hash != hash)
       throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}",
-                                   folder_.path(), what_has_changed(record_, *held)));
+                                   path_, what_has_changed(record_, *held)));
     record_.run = held->run;
     return {hash, held->run};
   }
 
   void resume() {
     if (!options_.resume) return;
-    const std::optional<Checkpoint> checkpoint = Checkpoint::latest(checkpoints(), owner_);
+    const std::optional<Checkpoint> checkpoint = latest_checkpoint();
     if (!checkpoint) {
       notes_.push_back(
-          fmt::format("note: {} has no checkpoint to continue from: the run begins at its first step", folder_.path()));
+          fmt::format("note: {} has no checkpoint to continue from: the run begins at its first step", path_));
       owner_.run = record_.run;
       return;
     }
@@ -222,8 +233,31 @@ class Run {
     resumed_at_ = last_checkpoint_ = record_.first_step = checkpoint->step();
   }
 
+  /// Every rank takes part in the sums of a row.
+  std::vector<HistoryValue> write_row(std::optional<RunFiles>& files) const {
+    return files ? files->write_row() : simulation_.history();
+  }
+
+  /// The first rank finds it, all read it.
+  std::optional<Checkpoint> latest_checkpoint() const {
+    std::optional<Checkpoint> found;
+    if (ranks_.first()) found = Checkpoint::latest(checkpoints(), owner_);
+    const std::string path = ranks_.told(found ? found->path() : "");
+    if (!ranks_.first() && !path.empty()) found = Checkpoint::open(path, owner_);
+    return found;
+  }
+
+  /// How the ranks share the lattice.
+  std::string shares() const {
+    const Partition& rows = simulation_.parts().geometry.split.rows();
+    std::string text = fmt::format("ranks: {}, rows of the lattice from", ranks_.size());
+    for (int r = 0; r < ranks_.size(); ++r) text += fmt::format(" {}", rows.first(r));
+    return text + fmt::format(", the largest share of the work {:.3f} of the mean", rows.imbalance());
+  }
+
   void warn(Progress& progress) const {
-    if (!folder_.warning().empty()) progress.note("warning: " + folder_.warning());
+    if (folder_ && !folder_->warning().empty()) progress.note("warning: " + folder_->warning());
+    if (!ranks_.alone()) progress.note(shares());
     for (const std::string& note : notes_) progress.note(note);
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     const Parts& parts = simulation_.parts();
@@ -235,11 +269,15 @@ class Run {
 
   /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.
   void advance(Progress& progress) {
-    RunFiles files(scene_, simulation_, folder_.path(), resumed_at_);
+    std::optional<RunFiles> files;
+    if (ranks_.first())
+      files.emplace(scene_, simulation_, path_, resumed_at_);
+    else
+      simulation_.history();  // for the names of its columns
     if (!resumed_at_) {
       simulation_.begin();
-      files.write_snapshot();
-      files.write_row();
+      if (files) files->write_snapshot();
+      write_row(files);
     }
     Events events(simulation_);
     const auto tell = [&](const std::vector<std::string>& news) {
@@ -251,7 +289,7 @@ class Run {
     while (simulation_.clock().step < last_) {
       simulation_.step();
       const std::int64_t step = simulation_.clock().step;
-      const bool stop = stop_requested();
+      const bool stop = ranks_.most(stop_requested() ? 1 : 0) > 0;
       const bool write_now = step % output == 0 || step == last_;
       const bool row = write_now || step % history == 0;
       const bool save = stop || step % checkpoint == 0 || step == last_;
@@ -259,18 +297,20 @@ class Run {
         simulation_.guard();
         tell(events.look(simulation_));
       }
-      if (write_now) files.write_snapshot();
-      if (row) tell(events.look_at_row(simulation_, files.write_row()));
+      if (write_now || save) simulation_.gather();
+      if (files && write_now) files->write_snapshot();
+      if (row) tell(events.look_at_row(simulation_, write_row(files)));
       if (save) {
-        write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), owner_);
+        if (files) write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), owner_);
         last_checkpoint_ = step;
+        ranks_.most(0);  // nobody ends while it is written
       }
       progress.update(step, simulation_.updates_per_step());
       if (stop && step < last_) throw Interrupted(stop_reason());
     }
   }
 
-  std::string checkpoints() const { return folder_.path() + "/checkpoint"; }
+  std::string checkpoints() const { return path_ + "/checkpoint"; }
 
   std::string last_good() const {
     if (!last_checkpoint_) return "there is no checkpoint yet";
@@ -287,6 +327,7 @@ class Run {
   }
 
   void finish(const Progress& progress, const std::string& status, const std::string& reason, int code) {
+    if (!folder_) return;
     record_.status = status;
     record_.exit_reason = reason;
     record_.exit_code = code;
@@ -295,12 +336,14 @@ class Run {
     record_.simulated_time = simulation_.clock().time();
     record_.wall_time = progress.wall_time();
     record_.mlups = progress.mlups();
-    write_run_record(folder_.path(), record_);
+    write_run_record(path_, record_);
   }
 
   const Scene& scene_;
   const RunOptions& options_;
-  RunFolder folder_;
+  Ranks ranks_;
+  std::string path_;
+  std::optional<RunFolder> folder_;  ///< of the rank that writes
   RunRecord record_;
   CheckpointOwner owner_;
   std::int64_t last_;

@@ -1,6 +1,7 @@
 #pragma once
 // A run from its scene to its run directory: steps, guards, snapshots, history, provenance.
 #include "io/scene.hpp"
+#include "ranks/ranks.hpp"
 
 #include <cstdint>
 #include <iosfwd>
@@ -17,6 +18,7 @@ struct RunOptions {
   bool overwrite = false;  ///< replace the run that `directory` holds
   bool terminal = false;              ///< the progress goes to a terminal
   std::ostream* progress = nullptr;   ///< null: quiet
+  Ranks ranks{};  ///< who computes the case together; the first of them writes
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or

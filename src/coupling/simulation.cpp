@@ -18,11 +18,11 @@ StateRange nodes_of(const Geometry& geometry) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene)
+Simulation::Simulation(const Scene& scene, const Ranks& ranks)
     : scene_(scene),
       clock_{0, scene.lattice.time_step},
       update_interval_(scene.accuracy.update_interval),
-      parts_(build_modules(exec_, scene)) {}
+      parts_(build_modules(exec_, scene, ranks)) {}
 
 void Simulation::begin() {
   for (const auto& module : parts_->modules) module->begin(exec_);
@@ -31,7 +31,14 @@ void Simulation::begin() {
 void Simulation::step() {
   for (const auto& module : parts_->modules) module->step(exec_, clock_);
   ++clock_.step;
+  whole_ = false;
   if (parts_->growth && clock_.step % update_interval_ == 0) parts_->growth->grow(exec_, parts_->modules);
+}
+
+void Simulation::gather() const {
+  if (parts_->geometry.split.alone() || whole_) return;
+  for (const auto& module : parts_->modules) module->gather(exec_);
+  whole_ = true;
 }
 
 void Simulation::guard() {
@@ -64,6 +71,7 @@ Ledger Simulation::ledger() const {
 }
 
 std::vector<HistoryValue> Simulation::history() const {
+  if (scene_.output.forces || scene_.output.flows || !scene_.output.probes.empty()) gather();
   std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
   for (const auto& module : parts_->modules) module->history(row);
   if (scene_.output.forces || scene_.output.flows)
@@ -122,6 +130,7 @@ StateList Simulation::geometry_state() {
 }
 
 StateList Simulation::state() {
+  gather();
   StateList list = geometry_state();
   Geometry& geometry = parts_->geometry;
   list.add("geometry/type", geometry.type, node_types);
@@ -171,6 +180,7 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
     require_possible(type, node);
     Kokkos::deep_copy(geometry.type, type);
     set_fluid_nodes(exec_, node, fluid_capacity_, geometry.fluid);
+    geometry.split.follow(geometry.fluid);
     find_surface(exec_, geometry.fluid, geometry.type, geometry.surface);
     for (const auto& module : parts_->modules) module->births(exec_, births);
   }

@@ -8,12 +8,15 @@ namespace vug {
 /// A scene in motion. Knows nothing of files: `run.hpp` writes what it offers.
 class Simulation {
  public:
-  explicit Simulation(const Scene& scene);
+  /// The ranks share the work: all of them make one of the same scene and call the same functions of it.
+  explicit Simulation(const Scene& scene, const Ranks& ranks = {});
 
   /// Brings all modules to time zero (tectonic preload). Not called when a checkpoint is loaded instead.
   void begin();
   /// One lattice step.
   void step();
+  /// Brings the whole state on every rank: to be called by all before one reads fields or state.
+  void gather() const;
   /// Throws StabilityError when a module has left its bounds.
   void guard();
 
@@ -42,6 +45,7 @@ class Simulation {
   Clock clock_;
   int update_interval_;
   std::unique_ptr<Parts> parts_;
+  mutable bool whole_ = true;  ///< no step since the state was gathered
   int fluid_count_ = 0, fluid_capacity_ = 0;  ///< as read from a checkpoint
 };
 

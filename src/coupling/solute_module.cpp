@@ -3,6 +3,7 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/advective_form.hpp"
+#include "kernels/dissolution.hpp"
 #include "kernels/guards.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/require.hpp"
@@ -54,7 +55,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     species_.push_back(std::move(state));
   }
   find_boundaries(exec);
-  for (SpeciesState<T>& s : species_) s.initial = total_solute<Set>(exec, geometry_.fluid, s.fields);
+  for (SpeciesState<T>& s : species_) s.initial = total(s);
 }
 
 template <class T, class Set>
@@ -79,6 +80,45 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
     s.correction.resize(exec, blocks);
     Kokkos::resize(exec, s.created, blocks);
   }
+  populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::exchange(const Exec& exec, const SoluteFields<T>& fields) const {
+  if (fields.turned)
+    populations_.template exchange_back<T, 1>(exec, {fields.h});
+  else
+    populations_.template exchange<T, 1>(exec, {fields.h});
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::gather(const Exec& exec) {
+  const Split& split = geometry_.split;
+  const FluidNodes& fluid = geometry_.fluid;
+  const Owners nodes = split.of_fluid(fluid);
+  for (const SpeciesState<T>& s : species_) {
+    if (s.fields.turned) exchange(exec, s.fields);
+    split.make_whole(nodes, s.fields.h, Set::Q, fluid.capacity);
+    split.make_whole(nodes, s.fields.C);
+    gather_sums(s);
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>& s) const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  split.make_whole(split.of_blocks(), s.correction);
+  for (const StretchLinks& boundary : s.boundaries) split.make_whole(split.of_links(boundary.links), boundary.gain);
+}
+
+template <class T, class Set>
+double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
+  if (s.fields.turned) exchange(Exec{}, s.fields);
+  const ScalarField<double> partial("vug::solute::partial", block_count(geometry_.fluid.count));
+  add_solute<Set>(Exec{}, geometry_.fluid, s.fields, partial);
+  geometry_.split.make_whole(geometry_.split.of_blocks(), partial);
+  return sum_in_order(partial);
 }
 
 template <class T, class Set>
@@ -120,6 +160,7 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   for (SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries) dress(exec, s, boundary, clock.time(), boundary.gain.recent());
+    exchange(exec, s.fields);
     if (!many_pairs && &s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());
   }
   if (many_pairs) step_pairs(exec, carrier);
@@ -135,9 +176,17 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 template <class T, class Set>
 void SoluteModule<T, Set>::births(const Exec& exec, const Births& births) {
   const FluidNodes& fluid = geometry_.fluid;
+  const Split& split = geometry_.split;
+  for (SpeciesState<T>& s : species_) {
+    if (s.fields.turned) exchange(exec, s.fields);
+    gather_sums(s);
+  }
   find_boundaries(exec);
   for (SpeciesState<T>& s : species_) {
     fit_solute_to_capacity<Set>(exec, fluid, births.first, s.fields);
+    settle<Set>(exec, fluid, births.first, s.fields);  // the links to new nodes were walls until now
+    if (!split.alone())                                // all ranks fill the new nodes alike
+      split.make_whole(split.of_neighbours(fluid, births.first, births.last), s.fields.h, Set::Q, fluid.capacity);
     initialise_births<Set>(exec, fluid, births.first, births.last, fill_, s.fields, s.created);
   }
 }
@@ -155,8 +204,11 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
                                         std::max(geometry_.lattice.nx, geometry_.lattice.ny) * units_.spacing /
                                         (s.section.diffusivity * units_.concentration));
     const double bound = runaway_factor * std::max(1.0, largest);
-    const FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.count);
+    const Ranks& ranks = geometry_.split.ranks();
+    FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.share());
+    range = {ranks.least(range.min), ranks.most(range.max), ranks.most(range.first_not_finite)};
     if (range.first_not_finite < 0 && range.min > -bound && range.max < bound) continue;
+    if (!ranks.alone()) gather(exec);
     int node = 0;
     const int bad = first_outside(exec, s.fields.C, geometry_.fluid.count, -bound, bound);
     Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, bad));
@@ -196,9 +248,10 @@ template <class T, class Set>
 void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
   for (const SpeciesState<T>& s : species_) {
     const double mol = units_.amount();
+    gather_sums(s);
     Balance& balance = ledger.of(s.section.name, "mol/m");
     balance.initial = mol * s.initial;
-    balance.stored = mol * total_solute<Set>(Exec{}, geometry_.fluid, s.fields);
+    balance.stored = mol * total(s);
     double injected = 0, left = 0;
     for (const StretchLinks& boundary : s.boundaries) {
       if (boundary.stretch.opening) continue;

@@ -46,6 +46,7 @@ class SoluteModule final : public Module {
 
   std::string_view name() const override { return "solute"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void gather(const Exec& exec) override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -65,6 +66,12 @@ class SoluteModule final : public Module {
   void find_boundaries(const Exec& exec);
   /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.
   void step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier);
+  /// Of all ranks' nodes.
+  double total(const SpeciesState<T>& s) const;
+  /// Brings on every rank what has entered, left and been added.
+  void gather_sums(const SpeciesState<T>& s) const;
+  /// Brings the populations here that the next sweep of a species pulls.
+  void exchange(const Exec& exec, const SoluteFields<T>& fields) const;
   /// What leaves through a boundary of a species comes back as it says at a time (s); gain(link) += what entered.
   void dress(const Exec& exec, const SpeciesState<T>& s, const StretchLinks& boundary, double time,
              const ScalarField<double>& gain) const;
@@ -77,6 +84,7 @@ class SoluteModule final : public Module {
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
+  Halo populations_;  ///< of other ranks' nodes that our sweeps pull
   std::vector<ReactingSpecies<T>> reacting_;
 };
 

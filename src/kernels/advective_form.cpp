@@ -98,9 +98,9 @@ void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type
   const AdvectiveDefect<Set, T> body{
       nodes.capacity, nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links, u, e, even_weight};
   if constexpr (has_source_windows)
-    for_each_block(exec, label, nodes.count, EightDefects<Set, T>{body, nodes.windows}, block_of_list(nodes.count));
+    for_each_block(exec, label, nodes.share(), EightDefects<Set, T>{body, nodes.windows}, block_of_list(nodes.count));
   else
-    for_each_node(exec, label, nodes.count, body);
+    for_each_node(exec, label, nodes.share(), body);
 }
 
 #define VUG_INSTANTIATE(T, Set) \

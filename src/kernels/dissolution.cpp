@@ -203,10 +203,14 @@ struct ChargeOldNeighbours {
 };
 
 template <class Set, class T>
+void settle(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
+  bring_home<Set>(exec, "vug::solute::settle", nodes, count, s.h, s.turned);
+}
+
+template <class Set, class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,
                        SoluteFields<T>& s, const ScalarField<double>& created) {
-  // the links to newborns were walls until now: their populations are at home
-  bring_home<Set>(exec, "vug::solute::settle", nodes, first, s.h, s.turned);
+  settle<Set>(exec, nodes, first, s);  // the links to newborns were walls until now: their populations are at home
   const BirthNeighbours<T, Set> around{nodes.source, s.h, nodes.capacity, first, last};
   if (fill == BirthFill::mean) {
     add_per_block(exec, "vug::dissolution::fill_by_mean", last - first,
@@ -219,6 +223,7 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                                  \
+  template void settle<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);                           \
   template void initialise_births<Set, T>(const Exec&, const FluidNodes&, int, int, BirthFill, SoluteFields<T>&, \
                                           const ScalarField<double>&);
 VUG_INSTANTIATE(float, D2Q5)

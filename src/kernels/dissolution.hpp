@@ -26,6 +26,10 @@ int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& sur
                    const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost,
                    const MineralLosses& minerals = {});
 
+/// Brings every population of the first `count` nodes home (streaming.hpp), links to other nodes left as they are.
+template <class Set, class T>
+void settle(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
+
 /// Fills the newborn fluid nodes [first, last) of one species, at rest, from their old fluid neighbours of the velocity
 /// set; a newborn without any gets none. Several newborns side by side do not see each other: the result does not
 /// depend on their order. created(block) += solute that came from nowhere (mean); block_count(last) entries at least.

@@ -232,13 +232,13 @@ struct Sweep {
     const auto run = [&](const auto& node) {
       using Node = std::decay_t<decltype(node)>;
       if constexpr (has_eight_lanes && !std::is_same_v<Slots, TwoLattices<D2Q9>>)
-        for_each_block(exec, label, nodes.count, eight_block<T>(node, nodes, step.limited), size);
+        for_each_block(exec, label, nodes.share(), eight_block<T>(node, nodes, step.limited), size);
       else if constexpr (runs_on_host && Node::limits)
-        for_each_block(exec, label, nodes.count, LimitedBlock<T, Node>{node, step.limited}, size);
+        for_each_block(exec, label, nodes.share(), LimitedBlock<T, Node>{node, step.limited}, size);
       else if constexpr (Node::limits)
-        add_per_block(exec, label, nodes.count, node, step.limited);
+        add_per_block(exec, label, nodes.share(), node, step.limited);
       else
-        for_each_node(exec, label, nodes.count, node);
+        for_each_node(exec, label, nodes.share(), node);
     };
     if (limits)
       run(body(SpeedLimiter<T>{step.speed_limit}));

@@ -11,6 +11,7 @@
 // reactive wall overwrites slot (opposite(q), i), which nobody else reads, and the plain bounce-back brings it back.
 #include "kernels/base.hpp"
 #include "kernels/lattice.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/side.hpp"
 #include "kernels/source_windows.hpp"
 
@@ -42,6 +43,12 @@ struct FluidNodes {
   Kokkos::View<std::uint16_t*>
       side_links;  ///< (fluid) bit q: the neighbour along +q is outside the lattice or in an opening
   Kokkos::View<std::uint16_t*> open_links;  ///< (fluid) the side links through which fluid may flow (see mark_open)
+
+  int own_count = -1;    ///< blocks of the list that this process computes; -1: all
+  IndexList own_blocks;  ///< (own) their numbers
+
+  /// What sweeps run over.
+  Share share() const { return {count, own_count, own_blocks.data()}; }
 };
 
 /// Of the link masks of a fluid node those that nothing is carried along: into rock or through a closed side.

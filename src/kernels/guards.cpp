@@ -1,5 +1,7 @@
 #include "kernels/guards.hpp"
 
+#include "kernels/own_items.hpp"
+
 #include <limits>
 
 namespace vug {
@@ -10,7 +12,10 @@ struct FindExtremes {
   Density<T> rho;
   VectorField<T> u;
   double speed_bound, density_bound;
-  KOKKOS_FUNCTION void operator()(int i, double& speed2, double& density, int& bad) const {
+  OwnItems own;
+  KOKKOS_FUNCTION void operator()(int place, double& speed2, double& density, int& bad) const {
+    const int i = own(place);
+    if (i < 0) return;
     const double ux = double(u(i, 0)), uy = double(u(i, 1)), u2 = ux * ux + uy * uy, size = Kokkos::abs(double(rho(i)));
     const bool good = u2 <= speed_bound * speed_bound && size <= density_bound;  // false for NaN
     if (!good && i < bad) bad = i;
@@ -26,8 +31,9 @@ FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const Flow
   if (nodes.count == 0) return found;
   double speed2 = 0;
   int bad = std::numeric_limits<int>::max();
-  Kokkos::parallel_reduce("vug::guards::flow_extremes", Kokkos::RangePolicy<Exec>(exec, 0, nodes.count),
-                          FindExtremes<T>{Density<T>(nodes, fields), fields.u, speed_bound, density_bound},
+  const OwnItems own{nodes.share()};
+  Kokkos::parallel_reduce("vug::guards::flow_extremes", Kokkos::RangePolicy<Exec>(exec, 0, own.places()),
+                          FindExtremes<T>{Density<T>(nodes, fields), fields.u, speed_bound, density_bound, own},
                           Kokkos::Max<double>(speed2), Kokkos::Max<double>(found.density), Kokkos::Min<int>(bad));
   found.speed = speed2 > 0 ? Kokkos::sqrt(speed2) : 0;
   if (!(found.density > 0)) found.density = 0;  // the reduction's identity, where all is NaN

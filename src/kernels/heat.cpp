@@ -187,6 +187,7 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   fields.rates = heat_rates<T>(parameters);
   fields.velocity_set = parameters.velocity_set;
   fields.openings = openings;
+  fields.rows = lattice.ny;
   const std::size_t size = lattice.size();
   const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
   fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);

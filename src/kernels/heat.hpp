@@ -71,6 +71,7 @@ struct HeatFields {
   /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
   Kokkos::View<std::uint8_t*> solid;
   HeatMatter matter;
+  int first_row = 0, rows = 0;  ///< [first_row, first_row + rows) are the rows that a step computes: all, or our share
   int bands = 0;         ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
   ScalarField<T> lines;  ///< (band, line, x) what they set aside
 };

@@ -41,15 +41,20 @@ struct BandLines {
 template <class T, class Set>
 struct HeatBands {
   Lattice lattice;
-  int count;
+  int first, rows, count;
   ScalarField<T> g, lines;
 
   explicit HeatBands(const HeatFields<T>& fields)
-      : lattice(fields.lattice), count(fields.bands), g(fields.g), lines(fields.lines) {}
+      : lattice(fields.lattice),
+        first(fields.first_row),
+        rows(fields.rows),
+        count(fields.bands < fields.rows ? fields.bands : fields.rows),
+        g(fields.g),
+        lines(fields.lines) {}
 
   /// First row of a band, or the end of the last.
   KOKKOS_FORCEINLINE_FUNCTION int first_row(int band) const {
-    return static_cast<int>(static_cast<long long>(band) * lattice.ny / count);
+    return first + static_cast<int>(static_cast<long long>(band) * rows / count);
   }
   KOKKOS_FORCEINLINE_FUNCTION BandLines<T, Set> lines_of(int band) const {
     const std::size_t line = static_cast<std::size_t>(band) * BandLines<T, Set>::count;

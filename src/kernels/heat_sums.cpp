@@ -83,6 +83,7 @@ struct Extremes {
   static constexpr int lanes = 128;
 
   Lattice lattice;
+  int first_row;
   Kokkos::View<const std::uint8_t*> solid;
   Temperature<T> theta;
 
@@ -104,7 +105,7 @@ struct Extremes {
       int bad[lanes] = {};
       for (int l = 0; l < lanes; ++l) low[l] = lowest, high[l] = highest;
       for (int x = 0; x < lattice.nx; x += lanes) {
-        const int node = lattice.node(x, item), count = lattice.nx - x < lanes ? lattice.nx - x : lanes;
+        const int node = lattice.node(x, first_row + item), count = lattice.nx - x < lanes ? lattice.nx - x : lanes;
         VUG_VECTORISE
         for (int l = 0; l < count; ++l) look(node + l, low[l], high[l], bad[l]);
       }
@@ -123,8 +124,8 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   T lowest, highest;
   int not_finite;
   Kokkos::parallel_reduce("vug::heat::extremes",
-                          Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? lattice.ny : lattice.nx * lattice.ny),
-                          Extremes<T>{lattice, fields.solid, Temperature<T>(fields)}, Kokkos::Min<T>(lowest),
+                          Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? fields.rows : lattice.nx * lattice.ny),
+                          Extremes<T>{lattice, fields.first_row, fields.solid, Temperature<T>(fields)}, Kokkos::Min<T>(lowest),
                           Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
   return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
 }

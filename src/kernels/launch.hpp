@@ -26,6 +26,18 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
+/// The items [0, n) of a list that this process computes: all of them, or whole blocks of nodes_per_block. Every item
+/// keeps its place in the list and in its block, and with it its bits, however many processes share the list.
+struct Share {
+  int n = 0;
+  int blocks = -1;             ///< how many blocks are ours; -1: all
+  const int* block = nullptr;  ///< (ours) their numbers, ascending
+
+  Share(int items) : n(items) {}
+  Share(int items, int count, const int* numbers) : n(items), blocks(count), block(numbers) {}
+  bool whole() const { return blocks < 0; }
+};
+
 namespace detail {
 
 /// Runs a block's nodes in one loop. Of a copy that nobody else can see the constants and pointers stay in registers
@@ -54,8 +66,9 @@ template <class Body>
 struct Block {
   Body body;
   int n, size;
-  KOKKOS_FUNCTION void operator()(int block) const {
-    const int first = block * size;
+  const int* listed = nullptr;  ///< numbers of the blocks that run; null: all do
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int first = (listed ? listed[item] : item) * size;
     body(first, first + size < n ? first + size : n);
   }
 };
@@ -117,11 +130,16 @@ inline int block_of_list(int n) {
 /// Where a list runs that is too short for more than one thread.
 using ShortExec = std::conditional_t<shares_host_memory, Kokkos::Serial, Exec>;
 
-/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of [0, n), which must be independent; the
-/// shortest lists without waking other threads, which takes longer than the work.
+/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent; the
+/// shortest lists without waking other threads, which takes longer than the work. Of a list that processes share: for
+/// our blocks of nodes_per_block.
 template <class Body>
-void for_each_block(const Exec& exec, const std::string& label, int n, const Body& body, int size) {
-  if (n <= 0) return;
+void for_each_block(const Exec& exec, const std::string& label, const Share& list, const Body& body, int size) {
+  const int n = list.n;
+  if (n <= 0 || list.blocks == 0) return;
+  if (!list.whole())
+    return Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.blocks),
+                                detail::Block<Body>{body, n, nodes_per_block, list.block});
   const detail::Block<Body> blocks{body, n, size};
   if (n <= shortest_block)
     Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), blocks);
@@ -129,25 +147,26 @@ void for_each_block(const Exec& exec, const std::string& label, int n, const Bod
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
 }
 
-/// Runs body(i) for i in [0, n). Iterations must be independent. Nothing is fenced.
+/// Runs body(i) for the items i of a list. Iterations must be independent. Nothing is fenced.
 template <class Body>
-void for_each_node(const Exec& exec, const std::string& label, int n, const Body& body) {
-  if (n <= 0) return;
+void for_each_node(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
+  if (list.n <= 0) return;
   if constexpr (runs_on_host) {
-    for_each_block(exec, label, n, detail::NodeLoop<Body>{body}, block_of_list(n));
+    for_each_block(exec, label, list, detail::NodeLoop<Body>{body}, block_of_list(list.n));
   } else {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n), body);
+    KOKKOS_ASSERT(list.whole());
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.n), body);
   }
 }
 
 /// As for_each_node, for bodies that read and write what lies scattered: a host's gathers and scatters of vectors take
 /// several times as long as single loads and stores.
 template <class Body>
-void for_each_scattered(const Exec& exec, const std::string& label, int n, const Body& body) {
+void for_each_scattered(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
   if constexpr (runs_on_host)
-    for_each_block(exec, label, n, detail::ScatteredLoop<Body>{body}, block_of_list(n));
+    for_each_block(exec, label, list, detail::ScatteredLoop<Body>{body}, block_of_list(list.n));
   else
-    for_each_node(exec, label, n, body);
+    for_each_node(exec, label, list, body);
 }
 
 /// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end can give
@@ -161,18 +180,20 @@ void for_each_team(const Exec& exec, const std::string& label, int count, int th
   Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), lanes), body);
 }
 
-/// total(block) += sum of body(i) over the block's nodes, for i in [0, n); `total` has at least block_count(n)
-/// entries. body(i) returns double or int and may also write node i. Same bits for any number of
+/// total(block) += sum of body(i) over the block's nodes, for the items i of a list of n; `total` has at least
+/// block_count(n) entries. body(i) returns double or int and may also write node i. Same bits for any number of
 /// host threads.
 template <class Body>
-void add_per_block(const Exec& exec, const std::string& label, int n, const Body& body,
+void add_per_block(const Exec& exec, const std::string& label, const Share& list, const Body& body,
                    const ScalarField<double>& total) {
+  const int n = list.n;
   if (n <= 0) return;
   if constexpr (runs_on_host) {
     using Blocks = detail::Block<detail::BlockSum<Body>>;
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, block_count(n)),
-                         Blocks{{body, total}, n, nodes_per_block});
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.whole() ? block_count(n) : list.blocks),
+                         Blocks{{body, total}, n, nodes_per_block, list.block});
   } else {
+    KOKKOS_ASSERT(list.whole());
     for_each_team(exec, label, block_count(n), 128, detail::TeamSum<Body>{body, n, total});
   }
 }

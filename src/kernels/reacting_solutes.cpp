@@ -62,7 +62,7 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
         const int block = sweep_block_size<std::decay_t<decltype(flow)>>(nodes.count);
         visit_kinetic_step<Set>(wall, links, reactant.fields.h, its_product, [&](const auto& step) {
           const detail::ScatteredLoop<std::decay_t<decltype(step)>> react{step};
-          for_each_block(exec, "vug::solute::advance_and_react", nodes.count,
+          for_each_block(exec, "vug::solute::advance_and_react", nodes.share(),
                          SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},
                          blocks_at_a_time * block);
         });

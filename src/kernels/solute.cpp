@@ -45,12 +45,12 @@ void advance(const Exec& exec, const char* label, const FluidNodes& nodes, const
   visit_slots<Set>(nodes, s, [&](const auto& slots) {
     const auto sweep = solute_sweep<Set>(slots, p, s, flow);
     if constexpr (runs_on_host)
-      for_each_block(exec, label, nodes.count, sweep_of_block(nodes, sweep, correction),
+      for_each_block(exec, label, nodes.share(), sweep_of_block(nodes, sweep, correction),
                      sweep_block_size<Flow>(nodes.count));
     else if constexpr (Flow::advective_form)
-      add_per_block(exec, label, nodes.count, sweep, correction);
+      add_per_block(exec, label, nodes.share(), sweep, correction);
     else
-      for_each_node(exec, label, nodes.count, sweep);
+      for_each_node(exec, label, nodes.share(), sweep);
   });
   s.turned = 1 - s.turned;
 }

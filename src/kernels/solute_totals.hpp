@@ -8,12 +8,16 @@ namespace vug {
 template <class Set, class T>
 double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s);
 
-/// Smallest and largest value of the first `count` entries of a field, and the first entry that is not finite.
+/// total(block) += the sum of its nodes, of our share.
+template <class Set, class T>
+void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s, const ScalarField<double>& total);
+
+/// Smallest and largest value of our share of the entries of a field, and the first entry that is not finite.
 struct FieldRange {
   double min = 0, max = 0;    ///< over the finite entries; +infinity and -infinity if there is none
   int first_not_finite = -1;  ///< -1: all are finite
 };
 template <class T>
-FieldRange field_range(const Exec& exec, const ScalarField<T>& field, int count);
+FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Share& list);
 
 }  // namespace vug

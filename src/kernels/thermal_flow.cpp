@@ -28,14 +28,14 @@ struct SetSpread {
 };
 
 template <class T>
-void set_spread(const Exec& exec, int count, const ScalarField<T>& theta, const ViscosityLaw& law,
+void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta, const ViscosityLaw& law,
                 const ScalarField<T>& spread) {
-  for_each_node(exec, "vug::thermal_flow::viscosities", count, SetSpread<T>{theta, law, spread});
+  for_each_node(exec, "vug::thermal_flow::viscosities", list, SetSpread<T>{theta, law, spread});
 }
 
 #define VUG_INSTANTIATE(T)                                                                                        \
   template void gather_temperatures(const Exec&, const FluidNodes&, const HeatFields<T>&, const ScalarField<T>&); \
-  template void set_spread(const Exec&, int, const ScalarField<T>&, const ViscosityLaw&, const ScalarField<T>&)
+  template void set_spread(const Exec&, const Share&, const ScalarField<T>&, const ViscosityLaw&, const ScalarField<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);
 #undef VUG_INSTANTIATE

@@ -1,6 +1,7 @@
 #pragma once
 // What the temperature of the fluid does to its flow.
 #include "kernels/heat.hpp"
+#include "kernels/launch.hpp"
 
 namespace vug {
 
@@ -31,9 +32,9 @@ struct ViscosityLaw {
   }
 };
 
-/// spread(i) = tau - 1/2 = 3 nu at the temperature theta(i), of the first `count` nodes.
+/// spread(i) = tau - 1/2 = 3 nu at the temperature theta(i), of the nodes of a list.
 template <class T>
-void set_spread(const Exec& exec, int count, const ScalarField<T>& theta, const ViscosityLaw& law,
+void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta, const ViscosityLaw& law,
                 const ScalarField<T>& spread);
 
 }  // namespace vug

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 #if defined(_OPENMP)
@@ -88,13 +89,16 @@ int threads_of_a_region(int count) {
 
 }  // namespace
 
-ThreadChoice choose_threads(int wanted, bool looks_around) {
+ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
   check_environment();
   ThreadChoice choice;
 #if defined(_OPENMP)
   omp_set_dynamic(0);  // or OpenMP may give fewer from one parallel region to the next
   if (omp_get_max_active_levels() < 1) omp_set_max_active_levels(1);
-  const int asked = wanted > 0 ? wanted : whole_number("KOKKOS_NUM_THREADS", 1, omp_get_max_threads());
+  int usual = omp_get_max_threads();
+  if (!std::getenv("OMP_NUM_THREADS") && omp_get_num_procs() == sysconf(_SC_NPROCESSORS_ONLN))
+    usual = std::max(1, usual / sharing);
+  const int asked = wanted > 0 ? wanted : whole_number("KOKKOS_NUM_THREADS", 1, usual);
   const auto fewer = [&](int count, const std::string& why) {
     choice.count = count;
     choice.remark = "threads: " + std::to_string(count) + " instead of " + std::to_string(asked) + ": " + why;
@@ -118,6 +122,7 @@ ThreadChoice choose_threads(int wanted, bool looks_around) {
 #else
   (void)wanted;
   (void)looks_around;
+  (void)sharing;
 #endif
   return choice;
 }

@@ -26,6 +26,12 @@ int Ranks::most(int value) const {
   return found;
 }
 
+double Ranks::most(double value) const {
+  double found = value;
+  if (!alone()) MPI_Allreduce(&value, &found, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return found;
+}
+
 std::string Ranks::told(const std::string& text) const {
   if (alone()) return text;
   int size = static_cast<int>(text.size());
@@ -85,6 +91,9 @@ void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) con
 #else
 
 int Ranks::most(int value) const {
+  return value;
+}
+double Ranks::most(double value) const {
   return value;
 }
 std::string Ranks::told(const std::string& text) const {

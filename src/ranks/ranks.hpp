@@ -29,8 +29,11 @@ class Ranks {
   /// The rank that writes the files.
   bool first() const { return rank_ == 0; }
 
-  /// The largest of all ranks' values.
+  /// The largest and the smallest of all ranks' values.
   int most(int value) const;
+  double most(double value) const;
+  int least(int value) const { return -most(-value); }
+  double least(double value) const { return -most(-value); }
   /// What the first rank says.
   std::string told(const std::string& text) const;
   /// lists[r] goes to rank r; returns what came from each.

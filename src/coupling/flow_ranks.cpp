@@ -1,0 +1,89 @@
+// The flow of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
+#include "coupling/flow_module.hpp"
+#include "coupling/flow_paths.hpp"
+#include "kernels/launch.hpp"
+
+#include <limits>
+
+namespace vug {
+
+namespace {
+
+/// Whether something other than bounce-back or the opposite side brings in what leaves.
+bool is_dressed(const FlowBoundary& flow) {
+  return flow.kind != FlowBoundaryKind::periodic && (flow.kind != FlowBoundaryKind::wall || flow.peak_speed() != 0);
+}
+
+}  // namespace
+
+template <class T>
+void FlowModule<T>::find_halos() {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  const FluidNodes& fluid = geometry_.fluid;
+  std::vector<int> slots, nodes;
+  for (const StretchLinks& boundary : boundaries_)
+    for (int link = 0; is_dressed(boundary.stretch.conditions.flow) && link < boundary.links.count; ++link) {
+      nodes.push_back(boundary.links.fluid(link));
+      slots.push_back(boundary.links.direction(link) * fluid.capacity + nodes.back());
+    }
+  populations_ = split.populations(fluid, D2Q9::Q);
+  dressed_ = split.slots(fluid, slots);
+  velocities_ = split.around(fluid, nodes);
+  in_rows_ = split.in_rows(fluid);
+}
+
+template <class T>
+void FlowModule<T>::gather(const Exec& exec) {
+  const Split& split = geometry_.split;
+  const FluidNodes& fluid = geometry_.fluid;
+  return_populations(exec);
+  const Owners nodes = split.of_fluid(fluid);
+  split.make_whole(nodes, fields_.f, D2Q9::Q, fluid.capacity);
+  split.make_whole(nodes, fields_.u);
+  for (const Carrier<T>& carrier : carriers_) split.make_whole(nodes, carrier.e);
+  split.make_whole(split.of_blocks(), step_.limited);
+}
+
+template <class T>
+void FlowModule<T>::return_populations(const Exec& exec) const {
+  if (fields_.turned) populations_.template exchange_back<T, 1>(exec, {fields_.f});
+}
+
+template <class T>
+double FlowModule<T>::sum_mass() const {
+  const ScalarField<double> partial("vug::flow::partial", block_count(geometry_.fluid.count));
+  add_mass(Exec{}, geometry_.fluid, fields_, partial);
+  geometry_.split.make_whole(geometry_.split.of_blocks(), partial);
+  return sum_in_order(partial);
+}
+
+template <class T>
+double FlowModule<T>::mass() const {
+  return_populations(Exec{});
+  return sum_mass();
+}
+
+template <class T>
+FlowExtremes FlowModule<T>::extremes(const Exec& exec) const {
+  const Ranks& ranks = geometry_.split.ranks();
+  FlowExtremes found = flow_extremes(exec, geometry_.fluid, fields_, speed_bound, density_bound);
+  found.speed = ranks.most(found.speed);
+  found.density = ranks.most(found.density);
+  const int none = std::numeric_limits<int>::max(), first = ranks.least(found.bad < 0 ? none : found.bad);
+  found.bad = first == none ? -1 : first;
+  return found;
+}
+
+#define VUG_INSTANTIATE(T)                                            \
+  template void FlowModule<T>::find_halos();                          \
+  template void FlowModule<T>::gather(const Exec&);                   \
+  template void FlowModule<T>::return_populations(const Exec&) const; \
+  template double FlowModule<T>::sum_mass() const;                    \
+  template double FlowModule<T>::mass() const;                        \
+  template FlowExtremes FlowModule<T>::extremes(const Exec&) const
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,188 @@
+#include "coupling/split.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+Split::Split(const Ranks& ranks, const Lattice& lattice, const std::vector<double>& weight_of_row)
+    : ranks_(ranks), rows_(weight_of_row, ranks.size()) {
+  KOKKOS_ASSERT(static_cast<int>(weight_of_row.size()) == lattice.ny);
+}
+
+void Split::follow(FluidNodes& nodes) {
+  if (alone()) return;
+  const int blocks = block_count(nodes.count);
+  std::vector<int> own;
+  owner_of_block_.resize(blocks);
+  for (int b = 0; b < blocks; ++b) {
+    owner_of_block_[b] = rows_.part_of(nodes.lattice.y(nodes.node(b * nodes_per_block)));
+    if (owner_of_block_[b] == ranks_.rank()) own.push_back(b);
+  }
+  nodes.own_count = static_cast<int>(own.size());
+  nodes.own_blocks = IndexList("vug::fluid_nodes::own_blocks", std::max<std::size_t>(own.size(), 1));
+  std::copy(own.begin(), own.end(), nodes.own_blocks.data());
+}
+
+Halo Split::populations(const FluidNodes& nodes, int directions) const {
+  if (alone()) return {};
+  std::vector<int> slots, owner;
+  for (int i = 0; i < nodes.count; ++i) {
+    if (!is_ours(i)) {
+      i += nodes_per_block - 1;
+      continue;
+    }
+    for (int q = 1; q < directions; ++q) {
+      const int slot = nodes.source(q * nodes.capacity + i), from = slot - q * nodes.capacity;
+      if (from < 0 || from >= nodes.count || is_ours(from)) continue;
+      slots.push_back(slot);
+      owner.push_back(owner_of(from));
+    }
+  }
+  return Halo(ranks_, slots, owner);
+}
+
+Halo Split::slots(const FluidNodes& nodes, const std::vector<int>& slots) const {
+  if (alone()) return {};
+  std::vector<int> needed(slots), owner;
+  std::sort(needed.begin(), needed.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  std::erase_if(needed, [&](int slot) { return is_ours(slot % nodes.capacity); });
+  for (const int slot : needed) owner.push_back(owner_of(slot % nodes.capacity));
+  return Halo(ranks_, needed, owner);
+}
+
+Halo Split::marked(const FluidNodes& nodes, const std::vector<bool>& needed) const {
+  std::vector<int> list, owner;
+  for (int i = 0; i < nodes.count; ++i) {
+    if (!needed[i] || is_ours(i)) continue;
+    list.push_back(i);
+    owner.push_back(owner_of(i));
+  }
+  return Halo(ranks_, list, owner);
+}
+
+void Split::mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const {
+  for (int i = 0; i < nodes.count; ++i)
+    if (rows_.part_of(nodes.lattice.y(nodes.node(i))) == ranks_.rank()) needed[i] = true;
+}
+
+Halo Split::in_rows(const FluidNodes& nodes) const {
+  if (alone()) return {};
+  std::vector<bool> needed(nodes.count, false);
+  mark_rows(nodes, needed);
+  return marked(nodes, needed);
+}
+
+Halo Split::around(const FluidNodes& nodes, const std::vector<int>& more) const {
+  if (alone()) return {};
+  std::vector<bool> needed(nodes.count, false);
+  mark_rows(nodes, needed);
+  for (const int i : more) needed[i] = true;
+  for (int i = 0; i < nodes.count; ++i)
+    for (int q = 1; is_ours(i) && q < D2Q9::Q; ++q) {
+      const int from = nodes.source(q * nodes.capacity + i) - q * nodes.capacity;
+      if (from >= 0 && from < nodes.count) needed[from] = true;
+    }
+  return marked(nodes, needed);
+}
+
+Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const {
+  if (alone()) return {};
+  std::vector<int> needed, owner;
+  const auto row = [&](int y, int towards) {
+    if (periodic_y) y = (y + lattice.ny) % lattice.ny;
+    if (y < 0 || y >= lattice.ny || own_rows() == 0) return;
+    for (int q = 1; q < directions; ++q)
+      for (int x = 0; D2Q9::c(q, 1) == towards && x < lattice.nx; ++x)
+        needed.push_back(q * lattice.size() + lattice.node(x, y));
+  };
+  row(first_row() - 1, 1);
+  row(first_row() + own_rows(), -1);
+  for (const int n : nodes)
+    for (int q = 1; q < directions; ++q) needed.push_back(q * lattice.size() + n);
+  std::sort(needed.begin(), needed.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  const auto owner_of_slot = [&](int slot) { return rows_.part_of(lattice.y(slot % lattice.size())); };
+  std::erase_if(needed, [&](int slot) { return owner_of_slot(slot) == ranks_.rank(); });
+  for (const int slot : needed) owner.push_back(owner_of_slot(slot));
+  return Halo(ranks_, needed, owner);
+}
+
+Owners Split::of_blocks() const {
+  return owners_of(owner_of_block_, ranks_.size());
+}
+
+Owners Split::of_fluid(const FluidNodes& nodes) const {
+  Owners owners = of_blocks();
+  for (Runs& runs : owners)
+    for (auto& [first, last] : runs) {
+      first *= nodes_per_block;
+      last = std::min(last * nodes_per_block, nodes.count);
+    }
+  return owners;
+}
+
+Owners Split::of_fluid_by_row(const FluidNodes& nodes) const {
+  std::vector<int> owner(nodes.count);
+  for (int i = 0; i < nodes.count; ++i) owner[i] = rows_.part_of(nodes.lattice.y(nodes.node(i)));
+  return owners_of(owner, ranks_.size());
+}
+
+Owners Split::of_links(const BoundaryLinks& links) const {
+  std::vector<int> owner(links.count);
+  for (int link = 0; link < links.count; ++link) owner[link] = owner_of(links.fluid(link));
+  return owners_of(owner, ranks_.size());
+}
+
+namespace {
+
+void sort_once(std::vector<int>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+}  // namespace
+
+Owners Split::of_neighbours(const FluidNodes& nodes, int first, int last) const {
+  std::vector<int> old;
+  for (int i = first; i < last; ++i)
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      const int n = neighbour(nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.node(i), q);
+      if (n >= 0 && nodes.index(n) >= 0 && nodes.index(n) < first) old.push_back(nodes.index(n));
+    }
+  sort_once(old);
+  Owners owners(ranks_.size());
+  for (const int i : old) owners[owner_of(i)].emplace_back(i, i + 1);
+  return owners;
+}
+
+Owners Split::of_dense_nodes(const Lattice& lattice, std::vector<int> nodes) const {
+  sort_once(nodes);
+  Owners owners(ranks_.size());
+  for (const int n : nodes) owners[rows_.part_of(lattice.y(n))].emplace_back(n, n + 1);
+  return owners;
+}
+
+Owners Split::of_rows() const {
+  Owners owners(ranks_.size());
+  for (int p = 0; p < rows_.parts(); ++p)
+    if (rows_.first(p) < rows_.last(p)) owners[p].emplace_back(rows_.first(p), rows_.last(p));
+  return owners;
+}
+
+Owners Split::of_dense(const Lattice& lattice) const {
+  Owners owners = of_rows();
+  for (Runs& runs : owners)
+    for (auto& [first, last] : runs) {
+      // with the halo beside them
+      first = first == 0 ? 0 : lattice.node(-1, first);
+      last = last == lattice.ny ? lattice.size() : lattice.node(lattice.nx, last - 1) + 1;
+    }
+  return owners;
+}
+
+void Split::make_whole(const Owners& owners, const LongSum& sum) const {
+  for (const ScalarField<double>& part : {sum.recent(), sum.sum(), sum.carry()}) make_whole(owners, part);
+}
+
+}  // namespace vug

@@ -1,0 +1,86 @@
+#pragma once
+// How the ranks share the work of a case. All of them hold the same lattice and the same list of fluid nodes; of the
+// nodes of both each computes its own, and has from others what those pull or carry along (docs/scaling.md).
+#include "kernels/fluid_nodes.hpp"
+#include "kernels/long_sum.hpp"
+#include "ranks/halo.hpp"
+#include "ranks/partition.hpp"
+
+#include <vector>
+
+namespace vug {
+
+/// Both components, for an exchange.
+template <class T>
+std::array<ScalarField<T>, 2> components(const VectorField<T>& u) {
+  return {Kokkos::subview(u, Kokkos::ALL, 0), Kokkos::subview(u, Kokkos::ALL, 1)};
+}
+
+/// Dense nodes belong to the rank that has their row, fluid nodes in blocks of the list to the one that has the row of
+/// their block's first node. What is called here is called by all ranks.
+class Split {
+ public:
+  Split() = default;  ///< one rank has all
+  /// Rows of the given weights over the ranks.
+  Split(const Ranks& ranks, const Lattice& lattice, const std::vector<double>& weight_of_row);
+
+  bool alone() const { return ranks_.alone(); }
+  const Ranks& ranks() const { return ranks_; }
+  const Partition& rows() const { return rows_; }
+  int first_row() const { return rows_.first(ranks_.rank()); }
+  int own_rows() const { return rows_.last(ranks_.rank()) - first_row(); }
+
+  /// Shares out a list of fluid nodes that is new or has grown.
+  void follow(FluidNodes& nodes);
+
+  /// The slots of other ranks' nodes that our sweep of so many directions pulls from; after it they are theirs that
+  /// pull.
+  Halo populations(const FluidNodes& nodes, int directions) const;
+  /// The slots among `slots` that are not ours.
+  Halo slots(const FluidNodes& nodes, const std::vector<int>& slots) const;
+  /// The fluid nodes in our rows that others sweep.
+  Halo in_rows(const FluidNodes& nodes) const;
+  /// These, the neighbours of our own, and `more`.
+  Halo around(const FluidNodes& nodes, const std::vector<int>& more) const;
+  /// Of dense populations what `rows` of ours pull from those of others, and all of `nodes`, which every rank reads.
+  Halo dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const;
+
+  /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows.
+  Owners of_fluid(const FluidNodes& nodes) const;
+  Owners of_fluid_by_row(const FluidNodes& nodes) const;
+  Owners of_links(const BoundaryLinks& links) const;
+  /// Those of the fluid neighbours that [first, last), newborn nodes, have among the older ones; and of some dense nodes.
+  Owners of_neighbours(const FluidNodes& nodes, int first, int last) const;
+  Owners of_dense_nodes(const Lattice& lattice, std::vector<int> nodes) const;
+  Owners of_blocks() const;
+  Owners of_rows() const;
+
+  /// Brings what the ranks computed together on all of them: (plane * stride + item).
+  template <class T>
+  void make_whole(const Owners& owners, const ScalarField<T>& values, int planes = 1, std::size_t stride = 0) const {
+    for (int p = 0; p < planes; ++p) ranks_.make_whole(owners, values.data() + p * stride);
+  }
+  template <class T>
+  void make_whole(const Owners& owners, const VectorField<T>& values) const {
+    for (int axis = 0; axis < 2; ++axis) ranks_.make_whole(owners, &values(0, axis));
+  }
+  void make_whole(const Owners& owners, const LongSum& sum) const;
+  /// (plane, dense node)
+  template <class T>
+  void make_whole(const Lattice& lattice, const ScalarField<T>& values, int planes = 1) const {
+    make_whole(of_dense(lattice), values, planes, lattice.size());
+  }
+
+ private:
+  Owners of_dense(const Lattice& lattice) const;
+  int owner_of(int fluid) const { return owner_of_block_[fluid / nodes_per_block]; }
+  bool is_ours(int fluid) const { return owner_of(fluid) == ranks_.rank(); }
+  Halo marked(const FluidNodes& nodes, const std::vector<bool>& needed) const;
+  void mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const;
+
+  Ranks ranks_;
+  Partition rows_;
+  std::vector<int> owner_of_block_;
+};
+
+}  // namespace vug

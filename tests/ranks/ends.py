@@ -1,0 +1,74 @@
+"""How several ranks end: one line, one exit code, no rank left behind, and a checkpoint that can be resumed.
+
+    ends.py VUG MPIRUN...
+"""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+VUG, MPIRUN = sys.argv[1], sys.argv[2:]
+ROCK = "tests/cases/coupled/small_rock.toml"
+ENVIRONMENT = os.environ | {"OMP_PROC_BIND": "false", "OMP_WAIT_POLICY": "passive"}
+LONG = ["--quiet", "--threads", "1", "--set", "lattice.spacing=1.25e-4", "--set", "output.interval=2.5e-5"]
+
+
+def start(ranks, *words):
+    return subprocess.Popen([*MPIRUN, "-n", str(ranks), VUG, *map(str, words)], env=ENVIRONMENT, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+
+
+def end(process, within=60):
+    out, err = process.communicate(timeout=within)
+    return process.returncode, [line for line in (out + err).splitlines() if line.startswith("vug: ")]
+
+
+def children(pid):
+    return [int(word) for word in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+def wait_for_checkpoint(folder):
+    for _ in range(1200):
+        if any(folder.glob("checkpoint/*.checkpoint")):
+            return
+        time.sleep(0.05)
+    sys.exit("no checkpoint came")
+
+
+def expect(what, found, wanted):
+    print(f"{what}: {found}", flush=True)
+    if found != wanted:
+        sys.exit(f"{what}: expected {wanted}")
+
+
+def main(root):
+    code, lines = end(start(2, "check", ROCK))
+    expect("a command for one rank", (code, len(lines)), (2, 1))
+    assert "2 ranks were started" in lines[0], lines
+    code, lines = end(start(3, "run", ROCK, "-o", root / "no", "--set", "lattice.spacing=-1"))
+    expect("an invalid case", (code, len(lines), (root / "no").exists()), (2, 1, False))
+
+    stopped = start(2, "run", ROCK, "-o", root / "stopped", *LONG)
+    wait_for_checkpoint(root / "stopped")
+    stopped.send_signal(signal.SIGTERM)
+    code, lines = end(stopped)
+    expect("stopped by a signal", (code != 0, len(lines) <= 1), (True, True))
+
+    killed = start(3, "run", ROCK, "-o", root / "killed", *LONG)
+    wait_for_checkpoint(root / "killed")
+    os.kill(children(killed.pid)[1], signal.SIGKILL)
+    begun = time.monotonic()
+    code, lines = end(killed)
+    expect("one rank killed", (code != 0, time.monotonic() - begun < 10), (True, True))
+
+    for name in ("stopped", "killed"):
+        code, lines = end(start(2, "run", ROCK, "-o", root / name, *LONG, "--resume", "--steps", "60"), within=300)
+        expect(f"resumed where it was {name}", (code, lines), (0, []))
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as folder:
+        main(pathlib.Path(folder))
