@@ -132,6 +132,9 @@ TEST(Ranks, MakeAnArrayWholeFromItsOwners) {
 
 TEST(Ranks, AgreeAndTell) {
   EXPECT_EQ(world.most(world.rank() + 3), world.size() + 2);
+  EXPECT_EQ(world.least(world.rank() + 3), 3);
+  EXPECT_EQ(world.most(0.5 * world.rank()), 0.5 * (world.size() - 1));
+  EXPECT_EQ(world.least(0.5 - world.rank()), 1.5 - world.size());
   EXPECT_EQ(world.told(world.first() ? "the first one's words" : "x"), "the first one's words");
 }
 
