@@ -48,14 +48,18 @@ vug_install_packages() {
   rm -f "$log"
 }
 
-# Configures and builds the given preset; further arguments go to the build tool.
+# Configures and builds the given preset: -D... go to CMake, further arguments to the build tool.
 vug_build() {
-  local preset=$1
+  local preset=$1 options=()
   shift
+  while [[ ${1:-} == -D* ]]; do
+    options+=("$1")
+    shift
+  done
   cd "$vug_root"
   local log="build/$preset.log"
   mkdir -p build
-  if ! cmake --preset "$preset" >"$log" 2>&1; then
+  if ! cmake --preset "$preset" "${options[@]}" >"$log" 2>&1; then
     tail -n 25 "$log" >&2
     vug_fail "configuring failed; the lines above are the end of $log"
   fi
