@@ -1,8 +1,10 @@
 // Loads over time: what they do, from where a run may be resumed, and that they cost nothing where nobody asked.
 #include "support/coupled_run.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 namespace {
@@ -41,6 +43,43 @@ TEST(MovingLoads, MoveAPlatenByTheIntegralOfItsTable) {
     EXPECT_NEAR(u(edge.particle, 0) - reference(edge.particle, 0), way, 1e-3 * std::abs(way));
   }
   EXPECT_GT(held, 5);
+}
+
+/// A block on a fixed floor, loaded on parts of two sides.
+CoupledRun settled(const std::string& pressure, const std::string& shear, int steps) {
+  CoupledRun run(fmt::format(
+      "[lattice]\nsize = [0.02, 0.02]\nspacing = 1e-3\ntime_step = 5e-7\n[time]\nsteps = 2000\n"
+      "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 2e-3\n"
+      "[mechanics]\nlocal_damping = 0.5\ndisplacement_from = \"unloaded\"\nbond = {{ normal_strength = 1e12, "
+      "cohesion = 1e12 }}\n[boundary.bottom]\ntraction = {{ support = \"fixed\" }}\n"
+      "[[boundary.top.traction.parts]]\nfrom = 0.005\nto = 0.012\nnormal_stress = {}\n"
+      "[[boundary.right.traction.parts]]\nfrom = 0.008\nto = 0.018\nshear_stress = {}\n"
+      "[[output.gauges]]\nname = \"floor\"\ntype = \"reaction\"\nside = \"bottom\"\n",
+      pressure, shear));
+  run.steps(steps);
+  return run;
+}
+
+/// What has come to rest under loads that grew is what the same loads at rest give: every displacement, every rotation.
+TEST(MovingLoads, EndLikeTheSameLoadsAtRest) {
+  const CoupledRun still = settled("6e6", "-2e6", 0);
+  const CoupledRun grown = settled("[[0, 0], [1e-5, 6e6]]", "[[0, 1e6], [1e-5, -2e6]]", 2000);
+  EXPECT_NEAR(grown.now("floor_y_N_per_m"), 6e6 * 0.007 + 2e6 * 0.010, 1e-4 * 62e3);
+  const auto copy = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto u = copy(grown.rock().particles().u), u_still = copy(still.rock().particles().u);
+  const auto angle = copy(grown.rock().particles().angle), angle_still = copy(still.rock().particles().angle);
+  double moved = 0, turned = 0, off = 0, off_turned = 0;
+  for (std::size_t i = 0; i < u.extent(0); ++i) {
+    for (int axis = 0; axis < 2; ++axis) {
+      moved = std::max(moved, std::abs(u_still(i, axis)));
+      off = std::max(off, std::abs(u(i, axis) - u_still(i, axis)));
+    }
+    turned = std::max(turned, std::abs(angle_still(i)));
+    off_turned = std::max(off_turned, std::abs(angle(i) - angle_still(i)));
+  }
+  std::printf("    displacements off by %.1e, rotations by %.1e\n", off / moved, off_turned / turned);
+  EXPECT_LT(off, 1e-3 * moved);
+  EXPECT_LT(off_turned, 1e-3 * turned);
 }
 
 TEST(MovingLoads, GoOnWithTheSameBitsFromAStateTakenAnywhere) {

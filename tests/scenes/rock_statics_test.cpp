@@ -58,6 +58,15 @@ TEST(Cantilever, SagsAsTimoshenkosBeam) {
   EXPECT_NEAR(run.now("wall_x_N_per_m"), 0, 1e-6 * P);
 }
 
+/// Whatever the beam is made of, every section of it carries the force on its end: shear P / h in the mean.
+TEST(Cantilever, CarriesItsLoadThroughEverySection) {
+  const CoupledRun run(
+      rock_case("cantilever", {"output.gauges=[{ name = \"half\", type = \"stress\", shape = { type = \"rectangle\", "
+                               "from = [0.03, 0.0], to = [0.07, 0.01] } }]"}));
+  EXPECT_NEAR(run.now("half_xy_Pa"), -20e3, 0.02 * 20e3);
+  EXPECT_NEAR(run.now("half_yy_Pa"), 0, 0.02 * 20e3);
+}
+
 /// Between walls the layers have the modulus E / (1 - nu^2).
 double confined(double young) {
   return young / (1 - nu * nu);
