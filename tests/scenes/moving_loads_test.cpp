@@ -52,8 +52,8 @@ CoupledRun settled(const std::string& pressure, const std::string& shear, int st
       "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 2e-3\n"
       "[mechanics]\nlocal_damping = 0.5\ndisplacement_from = \"unloaded\"\nbond = {{ normal_strength = 1e12, "
       "cohesion = 1e12 }}\n[boundary.bottom]\ntraction = {{ support = \"fixed\" }}\n"
-      "[[boundary.top.traction.parts]]\nfrom = 0.005\nto = 0.012\nnormal_stress = {}\n"
-      "[[boundary.right.traction.parts]]\nfrom = 0.008\nto = 0.018\nshear_stress = {}\n"
+      "[[boundary.top.traction.parts]]\nfrom = 0.005\nto = 0.012\nnormal_stress = {0}\nshear_stress = {1}\n"
+      "[[boundary.right.traction.parts]]\nfrom = 0.008\nto = 0.018\nshear_stress = {1}\n"
       "[[output.gauges]]\nname = \"floor\"\ntype = \"reaction\"\nside = \"bottom\"\n",
       pressure, shear));
   run.steps(steps);
@@ -64,6 +64,7 @@ CoupledRun settled(const std::string& pressure, const std::string& shear, int st
 TEST(MovingLoads, EndLikeTheSameLoadsAtRest) {
   const CoupledRun still = settled("6e6", "-2e6", 0);
   const CoupledRun grown = settled("[[0, 0], [1e-5, 6e6]]", "[[0, 1e6], [1e-5, -2e6]]", 2000);
+  EXPECT_NEAR(grown.now("floor_x_N_per_m"), 2e6 * 0.007, 1e-4 * 62e3);
   EXPECT_NEAR(grown.now("floor_y_N_per_m"), 6e6 * 0.007 + 2e6 * 0.010, 1e-4 * 62e3);
   const auto copy = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
   const auto u = copy(grown.rock().particles().u), u_still = copy(still.rock().particles().u);
