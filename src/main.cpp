@@ -194,7 +194,7 @@ int dispatch(const CLI::App& app, const CommandLine& line) {
   try {
     if (const std::optional<int> code = plain_command(app, line)) return *code;
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
-    if (*line.run || *line.info || vug::processes_started() > 1) ranks = mpi.emplace().world();
+    if (vug::processes_started() > 1) ranks = mpi.emplace().world();  // alone, MPI would start a daemon
     if (!ranks.first()) vug::leave_words_to_others();
     require_run(line, ranks);
     Kokkos::InitializationSettings settings;

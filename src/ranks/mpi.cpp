@@ -18,7 +18,8 @@ void let_first_end(const Ranks& ranks) {
 }
 
 int processes_started() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE", "MV2_COMM_WORLD_SIZE"})
+  const char* const by_slurm = std::getenv("PMIX_RANK") ? "SLURM_STEP_NUM_TASKS" : "PMIX_SIZE";
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", by_slurm})
     if (const char* text = std::getenv(variable)) {
       const std::string_view value(text);
       int count = 1;
