@@ -3,16 +3,20 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from . import cracks
-from .style import ROCK, length_unit, save
+from .style import PORE, ROCK, length_unit, save
 
 SPECIES_MAPS = ["viridis", "cividis", "plasma", "magma"]  # all of them grow evenly in lightness
 
 
 class Panel:
-    """One field of one snapshot, ready to be drawn. Scales may be given, to keep them over the frames of a movie."""
+    """One field of one snapshot, ready to be drawn. Scales may be given, to keep them over the frames of a movie. With
+    `kinds` the values are numbers of kinds from 0, a colour each, and what is masked is pore."""
 
-    def __init__(self, name, title, unit, values, colours, low=None, high=None):
+    def __init__(self, name, title, unit, values, colours, low=None, high=None, kinds=None):
         self.name, self.title, self.unit, self.values, self.colours = name, title, unit, values, colours
+        self.kinds, self.missing = kinds, PORE if kinds else ROCK
+        if kinds:
+            low, high = -0.5, kinds - 0.5
         finite = np.ma.masked_invalid(values).compressed()
         self.low = low if low is not None else (finite.min() if finite.size else 0)
         self.high = high if high is not None else (finite.max() if finite.size else 1)
@@ -66,7 +70,11 @@ def panels_of(snapshot):
                             np.ma.asarray(snapshot["solid_fraction"].values), "bone", 0, 1))
     elif solid is not None:
         panels.append(Panel("rock", "rock", "1", np.ma.asarray(solid.astype(float)), "bone", 0, 1))
-    known = {"pressure", "gauge_pressure", "velocity", "temperature", "solid_fraction", "node_type", *species}
+    if "mineral" in snapshot:
+        numbers = np.ma.masked_less(snapshot["mineral"].values, 0)
+        most = int(numbers.max()) if numbers.count() else 0
+        panels.append(Panel("mineral", "mineral", "1", numbers, "cividis", kinds=most + 1))
+    known = {"mineral", "pressure", "gauge_pressure", "velocity", "temperature", "solid_fraction", "node_type", *species}
     for name in snapshot:
         if name not in known and len(snapshot[name].shape) == 2:
             panels.append(Panel(name, name.replace("_", " "), snapshot[name].units,
@@ -88,8 +96,8 @@ class Frame:
 def draw_panel(axes, panel, frame, segments=(), title=None):
     """Draws a field with the cracks on it and a colour bar as high as the picture; returns the image."""
     extent = frame.extent
-    colours = plt.get_cmap(panel.colours).copy()
-    colours.set_bad(ROCK)
+    colours = plt.get_cmap(panel.colours, panel.kinds).copy()
+    colours.set_bad(panel.missing)
     image = axes.imshow(panel.values, origin="lower", extent=extent, cmap=colours, vmin=panel.low, vmax=panel.high,
                         interpolation="nearest", aspect="equal")
     cracks.draw(axes, segments)
@@ -104,6 +112,9 @@ def draw_panel(axes, panel, frame, segments=(), title=None):
         bar = axes.figure.colorbar(image, cax=axes.inset_axes([1.02, 0, 0.03, 1]))
     bar.set_label(panel.unit if panel.unit != "1" else "")
     bar.outline.set_visible(False)
+    if panel.kinds:
+        bar.set_ticks(range(panel.kinds))
+        return image
     bar.formatter.set_powerlimits((-3, 4))
     bar.update_ticks()
     return image

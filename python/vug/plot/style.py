@@ -4,6 +4,7 @@ import pathlib
 from matplotlib import pyplot as plt
 
 ROCK = "#d9d5cc"
+PORE = "#ffffff"
 # Okabe & Ito (2008)
 BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILION, PURPLE = (
     "#000000", "#E69F00", "#56B4E9", "#009E73", "#F0E442", "#0072B2", "#D55E00", "#CC79A7")
