@@ -3,7 +3,12 @@
 include_guard(GLOBAL)
 include(GNUInstallDirs)
 
-# Pages that the program writes of itself.
+# Pages that the program writes of itself, wherever it can start: one for GPUs needs their driver. Target vug_pages.
+set(_everywhere ALL)
+if((VUG_BACKEND STREQUAL "CUDA" AND NOT EXISTS /proc/driver/nvidia/version) OR
+   (VUG_BACKEND STREQUAL "HIP" AND NOT EXISTS /dev/kfd))
+  set(_everywhere "")
+endif()
 set(pages "${PROJECT_BINARY_DIR}/pages")
 file(MAKE_DIRECTORY "${pages}")
 add_custom_command(OUTPUT "${pages}/vug.1" "${pages}/vug" "${pages}/case.schema.json"
@@ -11,16 +16,16 @@ add_custom_command(OUTPUT "${pages}/vug.1" "${pages}/vug" "${pages}/case.schema.
   COMMAND vug completion bash > "${pages}/vug"
   COMMAND vug schema > "${pages}/case.schema.json"
   DEPENDS vug VERBATIM)
-add_custom_target(vug_pages ALL DEPENDS "${pages}/vug.1")
+add_custom_target(vug_pages ${_everywhere} DEPENDS "${pages}/vug.1")
 
 set_target_properties(vug PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS vug RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(PROGRAMS scripts/plot DESTINATION "${CMAKE_INSTALL_BINDIR}" RENAME vug-plot)
 install(DIRECTORY python/vug DESTINATION "${CMAKE_INSTALL_DATADIR}/vug/python" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY cases DESTINATION "${CMAKE_INSTALL_DATADIR}/vug")
-install(FILES "${pages}/case.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/vug")
-install(FILES "${pages}/vug.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
-install(FILES "${pages}/vug" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
+install(FILES "${pages}/case.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/vug" OPTIONAL)
+install(FILES "${pages}/vug.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" OPTIONAL)
+install(FILES "${pages}/vug" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" OPTIONAL)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -148,7 +148,7 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const
     find_flow_paths(scene, geometry, parts->units);  // throws at mistakes
   }
   if (!ranks.alone()) {
-    geometry.split = Split(ranks, geometry.lattice, row_weights(scene, geometry));
+    geometry.split = Split(ranks, row_weights(scene, geometry));
     geometry.split.follow(geometry.fluid);
   }
   const bool paper_set = scene.solute && scene.solute->velocity_set == ScalarVelocitySet::d2q9;

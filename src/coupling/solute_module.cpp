@@ -108,7 +108,7 @@ template <class T, class Set>
 void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>& s) const {
   const Split& split = geometry_.split;
   if (split.alone()) return;
-  split.make_whole(split.of_blocks(), s.correction);
+  split.make_whole(split.of_blocks(s.correction.recent().extent(0)), s.correction);
   for (const StretchLinks& boundary : s.boundaries) split.make_whole(split.of_links(boundary.links), boundary.gain);
 }
 

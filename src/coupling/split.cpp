@@ -4,10 +4,8 @@
 
 namespace vug {
 
-Split::Split(const Ranks& ranks, const Lattice& lattice, const std::vector<double>& weight_of_row)
-    : ranks_(ranks), rows_(weight_of_row, ranks.size()) {
-  KOKKOS_ASSERT(static_cast<int>(weight_of_row.size()) == lattice.ny);
-}
+Split::Split(const Ranks& ranks, const std::vector<double>& weight_of_row)
+    : ranks_(ranks), rows_(weight_of_row, ranks.size()) {}
 
 void Split::follow(FluidNodes& nodes) {
   if (alone()) return;
@@ -108,8 +106,9 @@ Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const
   return Halo(ranks_, needed, owner);
 }
 
-Owners Split::of_blocks() const {
-  return owners_of(owner_of_block_, ranks_.size());
+Owners Split::of_blocks(std::size_t most) const {
+  const auto first = owner_of_block_.begin();
+  return owners_of({first, first + std::min(most, owner_of_block_.size())}, ranks_.size());
 }
 
 Owners Split::of_fluid(const FluidNodes& nodes) const {

@@ -21,8 +21,8 @@ std::array<ScalarField<T>, 2> components(const VectorField<T>& u) {
 class Split {
  public:
   Split() = default;  ///< one rank has all
-  /// Rows of the given weights over the ranks.
-  Split(const Ranks& ranks, const Lattice& lattice, const std::vector<double>& weight_of_row);
+  /// Rows of the lattice, of the given weights, over the ranks.
+  Split(const Ranks& ranks, const std::vector<double>& weight_of_row);
 
   bool alone() const { return ranks_.alone(); }
   const Ranks& ranks() const { return ranks_; }
@@ -52,12 +52,14 @@ class Split {
   /// Those of the fluid neighbours that [first, last), newborn nodes, have among the older ones; and of some dense nodes.
   Owners of_neighbours(const FluidNodes& nodes, int first, int last) const;
   Owners of_dense_nodes(const Lattice& lattice, std::vector<int> nodes) const;
-  Owners of_blocks() const;
+  Owners of_blocks() const { return of_blocks(owner_of_block_.size()); }
+  Owners of_blocks(std::size_t most) const;  ///< of the first blocks: a field that is still to grow has no more
   Owners of_rows() const;
 
   /// Brings what the ranks computed together on all of them: (plane * stride + item).
   template <class T>
   void make_whole(const Owners& owners, const ScalarField<T>& values, int planes = 1, std::size_t stride = 0) const {
+    KOKKOS_ASSERT(end_of(owners) + (planes - 1) * stride <= values.extent(0));
     for (int p = 0; p < planes; ++p) ranks_.make_whole(owners, values.data() + p * stride);
   }
   template <class T>

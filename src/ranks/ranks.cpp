@@ -1,5 +1,6 @@
 #include "ranks/ranks.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #ifdef VUG_MPI
@@ -16,6 +17,13 @@ Owners owners_of(const std::vector<int>& owner, int ranks) {
     owners[owner[first]].emplace_back(first, last);
   }
   return owners;
+}
+
+std::size_t end_of(const Owners& owners) {
+  int end = 0;
+  for (const Runs& runs : owners)
+    if (!runs.empty()) end = std::max(end, runs.back().second);
+  return end;
 }
 
 #ifdef VUG_MPI

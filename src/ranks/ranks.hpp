@@ -16,6 +16,9 @@ using Owners = std::vector<Runs>;
 /// owner(item) of [0, count) as runs.
 Owners owners_of(const std::vector<int>& owner, int ranks);
 
+/// One beyond the last item that anybody has.
+std::size_t end_of(const Owners& owners);
+
 /// This rank among the others. What needs all of them (`most`, `told`, `traded`, `make_whole`) must be called by all,
 /// in the same order. Ends with the Mpi that gave it.
 class Ranks {
