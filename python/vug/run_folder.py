@@ -1,4 +1,5 @@
 """What a run has left behind, opened."""
+import functools
 import json
 import os
 import pathlib
@@ -50,10 +51,12 @@ class Rock:
 
 
 class Snapshot(Fields):
-    """The fields on the lattice at one time, by name; `rock` where the run has any."""
+    """The fields on the lattice at one time, by name; `rock` where the run has any; `minerals`, names by the numbers of the
+    field `mineral`."""
 
-    def __init__(self, group, rock):
+    def __init__(self, group, rock, minerals=()):
         super().__init__(group)
+        self.minerals = minerals
         self.time = float(group.attrs["time"])
         self.step = int(group.attrs["step"])
         self.rock = rock
@@ -110,6 +113,14 @@ class Run:
         """The tables of its case file, as they were read; what --set has changed is in record["overrides"]."""
         return tomllib.loads(self.record["case_text"])
 
+    @functools.cached_property
+    def minerals(self):
+        """Names by the numbers of the field `mineral`, of which 0 is rock of no mineral."""
+        try:
+            return ["rock"] + [table["name"] for table in self.case.get("mineral", [])]
+        except (OSError, ValueError, KeyError):  # no record, or one of another program
+            return ["rock"]
+
     @property
     def history(self):
         return History(self.directory / "history.csv")
@@ -127,9 +138,9 @@ class Run:
         name = self._names[index]
         rock = self._rock[name] if self._rock is not None and name in self._rock else None
         if rock is None or "triangles" not in rock:
-            return Snapshot(self._fields[name], None)
+            return Snapshot(self._fields[name], None, self.minerals)
         pairs = self._rock["rock/bond_triangles"] if "rock/bond_triangles" in self._rock else None
-        return Snapshot(self._fields[name], Rock(rock, pairs))
+        return Snapshot(self._fields[name], Rock(rock, pairs), self.minerals)
 
     def __repr__(self):
         return f"<vug.Run {str(self.directory)!r}: {len(self)} snapshots>"

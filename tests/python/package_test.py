@@ -52,6 +52,21 @@ class OpenRuns(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "dissolved_volume"):
             history["disolved_volume"]
 
+    def test_fields_become_arrays_of_xarray(self):
+        run = self.run_case("cases/poiseuille.toml", steps=2)
+        try:
+            import xarray
+        except ImportError:
+            with self.assertRaises(ImportError):
+                run[-1]["velocity"].to_xarray()
+            return
+        velocity = run[-1]["velocity"].to_xarray()
+        self.assertIsInstance(velocity, xarray.DataArray)
+        self.assertEqual((velocity.name, velocity.attrs["units"]), ("velocity", "m/s"))
+        self.assertEqual(velocity.dims[:2], ("y", "x"))
+        np.testing.assert_array_equal(velocity.coords["x"], run[-1]["velocity"].x)
+        np.testing.assert_array_equal(velocity.values, run[-1]["velocity"].values)
+
     def test_rock_follows_the_links(self):
         run = self.run_case("tests/cases/coupled/small_rock.toml", steps=20)
         last = run[-1]
@@ -93,6 +108,35 @@ class OpenRuns(unittest.TestCase):
         self.assertEqual(frame.unit, "cm")
         plt.close(figure)
 
+    def test_pictures_are_in_units_that_are_read(self):
+        from vug.plot import style
+        from vug.plot.movie import scales_of
+
+        self.assertEqual(style.Scale("m/s", 0, 0.006).label, "mm/s")
+        self.assertAlmostEqual(style.Scale("m/s", 0, 0.006)(0.006), 6)
+        self.assertEqual(style.Scale("Pa", 1e5, 2e7).label, "MPa")
+        narrow = style.Scale("Pa", 100000.1, 100020)
+        self.assertEqual((narrow.label, narrow(100020)), ("Pa above 100 kPa", 20))
+        self.assertEqual(style.readable("m²", 7.2e-8), (1e6, "mm²"))
+        self.assertEqual(style.Scale("1", 0, 1).label, "")
+        run = self.run_case("cases/poiseuille.toml")
+        panels = {panel.name: panel for panel in vug.plot.panels_of(run[-1])}
+        self.assertEqual(panels["pressure"].title, "gauge pressure")
+        self.assertTrue({panel.name: panel for panel in vug.plot.panels_of(run[0])}["speed"].uniform)
+        largest = panels["speed"].values.max()  # that the fluid is at rest at first leaves the scale of the movie alone
+        np.testing.assert_allclose(scales_of(run, ["speed"])["speed"], (0, largest), rtol=0.01)
+
+    def test_minerals_have_their_names(self):
+        run = self.run_case("cases/minerals.toml", steps=2)
+        self.assertEqual(run[-1].minerals, ["rock", "calcite", "dolomite", "quartz"])
+        panel = {panel.name: panel for panel in vug.plot.panels_of(run[-1])}["mineral"]
+        figure, axes = plt.subplots()
+        vug.plot.draw_panel(axes, panel, vug.plot.Frame(run[-1]))
+        figure.canvas.draw()
+        bar = axes.child_axes[0]
+        self.assertEqual([label.get_text() for label in bar.get_yticklabels()], run[-1].minerals)
+        plt.close(figure)
+
     def test_a_study_and_its_map(self):
         case = root / "cases/poiseuille.toml"
         (self.folder / "study.toml").write_text(f"""
@@ -114,6 +158,11 @@ class OpenRuns(unittest.TestCase):
         self.assertAlmostEqual(speed[1] / speed[0], 2, places=6)  # the flow is as fast as what drives it
         self.assertEqual(force[1] / force[0], 2)
         self.assertTrue(vug.plot.regime_map(study, self.folder / "map.png").exists())
+        figure, axes = plt.subplots()
+        vug.plot.draw_result(axes, study, "largest_mach_1")  # two by two: cells around the values, which are the ticks
+        np.testing.assert_allclose(axes.get_xticks(), [1e-6, 2e-6])
+        np.testing.assert_allclose(axes.get_xlim(), [0.5e-6, 2.5e-6])
+        plt.close(figure)
         self.assertEqual(study.run(1).record["status"], "done")
 
 

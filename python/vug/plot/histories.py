@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib import pyplot as plt
 
-from .style import DASHES, LINES, save, tidy
+from .style import DASHES, LINES, readable, save, tidy
 
 
 class Curve:
@@ -86,22 +86,27 @@ def topics_of(history):
 
 def draw_curves(axes, time, title, unit, curves, logarithmic=False):
     """Lines over time, each with a colour and a dash of its own."""
+    largest = max((np.nanmax(np.abs(curve.values), initial=0) for curve in curves), default=0)
+    factor, unit = (1, unit) if logarithmic else readable(unit, largest)
+    per_second, time_unit = readable("s", time[-1])
+    time = per_second * time
     for k, curve in enumerate(curves):
         style = {"color": LINES[k % len(LINES)], "linestyle": DASHES[k % len(DASHES)], "linewidth": 1.5}
-        values = np.where(curve.values > 0, curve.values, np.nan) if logarithmic else curve.values
+        values = np.where(curve.values > 0, curve.values, np.nan) if logarithmic else factor * curve.values
         axes.plot(time, values, label=curve.label, **style)
     axes.set_title(title, fontsize=10)
-    axes.set_xlabel("time / s")
+    axes.set_xlabel(f"time / {time_unit}")
     axes.set_ylabel(unit if unit != "1" else "")
     if logarithmic:
         axes.set_yscale("log")
         axes.axhline(np.finfo(float).eps, color="#888888", linewidth=0.8)
-        axes.annotate("rounding", (time[-1], np.finfo(float).eps), fontsize=7, ha="right", va="bottom", color="#666666")
+        axes.text(0.01, np.finfo(float).eps, "rounding", transform=axes.get_yaxis_transform(), fontsize=8, va="center",
+                  color="#444444", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1}, zorder=5)
     else:
         axes.ticklabel_format(axis="y", scilimits=(-3, 4))
     tidy(axes)
     if logarithmic:
-        axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.01, 0.5))
+        axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(1, 1))
     elif len(curves) > 1 or curves[0].label:
         axes.legend(fontsize=8, frameon=False)
 

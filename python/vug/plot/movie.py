@@ -3,14 +3,15 @@ from matplotlib import animation
 from matplotlib import pyplot as plt
 
 from . import cracks, fields
+from .style import readable
 
 
-def scales_of(run, names):
-    """{name: (low, high)} over all snapshots, so that colours mean the same in every frame."""
+def scales_of(run, names, creeping=None):
+    """{name: (low, high)} over all snapshots in which it is not uniform, so that colours mean the same in every frame."""
     scales = {}
     for snapshot in run:
-        for panel in fields.panels_of(snapshot):
-            if panel.name in names:
+        for panel in fields.panels_of(snapshot, creeping):
+            if panel.name in names and not panel.uniform:
                 low, high = scales.get(panel.name, (panel.low, panel.high))
                 scales[panel.name] = min(low, panel.low), max(high, panel.high)
     return scales
@@ -19,24 +20,26 @@ def scales_of(run, names):
 def movie(run, path, heading="", names=None, frames_per_second=8):
     """Writes an animation of the fields `names`, by default the last of the overview's first four that change: a GIF, or
     what ffmpeg makes of another ending where it is installed."""
-    first = {panel.name: panel for panel in fields.panels_of(run[0])}
     last = {panel.name: panel for panel in fields.panels_of(run[-1])}
+    creeping = "pressure" in last and last["pressure"].title != "pressure"
+    first = {panel.name: panel for panel in fields.panels_of(run[0], creeping)}
     changing = [name for name in last if (first[name].values != last[name].values).any()] or list(last)
     names = names or changing[:4]
-    scales = scales_of(run, names)
+    scales = scales_of(run, names, creeping)
     frame = fields.Frame(run[0])
 
     def draw(figure, snapshot):
         figure.clear()
-        chosen = [panel for panel in fields.panels_of(snapshot) if panel.name in names]
+        chosen = [panel for panel in fields.panels_of(snapshot, creeping) if panel.name in names]
         columns = 1 if len(chosen) == 1 else 2
         grid = figure.subplots(-(-len(chosen) // columns), columns, squeeze=False)
         for axes in grid.flat[len(chosen):]:
             axes.set_visible(False)
         for axes, panel in zip(grid.flat, chosen):
-            panel.low, panel.high = scales[panel.name]
+            panel.low, panel.high = scales.get(panel.name, (panel.low, panel.high))
             fields.draw_panel(axes, panel, frame, cracks.segments_of(snapshot.rock, frame.scale))
-        figure.suptitle(f"{heading}t = {snapshot.time:.4g} s", fontsize=12)
+        factor, unit = readable("s", run.times[-1])  # one unit for all frames
+        figure.suptitle(f"{heading}t = {factor * snapshot.time:.4g} {unit}", fontsize=12)
 
     columns = 1 if len(names) == 1 else 2
     width, height = fields.panel_size(frame.shape, 4.8)

@@ -16,6 +16,14 @@ def _axis(axes, which, key, values):
         getattr(axes, f"set_{which}scale")("log")
 
 
+def _borders(values):
+    """Between the values of a key, and as far beyond the first and the last: on the axis that `_axis` gives it."""
+    places = np.log(values) if _is_logarithmic(values) else values
+    middles = (places[1:] + places[:-1]) / 2
+    borders = np.concatenate([[2 * places[0] - middles[0]], middles, [2 * places[-1] - middles[-1]]])
+    return np.exp(borders) if _is_logarithmic(values) else borders
+
+
 def keys_of(study):
     """The two keys with most values that are numbers; those of later ones are averaged over (seeds)."""
     numeric = [key for key in study.keys if np.issubdtype(study[key].dtype, np.number)]
@@ -46,11 +54,20 @@ def draw_result(axes, study, result):
     places = np.unique(np.column_stack([x, y]), axis=0)
     means = np.array([values[(x == place[0]) & (y == place[1])].mean() for place in places])
     norm = "log" if _is_logarithmic(means) else "linear"
-    image = axes.scatter(places[:, 0], places[:, 1], c=means, cmap="viridis", norm=norm, s=max(30, 5000 / len(places)),
-                         marker="s", edgecolors="white", linewidths=0.5)
+    columns, lines = np.unique(x), np.unique(y)
+    if len(places) == len(columns) * len(lines) and min(len(columns), len(lines)) > 1:  # a grid: cells that adjoin
+        image = axes.pcolormesh(_borders(columns), _borders(lines), means.reshape(len(columns), len(lines)).T, norm=norm,
+                                cmap="viridis", edgecolors="white", linewidth=0.5)
+    else:
+        image = axes.scatter(places[:, 0], places[:, 1], c=means, cmap="viridis", norm=norm,
+                             s=max(30, 5000 / len(places)), marker="s", edgecolors="white", linewidths=0.5)
+        axes.margins(0.12)
     _axis(axes, "x", keys[0], x)
     _axis(axes, "y", keys[1], y)
-    axes.margins(0.12)
+    for axis, values in ((axes.xaxis, columns), (axes.yaxis, lines)):
+        if len(values) <= 7:
+            axis.set_ticks(values, labels=[f"{value:.6g}" for value in values])
+            axis.set_ticks([], minor=True)
     axes.figure.colorbar(image, ax=axes, label="")
     axes.set_title(result, fontsize=9)
 
