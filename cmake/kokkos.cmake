@@ -113,7 +113,7 @@ macro(vug_provide_kokkos)
     set(Kokkos_ROOT "${_prefix}")
   endif()
   find_package(Kokkos 5 REQUIRED CONFIG)
-  kokkos_check(DEVICES SERIAL)
+  kokkos_check(DEVICES ${VUG_BACKEND})
 endmacro()
 
 function(vug_build_kokkos PREFIX BACKEND)

@@ -5,6 +5,7 @@
 #include "io/detail/input_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <ctime>

@@ -128,7 +128,11 @@ inline int block_of_list(int n) {
 }
 
 /// Where a list runs that is too short for more than one thread.
+#ifdef KOKKOS_ENABLE_SERIAL
 using ShortExec = std::conditional_t<shares_host_memory, Kokkos::Serial, Exec>;
+#else
+using ShortExec = Exec;  // the Kokkos of a distribution may have threads alone
+#endif
 
 /// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent; the
 /// shortest lists without waking other threads, which takes longer than the work. Of a list that processes share: for

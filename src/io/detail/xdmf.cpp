@@ -1,6 +1,7 @@
 #include "io/detail/xdmf.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace vug::detail {
 
