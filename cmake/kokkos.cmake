@@ -1,33 +1,57 @@
-# Kokkos, found or built once. An installed Kokkos 5 (module, spack, -DKokkos_ROOT) comes first; otherwise
-# the pinned release is fetched, built for one back end and installed under VUG_DEPS_DIR, where every later
-# build directory finds it again. -DVUG_KOKKOS_SOURCE=<source tree of a Kokkos 5> builds that one instead: a copy kept
-# with the project, for machines and years without the internet of today.
+# Kokkos, found or built once. An installed Kokkos 5 (module, spack, distribution: -DKokkos_ROOT=<prefix>) comes first;
+# otherwise the pinned release is fetched, built for one back end and installed under VUG_DEPS_DIR, where every later
+# build directory finds it again. -DVUG_KOKKOS_SOURCE=<source tree or archive of a Kokkos 5> builds that one instead: a
+# copy kept with the project, for machines and years without the internet of today.
 include_guard(GLOBAL)
 
 set(VUG_KOKKOS_VERSION 5.0.2)
 set(VUG_KOKKOS_SHA256 188817bb452ca805ee8701f1c5adbbb4fb83dc8d1c50624566a18a719ba0fa5e)
 set(VUG_KOKKOS_SHA1 c69e177344f654465dc1bc0ccaf47428c9254f61)
-set(VUG_KOKKOS_SOURCE "" CACHE PATH "Source tree of a Kokkos 5 to be built instead of the pinned release")
+set(VUG_KOKKOS_SOURCE "" CACHE PATH "Source tree or archive of a Kokkos 5 to be built instead of the pinned release")
 set(VUG_DEPS_DIR "${CMAKE_CURRENT_SOURCE_DIR}/.deps" CACHE PATH "Where fetched dependencies are kept")
-set(VUG_ARCHIVES "" CACHE PATH "Folder of source archives fetched before (machines without internet)")
+set(VUG_ARCHIVES "${CMAKE_CURRENT_SOURCE_DIR}/third_party" CACHE PATH "Folder of source archives fetched before (machines without internet)")
 
 # Puts the source tree of the Kokkos that is built into OUT: the vendored one, or the pinned release, downloaded when it is
 # not there yet.
 function(vug_kokkos_source OUT)
   if(VUG_KOKKOS_SOURCE)
-    vug_kokkos_version("${VUG_KOKKOS_SOURCE}" version)
-    set(${OUT} "${VUG_KOKKOS_SOURCE}" PARENT_SCOPE)
+    vug_vendored_kokkos(source)
+    vug_kokkos_version("${source}" version)
+    set(${OUT} "${source}" PARENT_SCOPE)
     return()
   endif()
   set(source "${VUG_DEPS_DIR}/kokkos-${VUG_KOKKOS_VERSION}")
   if(NOT EXISTS "${source}/CMakeLists.txt")
     set(archive "${VUG_DEPS_DIR}/kokkos-${VUG_KOKKOS_VERSION}.tar.gz")
     vug_fetch_kokkos_archive("${archive}")
-    set(unpacked "${VUG_DEPS_DIR}/kokkos-unpacked")
-    file(REMOVE_RECURSE "${unpacked}")
-    file(ARCHIVE_EXTRACT INPUT "${archive}" DESTINATION "${unpacked}")
-    file(GLOB top LIST_DIRECTORIES true "${unpacked}/*")
-    file(RENAME "${top}" "${source}")
+    vug_unpack_kokkos("${archive}" "${source}")
+  endif()
+  set(${OUT} "${source}" PARENT_SCOPE)
+endfunction()
+
+# Unpacks an archive with one folder in it; that folder becomes SOURCE.
+function(vug_unpack_kokkos ARCHIVE SOURCE)
+  set(unpacked "${VUG_DEPS_DIR}/kokkos-unpacked")
+  file(REMOVE_RECURSE "${unpacked}")
+  file(ARCHIVE_EXTRACT INPUT "${ARCHIVE}" DESTINATION "${unpacked}")
+  file(GLOB top LIST_DIRECTORIES true "${unpacked}/*")
+  list(LENGTH top folders)
+  if(NOT folders EQUAL 1)
+    message(FATAL_ERROR "${ARCHIVE} is not the source tree of a Kokkos 5 (it holds ${folders} folders)")
+  endif()
+  file(RENAME "${top}" "${SOURCE}")
+endfunction()
+
+# Puts the source tree of VUG_KOKKOS_SOURCE into OUT; an archive is unpacked once, under the sum of its bytes.
+function(vug_vendored_kokkos OUT)
+  set(source "${VUG_KOKKOS_SOURCE}")
+  if(EXISTS "${source}" AND NOT IS_DIRECTORY "${source}")
+    file(SHA256 "${source}" sum)
+    string(SUBSTRING "${sum}" 0 12 sum)
+    set(source "${VUG_DEPS_DIR}/kokkos-vendored-${sum}")
+    if(NOT EXISTS "${source}/CMakeLists.txt")
+      vug_unpack_kokkos("${VUG_KOKKOS_SOURCE}" "${source}")
+    endif()
   endif()
   set(${OUT} "${source}" PARENT_SCOPE)
 endfunction()
@@ -84,7 +108,7 @@ function(vug_fetch_kokkos_archive ARCHIVE)
     endif()
   endforeach()
   message(FATAL_ERROR "Kokkos ${VUG_KOKKOS_VERSION} could not be fetched. Put kokkos-${VUG_KOKKOS_VERSION}.tar.gz "
-    "into a folder and pass -DVUG_ARCHIVES=<folder>, pass -DVUG_KOKKOS_SOURCE=<source tree of a Kokkos 5>, or install Kokkos 5 and pass -DKokkos_ROOT=<prefix>.")
+    "into a folder and pass -DVUG_ARCHIVES=<folder>, pass -DVUG_KOKKOS_SOURCE=<source tree or archive of a Kokkos 5>, or install Kokkos 5 and pass -DKokkos_ROOT=<prefix>.")
 endfunction()
 
 # Makes Kokkos::kokkos available for back end VUG_BACKEND (SERIAL, OPENMP, CUDA, HIP).
@@ -99,8 +123,9 @@ macro(vug_provide_kokkos)
   endif()
   set(_version "${VUG_KOKKOS_VERSION}")
   if(VUG_KOKKOS_SOURCE)
-    vug_kokkos_version("${VUG_KOKKOS_SOURCE}" _version)
-    string(MD5 _place "${VUG_KOKKOS_SOURCE}")
+    vug_vendored_kokkos(_vendored)
+    vug_kokkos_version("${_vendored}" _version)
+    string(MD5 _place "${_vendored}")
     string(SUBSTRING "${_place}" 0 8 _place)
     string(APPEND _version "-vendored-${_place}")
   endif()

@@ -1,5 +1,6 @@
 """Starting vug from Python."""
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -30,9 +31,16 @@ def _call(words):
     raise error
 
 
+def _toml(value):
+    """A value in TOML's syntax, which JSON's is but for numbers that are none; of numpy as of Python."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    return json.dumps(value, default=lambda array: array.tolist())
+
+
 def _overrides(overrides):
-    """--set words of {"flow.viscosity": 1e-3, "heat.velocity_set": "d2q9"}: JSON's values are TOML's."""
-    return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={json.dumps(value)}")]
+    """--set words of {"flow.viscosity": 1e-3, "heat.velocity_set": "d2q9"}."""
+    return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={_toml(value)}")]
 
 
 def run(case, directory=None, overrides=None, *, steps=None, threads=None, resume=False, overwrite=False):

@@ -26,6 +26,23 @@ if(NOT source STREQUAL VUG_KOKKOS_SOURCE OR NOT version STREQUAL "5.0.2")
   message(FATAL_ERROR "VUG_KOKKOS_SOURCE gave ${source}, version ${version}")
 endif()
 
+# and so does an archive of another version, which is unpacked once
+file(WRITE "${WORK}/other/kokkos-5.2.2/CMakeLists.txt"
+  "set(Kokkos_VERSION_MAJOR 5)\nset(Kokkos_VERSION_MINOR 2)\nset(Kokkos_VERSION_PATCH 2)\n")
+execute_process(COMMAND "${CMAKE_COMMAND}" -E tar czf "${WORK}/kokkos_5.2.2.orig.tar.gz" kokkos-5.2.2
+  WORKING_DIRECTORY "${WORK}/other" COMMAND_ERROR_IS_FATAL ANY)
+set(VUG_KOKKOS_SOURCE "${WORK}/kokkos_5.2.2.orig.tar.gz")
+vug_kokkos_source(source)
+vug_kokkos_version("${source}" version)
+if(NOT source MATCHES "/deps/kokkos-vendored-[0-9a-f]+$" OR NOT version STREQUAL "5.2.2")
+  message(FATAL_ERROR "an archive in VUG_KOKKOS_SOURCE gave ${source}, version ${version}")
+endif()
+file(WRITE "${source}/mark" "")
+vug_kokkos_source(again)
+if(NOT EXISTS "${again}/mark")
+  message(FATAL_ERROR "the archive was unpacked twice")
+endif()
+
 # what is none is refused in words
 file(WRITE "${WORK}/refused.cmake" "include(\"${ROOT}/cmake/kokkos.cmake\")\nvug_kokkos_version(\"${WORK}\" version)\n")
 execute_process(COMMAND "${CMAKE_COMMAND}" -P "${WORK}/refused.cmake" RESULT_VARIABLE code ERROR_VARIABLE said)
