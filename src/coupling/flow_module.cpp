@@ -138,35 +138,28 @@ std::array<double, 2> FlowModule<T>::given_velocity(const StretchLinks& boundary
 }
 
 template <class T>
-void FlowModule<T>::dress(const Exec& exec, const StretchLinks& boundary, double time,
-                          const ScalarField<double>& gain) const {
+FlowCondition FlowModule<T>::condition(const StretchLinks& boundary, double time,
+                                       const ScalarField<double>& gain) const {
   const FlowBoundary& flow = boundary.stretch.conditions.flow;
   switch (flow.kind) {
     case FlowBoundaryKind::pressure: {
       const double start = section_.initial_pressure;
       const double pressure = start + flow.risen(time) * (flow.pressure.at(time) - start);
-      dress_pressure(exec, geometry_.fluid, boundary.links, boundary.mirror, units_.lattice_pressure(pressure), fields_,
-                     gain);
-      break;
+      return pressure_condition(boundary.links, boundary.mirror, units_.lattice_pressure(pressure), gain);
     }
     case FlowBoundaryKind::velocity:
       if (boundary.stretch.opening)
-        dress_normal_speed(exec, geometry_.fluid, boundary.links, boundary.area, given_speed(boundary, time), fields_,
-                           gain);
-      else
-        dress_velocity(exec, geometry_.fluid, boundary.links, given_velocity(boundary, time), boundary.share, fields_,
-                       gain);
-      break;
+        return normal_speed_condition(boundary.links, boundary.area, given_speed(boundary, time), gain);
+      return velocity_condition(boundary.links, given_velocity(boundary, time), boundary.share, gain);
     case FlowBoundaryKind::outflow:
-      dress_outflow(exec, geometry_.fluid, boundary.links, boundary.mirror, boundary.outflow, fields_, gain);
-      break;
+      return outflow_condition(boundary.links, boundary.mirror, boundary.outflow, gain);
     case FlowBoundaryKind::wall:
-      if (flow.peak_speed() != 0)
-        dress_velocity(exec, geometry_.fluid, boundary.links, given_velocity(boundary, time), fields_, gain);
-      break;
+      if (flow.peak_speed() == 0) return {};
+      return velocity_condition(boundary.links, given_velocity(boundary, time), {}, gain);
     case FlowBoundaryKind::periodic:
       break;
   }
+  return {};
 }
 
 template <class T>
@@ -205,7 +198,10 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     if (needs_temperature()) step_.theta = *theta_;
     if (step_.spread.extent(0) > 0) set_spread(exec, fluid.share(), step_.theta, viscosity_, step_.spread);
     dressed_.exchange<T, 1>(exec, {fields_.f});
-    for (const StretchLinks& boundary : boundaries_) dress(exec, boundary, clock.time(), boundary.gain.recent());
+    conditions_.clear();
+    for (const StretchLinks& boundary : boundaries_)
+      conditions_.push_back(condition(boundary, clock.time(), boundary.gain.recent()));
+    dress<T>(exec, fluid, conditions_, fields_);
     if (fields_.turned)
       populations_.exchange_back<T, 1>(exec, {fields_.f});
     else

@@ -37,8 +37,8 @@ class FlowModule final : public Module {
   bool needs_temperature() const { return section_.buoyant() || section_.viscosity_varies(); }
   /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
   void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }
-  /// Largest speed that the case can drive, lattice units: what the sides prescribe, in the narrowest passage as well, and
-  /// Bernoulli's bound of their pressures, at most the speed limit; that limit where a body force drives.
+  /// Largest speed that the case can drive, lattice units: what the sides prescribe, in the narrowest passage as well,
+  /// and Bernoulli's bound of their pressures, at most the speed limit; that limit where a body force drives.
   double largest_speed() const;
   /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities, the even
   /// part of the defect weighed (advective_form.hpp). Asked for at set-up; the reference stays valid.
@@ -60,8 +60,8 @@ class FlowModule final : public Module {
   /// What a velocity, or a flow rate over the surface that it has, gives at a time (s), lattice units.
   double given_speed(const StretchLinks& boundary, double time) const;
   std::array<double, 2> given_velocity(const StretchLinks& boundary, double time) const;
-  /// What leaves through a boundary comes back as it says at a time (s); gain(link) += what entered.
-  void dress(const Exec& exec, const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
+  /// What a boundary says at a time (s); gain(link) += what enters.
+  FlowCondition condition(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
 
   FlowSection section_;
@@ -73,6 +73,7 @@ class FlowModule final : public Module {
   const ScalarField<T>* theta_ = nullptr;
   double passage_speed_;  ///< lattice units, that prescribed velocities drive at the start (flow_paths.hpp)
   std::vector<StretchLinks> boundaries_;
+  std::vector<FlowCondition> conditions_;  ///< those of boundaries_ in this step
   FlowFields<T> fields_;
   FlowStep<T> step_;
   std::deque<Carrier<T>> carriers_;

@@ -250,10 +250,10 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   }
   set_values(clock.time());
   populations_.exchange<T, 1>(exec, {fields_.g});
-  for (const HeatOpening& opening : openings_) fill_heat_opening(exec, fields_, opening);
+  fill_heat_openings<T>(exec, fields_, openings_);
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
-  for (const HeatSide& side : sides_) fill_heat_side(exec, fields_, side);
+  fill_heat_sides<T>(exec, fields_, sides_);
   fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);
   whole_ = geometry_.split.alone();
   const ScalarField<T> theta = fresh_ ? theta_ : ScalarField<T>();

@@ -7,7 +7,6 @@
 #include "kernels/guards.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/require.hpp"
-#include "kernels/solute_boundary.hpp"
 #include "kernels/solute_totals.hpp"
 
 #include <fmt/format.h>
@@ -69,6 +68,7 @@ SpeciesState<T>& SoluteModule<T, Set>::species(const std::string& name) {
 template <class T, class Set>
 void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
   const int blocks = block_count(geometry_.fluid.capacity);
+  narrow_ = false;
   for (SpeciesState<T>& s : species_) {
     for (StretchLinks& boundary : s.boundaries) {
       const Stretch& stretch = boundary.stretch;
@@ -76,6 +76,9 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
       if (stretch.conditions.solute.kind == SoluteBoundaryKind::flux)
         boundary.area = stretch.opening ? link_areas(exec, geometry_.fluid, *stretch.opening, Set::Q)
                                         : side_link_areas(boundary.links, Set::Q);
+      if (stretch.conditions.solute.kind == SoluteBoundaryKind::outflow &&
+          &s == &species_[0])  // all have the same links
+        narrow_ = narrow_ || is_narrow(exec, geometry_.fluid, boundary.links);
     }
     s.correction.resize(exec, blocks);
     Kokkos::resize(exec, s.created, blocks);
@@ -122,22 +125,16 @@ double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
 }
 
 template <class T, class Set>
-void SoluteModule<T, Set>::dress(const Exec& exec, const SpeciesState<T>& s, const StretchLinks& boundary, double time,
-                                 const ScalarField<double>& gain) const {
-  const SoluteBoundary& condition = boundary.stretch.conditions.solute;
-  if (condition.kind == SoluteBoundaryKind::outflow) {
-    dress_outflow<Set>(exec, geometry_.fluid, boundary.links, s.fields, gain);
-  } else {
-    const bool flux = condition.kind == SoluteBoundaryKind::flux;
-    const auto& values = flux ? condition.flux : condition.concentration;
-    const auto found = values.find(s.section.name);
-    const double given = (found == values.end() ? 0.0 : found->second.at(time)) / units_.concentration;
-    if (flux)
-      dress_flux<Set>(exec, geometry_.fluid, boundary.links, boundary.area, interval_ * given / units_.velocity(),
-                      s.fields, gain);
-    else
-      dress_concentration<Set>(exec, geometry_.fluid, boundary.links, given, s.fields, gain);
-  }
+SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, const StretchLinks& boundary, double time,
+                                                   const ScalarField<double>& gain) const {
+  const SoluteBoundary& given = boundary.stretch.conditions.solute;
+  if (given.kind == SoluteBoundaryKind::outflow) return outflow_condition(boundary.links, s.fields, gain);
+  const bool flux = given.kind == SoluteBoundaryKind::flux;
+  const auto& values = flux ? given.flux : given.concentration;
+  const auto found = values.find(s.section.name);
+  const double value = (found == values.end() ? 0.0 : found->second.at(time)) / units_.concentration;
+  if (flux) return flux_condition(boundary.links, boundary.area, interval_ * value / units_.velocity(), s.fields, gain);
+  return concentration_condition(boundary.links, value, s.fields, gain);
 }
 
 template <class T, class Set>
@@ -157,9 +154,14 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   const bool one_pair = reacting_.size() == 1, many_pairs = reacting_.size() > 1;
   const ReactingSpecies<T> none, &pair = one_pair ? reacting_[0] : none;
   const auto& [wall, links, reactant, product] = pair;
-  for (SpeciesState<T>& s : species_) {
+  conditions_.clear();
+  for (const SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
-    for (const StretchLinks& boundary : s.boundaries) dress(exec, s, boundary, clock.time(), boundary.gain.recent());
+    for (const StretchLinks& boundary : s.boundaries)
+      conditions_.push_back(condition(s, boundary, clock.time(), boundary.gain.recent()));
+  }
+  dress<Set, T>(exec, fluid, conditions_, narrow_);
+  for (SpeciesState<T>& s : species_) {
     exchange(exec, s.fields);
     if (!many_pairs && &s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());
   }

@@ -5,6 +5,7 @@
 #include "coupling/stretch_links.hpp"
 #include "kernels/dissolution.hpp"
 #include "kernels/reacting_solutes.hpp"
+#include "kernels/solute_boundary.hpp"
 #include "kernels/units.hpp"
 
 namespace vug {
@@ -72,9 +73,9 @@ class SoluteModule final : public Module {
   void gather_sums(const SpeciesState<T>& s) const;
   /// Brings the populations here that the next sweep of a species pulls.
   void exchange(const Exec& exec, const SoluteFields<T>& fields) const;
-  /// What leaves through a boundary of a species comes back as it says at a time (s); gain(link) += what entered.
-  void dress(const Exec& exec, const SpeciesState<T>& s, const StretchLinks& boundary, double time,
-             const ScalarField<double>& gain) const;
+  /// What a boundary of a species says at a time (s); gain(link) += what enters.
+  SoluteCondition<T> condition(const SpeciesState<T>& s, const StretchLinks& boundary, double time,
+                               const ScalarField<double>& gain) const;
 
   SoluteSection section_;
   LatticeUnits units_;
@@ -84,7 +85,9 @@ class SoluteModule final : public Module {
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
-  Halo populations_;  ///< of other ranks' nodes that our sweeps pull
+  std::vector<SoluteCondition<T>> conditions_;  ///< at the boundaries of all species in this step
+  bool narrow_ = false;                         ///< see is_narrow; of links of an outflow
+  Halo populations_;                            ///< of other ranks' nodes that our sweeps pull
   std::vector<ReactingSpecies<T>> reacting_;
 };
 

@@ -51,7 +51,9 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     dressed.push_back(dressing(exec, fluid, boundary, fields_.f));
     Kokkos::deep_copy(dressed.back().level, boundary.outflow.level);
   }
-  for (const DressedBoundary<T>& d : dressed) dress(exec, d.boundary, clock.time(), d.gain);
+  std::vector<FlowCondition> conditions;
+  for (const DressedBoundary<T>& d : dressed) conditions.push_back(condition(d.boundary, clock.time(), d.gain));
+  dress<T>(exec, fluid, conditions, fields_);
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& stretch = d.boundary.stretch;
     const FlowBoundary& flow = stretch.conditions.flow;
@@ -85,12 +87,15 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   };
   for (std::size_t o = 0; o < openings_.size(); ++o)
     look(geometry_.openings[o].name, geometry_.openings[o].conditions.heat, openings_[o],
-         [&](const HeatOpening& opening) { fill_heat_opening(exec, fields_, opening); });
+         [&](const HeatOpening& opening) {
+           fill_heat_openings(exec, fields_, {&opening, 1});
+         });
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    look(stretches_[s].name, stretches_[s].conditions.heat, sides_[s],
-         [&](const HeatSide& side) { fill_heat_side(exec, fields_, side); });
+    look(stretches_[s].name, stretches_[s].conditions.heat, sides_[s], [&](const HeatSide& side) {
+      fill_heat_sides(exec, fields_, {&side, 1});
+    });
 }
 
 template <class T, class Set>
@@ -107,7 +112,9 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
     };
     std::vector<DressedBoundary<T>> dressed;
     for (const StretchLinks& boundary : s.boundaries) dressed.push_back(dressing(exec, fluid, boundary, s.fields.h));
-    for (const DressedBoundary<T>& d : dressed) dress(exec, s, d.boundary, clock.time(), d.gain);
+    std::vector<SoluteCondition<T>> conditions;
+    for (const DressedBoundary<T>& d : dressed) conditions.push_back(condition(s, d.boundary, clock.time(), d.gain));
+    dress<Set, T>(exec, fluid, conditions, narrow_);
     for (const DressedBoundary<T>& d : dressed)
       add_value(row, column(d.boundary, "flow_mol_per_m_s"), mol_per_s * sum_in_order(d.gain));
     for (const DressedBoundary<T>& d : dressed) restore_outgoing(exec, fluid, d.boundary.links, d.outgoing, s.fields.h);

@@ -1,6 +1,7 @@
 #include "kernels/heat_boundary.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/heat_conditions.hpp"
+#include "kernels/launch_lists.hpp"
 
 #include <type_traits>
 
@@ -33,83 +34,14 @@ SideNodes side_nodes(const Lattice& lattice, Side side) {
 
 }  // namespace
 
-/// One link that crosses a side, as its law sees it.
-template <class T>
-struct SideLink {
-  T leaving;   ///< A, the population that leaves through it, or that a mirror sends back through it
-  T inward;    ///< the node's own population of the opposite direction
-  T weight;    ///< w of the velocity set
-  T share;     ///< of what enters at the node, of a mineral over its heat capacity
-  bool solid;  ///< of the one solid that there is
-};
-
-/// What a boundary asks of its nodes: fluid and one solid.
-template <class T>
-struct TwoKinds {
-  double capacity_ratio;
-  Kokkos::View<const std::uint8_t*> kind;
-  KOKKOS_FORCEINLINE_FUNCTION bool solid(int node) const { return kind(node) != 0; }
-  KOKKOS_FORCEINLINE_FUNCTION T share(int, T share) const { return share; }
-  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return kind(node) ? capacity_ratio : 1; }
-};
-/// Fluid and minerals.
-template <class T>
-struct ManyKinds {
-  Kokkos::View<const double*> capacities;
-  Kokkos::View<const std::uint8_t*> kind;
-  KOKKOS_FORCEINLINE_FUNCTION bool solid(int) const { return false; }
-  KOKKOS_FORCEINLINE_FUNCTION T share(int node, T share) const { return share / static_cast<T>(capacity(node)); }
-  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return capacities(kind(node)); }
-};
-
-/// in = A + share q / c.
-template <class T>
-struct FluxIn {
-  static constexpr bool mirrors = true;
-  T fluid_flux, solid_flux;
-  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
-  }
-};
-
-/// in = A + share h (theta_out - (in + A) / 2w) / c, solved for what comes in: Newton's law of cooling with the
-/// temperature that the wall plane then has. Large h: the temperature is given; none: nothing passes.
-template <class T>
-struct ConvectionIn {
-  static constexpr bool mirrors = true;
-  T outside, fluid_transfer, solid_transfer;
-  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    const T passed = link.share * (link.solid ? solid_transfer : fluid_transfer), held = passed / (2 * link.weight);
-    return (link.leaving * (1 - held) + passed * outside) / (1 + held);
-  }
-};
-
-/// in = -A + 2 w theta_wall (half-way anti-bounce-back).
-template <class T>
-struct TemperatureIn {
-  static constexpr bool mirrors = false;
-  T twice_wall_temperature;
-  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    return link.weight * twice_wall_temperature - link.leaving;
-  }
-};
-
-/// in = the node's own inward population.
-template <class T>
-struct OutflowIn {
-  static constexpr bool mirrors = false;
-  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const { return link.inward; }
-};
-
 /// Writes the populations that arrive at one node through a side into the halo and returns the energy they bring in,
 /// the sum of c (in - A). `Law` maps a SideLink to what arrives.
 template <class T, class Set, class Law, class Kinds>
 struct FillSide {
   Law law;
+  SideEntry side;
   Kinds kinds;
   Lattice lattice;
-  int first, count, stride, outward;
-  bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
 
@@ -121,18 +53,18 @@ struct FillSide {
   }
   /// True where a diagonal link leaves through a corner that is another side's.
   KOKKOS_FUNCTION bool lost_corner(int node, int q) const {
-    const int step = along(outward, q);
-    return solid(node + step * stride) == outside_lattice && !(step < 0 ? lower_corner : upper_corner);
+    const int step = along(side.outward, q);
+    return solid(node + step * side.stride) == outside_lattice && !(step < 0 ? side.lower_corner : side.upper_corner);
   }
   /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
   /// same kind and of this stretch by the link that crosses q.
   KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
-    const int step = along(outward, q), plane = lattice.size();
-    const int next = node + step * stride;
-    const bool beside = whole || (item + step >= 0 && item + step < count);
+    const int step = along(side.outward, q), plane = lattice.size();
+    const int next = node + step * side.stride;
+    const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
     if (!Law::mirrors || step == 0 || !beside || kinds.kind(next) != kinds.kind(node)) return g(q * plane + node);
     int crossing = 5;
-    while (crossing == q || !crosses(outward, crossing)) ++crossing;
+    while (crossing == q || !crosses(side.outward, crossing)) ++crossing;
     return g(crossing * plane + next);
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
@@ -144,17 +76,17 @@ struct FillSide {
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
   }
   KOKKOS_FUNCTION double operator()(int item) const {
-    const int node = first + item * stride;
+    const int node = side.first + item * side.stride;
     if (solid(node) > 1) return 0;
     double entered = 0;
     T straight_share = 1;
     for (int q = 5; q < Set::Q; ++q) {
-      if (!crosses(outward, q) || lost_corner(node, q)) continue;
+      if (!crosses(side.outward, q) || lost_corner(node, q)) continue;
       const T share = static_cast<T>(6 * Set::w(q));
       straight_share -= share;
       entered += fill(item, node, q, share);
     }
-    entered += fill(item, node, outward, straight_share);
+    entered += fill(item, node, side.outward, straight_share);
     return kinds.capacity(node) * entered;
   }
 };
@@ -163,90 +95,90 @@ struct FillSide {
 template <class T, class Set, class Law, class Kinds>
 struct FillOpening {
   Law law;
+  OpeningEntry opening;
   Kinds kinds;
   int plane;
-  Kokkos::View<const int*> node, beyond;
-  Kokkos::View<const std::uint8_t*> direction;
-  Kokkos::View<const double*> area;
   ScalarField<T> g;
   KOKKOS_FUNCTION double operator()(int item) const {
-    const int n = node(item), q = direction(item), back = Set::opposite(q);
+    const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q);
     const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)),
-                           kinds.share(n, static_cast<T>(area(item))), kinds.solid(n)};
+                           kinds.share(n, static_cast<T>(opening.area[item])), kinds.solid(n)};
     const T arriving = law(link);
-    g(back * plane + beyond(item)) = arriving;
+    g(back * plane + opening.beyond[item]) = arriving;
     return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
   }
 };
 
-namespace {
+/// All sides, each by its law.
+template <class T, class Set, class Kinds>
+struct FillSides {
+  Kinds kinds;
+  double capacity_ratio;
+  Lattice lattice;
+  Kokkos::View<const std::uint8_t*> solid;
+  ScalarField<T> g;
 
-/// visit(Set{}, the kinds of the nodes).
-template <class T, class Visit>
-void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
-  visit_velocity_set(fields.velocity_set, [&](auto set) {
-    if (fields.matter.given())
-      visit(set, ManyKinds<T>{fields.matter.capacity, fields.matter.of_node});
-    else
-      visit(set, TwoKinds<T>{fields.rates.capacity_ratio, fields.solid});
-  });
-}
-
-template <class T, class Law>
-void launch(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side, const Law& law) {
-  const Lattice& lattice = fields.lattice;
-  const auto [origin, stride] = side_nodes(lattice, side.side);
-  const int start = origin + side.first * stride, step = stride, count = side.last - side.first + 1;
-  const bool whole = count == side_length(lattice, side.side);
-  visit_kinds(fields, [&](auto set, const auto& kinds) {
-    using Body = FillSide<T, decltype(set), Law, std::decay_t<decltype(kinds)>>;
-    const Body body{law,   kinds,           lattice,         start,        count,   step, outward(side.side),
-                    whole, side.corners[0], side.corners[1], fields.solid, fields.g};
-    add_per_block(exec, "vug::heat::fill_side", count, body, side.energy_in);
-  });
-}
-
-template <class T, class Law>
-void launch(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening, const Law& law) {
-  const DenseLinks& links = opening.links;
-  visit_kinds(fields, [&](auto set, const auto& kinds) {
-    using Body = FillOpening<T, decltype(set), Law, std::decay_t<decltype(kinds)>>;
-    const Body body{law, kinds, fields.lattice.size(), links.node, links.beyond, links.direction, links.area, fields.g};
-    add_per_block(exec, "vug::heat::fill_opening", links.count, body, opening.energy_in);
-  });
-}
-
-/// Launches the law of a side's or an opening's condition.
-template <class T, class Boundary>
-void fill(const Exec& exec, const HeatFields<T>& fields, const Boundary& boundary) {
-  switch (boundary.condition) {
-    case HeatCondition::adiabatic:
-      return launch(exec, fields, boundary, FluxIn<T>{0, 0});
-    case HeatCondition::temperature:
-      return launch(exec, fields, boundary, TemperatureIn<T>{static_cast<T>(2 * boundary.value)});
-    case HeatCondition::flux:
-      return launch(
-          exec, fields, boundary,
-          FluxIn<T>{static_cast<T>(boundary.value), static_cast<T>(boundary.value / fields.rates.capacity_ratio)});
-    case HeatCondition::convection:
-      return launch(exec, fields, boundary,
-                    ConvectionIn<T>{static_cast<T>(boundary.value), static_cast<T>(boundary.transfer),
-                                    static_cast<T>(boundary.transfer / fields.rates.capacity_ratio)});
-    case HeatCondition::outflow:
-      return launch(exec, fields, boundary, OutflowIn<T>{});
+  using Entry = SideEntry;
+  static int count(const HeatSide& side) { return side.last - side.first + 1; }
+  Entry entry(const HeatSide& side) const {
+    const auto [origin, stride] = side_nodes(lattice, side.side);
+    const bool whole = count(side) == side_length(lattice, side.side);
+    return {condition_of(side, capacity_ratio),
+            origin + side.first * stride,
+            count(side),
+            stride,
+            outward(side.side),
+            whole,
+            side.corners[0],
+            side.corners[1]};
   }
-}
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
+    e.template visit<T>([&](const auto& law) {
+      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, solid, g});
+    });
+  }
+};
 
-}  // namespace
+/// All openings.
+template <class T, class Set, class Kinds>
+struct FillOpenings {
+  Kinds kinds;
+  double capacity_ratio;
+  int plane;
+  ScalarField<T> g;
+
+  using Entry = OpeningEntry;
+  static int count(const HeatOpening& opening) { return opening.links.count; }
+  Entry entry(const HeatOpening& opening) const {
+    const DenseLinks& links = opening.links;
+    return {condition_of(opening, capacity_ratio), links.node.data(), links.beyond.data(), links.direction.data(),
+            links.area.data()};
+  }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
+    e.template visit<T>([&](const auto& law) {
+      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, plane, g});
+    });
+  }
+};
 
 template <class T>
-void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side) {
-  fill(exec, fields, side);
+void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides) {
+  visit_kinds(fields, [&](auto set, const auto& kinds) {
+    using Law = FillSides<T, decltype(set), std::decay_t<decltype(kinds)>>;
+    add_per_block_of_lists(exec, "vug::heat::fill_side", sides,
+                           Law{kinds, fields.rates.capacity_ratio, fields.lattice, fields.solid, fields.g});
+  });
 }
 
 template <class T>
-void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening) {
-  fill(exec, fields, opening);
+void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings) {
+  visit_kinds(fields, [&](auto set, const auto& kinds) {
+    using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
+    add_per_block_of_lists(exec, "vug::heat::fill_opening", openings,
+                           Law{kinds, fields.rates.capacity_ratio, fields.lattice.size(), fields.g});
+  });
 }
 
 template <class T>
@@ -292,8 +224,8 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
 }
 
 #define VUG_INSTANTIATE(T)                                                                                  \
-  template void fill_heat_side(const Exec&, const HeatFields<T>&, const HeatSide&);                         \
-  template void fill_heat_opening(const Exec&, const HeatFields<T>&, const HeatOpening&);                   \
+  template void fill_heat_sides(const Exec&, const HeatFields<T>&, std::span<const HeatSide>);              \
+  template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>);        \
   template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
                                          std::array<bool, 2>, const Opening&, HeatCondition, double);       \
   template void join_heat_sides(const Exec&, const HeatFields<T>&, int)

@@ -5,6 +5,8 @@
 #include "kernels/heat.hpp"
 #include "kernels/opening.hpp"
 
+#include <span>
+
 namespace vug {
 
 enum class HeatCondition {
@@ -40,12 +42,13 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
 /// one-dimensional up to its end.
 void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
 
-/// Fills the halo beside `side`, and books what enters in side.energy_in. On D2Q9 three links of a node cross the side,
-/// which share a flux as 1/6, 2/3, 1/6; where one through a corner is not this side's, its share goes to the straight
-/// link. An adiabatic side, and one with a flux, reflects what moves diagonally between like nodes as a mirror does:
-/// sent back the way it came it would hold back what flows along the side. Sides that are joined come first.
+/// Fills the halo beside the sides in one launch, and books what enters in energy_in of each. On D2Q9 three links of a
+/// node cross the side, which share a flux as 1/6, 2/3, 1/6; where one through a corner is not this side's, its share
+/// goes to the straight link. An adiabatic side, and one with a flux, reflects what moves diagonally between like nodes
+/// as a mirror does: sent back the way it came it would hold back what flows along the side. Sides that are joined come
+/// first.
 template <class T>
-void fill_heat_side(const Exec& exec, const HeatFields<T>& fields, const HeatSide& side);
+void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides);
 
 /// The surface of an opening with its condition. Its links are those of a geometry: births do not change them.
 struct HeatOpening {
@@ -62,11 +65,11 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
                               std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
                               double value = 0);
 
-/// Writes the populations that should come out of an opening into its nodes, as fill_heat_side does to the halo, and
-/// books what enters. A flux is per true area of the surface (link_areas). No mirror: on D2Q9
+/// Writes the populations that should come out of the openings into their nodes, as fill_heat_sides does to the halo,
+/// and books what enters. A flux is per true area of the surface (link_areas). No mirror: on D2Q9
 /// what moves diagonally goes back the way it came. Before sides are joined.
 template <class T>
-void fill_heat_opening(const Exec& exec, const HeatFields<T>& fields, const HeatOpening& opening);
+void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings);
 
 /// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top), 0 before 1.
 template <class T>

@@ -1,6 +1,6 @@
 #include "kernels/open_boundary.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,25 +19,22 @@ struct PressureRule {
 template <class T>
 struct OutflowRule {
   static constexpr bool slides = true;
-  Kokkos::View<const double*> level;
-  KOKKOS_FORCEINLINE_FUNCTION T density() const { return T(level(1)); }
+  const double* level;
+  KOKKOS_FORCEINLINE_FUNCTION T density() const { return T(level[1]); }
 };
 
 /// Dresses each pair of links that are images of each other by a rule, from the first of them, and books the change of
 /// mass of either. Touches a population, a velocity and 25 bytes of lists and ledger per link.
 template <class T, class Rule>
 struct DressMirrored {
-  Kokkos::View<const int*> fluid;
-  Kokkos::View<const std::uint8_t*> direction;
-  Kokkos::View<const int*> mirror;
+  FlowCondition links;
   ScalarField<T> f;
   VectorField<T> u;
-  ScalarField<double> gain;
   int capacity;
   Rule rule;
 
   KOKKOS_FUNCTION void operator()(int link) const {
-    const int image = mirror(link);
+    const int image = links.mirror[link];
     if (image < link) return;  // a wall, or dressed from its image
     const T here = returned(link, image), there = returned(image, link), slip = slide(link, image);
     bring_in(link, there - slip);
@@ -48,8 +45,8 @@ struct DressMirrored {
   /// What goes out along `image` and comes in where `link` does: -A + w [rho' + 9/2 (c.u)^2 - 3/2 u^2] of both, the
   /// velocity along the surface turned round with the image unless fluid may slide.
   KOKKOS_FORCEINLINE_FUNCTION T returned(int image, int link) const {
-    const int i = fluid(image), q = direction(image);
-    return even(q, i) + even(Rule::slides ? direction(link) : q, i) - f(q * capacity + i);
+    const int i = links.fluid[image], q = links.direction[image];
+    return even(q, i) + even(Rule::slides ? links.direction[link] : q, i) - f(q * capacity + i);
   }
   KOKKOS_FORCEINLINE_FUNCTION T even(int q, int i) const {
     const T rho = rule.density(), ux = u(i, 0), uy = u(i, 1);
@@ -58,14 +55,14 @@ struct DressMirrored {
   /// 6 w t.u with the mean velocity of both nodes and the part t of the direction that lies in the surface.
   KOKKOS_FORCEINLINE_FUNCTION T slide(int link, int image) const {
     if constexpr (!Rule::slides) return T(0);
-    const int i = fluid(link), j = fluid(image), q = direction(link), p = direction(image);
+    const int i = links.fluid[link], j = links.fluid[image], q = links.direction[link], p = links.direction[image];
     const T along =
         T(D2Q9::c(q, 0) - D2Q9::c(p, 0)) * (u(i, 0) + u(j, 0)) + T(D2Q9::c(q, 1) - D2Q9::c(p, 1)) * (u(i, 1) + u(j, 1));
     return T(1.5 * D2Q9::w(q)) * along;
   }
   KOKKOS_FORCEINLINE_FUNCTION void bring_in(int link, T incoming) const {
-    const int slot = direction(link) * capacity + fluid(link);
-    gain(link) += double(incoming) - double(f(slot));
+    const int slot = links.direction[link] * capacity + links.fluid[link];
+    links.gain[link] += double(incoming) - double(f(slot));
     f(slot) = incoming;
   }
 };
@@ -83,9 +80,9 @@ struct VelocityRule {
 template <class T>
 struct VelocityProfileRule {
   T ux, uy;
-  Kokkos::View<const double*> share;
+  const double* share;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T outgoing) const {
-    const T here = T(share(link));
+    const T here = T(share[link]);
     return VelocityRule<T>{here * ux, here * uy}(link, i, q, outgoing);
   }
 };
@@ -93,10 +90,10 @@ struct VelocityProfileRule {
 /// f_in = A + area speed.
 template <class T>
 struct NormalSpeedRule {
-  Kokkos::View<const double*> area;
+  const double* area;
   double speed;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T outgoing) const {
-    return outgoing + T(area(link) * speed);
+    return outgoing + T(area[link] * speed);
   }
 };
 
@@ -104,69 +101,74 @@ struct NormalSpeedRule {
 /// 21 bytes of lists and ledger per link.
 template <class T, class Rule>
 struct DressLinks {
-  Kokkos::View<const int*> fluid;
-  Kokkos::View<const std::uint8_t*> direction;
+  FlowCondition links;
   ScalarField<T> f;
-  ScalarField<double> gain;
   int capacity;
   Rule rule;
   KOKKOS_FUNCTION void operator()(int link) const {
-    const int i = fluid(link), q = direction(link);
+    const int i = links.fluid[link], q = links.direction[link];
     const T outgoing = f(q * capacity + i);
     const T incoming = rule(link, i, q, outgoing);
     f(q * capacity + i) = incoming;
-    gain(link) += double(incoming) - double(outgoing);
+    links.gain[link] += double(incoming) - double(outgoing);
   }
 };
 
-namespace {
+using Kind = FlowCondition::Kind;
 
-template <class T, class Rule>
-void dress(const Exec& exec, const std::string& label, const FluidNodes& nodes, const BoundaryLinks& links,
-           const FlowFields<T>& fields, const ScalarField<double>& gain, const Rule& rule) {
-  for_each_node(exec, label, links.count,
-                DressLinks<T, Rule>{links.fluid, links.direction, fields.f, gain, nodes.capacity, rule});
-}
-
-template <class T, class Rule>
-void dress_mirrored(const Exec& exec, const std::string& label, const FluidNodes& nodes, const BoundaryLinks& links,
-                    const IndexList& mirror, const FlowFields<T>& fields, const ScalarField<double>& gain,
-                    const Rule& rule) {
-  for_each_node(
-      exec, label, links.count,
-      DressMirrored<T, Rule>{links.fluid, links.direction, mirror, fields.f, fields.u, gain, nodes.capacity, rule});
-}
-
-}  // namespace
-
+/// Each stretch by its rule.
 template <class T>
-void dress_pressure(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const IndexList& mirror,
-                    double pressure, const FlowFields<T>& fields, const ScalarField<double>& gain) {
-  dress_mirrored(exec, "vug::open_boundary::pressure", nodes, links, mirror, fields, gain,
-                 PressureRule<T>{T(3 * pressure)});
+struct DressFlow {
+  using Entry = FlowCondition;
+  ScalarField<T> f;
+  VectorField<T> u;
+  int capacity;
+
+  /// The links of an outflow that has no face, if any, remain walls.
+  static int count(const FlowCondition& c) {
+    const bool closed = c.kind == Kind::outflow && c.faces == 0;
+    return c.kind == Kind::none || closed ? 0 : c.count;
+  }
+
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    const T x = T(c.value[0]), y = T(c.value[1]);
+    if (c.kind == Kind::pressure)
+      run(DressMirrored<T, PressureRule<T>>{c, f, u, capacity, {T(3 * c.value[0])}});
+    else if (c.kind == Kind::outflow)
+      run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c.level}});
+    else if (c.kind == Kind::velocity)
+      run(DressLinks<T, VelocityRule<T>>{c, f, capacity, {x, y}});
+    else if (c.kind == Kind::velocity_profile)
+      run(DressLinks<T, VelocityProfileRule<T>>{c, f, capacity, {x, y, c.part}});
+    else
+      run(DressLinks<T, NormalSpeedRule<T>>{c, f, capacity, {c.part, c.value[0]}});
+  }
+};
+
+FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
+                             const ScalarField<double>& gain) {
+  return {Kind::pressure, links.count, links.fluid.data(), links.direction.data(), gain.data(),
+          mirror.data(),  nullptr,     {pressure, 0}};
 }
 
-template <class T>
-void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
-                    std::array<double, 2> velocity, const FlowFields<T>& fields, const ScalarField<double>& gain) {
-  dress(exec, "vug::open_boundary::velocity", nodes, links, fields, gain,
-        VelocityRule<T>{T(velocity[0]), T(velocity[1])});
+FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
+                             const ScalarField<double>& share, const ScalarField<double>& gain) {
+  const Kind kind = share.extent(0) == 0 ? Kind::velocity : Kind::velocity_profile;
+  return {kind,        links.count, links.fluid.data(), links.direction.data(),
+          gain.data(), nullptr,     share.data(),       {velocity[0], velocity[1]}};
 }
 
-template <class T>
-void dress_velocity(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
-                    std::array<double, 2> velocity, const ScalarField<double>& share, const FlowFields<T>& fields,
-                    const ScalarField<double>& gain) {
-  if (share.extent(0) == 0) return dress_velocity(exec, nodes, links, velocity, fields, gain);
-  dress(exec, "vug::open_boundary::velocity_profile", nodes, links, fields, gain,
-        VelocityProfileRule<T>{T(velocity[0]), T(velocity[1]), share});
+FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
+                                 const ScalarField<double>& gain) {
+  return {Kind::normal_speed, links.count, links.fluid.data(), links.direction.data(),
+          gain.data(),        nullptr,     area.data(),        {speed, 0}};
 }
 
-template <class T>
-void dress_normal_speed(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
-                        const ScalarField<double>& area, double speed, const FlowFields<T>& fields,
-                        const ScalarField<double>& gain) {
-  dress(exec, "vug::open_boundary::normal_speed", nodes, links, fields, gain, NormalSpeedRule<T>{area, speed});
+FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
+                      const ScalarField<double>& gain) {
+  return {Kind::outflow, links.count, links.fluid.data(), links.direction.data(), gain.data(),       mirror.data(),
+          nullptr,       {0, 0},      state.faces,        state.speed.data(),     state.level.data()};
 }
 
 struct IsFace {
@@ -186,56 +188,63 @@ void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowState& st
 /// Outward speed through a face.
 template <class T>
 struct OutwardSpeed {
-  Kokkos::View<const int*> fluid;
-  Kokkos::View<const std::uint8_t*> direction;
+  FlowCondition links;
   VectorField<T> u;
   KOKKOS_FUNCTION double operator()(int link) const {
-    const int i = fluid(link), q = direction(link);
+    const int i = links.fluid[link], q = links.direction[link];
     return q < D2Q5::Q ? D2Q9::c(q, 0) * double(u(i, 0)) + D2Q9::c(q, 1) * double(u(i, 1)) : 0;
+  }
+};
+
+/// Of all links of each outflow.
+template <class T>
+struct OutwardSpeeds {
+  using Entry = FlowCondition;
+  VectorField<T> u;
+  static int count(const FlowCondition& c) { return c.faces > 0 ? c.count : 0; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    run(OutwardSpeed<T>{c, u});
   }
 };
 
 /// rho' = 3 c_s (U - U_0), then U_0 += share (U - U_0), with the mean speed U whose sums it clears.
 struct SetOutflowLevel {
-  ScalarField<double> speed, level;
-  double faces, share;
+  FlowCondition links;
+  double share;
   KOKKOS_FUNCTION void operator()(int) const {
     double sum = 0;
-    for (std::size_t block = 0; block < speed.extent(0); ++block) {
-      sum += speed(block);
-      speed(block) = 0;
+    for (int block = 0; block < block_count(links.count); ++block) {
+      sum += links.total[block];
+      links.total[block] = 0;
     }
-    const double change = sum / faces - level(0);
-    level(1) = 3 * Kokkos::sqrt(c_s2) * change;
-    level(0) += share * change;
+    const double change = sum / links.faces - links.level[0];
+    links.level[1] = 3 * Kokkos::sqrt(c_s2) * change;
+    links.level[0] += share * change;
+  }
+};
+
+/// Of each outflow.
+struct SetOutflowLevels {
+  using Entry = FlowCondition;
+  double share;
+  static int count(const FlowCondition& c) { return c.faces > 0 ? 1 : 0; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    run(SetOutflowLevel{c, share});
   }
 };
 
 template <class T>
-void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const IndexList& mirror,
-                   const OutflowState& state, const FlowFields<T>& fields, const ScalarField<double>& gain) {
-  if (state.faces == 0) return;
+void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondition> conditions,
+           const FlowFields<T>& fields) {
   const double crossing = std::max(nodes.lattice.nx, nodes.lattice.ny) / std::sqrt(c_s2);
-  add_per_block(exec, "vug::open_boundary::outward_speed", links.count,
-                OutwardSpeed<T>{links.fluid, links.direction, fields.u}, state.speed);
-  for_each_node(exec, "vug::open_boundary::outflow_level", 1,
-                SetOutflowLevel{state.speed, state.level, state.faces, 1 / (4 * crossing)});
-  dress_mirrored(exec, "vug::open_boundary::outflow", nodes, links, mirror, fields, gain, OutflowRule<T>{state.level});
+  add_per_block_of_lists(exec, "vug::open_boundary::outward_speed", conditions, OutwardSpeeds<T>{fields.u});
+  for_each_of_lists(exec, "vug::open_boundary::outflow_level", conditions, SetOutflowLevels{1 / (4 * crossing)});
+  for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
 }
 
-#define VUG_INSTANTIATE(T)                                                                                           \
-  template void dress_pressure(const Exec&, const FluidNodes&, const BoundaryLinks&, const IndexList&, double,       \
-                               const FlowFields<T>&, const ScalarField<double>&);                                    \
-  template void dress_velocity(const Exec&, const FluidNodes&, const BoundaryLinks&, std::array<double, 2>,          \
-                               const FlowFields<T>&, const ScalarField<double>&);                                    \
-  template void dress_velocity(const Exec&, const FluidNodes&, const BoundaryLinks&, std::array<double, 2>,          \
-                               const ScalarField<double>&, const FlowFields<T>&, const ScalarField<double>&);        \
-  template void dress_normal_speed(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<double>&, \
-                                   double, const FlowFields<T>&, const ScalarField<double>&);                        \
-  template void dress_outflow(const Exec&, const FluidNodes&, const BoundaryLinks&, const IndexList&,                \
-                              const OutflowState&, const FlowFields<T>&, const ScalarField<double>&);
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
-#undef VUG_INSTANTIATE
+template void dress(const Exec&, const FluidNodes&, std::span<const FlowCondition>, const FlowFields<float>&);
+template void dress(const Exec&, const FluidNodes&, std::span<const FlowCondition>, const FlowFields<double>&);
 
 }  // namespace vug

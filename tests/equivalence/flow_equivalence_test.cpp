@@ -1,6 +1,6 @@
 // What must not matter: precision, where in memory a node lies, in which order nodes were born, how the lattice is
 // turned.
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

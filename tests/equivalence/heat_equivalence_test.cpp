@@ -90,7 +90,7 @@ void expect_plain_steps(int nx, int ny, int bands) {
   fill_at_random(fields.g, random);
   for (int step = 0; step < 3; ++step) {
     join_heat_sides(exec, fields, 0);
-    fill_heat_side(exec, fields, lower);
+    fill_heat_sides(exec, fields, {&lower, 1});
     using Matter = std::conditional_t<Minerals, ManyMinerals<T, Set>, TwoPhases<T, Set, Openings>>;
     const HeatFields<T> expected = after_plain_step<Set>(exec, fields, Matter(fields));
     conduct(exec, fields);

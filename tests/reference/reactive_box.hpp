@@ -4,9 +4,9 @@
 #include "kernels/launch.hpp"
 #include "kernels/reactive_wall.hpp"
 #include "kernels/solute.hpp"
-#include "kernels/solute_boundary.hpp"
 #include "kernels/solute_totals.hpp"
 #include "kernels/surface_normal.hpp"
+#include "support/dress_one.hpp"
 #include "support/host_copy.hpp"
 
 #include <functional>

@@ -2,6 +2,7 @@
 #include "../reference/diffusion_reaction.hpp"
 #include "../reference/reactive_box.hpp"
 #include "kernels/advective_form.hpp"
+#include "support/dress_one.hpp"
 
 #include <gtest/gtest.h>
 
@@ -106,8 +107,8 @@ TEST(ReactiveWallStability, ThePapersWallHoldsAtItsOwnDiffusivityAndNotFarBelow)
 }
 
 struct SlabResult {
-  double flux_error;     ///< of what dissolves per step in the steady state
-  double acid_error;     ///< of the acid that the fluid loses per step
+  double flux_error;       ///< of what dissolves per step in the steady state
+  double acid_error;       ///< of the acid that the fluid loses per step
   double lowest, highest;  ///< ever, from an empty start
 };
 
@@ -166,9 +167,9 @@ TEST(ReactingSlab, HasItsExactFluxFromReactionToDiffusionControl) {
   }
 }
 
-/// The paper's wall where it is stable: on D2Q5, and on D2Q9 with the parameters of its Table 2. What its links take and
-/// its faces dissolve agrees on a straight wall at rest. The scheme of Table 2 undershoots for a few steps behind the
-/// jump of an abrupt start, with either law; nothing else leaves 0 ... C_in.
+/// The paper's wall where it is stable: on D2Q5, and on D2Q9 with the parameters of its Table 2. What its links take
+/// and its faces dissolve agrees on a straight wall at rest. The scheme of Table 2 undershoots for a few steps behind
+/// the jump of an abrupt start, with either law; nothing else leaves 0 ... C_in.
 TEST(ReactingSlab, OfThePapersWallHoldsOverTheSameRange) {
   constexpr ReactiveWallLaw paper = ReactiveWallLaw::paper;
   const SoluteParameters table_2 = solute_parameters(0.02, 0.7);
@@ -179,7 +180,7 @@ TEST(ReactingSlab, OfThePapersWallHoldsOverTheSameRange) {
     std::printf("    Da %g: flux D2Q5 %+.1e, D2Q9 %+.1e (float %+.1e), C from %.1e, %.1e (float %.1e)\n", Da,
                 d2q5.flux_error, d2q9.flux_error, single.flux_error, d2q5.lowest, d2q9.lowest, single.lowest);
     EXPECT_LE(std::abs(d2q5.flux_error), 1e-9);
-    EXPECT_LE(std::abs(d2q9.flux_error), 1e-9);  // 25 decay times: 1e-11
+    EXPECT_LE(std::abs(d2q9.flux_error), 1e-9);    // 25 decay times: 1e-11
     EXPECT_LE(std::abs(single.flux_error), 5e-4);  // 6e-8 in each of 5000 steps that the state remembers
     EXPECT_GE(d2q5.lowest, 0);
     for (const SlabResult& r : {d2q9, single}) EXPECT_GE(r.lowest, -0.13);
@@ -196,7 +197,8 @@ TEST(DiffusionReactionCavity, KeepsItsBoundsAndFluxFromReactionToDiffusionContro
   for (int i = 0; i < nx; ++i) xs[i] = i + 0.5;
   for (int i = 0; i < ny; ++i) ys[i] = i + 0.5;
   for (const double Da : all_damkohler_numbers) {
-    ReactiveBox<D2Q5, double> box(nx, ny + 1, [](int, int y) { return y == ny; }, p, 0);
+    ReactiveBox<D2Q5, double> box(
+        nx, ny + 1, [](int, int y) { return y == ny; }, p, 0);
     box.k = Da * p.diffusivity() / ny;
     box.wall.molar_volume = 1;
     box.wall.D_reactant = p.diffusivity();
@@ -229,8 +231,8 @@ TEST(DiffusionReactionCavity, KeepsItsBoundsAndFluxFromReactionToDiffusionContro
     const double flux = (dissolved_beyond(from) - before) / p.diffusivity() /
                         (reference::diffusion_reaction_wall_flux(nx, nx, ny, Da) -
                          reference::diffusion_reaction_wall_flux(from, nx, ny, Da));
-    std::printf("    Da %g: L2 %.1e, flux %+.1e, C from %.1e to 1%+.1e\n", Da, std::sqrt(error / norm), flux - 1, lowest,
-                highest - 1);
+    std::printf("    Da %g: L2 %.1e, flux %+.1e, C from %.1e to 1%+.1e\n", Da, std::sqrt(error / norm), flux - 1,
+                lowest, highest - 1);
     // four times coarser either way than Eq. 28 in solute_wall_test (bound 8e-4), of order 1.8 by the corner
     EXPECT_LE(std::sqrt(error / norm), 4e-3);
     EXPECT_NEAR(flux, 1, 4e-3);

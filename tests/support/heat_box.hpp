@@ -113,7 +113,7 @@ class HeatBox {
     for (int step = 0; step < steps; ++step) {
       for (int axis = 0; axis < 2; ++axis)
         if (periodic_[axis]) join_heat_sides(exec, fields, axis);
-      for (const HeatSide& s : sides) fill_heat_side(exec, fields, s);
+      fill_heat_sides<T>(exec, fields, sides);
       for (FillProfile<T> p : profiles_) {
         p.g = fields.g;
         for_each_node(exec, "profile", static_cast<int>(p.profile.extent(0)) / 2, p);

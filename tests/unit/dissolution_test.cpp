@@ -3,6 +3,7 @@
 
 #include "../reference/reactive_box.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
+#include "support/dress_one.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "kernels/guards.hpp"
 #include "kernels/momentum_exchange.hpp"
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

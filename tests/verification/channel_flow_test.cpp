@@ -1,6 +1,6 @@
 // Plane channels: the solutions that halfway bounce-back with two relaxation times represents exactly.
 #include "kernels/guards.hpp"
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 #include "support/record.hpp"

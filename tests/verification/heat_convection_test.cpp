@@ -1,5 +1,5 @@
 // Conjugate heat that a flow carries, and its stair-step walls, against analytic solutions.
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/heat_box.hpp"
 #include "support/record.hpp"

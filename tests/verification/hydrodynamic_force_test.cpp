@@ -1,5 +1,5 @@
 // Forces of the fluid on the rock by momentum exchange.
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 #include "support/node_force.hpp"

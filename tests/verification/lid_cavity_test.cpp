@@ -1,5 +1,5 @@
 // The lid-driven cavity: steady recirculation against published extremes of its centre lines.
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 #include "support/record.hpp"

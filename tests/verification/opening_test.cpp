@@ -28,7 +28,7 @@ std::string channel_between(const std::string& left, const std::string& right, i
       "[flow]\nviscosity = 0.09\ndensity = 1\ninitial_pressure = 0\n"
       "[heat]\nfluid_diffusivity = 0.05\nsolid_diffusivity = 0.13\ninitial_temperature = 350\nvelocity_set = \"{}\"\n"
       "[solute]\nvelocity_set = \"{}\"\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.04\n",
-      // on D2Q9 a heated side mirrors what moves diagonally, an opening sends it back (fill_heat_opening)
+      // on D2Q9 a heated side mirrors what moves diagonally, an opening sends it back (fill_heat_openings)
       left.find("flux") == std::string::npos ? set : "d2q5", set);
   const std::string shape = ends > 0 ? "shape." : "";
   text += fmt::format("[boundary.{}left]\n{}\n[boundary.{}right]\n{}\n", shape, left, shape, right);

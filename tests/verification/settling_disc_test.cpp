@@ -2,7 +2,7 @@
 //
 // vug draws the rock on the lattice once, so the disc keeps its place and the channel moves: seen from the disc the
 // walls slide upwards and the fluid comes from below, both at the speed at which the disc sinks.
-#include "kernels/open_boundary.hpp"
+#include "support/dress_one.hpp"
 #include "support/node_force.hpp"
 #include "support/record.hpp"
 
@@ -68,9 +68,9 @@ double terminal_reynolds(int d, double galileo, double nu) {
   return disc.speed * d / nu;
 }
 
-/// The disc of 2.5 mm and 1.25 g/cm3 in a channel of 2 cm, fluid of 1 g/cm3 and 0.1 g/(cm s), of R. Glowinski et al., J.
-/// Comput. Phys. 169 (2001) 363, and D. Wan and S. Turek, Int. J. Numer. Meth. Fluids 51 (2006) 531: largest Reynolds
-/// numbers of 17.15 to 17.31, formed with the density of the disc.
+/// The disc of 2.5 mm and 1.25 g/cm3 in a channel of 2 cm, fluid of 1 g/cm3 and 0.1 g/(cm s), of R. Glowinski et al.,
+/// J. Comput. Phys. 169 (2001) 363, and D. Wan and S. Turek, Int. J. Numer. Meth. Fluids 51 (2006) 531: largest
+/// Reynolds numbers of 17.15 to 17.31, formed with the density of the disc.
 TEST(SettlingDisc, SinksAtThePublishedSpeed) {
   const double density_ratio = 1.25, galileo = (density_ratio - 1) * 980 * std::pow(0.25, 3) / (0.1 * 0.1);
   for (const int d : {12, 16}) {
