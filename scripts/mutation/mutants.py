@@ -7,12 +7,12 @@ from .source import Source
 
 LAWS = {
     "kernels": """advective_form.cpp conjugate_link.hpp dissolution.cpp equilibrium.hpp flow.cpp flow_fields.cpp
-        heat.cpp heat.hpp heat_boundary.cpp heat_convection.hpp heat_kernels.hpp heat_sides.cpp heat_step.cpp
+        heat.cpp heat.hpp heat_boundary.cpp heat_conditions.hpp heat_convection.hpp heat_kernels.hpp heat_sides.cpp heat_step.cpp
         heat_sums.cpp link_area.hpp mirror_links.cpp momentum_exchange.cpp mrt.hpp open_boundary.cpp opening.cpp reaction.hpp reactive_wall.cpp
         reactive_wall_kernel.hpp reactive_wall_step.hpp scalar_equilibrium.hpp solid_share.hpp solute.cpp solute_boundary.cpp
         solute_sweep.hpp solute_totals.cpp surface_normal.cpp units.hpp""",
-    "dem": """accounts.hpp bond_forces.cpp bond_kinematics.hpp bond_law.hpp bonds.cpp closest_point.hpp
-        contact_forces.cpp contact_law.hpp critical_step.cpp dissolved_rock.hpp elastic_energy.hpp energy.cpp heterogeneity.hpp integrate.cpp
+    "dem": """accounts.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp bonds.cpp closest_point.hpp
+        contact_forces.hpp contact_law.hpp critical_step.cpp dissolved_rock.hpp elastic_energy.hpp energy.cpp forces.cpp heterogeneity.hpp integrate.cpp
         loads.cpp mass_loss.cpp mean_stress.cpp mechanics.cpp particles.cpp push.hpp quench.cpp servo.cpp slab_cooling.cpp thermal_strain.hpp
         triangle.hpp""",
     "coupling": """build_modules.cpp chemical_damage.cpp face_temperature.hpp flow_module.cpp heat_module.cpp

@@ -1,15 +1,159 @@
 #pragma once
-// Forces of triangles that touch without being bonded, each pair into its own slot.
+// The forces of the pairs of triangles that touch without being bonded.
 #include "dem/accounts.hpp"
+#include "dem/bond_kinematics.hpp"
+#include "dem/closest_point.hpp"
+#include "dem/contact_law.hpp"
 #include "dem/contacts.hpp"
 
 namespace vug {
 
-/// Evaluates every candidate pair at the current displacements and velocities, advances its friction springs by dt,
-/// writes Contacts::load, which the integrator gathers into Contacts::push.
+// Of forces.cpp alone: with external names less of it would be inlined, which costs time and moves last bits.
+namespace {
+
+/// The eroded outline of a particle, as small as dissolution has left it, relative to a point, and its motion.
+struct MovingOutline {
+  Triangle outline;
+  Vec2 centre;  ///< of the particle, relative to the same point
+  Vec2 v;
+  double spin = 0;
+};
+
+/// What the pairs of a particle hold in their springs and have lost to friction in this step.
+struct PairEnergy {
+  double stored = 0, friction = 0;
+};
+
+/// What a pair's contacts do to its two particles, a and b: the force on a, the opposite one on b.
+struct PairLoad {
+  Vec2 force;
+  double torque_a = 0, torque_b = 0;
+
+  KOKKOS_FORCEINLINE_FUNCTION void add(Vec2 f, Vec2 arm_a, Vec2 arm_b) {
+    force = force + f;
+    torque_a += cross(arm_a, f);
+    torque_b -= cross(arm_b, f);
+  }
+};
+
+/// Both kinds of contacts of a pair, `other` with the roles of the two particles exchanged.
+KOKKOS_FORCEINLINE_FUNCTION PairLoad difference(const PairLoad& load, const PairLoad& other) {
+  return {load.force - other.force, load.torque_a + other.torque_b, load.torque_b + other.torque_a};
+}
+
+/// One pair: corners of each against the outline of the other. n points from the outline's body to the corner's one;
+/// overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 at the contact point
+/// half-way. Every corner counts with its own closest point, be it inside an edge or a corner: distances are
+/// continuous, and with them forces and the energy, however the two slide round each other. Two corners that meet count
+/// twice, each for the other. Forces cancel exactly and act on one line.
 template <class Keeper>
-void compute_contact_forces(const Exec& exec, const MechanicsParameters& parameters, double dt,
-                            const Particles& particles, const Bonds& bonds, const Contacts& contacts,
-                            const Keeper& accounts);
+struct ContactForces {
+  ContactParameters law;
+  double expansion;
+  double dt;
+  Particles particles;
+  Bonds bonds;
+  Contacts contacts;
+  Keeper accounts;
+
+  KOKKOS_FUNCTION MovingOutline body(int i, Vec2 origin) const {
+    const EndMotion m = motion_of(particles, expansion, i);
+    MovingOutline out;
+    out.centre = Vec2{particles.x0(i, 0), particles.x0(i, 1)} - origin + m.u;
+    out.v = m.v;
+    out.spin = m.spin;
+    const double scale = m.scale * outline_scale(particles.solid_fraction(i));
+    for (int c = 0; c < 3; ++c) {
+      const Vec2 r{particles.eroded(i, c, 0), particles.eroded(i, c, 1)};
+      out.outline.corner[c] = out.centre + scale * m.rotation.turn(r);
+    }
+    return out;
+  }
+
+  /// Adds what corner c of `a` feels at `where` on the outline of b: the whole load, and the share of the dashpots.
+  KOKKOS_FUNCTION void add_corner(const MovingOutline& a, const MovingOutline& b, int c, const ClosestPoint& where,
+                                  double& stretch, PairLoad& load, PairLoad& drag, PairEnergy& energy) const {
+    const Vec2 n = where.normal, t{-n.y, n.x};
+    const Vec2 at = a.outline.corner[c] - (0.5 * where.distance) * n, arm_a = at - a.centre, arm_b = at - b.centre;
+    const Vec2 rate = a.v + spin_times(a.spin, arm_a) - b.v - spin_times(b.spin, arm_b);
+    const ContactPoint point{law.normal_stiffness, law.tangential_stiffness, law.normal_damping, law.tangential_damping,
+                             law.friction};
+    const double rate_t = dot(rate, t), before = stretch, offset = before + dt * rate_t;
+    const double overlap = 2 * particles.radius - where.distance;
+    const ContactReaction reaction = contact_reaction(point, overlap, -dot(rate, n), offset, rate_t, 0);
+    stretch = offset - reaction.slip;
+    load.add(reaction.normal * n + reaction.tangential * t, arm_a, arm_b);
+    // in the leapfrog's form (accounts.hpp), the next overlap and stretch by the present rates
+    energy.stored += 0.5 * (law.normal_stiffness * overlap * (overlap - dt * dot(rate, n)) +
+                            law.tangential_stiffness * stretch * (stretch + dt * rate_t));
+    if constexpr (Keeper::kept) {
+      energy.friction += 0.5 * law.tangential_stiffness * (before + stretch) * reaction.slip;
+      drag.add((reaction.normal - law.normal_stiffness * overlap) * n +
+                   (reaction.tangential + law.tangential_stiffness * stretch) * t,
+               arm_a, arm_b);
+    }
+  }
+
+  /// Writes the load of a pair and the share of its dashpots.
+  KOKKOS_FUNCTION void leave(int pair, const PairLoad& load, const PairLoad& drag) const {
+    contacts.load(pair, 0) = load.force.x;
+    contacts.load(pair, 1) = load.force.y;
+    contacts.load(pair, 2) = load.torque_a;
+    contacts.load(pair, 3) = load.torque_b;
+    accounts.keep_pair_drag(pair, drag.force.x, drag.force.y, drag.torque_a, drag.torque_b);
+  }
+
+  /// A corner that does not touch forgets its friction.
+  KOKKOS_FUNCTION void forget(double& stretch, PairEnergy& energy) const {
+    energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
+    stretch = 0;
+  }
+
+  KOKKOS_FUNCTION void push_corner(const MovingOutline& a, const MovingOutline& b, int c, double& stretch,
+                                   PairLoad& load, PairLoad& drag, PairEnergy& energy) const {
+    const ClosestPoint where = closest_on_triangle(b.outline, a.outline.corner[c]);
+    if (where.distance < 2 * particles.radius) {
+      add_corner(a, b, c, where, stretch, load, drag, energy);
+    } else {
+      forget(stretch, energy);
+    }
+  }
+
+  KOKKOS_FUNCTION void push_pair(int low, const MovingOutline& a, Vec2 origin, int pair, int generation,
+                                 PairEnergy& energy) const {
+    const int high = contacts.other(pair, generation);
+    const MovingOutline b = body(high, origin);
+    const double gap = 2 * particles.radius * (1 + 1e-9);  // beyond rounding
+    if (is_gone(particles.solid_fraction(low)) || is_gone(particles.solid_fraction(high)) ||
+        keeps_clear(a.outline, b.outline, gap) || keeps_clear(b.outline, a.outline, gap)) {
+      for (int f = 0; f < pair_features; ++f) forget(contacts.stretch(pair, generation, f), energy);
+      leave(pair, {}, {});
+      return;
+    }
+    PairLoad by_a, by_b, drag_a, drag_b;  // of the corners of a on b, and of b on a: there the roles are exchanged
+    for (int c = 0; c < 3; ++c) {
+      push_corner(a, b, c, contacts.stretch(pair, generation, c), by_a, drag_a, energy);
+      push_corner(b, a, c, contacts.stretch(pair, generation, 3 + c), by_b, drag_b, energy);
+    }
+    leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
+  }
+
+  /// All pairs of which particle `low` is the lower one.
+  KOKKOS_FUNCTION void operator()(int low) const {
+    if (bonds.events(bond_has_failed) == 0) return;
+    const int generation = contacts.status(contacts_generation);
+    PairEnergy energy;
+    const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);
+    if (first < last) {
+      const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
+      const MovingOutline a = body(low, origin);
+      for (int pair = first; pair < last; ++pair) push_pair(low, a, origin, pair, generation, energy);
+    }
+    contacts.energy(low) = energy.stored;
+    accounts.add_pair_friction(low, energy.friction);
+  }
+};
+
+}  // namespace
 
 }  // namespace vug

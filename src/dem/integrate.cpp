@@ -90,9 +90,9 @@ void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds,
   const Integrate<Keeper> move{
       control, {control.load_factor, control.surroundings, bonds, contacts, loads, particles}, particles, accounts};
   if (awake)
-    for_each_group_in_turn(exec, label, *awake, gather, move);
+    launch(exec, label, in_turn(*awake, gather, move));
   else
-    for_each_node_in_turn(exec, label, particles.count, gather, move);
+    launch(exec, label, in_turn(particles.count, gather, move));
 }
 
 template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,

@@ -1,8 +1,7 @@
 #include "dem/mechanics.hpp"
 
-#include "dem/bond_forces.hpp"
-#include "dem/contact_forces.hpp"
 #include "dem/critical_step.hpp"
+#include "dem/forces.hpp"
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "dem/static_equilibrium.hpp"
@@ -82,9 +81,8 @@ void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper&
   const bool look = rest && steps_ % steps_between_looks == 0;
   if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
   if (rest && rest->awake == 0 && !look) return;
-  compute_bond_forces(exec, parameters_, control.dt, particles_, bonds_, accounts,
-                      rest && !look ? &rest->bonds : nullptr);
-  compute_contact_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts);
+  compute_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts,
+                 rest && !look ? &rest->bonds : nullptr);
   if (look) look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest);
   integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts, rest ? &rest->particles : nullptr);
   for (const ServoPlaten& servo : servos_) follow_pressure(exec, servo, control.dt, control.load_factor, particles_);

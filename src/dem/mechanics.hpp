@@ -40,7 +40,7 @@ class Mechanics {
   /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
   double critical_step() const;
 
-  /// Takes `substeps` steps of dt with outside forces and temperatures held. Three kernels each, one more per servo
+  /// Takes `substeps` steps of dt with outside forces and temperatures held. Two kernels each, one more per servo
   /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
   /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it
   /// does.

@@ -1,9 +1,8 @@
 #include "dem/static_equilibrium.hpp"
 
 #include "dem/bond_elasticity.hpp"
-#include "dem/bond_forces.hpp"
 #include "dem/bond_kinematics.hpp"
-#include "dem/contact_forces.hpp"
+#include "dem/forces.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
 #include "kernels/interruption.hpp"
@@ -207,8 +206,7 @@ class Search {
   Eigen::VectorXd imbalance(double load_factor) {
     Kokkos::deep_copy(exec_, bonds_.slip, slip_);
     Kokkos::deep_copy(exec_, contacts_.stretch, stretch_);
-    compute_bond_forces(exec_, parameters_, long_time, particles_, bonds_, NoAccounts{}, nullptr);
-    compute_contact_forces(exec_, parameters_, long_time, particles_, bonds_, contacts_, NoAccounts{});
+    compute_forces(exec_, parameters_, long_time, particles_, bonds_, contacts_, NoAccounts{});
     for_each_node(exec_, "vug::dem::gather_contacts", particles_.count,
                   GatherContacts{bonds_, contacts_, contacts_.load, contacts_.push});
     for_each_node(exec_, "vug::dem::imbalance", particles_.count,

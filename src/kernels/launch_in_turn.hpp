@@ -1,6 +1,6 @@
 #pragma once
-// Two bodies in one launch, which for short lists takes longer than the work; over a whole list or over those groups of
-// it that have something to do.
+// Two bodies in one launch, which for short lists takes longer than the work: one after the other over a list, or over
+// those groups of it that have something to do; side by side over two lists.
 #include "kernels/launch.hpp"
 
 #include <cstdint>
@@ -12,6 +12,14 @@ struct Groups {
   int count = 0;  ///< items of the list
   int size = 1;
   Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
+};
+
+/// What a launch runs: on a host blocks of a list, on a GPU its items.
+template <class Body, class Schedule = Kokkos::Schedule<Kokkos::Static>>
+struct Work {
+  using Policy = Kokkos::RangePolicy<Exec, Schedule>;
+  Body body;
+  int count = 0;
 };
 
 namespace detail {
@@ -69,38 +77,86 @@ struct NodesOfGroups {
   }
 };
 
+/// On a host a share of the blocks of either, so that every thread has of both; on a GPU all items of one, then of the
+/// other.
+template <class One, class Other>
+struct SideBySide {
+  One one;
+  Other other;
+  int ones, others, shares;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if constexpr (runs_on_host) {
+      for (int b = ones * i / shares; b < ones * (i + 1) / shares; ++b) one(b);
+      for (int b = others * i / shares; b < others * (i + 1) / shares; ++b) other(b);
+    } else {
+      if (i < ones)
+        one(i);
+      else
+        other(i - ones);
+    }
+  }
+};
+
+inline int blocks_of(int n, int size) {
+  return n > 0 ? (n + size - 1) / size : 0;
+}
+
 }  // namespace detail
 
-/// Runs first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what
-/// first(i) wrote, but not what other iterations did. The bits are those of two calls of for_each_node. Nothing is
-/// fenced.
+/// body(i) for i in [0, n), which must be independent.
+template <class Body>
+auto each(int n, const Body& body) {
+  if constexpr (runs_on_host) {
+    const int size = block_of_list(n);
+    return Work<detail::Block<detail::NodeLoop<Body>>>{{{body}, n, size}, detail::blocks_of(n, size)};
+  } else {
+    return Work<Body>{body, n};
+  }
+}
+
+/// first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what first(i)
+/// wrote, but not what other iterations did. The bits are those of two calls of for_each_node.
 template <class First, class Second>
-void for_each_node_in_turn(const Exec& exec, const std::string& label, int n, const First& first,
-                           const Second& second) {
-  if (n <= 0) return;
-  if constexpr (runs_on_host)
-    for_each_block(exec, label, n, detail::LoopsInTurn<First, Second>{{first}, {second}}, block_of_list(n));
-  else
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n),
-                         detail::NodesInTurn<First, Second>{first, second});
+auto in_turn(int n, const First& first, const Second& second) {
+  if constexpr (runs_on_host) {
+    using Loops = detail::LoopsInTurn<First, Second>;
+    const int size = block_of_list(n);
+    return Work<detail::Block<Loops>>{{{{first}, {second}}, n, size}, detail::blocks_of(n, size)};
+  } else {
+    return Work<detail::NodesInTurn<First, Second>>{{first, second}, n};
+  }
 }
 
 /// The same over the groups that run. Threads take blocks as they come, since those groups may lie together.
 template <class First, class Second>
-void for_each_group_in_turn(const Exec& exec, const std::string& label, const Groups& groups, const First& first,
-                            const Second& second) {
+auto in_turn(const Groups& groups, const First& first, const Second& second) {
+  using AsTheyCome = Kokkos::Schedule<Kokkos::Dynamic>;
   const int n = groups.count;
-  if (n <= 0) return;
   if constexpr (runs_on_host) {
     using Loops = detail::GroupLoops<First, Second>;
-    const int block = (block_of_list(n) + groups.size - 1) / groups.size * groups.size;
-    const detail::Block<Loops> blocks{{first, second, groups}, n, block};
-    using Policy = Kokkos::RangePolicy<Exec, Kokkos::Schedule<Kokkos::Dynamic>>;
-    Kokkos::parallel_for(label, Policy(exec, 0, (n + block - 1) / block), blocks);
+    const int size = (block_of_list(n) + groups.size - 1) / groups.size * groups.size;
+    return Work<detail::Block<Loops>, AsTheyCome>{{{first, second, groups}, n, size}, detail::blocks_of(n, size)};
   } else {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, n),
-                         detail::NodesOfGroups<First, Second>{first, second, groups});
+    return Work<detail::NodesOfGroups<First, Second>>{{first, second, groups}, n};
   }
+}
+
+/// Two lists at once; neither may read what the other writes.
+template <class One, class Schedule, class Other>
+auto side_by_side(const Work<One, Schedule>& one, const Work<Other>& other) {
+  const int most = one.count > other.count ? one.count : other.count;
+  return Work<detail::SideBySide<One, Other>, Schedule>{{one.body, other.body, one.count, other.count, most},
+                                                        runs_on_host ? most : one.count + other.count};
+}
+
+/// Runs it in one launch; the shortest without waking other threads of a host. Nothing is fenced.
+template <class Body, class Schedule>
+void launch(const Exec& exec, const std::string& label, const Work<Body, Schedule>& work) {
+  if (work.count <= 0) return;
+  if (runs_on_host && work.count == 1)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), work.body);
+  else
+    Kokkos::parallel_for(label, typename Work<Body, Schedule>::Policy(exec, 0, work.count), work.body);
 }
 
 }  // namespace vug

@@ -1,6 +1,6 @@
 // One bond between two triangles, its faces moved by hand: the law as the kernel applies it.
-#include "dem/bond_forces.hpp"
 #include "dem/bond_law.hpp"
+#include "dem/forces.hpp"
 #include "dem_support.hpp"
 #include "support/record.hpp"
 
@@ -28,7 +28,7 @@ class OneBond : public ::testing::Test {
   /// Mean stress (normal, tangential) after particle b has moved to (u_n, u_t).
   std::array<double, 2> stress_at(double u_n, double u_t) {
     test::place(particles, 1, u_n, u_t);
-    compute_bond_forces(Exec(), parameters, 0, particles, bonds, NoAccounts{});
+    compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds), NoAccounts{});
     const auto load = host_copy(bonds.load);
     return {load(0, 0) / l, load(0, 1) / l};
   }
@@ -167,7 +167,7 @@ TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
   // particle b turns about the middle of the edge
   const double arm = l / (2 * std::sqrt(3.0));
   test::place(particles, 1, arm * (std::cos(angle) - 1), arm * std::sin(angle), angle);
-  compute_bond_forces(Exec(), parameters, 0, particles, bonds, NoAccounts{});
+  compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds), NoAccounts{});
   const auto load = host_copy(bonds.load);
   // two points at ± l / (2 sqrt 3), each with k_n l / 2: torque k_n l^3 / 12 times the angle
   EXPECT_NEAR(load(0, 3) + arm * load(0, 1), -k_n * l * l * l / 12 * angle, 1e-5 * k_n * l * l * l / 12 * angle);

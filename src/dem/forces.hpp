@@ -1,0 +1,25 @@
+#pragma once
+// Forces of bonds, intact or failed, and of triangles that touch without being bonded: of each bond and each pair into
+// its own slot.
+#include "dem/accounts.hpp"
+#include "dem/contacts.hpp"
+#include "kernels/launch_in_turn.hpp"
+
+namespace vug {
+
+/// Evaluates every bond and every candidate pair at the current displacements and velocities, in one launch. Of bonds
+/// it advances damage, state and the slider of their crack, and writes Bonds::load and Bonds::stress; of pairs it
+/// advances the friction springs by dt and writes Contacts::load, which the integrator gathers into Contacts::push. dt
+/// is also the step over which losses are accounted. `awake` names the groups of bonds that are evaluated; null: all.
+template <class Keeper>
+void compute_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
+                    const Bonds& bonds, const Contacts& contacts, const Keeper& accounts,
+                    const Groups* awake = nullptr);
+
+/// Of the pairs alone.
+template <class Keeper>
+void compute_contact_forces(const Exec& exec, const MechanicsParameters& parameters, double dt,
+                            const Particles& particles, const Bonds& bonds, const Contacts& contacts,
+                            const Keeper& accounts);
+
+}  // namespace vug

@@ -1,0 +1,126 @@
+// What a lattice step of the paper's rock may launch, copy and wait for, by Kokkos' own count: on a GPU a launch takes
+// as long as the work of a small kernel, and a wait as long as many launches. docs/step.md has the table.
+#include "coupling/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <string>
+
+namespace vug {
+namespace {
+
+/// What Kokkos has done while one exists, by labels.
+class Tally {
+ public:
+  using Counts = std::map<std::string, int>;
+  Counts launches, waits, copies, allocations;
+
+  Tally() {
+    counting_ = this;
+    using namespace Kokkos::Tools::Experimental;
+    set_begin_parallel_for_callback(launched);
+    set_begin_parallel_reduce_callback(launched);
+    set_begin_parallel_scan_callback(launched);
+    set_begin_fence_callback([](const char* label, std::uint32_t, std::uint64_t*) {
+      if (std::strstr(label, "Profile Tool Fence") == nullptr) ++counting_->waits[label];
+    });
+    set_allocate_data_callback([](Kokkos::Profiling::SpaceHandle, const char* label, const void*, std::uint64_t size) {
+      if (size > 0) ++counting_->allocations[label];
+    });
+    set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle, const char* to, const void*,
+                                    Kokkos::Profiling::SpaceHandle, const char* from, const void*,
+                                    std::uint64_t) { ++counting_->copies[std::string(from) + " -> " + to]; });
+  }
+  ~Tally() {
+    using namespace Kokkos::Tools::Experimental;
+    set_begin_parallel_for_callback(nullptr);
+    set_begin_parallel_reduce_callback(nullptr);
+    set_begin_parallel_scan_callback(nullptr);
+    set_begin_fence_callback(nullptr);
+    set_allocate_data_callback(nullptr);
+    set_begin_deep_copy_callback(nullptr);
+  }
+
+  static double sum(const Counts& counts) {
+    double all = 0;
+    for (const auto& [label, times] : counts) all += times;
+    return all;
+  }
+  static std::string list(const Counts& counts) {
+    std::string text;
+    for (const auto& [label, times] : counts) text += "\n  " + std::to_string(times) + "  " + label;
+    return text;
+  }
+
+ private:
+  static void launched(const char* label, std::uint32_t, std::uint64_t*) { ++counting_->launches[label]; }
+  inline static Tally* counting_ = nullptr;
+};
+
+constexpr int cycle = 80;    // steps: four updates of the pores, 25 looks at resting rock
+constexpr int before = 400;  // after which the walls are renewed once in 50 steps
+
+class BudgetOfAStep : public testing::Test {
+ protected:
+  BudgetOfAStep()
+      : simulation_(read_scene(VUG_SOURCE_DIR "/cases/acid_fracturing/p20_da1.5e-3.toml",
+                               {"accuracy.preset=balanced", "lattice.spacing=2.5e-4"})) {
+    simulation_.begin();
+    for (int step = 0; step < before; ++step) simulation_.step();
+  }
+  Simulation simulation_;
+};
+
+/// 5 sub-steps of 2 launches; flow 2; heat 2 (defect, sides, two sweeps in two steps), solutes 1, force 1/4; looks at
+/// resting rock 2 each; the rest at updates. A host counts besides who is awake.
+constexpr double launches_per_step = runs_on_host ? 17.0 : 16.7;
+
+TEST_F(BudgetOfAStep, OfLaunchesIsKept) {
+  const Tally tally;
+  for (int step = 0; step < cycle; ++step) simulation_.step();
+  const double per_step = Tally::sum(tally.launches) / cycle;
+  RecordProperty("launches_per_step", std::to_string(per_step));
+  EXPECT_LE(per_step, launches_per_step) << Tally::list(tally.launches);
+  EXPECT_GT(per_step, 0.97 * launches_per_step) << "the budget can be lowered" << Tally::list(tally.launches);
+}
+
+TEST_F(BudgetOfAStep, HasNoWaitNoCopyAndNoAllocationBetweenUpdatesOfThePores) {
+  const int interval = 20;
+  for (int update = 0; update < cycle / interval; ++update) {
+    const Tally tally;
+    for (int step = 1; step < interval; ++step) simulation_.step();
+    EXPECT_GT(Tally::sum(tally.launches), 0);
+    EXPECT_EQ(Tally::sum(tally.copies), 0) << Tally::list(tally.copies);
+    EXPECT_EQ(Tally::sum(tally.allocations), 0) << Tally::list(tally.allocations);
+    // a host, which waits for nothing, looks whether all sleeps
+    const auto looks = tally.launches.find("vug::dem::count_awake");
+    const int allowed = runs_on_host && looks != tally.launches.end() ? looks->second : 0;
+    EXPECT_EQ(Tally::sum(tally.waits), allowed) << Tally::list(tally.waits);
+    simulation_.step();
+  }
+}
+
+TEST_F(BudgetOfAStep, OfAnUpdateOfThePoresIsTwoNumbers) {
+  for (int step = 1; step < 20; ++step) simulation_.step();
+  const Tally tally;
+  simulation_.step();
+  ASSERT_EQ(simulation_.clock().step % 20, 0);
+  EXPECT_EQ(tally.launches.count("vug::dissolution::mark"), 1u);
+  EXPECT_EQ(tally.launches.count("vug::pathways::widen"), 1u);
+  EXPECT_EQ(Tally::sum(tally.copies), 0) << Tally::list(tally.copies);
+  EXPECT_EQ(Tally::sum(tally.allocations), 0) << Tally::list(tally.allocations);
+  EXPECT_LE(Tally::sum(tally.waits), runs_on_host ? 4 : 2) << Tally::list(tally.waits);
+}
+
+TEST_F(BudgetOfAStep, OfTheGuardsIsKept) {
+  const Tally tally;
+  simulation_.guard();
+  EXPECT_LE(Tally::sum(tally.launches), 6) << Tally::list(tally.launches);
+  EXPECT_LE(Tally::sum(tally.copies), 1) << Tally::list(tally.copies);
+  EXPECT_LE(Tally::sum(tally.waits), 10) << Tally::list(tally.waits);
+}
+
+}  // namespace
+}  // namespace vug
