@@ -73,9 +73,9 @@ class BudgetOfAStep : public testing::Test {
   Simulation simulation_;
 };
 
-/// 5 sub-steps of 2 launches; flow 2; heat 2 (defect, sides, two sweeps in two steps), solutes 1, force 1/4; looks at
-/// resting rock 2 each; the rest at updates. A host counts besides who is awake.
-constexpr double launches_per_step = runs_on_host ? 17.0 : 16.7;
+/// 5 sub-steps of 2 launches; flow 2; heat 2 (defect, sides, two sweeps in two steps), solutes 1, on a GPU 2, force 1/4;
+/// looks at resting rock 5/16 of 2; the rest at updates. A host counts besides who is awake.
+constexpr double launches_per_step = runs_on_host ? 17.0 : 17.8;
 
 TEST_F(BudgetOfAStep, OfLaunchesIsKept) {
   const Tally tally;
@@ -119,7 +119,7 @@ TEST_F(BudgetOfAStep, OfTheGuardsIsKept) {
   simulation_.guard();
   EXPECT_LE(Tally::sum(tally.launches), 6) << Tally::list(tally.launches);
   EXPECT_LE(Tally::sum(tally.copies), 1) << Tally::list(tally.copies);
-  EXPECT_LE(Tally::sum(tally.waits), 10) << Tally::list(tally.waits);
+  EXPECT_LE(Tally::sum(tally.waits), 14) << Tally::list(tally.waits);
 }
 
 }  // namespace

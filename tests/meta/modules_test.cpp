@@ -105,25 +105,23 @@ INSTANTIATE_TEST_SUITE_P(
                 {"vug::solute", "vug::reaction", "vug::reactive_wall", "vug::dissolution", "vug::chemical_damage",
                  "vug::surface_normal"}},
         Absence{{"reaction"}, {"vug::reaction", "vug::reactive_wall", "vug::dissolution", "vug::chemical_damage"}},
-        Absence{
-            {"flow", "damage"},
-            {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::advective_form"}},
+        Absence{{"flow", "damage"},
+                {"vug::flow", "vug::open_boundary", "vug::momentum_exchange", "vug::advective_form"}},
         Absence{{"damage"}, {"vug::pathways"}}));
 
 TEST(AbsentOpenings, AllocateNothingAndLaunchNothing) {
   const Watch watch;
   live(scene_without({}));
-  for (const char* label : {"vug::opening", "vug::heat::fill_opening", "vug::open_boundary::normal_speed"})
-    EXPECT_FALSE(watch.saw(label)) << label;
+  for (const char* label : {"vug::opening", "vug::heat::fill_opening"}) EXPECT_FALSE(watch.saw(label)) << label;
 }
 
 TEST(AbsentKeys, AllocateNothingAndLaunchNothing) {
   const Watch watch;
   live(scene_without({}));
-  for (const char* label : {"vug::thermal_flow", "vug::flow::spread", "vug::heat::fluid_theta", "vug::surfaces",
-                            "vug::link_populations", "vug::velocity_profile", "vug::open_boundary::velocity_profile",
-                            "vug::dem::timed", "vug::dem::gauge", "vug::rock_gauges", "vug::dem::mean_stress",
-                            "vug::dem::triangle_stress", "vug::dem::relative_expansion"})
+  for (const char* label :
+       {"vug::thermal_flow", "vug::flow::spread", "vug::heat::fluid_theta", "vug::surfaces", "vug::link_populations",
+        "vug::velocity_profile", "vug::dem::timed", "vug::dem::gauge", "vug::rock_gauges", "vug::dem::mean_stress",
+        "vug::dem::triangle_stress", "vug::dem::relative_expansion"})
     EXPECT_FALSE(watch.saw(label)) << label;
 }
 
@@ -149,11 +147,11 @@ TEST(PresentMinerals, AreSeenByTheSameWatchAndStayOnTheDevice) {
 }
 
 TEST(PresentKeys, AreSeenByTheSameWatchAndStayOnTheDevice) {
-  Simulation simulation(parse_scene(small_rock_text(), "small_rock.toml",
-                                    {"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3",
-                                     "flow.viscosity_activation_energy=8000", "output.forces=true", "output.flows=true",
-                                     "boundary.injection.flow.pressure=[[0,1e5],[1e-4,20e6]]",
-                                     "boundary.injection.heat.temperature=[[0,400],[1e-4,288]]"}));
+  Simulation simulation(
+      parse_scene(small_rock_text(), "small_rock.toml",
+                  {"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "flow.viscosity_activation_energy=8000",
+                   "output.forces=true", "output.flows=true", "boundary.injection.flow.pressure=[[0,1e5],[1e-4,20e6]]",
+                   "boundary.injection.heat.temperature=[[0,400],[1e-4,288]]"}));
   simulation.begin();
   for (int step = 0; step < 10; ++step) simulation.step();
   const Watch watch;
@@ -175,7 +173,6 @@ TEST(PresentOpenings, AreSeenByTheSameWatchAndStayOnTheDevice) {
   const Watch watch;
   for (int step = 0; step < 4; ++step) simulation.step();  // up to the next update of the pores
   EXPECT_TRUE(watch.saw("vug::heat::fill_opening"));
-  EXPECT_TRUE(watch.saw("vug::open_boundary::normal_speed"));
   EXPECT_TRUE(watch.allocations.empty()) << *watch.allocations.begin();
   EXPECT_TRUE(watch.copies.empty()) << *watch.copies.begin();
 }
