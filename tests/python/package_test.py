@@ -165,6 +165,16 @@ class OpenRuns(unittest.TestCase):
         plt.close(figure)
         self.assertEqual(study.run(1).record["status"], "done")
 
+    def test_a_map_over_quantities_with_units_in_which_a_run_failed(self):
+        (self.folder / "table.csv").write_text("run,reaction.rate,flow.pressure,volume_m3\n"
+                                               "0001,1e-6,2 kPa,1\n0002,1e-6,10 kPa,2\n0003,1e-3,2 kPa,3\n")
+        figure, axes = plt.subplots()
+        vug.plot.draw_result(axes, vug.Study(self.folder), "volume_m3")
+        self.assertEqual([label.get_text() for label in axes.get_yticklabels()], ["2 kPa", "10 kPa"])
+        cells = axes.collections[0].get_array().reshape(2, 2)
+        self.assertEqual((cells[0, 0], cells[1, 0], cells[0, 1], cells.mask[1, 1]), (1, 2, 3, True))
+        plt.close(figure)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=1)

@@ -25,9 +25,18 @@ def _borders(values):
 
 
 def keys_of(study):
-    """The two keys with most values that are numbers; those of later ones are averaged over (seeds)."""
-    numeric = [key for key in study.keys if np.issubdtype(study[key].dtype, np.number)]
-    return sorted(numeric, key=lambda key: -len(np.unique(study[key])))[:2]
+    """The two keys with most values; those of later ones are averaged over (seeds)."""
+    return sorted(study.keys, key=lambda key: -len(np.unique(study[key])))[:2]
+
+
+def _places(study, key):
+    """(where the runs lie on the axis of a key, names of the places): values that are text, as quantities with units are,
+    one beside the other in the order of the study, else themselves and None."""
+    values = study[key]
+    if np.issubdtype(values.dtype, np.number):
+        return values, None
+    names = list(dict.fromkeys(values))
+    return np.array([float(names.index(value)) for value in values]), [name.strip('"') for name in names]
 
 
 def results_of(study):
@@ -42,31 +51,37 @@ def results_of(study):
 def draw_result(axes, study, result):
     """One result over the keys; every run is a point, and where two runs share a place their mean is shown."""
     keys, values = keys_of(study), study[result]
+    x, x_names = _places(study, keys[0])
     if len(keys) == 1:
-        axes.plot(study[keys[0]], values, "o", color=BLUE, markersize=4)
-        places = np.unique(study[keys[0]])
-        axes.plot(places, [values[study[keys[0]] == place].mean() for place in places], "-", color=BLUE, linewidth=1)
-        _axis(axes, "x", keys[0], study[keys[0]])
+        axes.plot(x, values, "o", color=BLUE, markersize=4)
+        places = np.unique(x)
+        axes.plot(places, [values[x == place].mean() for place in places], "-", color=BLUE, linewidth=1)
+        _axis(axes, "x", keys[0], x)
+        if x_names:
+            axes.xaxis.set_ticks(range(len(x_names)), labels=x_names)
         _axis(axes, "y", result, values)
         tidy(axes)
         return
-    x, y = (study[key] for key in keys)
+    y, y_names = _places(study, keys[1])
     places = np.unique(np.column_stack([x, y]), axis=0)
     means = np.array([values[(x == place[0]) & (y == place[1])].mean() for place in places])
     norm = "log" if _is_logarithmic(means) else "linear"
     columns, lines = np.unique(x), np.unique(y)
-    if len(places) == len(columns) * len(lines) and min(len(columns), len(lines)) > 1:  # a grid: cells that adjoin
-        image = axes.pcolormesh(_borders(columns), _borders(lines), means.reshape(len(columns), len(lines)).T, norm=norm,
-                                cmap="viridis", edgecolors="white", linewidth=0.5)
+    if min(len(columns), len(lines)) > 1 and 2 * len(places) > len(columns) * len(lines):
+        # a grid, of which some runs may have failed: cells that adjoin
+        cells = np.ma.masked_all((len(lines), len(columns)))
+        cells[np.searchsorted(lines, places[:, 1]), np.searchsorted(columns, places[:, 0])] = means
+        image = axes.pcolormesh(_borders(columns), _borders(lines), cells, norm=norm, cmap="viridis",
+                                edgecolors="white", linewidth=0.5)
     else:
         image = axes.scatter(places[:, 0], places[:, 1], c=means, cmap="viridis", norm=norm,
                              s=max(30, 5000 / len(places)), marker="s", edgecolors="white", linewidths=0.5)
         axes.margins(0.12)
-    _axis(axes, "x", keys[0], x)
-    _axis(axes, "y", keys[1], y)
-    for axis, values in ((axes.xaxis, columns), (axes.yaxis, lines)):
-        if len(values) <= 7:
-            axis.set_ticks(values, labels=[f"{value:.6g}" for value in values])
+    for which, key, along, names, marks in (("x", keys[0], x, x_names, columns), ("y", keys[1], y, y_names, lines)):
+        _axis(axes, which, key, along)
+        if names or len(marks) <= 7:
+            axis = getattr(axes, f"{which}axis")
+            axis.set_ticks(marks, labels=names or [f"{mark:.6g}" for mark in marks])
             axis.set_ticks([], minor=True)
     axes.figure.colorbar(image, ax=axes, label="")
     axes.set_title(result, fontsize=9)
