@@ -16,13 +16,14 @@ struct CommandLine {
   std::vector<std::string> overrides;
   std::optional<std::int64_t> steps;
   int threads = 0;
+  std::string remark;  ///< why there are fewer, for the log of the run
   int seeds = 0;
   std::optional<double> fit_cohesion;
-  std::string preview;        ///< of check
-  std::string study, batch;   ///< of sweep; the batch system that a script is for
-  int jobs = 0;               ///< of sweep, at once
-  std::optional<int> member;  ///< of sweep: only this one
-  std::string name;           ///< of a template or a shell
+  std::string preview;               ///< of check
+  std::string study, batch;          ///< of sweep; the batch system that a script is for
+  int jobs = 0;                      ///< of sweep, at once
+  std::optional<int> member;         ///< of sweep: only this one
+  std::string name;                  ///< of a template or a shell
   std::vector<std::string> columns;  ///< of watch and tune
   double tolerance = 1e-3;           ///< of tune
   bool once = false;                 ///< of watch

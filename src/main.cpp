@@ -46,18 +46,21 @@ using vug::CommandLine;
 int info(const CommandLine& line, const vug::Ranks& ranks) {
   if (!ranks.first()) return done;
   const vug::BuildInfo build = vug::build_info();
-  const char* format =
-      line.json
-          ? "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
-            "\"device\": \"{}\", \"threads\": {}, \"mpi\": \"{}\", \"ranks\": {}, \"precisions\": [\"single\", \"double\"]}}\n"
-          : "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        {}\nranks      {}\nprecisions single, double\n";
+  const char* format = line.json
+                           ? "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
+                             "\"device\": \"{}\", \"threads\": {}, \"mpi\": \"{}\", \"ranks\": {}, \"precisions\": "
+                             "[\"single\", \"double\"]}}\n"
+                           : "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        "
+                             "{}\nranks      {}\nprecisions single, double\n";
   vug::print(fmt::format(fmt::runtime(format), build.version, build.commit, build.compiler, build.backend, build.device,
                          build.threads, vug::mpi_library(), ranks.size()));
   return done;
 }
 
 vug::Scene scene_of(const CommandLine& line) {
-  return vug::read_scene(line.case_file, line.overrides);
+  vug::Scene scene = vug::read_scene(line.case_file, line.overrides);
+  if (!line.remark.empty()) scene.warnings.push_back(line.remark);  // an invalid case is told alone
+  return scene;
 }
 
 /// The scene of a case that has a [laboratory] or has none.
@@ -182,13 +185,14 @@ int agree(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
 void require_run(const CommandLine& line, const vug::Ranks& ranks) {
   if (*line.info) return;
   if (ranks.alone() && vug::processes_started() > 1)
-    throw vug::InputError(fmt::format("{} processes were started together, but vug was built without MPI (-DVUG_MPI=ON)",
-                                      vug::processes_started()));
+    throw vug::InputError(fmt::format(
+        "{} processes were started together, but vug was built without MPI (-DVUG_MPI=ON)", vug::processes_started()));
   if (ranks.alone() || (*line.run && !line.error_bars)) return;
-  throw vug::InputError(fmt::format("{} ranks were started; this command needs one: call it without mpirun", ranks.size()));
+  throw vug::InputError(
+      fmt::format("{} ranks were started; this command needs one: call it without mpirun", ranks.size()));
 }
 
-int dispatch(const CLI::App& app, const CommandLine& line) {
+int dispatch(const CLI::App& app, CommandLine& line) {
   std::optional<vug::Mpi> mpi;
   vug::Ranks ranks;
   try {
@@ -202,7 +206,8 @@ int dispatch(const CLI::App& app, const CommandLine& line) {
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
     const vug::ThreadChoice threads = vug::choose_threads(line.threads, looks_around, mpi ? mpi->beside() : 1);
-    if (!threads.remark.empty() && !line.quiet && ranks.first()) vug::complain("vug: " + threads.remark);
+    line.remark = threads.remark;
+    if (*line.info && !line.remark.empty()) vug::complain("vug: " + line.remark);
     if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);

@@ -102,11 +102,14 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
         add(std::make_unique<MechanicsModule<T>>(exec, scene, parts.units, geometry, *parts.rock, flow, heat));
     parts.mechanics = &mechanics->mechanics();
     d_m = mechanics->mechanics().bonds().d_m;
-    if (scene.damage && geometry.fluid.count > 0)
+    if (scene.damage && geometry.fluid.count > 0) {
       opener = std::make_unique<PathwayOpener>(
           geometry.lattice, parts.rock->pathways,
           SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours,
                       MineralNodes{geometry.mineral, static_cast<int>(scene.minerals.size()) + 1}));
+      if (scene.damage->aperture == ApertureLaw::opening)
+        opener->follow_cracks(mechanics->mechanics(), scene.damage->residual_aperture, geometry.spacing);
+    }
   }
   const bool dissolves = reaction && rock_dissolves(scene);
   if (!dissolves && !opener) return;

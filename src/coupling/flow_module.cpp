@@ -192,6 +192,10 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   }
   for (const StretchLinks& boundary : boundaries_)
     if (clock.every(LongSum::interval)) boundary.gain.settle(exec);
+  if (geometry_.slit_changes != slit_changes_) {
+    slit_changes_ = geometry_.slit_changes;
+    steady_.wake(exec, fluid.capacity);
+  }
   if (steady_.held()) {
     steady_.pass();
   } else {
@@ -207,8 +211,19 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     else
       populations_.exchange<T, 1>(exec, {fields_.f});
     collide_and_stream(exec, fluid, fields_, step_);
+    if (geometry_.slits.count > 0) drag_in_slits(exec, fluid, geometry_.slits, viscosity(), step_, fields_);
     velocities_.exchange<T, 2>(exec, components(fields_.u));
   }
+}
+
+template <class T>
+void FlowModule<T>::add_slit_drag(const Exec& exec, const VectorField<double>& centre, const VectorField<double>& force,
+                                  const ScalarField<double>& torque) const {
+  if (geometry_.slits.count == 0) return;
+  const Split& split = geometry_.split;
+  if (!split.alone()) split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
+  vug::add_slit_drag(exec, geometry_.fluid, geometry_.slits, viscosity(), step_, fields_, centre, geometry_.spacing,
+                     units_.force(), units_.force() * geometry_.spacing, force, torque);
 }
 
 template <class T>
@@ -289,6 +304,7 @@ void FlowModule<T>::state(StateList& list) {
   steady_.state(list);
   list.add_value("flow/initial_mass", initial_mass_);
   list.add_value("flow/born_mass", born_mass_);
+  list.add_value("flow/slit_changes", slit_changes_, {0, most_steps});
 }
 
 template class FlowModule<float>;

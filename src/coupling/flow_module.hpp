@@ -33,6 +33,9 @@ class FlowModule final : public Module {
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
+  /// force and torque of triangles += the drag of the fluid in slits (slit_nodes.hpp), of triangles about `centre`.
+  void add_slit_drag(const Exec& exec, const VectorField<double>& centre, const VectorField<double>& force,
+                     const ScalarField<double>& torque) const;
   /// Whether its forces or its viscosity depend on the temperature.
   bool needs_temperature() const { return section_.buoyant() || section_.viscosity_varies(); }
   /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
@@ -56,6 +59,7 @@ class FlowModule final : public Module {
   /// That of all ranks' nodes; of populations that have been given back.
   double mass() const;
   double sum_mass() const;
+  double viscosity() const { return section_.viscosity / units_.diffusivity(); }  ///< lattice units
   FlowExtremes extremes(const Exec& exec) const;
   /// What a velocity, or a flow rate over the surface that it has, gives at a time (s), lattice units.
   double given_speed(const StretchLinks& boundary, double time) const;
@@ -83,6 +87,7 @@ class FlowModule final : public Module {
   Halo populations_, dressed_, velocities_, in_rows_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;
+  std::int64_t slit_changes_ = 0;  ///< those of the geometry that this flow has seen
 };
 
 }  // namespace vug

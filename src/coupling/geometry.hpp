@@ -1,9 +1,10 @@
 #pragma once
-// What is rock and what is pore on the lattice, shared by all modules. Written by `build` and by births only.
+// What is rock and what is pore on the lattice, shared by all modules. Written by `build` and when pores grow only.
 #include "coupling/split.hpp"
 #include "io/scene.hpp"
 #include "kernels/fluid_nodes.hpp"
 #include "kernels/opening.hpp"
+#include "kernels/slit_nodes.hpp"
 
 #include <functional>
 #include <vector>
@@ -30,6 +31,8 @@ struct Geometry {
       mineral;                    ///< (dense node) number of its mineral from 1, 0 rock of none; empty: none at all
   ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty unless the rock can dissolve
   ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
+  SlitNodes slits;                ///< of pathways narrower than a cell, in groups by triangle; slits.hpp
+  std::int64_t slit_changes = 0;  ///< how often they have changed since the start or the restart
   Split split;                    ///< what of all this the ranks compute
 };
 

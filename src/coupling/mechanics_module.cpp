@@ -99,6 +99,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     walls_.exchange<T, 1>(exec, {flow_->flow().f});
     exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
                       particles.torque);
+    flow_->add_slit_drag(exec, particles.x0, particles.force, particles.torque);
   }
   if (clock.step % update_interval_ == 0) {
     if (heat_)

@@ -1,30 +1,41 @@
 #include "coupling/pathways.hpp"
 
 #include "kernels/launch.hpp"
+#include "kernels/slit.hpp"
 
 namespace vug {
 
-/// Aperture of a bond now; counts the bonds where it differs from that of the last look.
-struct WidenBonds {
+/// What a bond conducts now; counts those where that differs from the last look.
+struct LookAtBonds {
   PathwayNodes nodes;
-  Kokkos::View<const double*> d_m;
-  ScalarField<double> aperture;
+  Kokkos::View<const double*> d_m, gap;
+  BondPathways bonds;
   KOKKOS_FUNCTION void operator()(int b, int& changed) const {
-    const double now = pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
-    changed += now != aperture(b);
-    aperture(b) = now;
+    double strip = 0, conductivity = 0;
+    if (gap.extent(0) == 0) {
+      strip = pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
+      conductivity = slot_conductivity(strip);
+    } else {
+      const double width = Kokkos::fmin(gap(b), nodes.open(b));
+      conductivity = Kokkos::fmax(slot_conductivity(nodes.closed(b)), cubic_law(width));
+      strip = Kokkos::fmax(slot_aperture(conductivity), width >= narrowest_slit ? 1.0 : 0.0);
+    }
+    changed += strip != bonds.strip(b) || conductivity != bonds.conductivity(b);
+    bonds.strip(b) = strip;
+    bonds.widest(b) = Kokkos::fmax(strip, bonds.widest(b));
+    bonds.conductivity(b) = conductivity;
   }
 };
 
 /// Marks the candidates that the damage of their bond opens now and counts them.
 struct MarkOpening {
   PathwayNodes nodes;
-  Kokkos::View<const double*> aperture;
+  Kokkos::View<const double*> strip;
   Kokkos::View<NodeType*> type;
   Kokkos::View<std::uint8_t*> opening;
   KOKKOS_FUNCTION bool opens(int c) const {
     for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k)
-      if (nodes.least(k) <= aperture(nodes.bond(k))) return true;
+      if (nodes.least(k) <= strip(nodes.bond(k))) return true;
     return false;
   }
   KOKKOS_FUNCTION void operator()(int c, int& count) const {
@@ -46,19 +57,34 @@ PathwayOpener::PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSp
     : nodes_(std::move(nodes)),
       spread_(std::move(spread)),
       opening_("vug::pathways::opening", lattice.size()),
-      aperture_("vug::pathways::aperture", nodes_.closed.extent(0)) {
-  Kokkos::deep_copy(aperture_, -1.0);
+      bonds_{ScalarField<double>("vug::pathways::strip", nodes_.closed.extent(0)),
+             ScalarField<double>("vug::pathways::widest", nodes_.closed.extent(0)),
+             ScalarField<double>("vug::pathways::conductivity", nodes_.closed.extent(0))} {
+  Kokkos::deep_copy(bonds_.strip, -1.0);
 }
 
-int PathwayOpener::open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
-                        const ScalarField<double>& volume, const ScalarField<double>& dissolved) {
-  const int candidates = static_cast<int>(nodes_.node.extent(0)), bonds = static_cast<int>(aperture_.extent(0));
-  int changed = 0, opened = 0;
-  Kokkos::parallel_reduce("vug::pathways::widen", Kokkos::RangePolicy<Exec>(exec, 0, bonds),
-                          WidenBonds{nodes_, d_m, aperture_}, changed);
-  if (changed == 0) return 0;
+void PathwayOpener::follow_cracks(const Mechanics& rock, double residual, double spacing) {
+  rock_ = &rock;
+  residual_ = residual;
+  spacing_ = spacing;
+  gap_ = ScalarField<double>("vug::pathways::gap", bonds_.strip.extent(0));
+}
+
+bool PathwayOpener::look(const Exec& exec, const ScalarField<double>& d_m) {
+  if (rock_) find_crack_apertures(exec, *rock_, residual_, spacing_, gap_);
+  int changed = 0;
+  Kokkos::parallel_reduce("vug::pathways::look",
+                          Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(bonds_.strip.extent(0))),
+                          LookAtBonds{nodes_, d_m, gap_, bonds_}, changed);
+  return changed > 0;
+}
+
+int PathwayOpener::open(const Exec& exec, const Kokkos::View<NodeType*>& type, const ScalarField<double>& volume,
+                        const ScalarField<double>& dissolved) {
+  const int candidates = static_cast<int>(nodes_.node.extent(0));
+  int opened = 0;
   Kokkos::parallel_reduce("vug::pathways::mark", Kokkos::RangePolicy<Exec>(exec, 0, candidates),
-                          MarkOpening{nodes_, aperture_, type, opening_}, opened);
+                          MarkOpening{nodes_, bonds_.strip, type, opening_}, opened);
   if (opened == 0) return 0;
   if (volume.extent(0) > 0)
     spread_(exec, type, opening_, volume, dissolved);

@@ -2,6 +2,7 @@
 // How damage conducts: each bond carries a strip of nodes that turn fluid as its mechanical damage grows
 // (paper sections 2.4, 3.1; closure with c_d in docs/model.md, "Pathways").
 #include "coupling/solid_spread.hpp"
+#include "dem/crack_aperture.hpp"
 #include "kernels/fluid_nodes.hpp"
 
 namespace vug {
@@ -11,7 +12,11 @@ KOKKOS_FORCEINLINE_FUNCTION double pathway_aperture(double d_m, double closed, d
   return closed + d_m * (open - closed);
 }
 
-/// The solid nodes near bonds, each with the bonds whose strip it may belong to.
+/// The narrowest crack that has a pathway, cells: it conducts 1e-7 cells^3.
+inline constexpr double narrowest_slit = 0.01;
+
+/// The nodes near bonds that are solid, or fluid in a pathway narrower than a cell, each with the bonds whose strip it
+/// may belong to.
 struct PathwayNodes {
   IndexList node;              ///< (candidate) dense node
   IndexList offset;            ///< (candidate + 1) its entries are [offset(c), offset(c + 1))
@@ -19,16 +24,33 @@ struct PathwayNodes {
   ScalarField<double> least;   ///< (entry) aperture from which the bond's strip holds the node, cells (strip_nodes)
   ScalarField<double> closed;  ///< (bond) aperture w_0 at d_m = 0, cells
   ScalarField<double> open;    ///< (bond) aperture w_1 at d_m = 1, cells
+  ScalarField<double> slope;   ///< (bond) of its edge to the axis that it follows more closely, 0 to 1
+  IndexList in_order;          ///< (place) candidates by the triangle that holds them
+  IndexList first;             ///< (triangle + 1) its places are [first(t), first(t + 1))
+};
+
+/// What each bond conducts now.
+struct BondPathways {
+  ScalarField<double> strip;         ///< (bond) aperture of its strip of whole nodes, cells
+  ScalarField<double> widest;        ///< (bond) that it has had so far: what it opened then stays fluid
+  ScalarField<double> conductivity;  ///< (bond) cells^3; below that of the narrowest strip its nodes are slits
 };
 
 /// Turns fluid the nodes that the aperture of a bond opens, never back, and has the solid volume of each spread over
-/// the nodes around it. `volume` and `dissolved` may be empty (a scene without dissolution). Returns how many nodes
-/// opened.
+/// the nodes around it.
 class PathwayOpener {
  public:
   PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSpread spread);
-  int open(const Exec& exec, const ScalarField<double>& d_m, const Kokkos::View<NodeType*>& type,
-           const ScalarField<double>& volume, const ScalarField<double>& dissolved);
+  /// From now on pathways are as wide as the cracks of `rock` gape; otherwise they follow d_m. residual and spacing: m.
+  void follow_cracks(const Mechanics& rock, double residual, double spacing);
+  /// Looks at the bonds. Returns whether one of them conducts otherwise than at the last look.
+  bool look(const Exec& exec, const ScalarField<double>& d_m);
+  /// Opens nodes. `volume` and `dissolved` may be empty (a scene without dissolution). Returns how many opened.
+  int open(const Exec& exec, const Kokkos::View<NodeType*>& type, const ScalarField<double>& volume,
+           const ScalarField<double>& dissolved);
+  const PathwayNodes& nodes() const { return nodes_; }
+  const BondPathways& bonds() const { return bonds_; }
+  bool follows_cracks() const { return rock_ != nullptr; }
   int parts() const { return spread_.parts(); }  ///< minerals, or 1
   /// (triangle) solid volume of a mineral that has found no room, pixels.
   const ScalarField<double>& waiting(int mineral = 0) const { return spread_.waiting(mineral); }
@@ -37,7 +59,10 @@ class PathwayOpener {
   PathwayNodes nodes_;
   SolidSpread spread_;
   Kokkos::View<std::uint8_t*> opening_;  ///< (dense node) 1 while its volume is being handed on
-  ScalarField<double> aperture_;         ///< (bond) at the last look, cells; -1 before the first
+  const Mechanics* rock_ = nullptr;
+  double residual_ = 0, spacing_ = 1;
+  ScalarField<double> gap_;  ///< (bond) of its crack, cells; empty unless they are followed
+  BondPathways bonds_;       ///< at the last look; -1 before the first
 };
 
 }  // namespace vug

@@ -6,7 +6,9 @@
 namespace vug {
 
 PoreGrowth::PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m, Losses lost)
-    : geometry_(geometry), opener_(std::move(opener)), d_m_(std::move(d_m)), lost_(std::move(lost)) {}
+    : geometry_(geometry), opener_(std::move(opener)), d_m_(std::move(d_m)), lost_(std::move(lost)) {
+  if (opener_) slits_.emplace(opener_->nodes());
+}
 
 int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules) {
   FluidNodes& fluid = geometry_.fluid;
@@ -14,7 +16,8 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
   if (lost_.all.extent(0) > 0)
     dissolved =
         mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_.all, lost_.of_minerals);
-  if (opener_) opened = opener_->open(exec, d_m_, geometry_.type, geometry_.volume, geometry_.dissolved);
+  const bool moved = opener_ && opener_->look(exec, d_m_);
+  if (moved) opened = opener_->open(exec, geometry_.type, geometry_.volume, geometry_.dissolved);
   if (dissolved + opened > 0) {
     Births births{fluid.count, fluid.count, opened > 0};
     append_births(exec, geometry_.type, fluid);
@@ -25,6 +28,8 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
     dissolved_nodes_ += dissolved;
     opened_nodes_ += opened;
   }
+  // acid widens those that are there
+  if (moved || geometry_.slits.count > 0) slits_->update(exec, opener_->bonds(), geometry_);
   return dissolved + opened;
 }
 
@@ -44,6 +49,11 @@ void PoreGrowth::state(StateList& list) {
   if (opener_)
     for (int m = 0; m < opener_->parts(); ++m)
       list.add(m == 0 ? "growth/waiting" : "growth/waiting/" + std::to_string(m), opener_->waiting(m));
+  if (slits_) {
+    slits_->state(list);
+    list.add("growth/widest", opener_->bonds().widest);
+    list.add_value("growth/slit_changes", geometry_.slit_changes, {0, most_steps});
+  }
   const StateRange nodes{0, static_cast<double>(geometry_.lattice.size())};
   list.add_value("growth/dissolved_nodes", dissolved_nodes_, nodes);
   list.add_value("growth/opened_nodes", opened_nodes_, nodes);

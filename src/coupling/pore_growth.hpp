@@ -3,6 +3,7 @@
 #include "coupling/geometry.hpp"
 #include "coupling/module.hpp"
 #include "coupling/pathways.hpp"
+#include "coupling/slits.hpp"
 #include "kernels/dissolution.hpp"
 
 #include <memory>
@@ -30,13 +31,19 @@ class PoreGrowth {
   /// Adds what pathways could not hand on to the balance of solid volume.
   void ledger(Ledger& ledger, double pixel_volume) const;
   void state(StateList& list);
+  void restored(const Exec& exec) {
+    if (slits_) slits_->restored(exec, geometry_);
+  }
 
   std::int64_t dissolved_nodes() const { return dissolved_nodes_; }
   std::int64_t opened_nodes() const { return opened_nodes_; }
+  /// Nodes of cracks narrower than a cell; -1 where pathways do not follow cracks.
+  int slit_nodes() const { return opener_ && opener_->follows_cracks() ? geometry_.slits.count : -1; }
 
  private:
   Geometry& geometry_;
   std::unique_ptr<PathwayOpener> opener_;
+  std::optional<Slits> slits_;
   ScalarField<double> d_m_;
   Losses lost_;
   std::int64_t dissolved_nodes_ = 0, opened_nodes_ = 0;

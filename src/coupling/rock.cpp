@@ -130,13 +130,13 @@ std::vector<double> crack_apertures(const Scene& scene, const Assembly& assembly
     const std::array<double, 2> middle{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
     double nearest = section.mesh ? slack : std::numeric_limits<double>::infinity();
     for (const Notch& notch : section.notches) nearest = std::min(nearest, distance(middle, notch));
-    double& aperture = apertures[bond->second];
+    double aperture = -1;
     for (std::size_t n = 0; n < found.size(); ++n) {
       if (distance(middle, section.notches[n]) > nearest + slack) continue;
       aperture = std::max(aperture, section.notches[n].aperture);
       found[n] = true;
     }
-    if (aperture == 0) aperture = section.pathway_aperture;
+    apertures[bond->second] = std::max(apertures[bond->second], aperture < 0 ? section.pathway_aperture : aperture);
   }
   for (std::size_t n = 0; n < found.size(); ++n)
     if (section.mesh && !found[n])
@@ -170,7 +170,18 @@ std::vector<double> initial_apertures(const Scene& scene, const Lattice& lattice
   return aperture;
 }
 
-/// The solid nodes that the widest aperture of some bond would open.
+/// Slope of each bond's edge to the axis that it follows more closely.
+std::vector<double> slopes_of(const Assembly& assembly, const BondEdges& bonds) {
+  std::vector<double> slopes;
+  for (const auto& [p, q] : bonds.vertices) {
+    const double x = std::abs(assembly.vertices[q][0] - assembly.vertices[p][0]);
+    const double y = std::abs(assembly.vertices[q][1] - assembly.vertices[p][1]);
+    slopes.push_back(std::min(x, y) / std::max(x, y));
+  }
+  return slopes;
+}
+
+/// The nodes that the widest aperture of some bond would open, and those of pathways narrower than a cell.
 PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Assembly& assembly, const BondEdges& bonds,
                            const RockRaster& raster, const std::vector<double>& closed,
                            const std::vector<bool>& solid) {
@@ -180,13 +191,20 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
     open[b] = std::max(
         {damage.pathway_factor * bonds.spacing[b] / scene.lattice.spacing, damage.minimum_aperture, closed[b]});
   const auto strips = bond_strips(scene, lattice, assembly, bonds, raster, open);
+  const std::vector<double> slope = slopes_of(assembly, bonds);
+  std::vector<bool> wanted = solid;
+  for (std::size_t b = 0; b < strips.size(); ++b)
+    if (closed[b] > 0 && closed[b] < narrowest_aperture(slope[b]))
+      for (const StripNode& entry : strips[b]) wanted[entry.node] = true;
   std::map<int, std::vector<std::pair<int, double>>> of_node;  // bond and aperture, in order of bond
   for (std::size_t b = 0; b < strips.size(); ++b)
     for (const StripNode& entry : strips[b])
-      if (solid[entry.node]) of_node[entry.node].emplace_back(static_cast<int>(b), entry.aperture);
+      if (wanted[entry.node]) of_node[entry.node].emplace_back(static_cast<int>(b), entry.aperture);
   std::vector<int> node, offset{0}, bond;
   std::vector<double> aperture;
+  std::vector<std::vector<int>> of_triangle(assembly.triangles.size());
   for (const auto& [n, entries] : of_node) {
+    of_triangle[raster.owner[n]].push_back(static_cast<int>(node.size()));
     node.push_back(lattice.node(n % lattice.nx, n / lattice.nx));
     for (const auto& [b, least] : entries) {
       bond.push_back(b);
@@ -194,12 +212,20 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
     }
     offset.push_back(static_cast<int>(bond.size()));
   }
+  std::vector<int> in_order, first{0};
+  for (const std::vector<int>& candidates : of_triangle) {
+    in_order.insert(in_order.end(), candidates.begin(), candidates.end());
+    first.push_back(static_cast<int>(in_order.size()));
+  }
   return {to_device<IndexList>("vug::pathways::node", node),
           to_device<IndexList>("vug::pathways::offset", offset),
           to_device<IndexList>("vug::pathways::bond", bond),
           to_device<ScalarField<double>>("vug::pathways::least_aperture", aperture),
           to_device<ScalarField<double>>("vug::pathways::closed", closed),
-          to_device<ScalarField<double>>("vug::pathways::open", open)};
+          to_device<ScalarField<double>>("vug::pathways::open", open),
+          to_device<ScalarField<double>>("vug::pathways::slope", slope),
+          to_device<IndexList>("vug::pathways::in_order", in_order),
+          to_device<IndexList>("vug::pathways::first", first)};
 }
 
 /// The rock of a mesh file, which must lie in the lattice.

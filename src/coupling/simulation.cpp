@@ -79,6 +79,8 @@ std::vector<HistoryValue> Simulation::history() const {
   if (parts_->growth) {
     row.push_back({"nodes_dissolved_1", static_cast<double>(parts_->growth->dissolved_nodes())});
     row.push_back({"nodes_opened_by_damage_1", static_cast<double>(parts_->growth->opened_nodes())});
+    if (const int slits = parts_->growth->slit_nodes(); slits >= 0)
+      row.push_back({"slit_nodes_1", static_cast<double>(slits)});
   }
   for (const Balance& balance : ledger().balances) {
     std::string unit = balance.unit;
@@ -186,6 +188,7 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
   }
   StateList everything = state();
   load(everything);
+  if (parts_->growth) parts_->growth->restored(exec_);
 }
 
 }  // namespace vug

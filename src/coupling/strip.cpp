@@ -67,16 +67,8 @@ class Line {
 
 }  // namespace
 
-double slot_conductivity(double aperture) {
-  return aperture * (aperture * aperture + 0.5) / 12;
-}
-
-double slot_aperture(double conductivity) {
-  return 2 / std::sqrt(6.0) * std::sinh(std::asinh(36 * std::sqrt(6.0) * conductivity) / 3);
-}
-
 double strip_aperture(int n, double slope) {
-  if (n == 1) return 1 + 0.264 * slope;
+  if (n == 1) return narrowest_aperture(slope);
   // What the steps of its walls take from the geometric width n cos(angle), at slopes of 0, 0.1, ... 1: measured with
   // Stokes flow (verification/pathway_strip_test.cpp), alike for all n.
   constexpr std::array<double, 11> steps{0, 0.117, 0.184, 0.197, 0.184, 0.165, 0.184, 0.183, 0.172, 0.142, 0.080};

@@ -1,18 +1,12 @@
 #pragma once
 // The strip of nodes that a pathway along a straight line opens: as wide as its aperture asks for, in whole cells.
 #include "kernels/lattice.hpp"
+#include "kernels/slit.hpp"
 
 #include <array>
 #include <vector>
 
 namespace vug {
-
-/// Conductivity of a slot of `aperture` cells, cells^3: (w^3 + w/2) / 12, which is what n nodes between walls half way
-/// carry when w = n (the cubic law and the midpoint rule's 1/(2 n^2)).
-double slot_conductivity(double aperture);
-
-/// The aperture that conducts so well: the real root w of w^3 + w/2 = 12 K.
-double slot_aperture(double conductivity);
 
 /// Aperture (cells) of the slot that conducts as well as a strip with n nodes across it in every column, for a line
 /// that rises by 0 <= slope <= 1 per column. n = 1 is the cells that the line passes through, which are 1 + slope per

@@ -25,7 +25,8 @@ void read_notch(const TomlCursor& table, int entry, std::vector<Notch>& notches)
     table.need("to", notch.to, unit::metre);
     points = {notch.from, notch.to};
   }
-  table.read("aperture", notch.aperture, unit::cells, range::between(1, 1000));
+  table.read("aperture", notch.aperture, unit::cells, range::between(0, 1000));
+  if (notch.aperture > 0 && notch.aperture < 1) table.fail("aperture", "must be 0, a closed crack, or 1 cell or more");
   notch.entry = entry;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     notch.from = points[i];
@@ -125,6 +126,11 @@ DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical) 
   DamageSection damage;
   table.read("pathway_factor", damage.pathway_factor, unit::none, range::between(0, 10));
   table.read("minimum_aperture", damage.minimum_aperture, unit::cells, range::between(1, 1000));
+  table.choose("aperture", damage.aperture, {{"damage", ApertureLaw::damage}, {"opening", ApertureLaw::opening}});
+  if (damage.aperture == ApertureLaw::opening || table.describing())
+    table.read("residual_aperture", damage.residual_aperture, unit::metre, range::not_negative);
+  else
+    table.refuse("residual_aperture", "is of damage.aperture = \"opening\"");
   table.read("normalised", chemical.normalised);
   table.read("failure_at", chemical.failure_at, unit::none, range::positive_to(1));
   return damage;

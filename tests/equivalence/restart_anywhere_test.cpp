@@ -115,6 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
                         "flow.viscosity_activation_energy=8000"},
                     Set{"boundary.top.traction.normal_stress=[[0, 1e6], [5e-5, 9e6], [1e-4, 2e6]]",
                         "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"},
+                    Set{"damage.aperture=opening", "damage.residual_aperture=1e-4", "accuracy.flow_tolerance=0.5",
+                        "accuracy.guard_interval=10"},
                     Set{test::several_materials, test::moving_part, test::gauges}));
 
 }  // namespace

@@ -68,8 +68,9 @@ INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
                                          // no divisors of the steps of a restart
                                          "accuracy.exchange_interval=7 --set accuracy.wall_interval=35", resting,
                                          "boundary.top.traction.support=servo",
-                                         "'" + test::several_materials + "' --set '" + test::moving_part + "' --set '" + test::gauges +
-                                             "'"));
+                                         "damage.aperture=opening --set damage.residual_aperture=1e-4",
+                                         "'" + test::several_materials + "' --set '" + test::moving_part + "' --set '" +
+                                             test::gauges + "'"));
 
 /// In place, populations are turned an odd number of steps after births, which were at step 55 and 135.
 TEST(SameBitsOfTurned, AfterARestartBetweenTwoSteps) {

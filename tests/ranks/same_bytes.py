@@ -26,6 +26,8 @@ CASES = {  # case, steps, keys, output at every tenth step
     "intervals": (COUPLED + "small_rock.toml", 120,
                   FINE + ["accuracy.solute_interval=3", "accuracy.heat_interval=2", "accuracy.exchange_interval=7",
                           "accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"], ROCK_OFTEN),
+    "slits": (COUPLED + "small_rock.toml", 120,
+              FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5"], ROCK_OFTEN),
     "d2q9": (COUPLED + "small_rock.toml", 120, FINE + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"],
              ROCK_OFTEN),
     "well": (COUPLED + "well.toml", 200, ["lattice.spacing=2.5e-4"], OFTEN),

@@ -3,6 +3,7 @@
 
 #include "coupling/initial_pathways.hpp"
 #include "coupling/pathways.hpp"
+#include "coupling/slits.hpp"
 #include "coupling/strip.hpp"
 #include "dem/edges.hpp"
 #include "kernels/launch.hpp"
@@ -204,14 +205,22 @@ struct OneBond {
              IndexList("bond", n),
              ScalarField<double>("least", n),
              ScalarField<double>("closed", 1),
-             ScalarField<double>("open", 1)};
+             ScalarField<double>("open", 1),
+             ScalarField<double>("slope", 1),
+             IndexList("in_order", n),
+             IndexList("first", 2)};
     const auto node = Kokkos::create_mirror_view(nodes.node), offset = Kokkos::create_mirror_view(nodes.offset);
     const auto least = Kokkos::create_mirror_view(nodes.least);
+    const auto in_order = Kokkos::create_mirror_view(nodes.in_order), first = Kokkos::create_mirror_view(nodes.first);
+    first(1) = n;
+    Kokkos::deep_copy(nodes.first, first);
     for (int c = 0; c < n; ++c) {
       node(c) = lattice.node(strip[c].node % 8, strip[c].node / 8);
       least(c) = strip[c].aperture;
       offset(c + 1) = c + 1;
+      in_order(c) = n - 1 - c;
     }
+    Kokkos::deep_copy(nodes.in_order, in_order);
     Kokkos::deep_copy(nodes.node, node);
     Kokkos::deep_copy(nodes.offset, offset);
     Kokkos::deep_copy(nodes.least, least);
@@ -231,7 +240,7 @@ TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
   const double before = rock.total();
   const auto open = [&](double d_m) {
     Kokkos::deep_copy(rock.d_m, d_m);
-    return opener.open(Exec{}, rock.d_m, rock.type, rock.volume, rock.dissolved);
+    return opener.look(Exec{}, rock.d_m) ? opener.open(Exec{}, rock.type, rock.volume, rock.dissolved) : 0;
   };
   EXPECT_EQ(open(0), 0);
   EXPECT_EQ(open(0.3), 0);       // narrower than a cell
@@ -250,6 +259,53 @@ TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
     EXPECT_GT(volume(rock.lattice.node(x, 0)), 1.3);
     EXPECT_LE(volume(rock.lattice.node(x, 0)), most_solid * (1 + 1e-14));
   }
+}
+
+/// A crack half a cell wide: one row is open, and its resistance is that of the cubic law and of what acid adds.
+TEST(Slits, HaveTheResistanceOfTheCrackThatAcidWidens) {
+  OneBond rock;
+  Geometry geometry;
+  geometry.lattice = rock.lattice;
+  geometry.type = rock.type;
+  geometry.dissolved = rock.dissolved;
+  const BondPathways bonds{ScalarField<double>("strip", 1), ScalarField<double>("widest", 1),
+                           ScalarField<double>("conductivity", 1)};
+  Kokkos::deep_copy(bonds.strip, 1.0);
+  Kokkos::deep_copy(bonds.widest, 1.0);
+  Kokkos::deep_copy(bonds.conductivity, cubic_law(0.5));
+  const auto type = Kokkos::create_mirror_view(rock.type);
+  Kokkos::deep_copy(type, rock.type);
+  for (int x = 0; x < 8; ++x) type(rock.lattice.node(x, 3)) = NodeType::fluid;
+  Kokkos::deep_copy(rock.type, type);
+  geometry.fluid = make_fluid_nodes(Exec{}, rock.lattice, rock.type);
+  const auto dissolved = Kokkos::create_mirror_view(rock.dissolved);
+  dissolved(rock.lattice.node(2, 4)) = 0.1;  // one wall of column 2, both of column 5, all of that of column 7
+  dissolved(rock.lattice.node(5, 2)) = 0.2;
+  dissolved(rock.lattice.node(5, 4)) = 0.3;
+  dissolved(rock.lattice.node(7, 4)) = 1;
+  Kokkos::deep_copy(rock.dissolved, dissolved);
+  Slits slits(rock.nodes);
+  slits.update(Exec{}, bonds, geometry);
+  ASSERT_EQ(geometry.slits.count, 7);
+  EXPECT_EQ(geometry.slit_changes, 1);
+  slits.update(Exec{}, bonds, geometry);
+  EXPECT_EQ(geometry.slit_changes, 1);
+  const auto fluid = test::host_copy(geometry.slits.fluid);
+  const auto resistance = test::host_copy(geometry.slits.resistance);
+  const auto first = test::host_copy(geometry.slits.first);
+  EXPECT_EQ(first(0), 0);
+  EXPECT_EQ(first(1), 7);
+  for (int k = 0; k < 7; ++k) {
+    const int x = fluid(k);  // numbered along the row
+    const double w = x == 2 ? 0.6 : x == 5 ? 1.0 : 0.5;
+    EXPECT_NEAR(resistance(k), 12 / (w * w * w) - 8, 1e-9) << x;
+  }
+  // the crack closes: what it has opened is a hundredth of a cell wide
+  Kokkos::deep_copy(bonds.strip, 0.0);
+  slits.update(Exec{}, bonds, geometry);
+  ASSERT_EQ(geometry.slits.count, 8);
+  EXPECT_EQ(test::host_copy(geometry.slits.fluid)(7), 0);
+  EXPECT_NEAR(test::host_copy(geometry.slits.resistance)(7) / (12 / 1e-6 - 8), 1, 1e-9);
 }
 
 /// A row of triangles, each of which owns 8 x 8 nodes of a strip of the lattice.

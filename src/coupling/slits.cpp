@@ -1,0 +1,104 @@
+#include "coupling/slits.hpp"
+
+#include "kernels/launch.hpp"
+#include "kernels/slit.hpp"
+
+namespace vug {
+
+/// What has dissolved of a node and its walls widens the crack by so many cells: across a line of the given slope the
+/// faces of the nodes beside it count 1/sqrt(1 + slope^2).
+KOKKOS_FORCEINLINE_FUNCTION double etched_width(double dissolved, double slope) {
+  return dissolved / Kokkos::sqrt(1 + slope * slope);
+}
+
+/// Counts the places where the resistance changes. A node that several bonds open has the least of theirs.
+struct FindResistance {
+  PathwayNodes nodes;
+  BondPathways bonds;
+  Kokkos::View<const NodeType*> type;
+  Kokkos::View<const double*> dissolved;
+  int pitch;
+  ScalarField<double> resistance;
+
+  KOKKOS_FORCEINLINE_FUNCTION double dissolved_around(int n) const {
+    if (dissolved.extent(0) == 0) return 0;
+    return dissolved(n) + dissolved(n - 1) + dissolved(n + 1) + dissolved(n - pitch) + dissolved(n + pitch);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION double found(int c) const {
+    const int n = nodes.node(c);
+    if (type(n) != NodeType::fluid) return 0;
+    const double gone = dissolved_around(n);
+    double least = -1;
+    for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k) {
+      const int b = nodes.bond(k);
+      if (nodes.least(k) > bonds.widest(b)) continue;
+      // what a crack that has closed again leaves beside the narrowest strip hardly conducts
+      double conductivity = nodes.least(k) <= bonds.strip(b) ? bonds.conductivity(b) : cubic_law(narrowest_slit);
+      if (gone > 0) conductivity = cubic_law(Kokkos::cbrt(12 * conductivity) + etched_width(gone, nodes.slope(b)));
+      const double resistance = slit_resistance(conductivity, nodes.slope(b));
+      least = least < 0 || resistance < least ? resistance : least;
+    }
+    return least < 0 ? 0 : least;  // no bond's: acid has opened it
+  }
+  KOKKOS_FUNCTION void operator()(int place, int& changed) const {
+    const double now = found(nodes.in_order(place));
+    changed += now != resistance(place);
+    resistance(place) = now;
+  }
+};
+
+/// In the order of places, and with them of triangles.
+struct ListSlits {
+  PathwayNodes nodes;
+  Kokkos::View<const double*> resistance;
+  IndexList index, listed;
+  SlitNodes slits;
+  int places;
+  KOKKOS_FUNCTION void operator()(int place, int& before, bool last) const {
+    const bool slit = resistance(place) > 0;
+    if (last) {
+      listed(place) = before;
+      if (place + 1 == places) listed(places) = before + slit;
+      if (slit) {
+        slits.fluid(before) = index(nodes.node(nodes.in_order(place)));
+        slits.resistance(before) = resistance(place);
+      }
+    }
+    before += slit;
+  }
+};
+
+struct GroupSlits {
+  IndexList first_place, listed, first;
+  KOKKOS_FUNCTION void operator()(int t) const { first(t) = listed(first_place(t)); }
+};
+
+Slits::Slits(const PathwayNodes& nodes)
+    : nodes_(nodes),
+      resistance_("vug::slits::resistance", nodes.in_order.extent(0)),
+      listed_("vug::slits::listed", nodes.in_order.extent(0) + 1) {}
+
+void Slits::update(const Exec& exec, const BondPathways& bonds, Geometry& geometry) {
+  int changed = 0;
+  Kokkos::parallel_reduce(
+      "vug::slits::resistance", Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(resistance_.extent(0))),
+      FindResistance{nodes_, bonds, geometry.type, geometry.dissolved, geometry.lattice.pitch, resistance_}, changed);
+  if (changed == 0) return;
+  list(exec, geometry);
+  ++geometry.slit_changes;
+}
+
+void Slits::list(const Exec& exec, Geometry& geometry) const {
+  SlitNodes& slits = geometry.slits;
+  const int places = static_cast<int>(resistance_.extent(0)), groups = static_cast<int>(nodes_.first.extent(0));
+  if (slits.first.extent(0) == 0) {
+    slits.fluid = IndexList("vug::slits::fluid", places);
+    slits.resistance = ScalarField<double>("vug::slits::list", places);
+    slits.first = IndexList("vug::slits::first", groups);
+  }
+  Kokkos::parallel_scan("vug::slits::list", Kokkos::RangePolicy<Exec>(exec, 0, places),
+                        ListSlits{nodes_, resistance_, geometry.fluid.index, listed_, slits, places}, slits.count);
+  for_each_node(exec, "vug::slits::group", groups, GroupSlits{nodes_.first, listed_, slits.first});
+}
+
+}  // namespace vug

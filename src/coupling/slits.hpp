@@ -1,0 +1,29 @@
+#pragma once
+// Pathways narrower than a cell: their nodes are fluid, and drag makes them conduct as little as the crack does
+// (docs/model.md, "Cracks narrower than a cell").
+#include "coupling/geometry.hpp"
+#include "coupling/module.hpp"
+#include "coupling/pathways.hpp"
+
+namespace vug {
+
+/// Resistance of the nodes along bonds. Acid that etches the walls of a crack widens it.
+class Slits {
+ public:
+  explicit Slits(const PathwayNodes& nodes);
+  /// From what the bonds conduct and the rock that has dissolved; lists the slits in the geometry. Waits for the
+  /// device.
+  void update(const Exec& exec, const BondPathways& bonds, Geometry& geometry);
+  /// Lists the slits of a checkpoint.
+  void restored(const Exec& exec, Geometry& geometry) const { list(exec, geometry); }
+  void state(StateList& list) { list.add("growth/resistance", resistance_); }
+
+ private:
+  void list(const Exec& exec, Geometry& geometry) const;
+
+  PathwayNodes nodes_;
+  ScalarField<double> resistance_;  ///< (place) 1/k, 1/cells^2
+  IndexList listed_;                ///< (place + 1) how many slits come before it
+};
+
+}  // namespace vug

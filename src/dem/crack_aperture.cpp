@@ -1,0 +1,37 @@
+#include "dem/crack_aperture.hpp"
+
+#include "dem/bond_kinematics.hpp"
+#include "kernels/launch.hpp"
+
+namespace vug {
+
+struct FindCrackAperture {
+  Particles particles;
+  Bonds bonds;
+  double expansion, residual, unit;
+  ScalarField<double> aperture;
+
+  /// At an end of the edge, from the openings of the integration points nearer to it and further from it.
+  KOKKOS_FORCEINLINE_FUNCTION double at_end(double near, double far) const {
+    const double middle = (near + far) / 2, opening = middle + (near - middle) / gauss_point;
+    return residual + (opening > 0 ? opening : 0);
+  }
+  KOKKOS_FUNCTION void operator()(int k) const {
+    if (bonds.d_m(k) == 0) {
+      aperture(k) = 0;
+      return;
+    }
+    const BondMotion motion = motion_of_bond(particles, bonds, expansion, k);
+    const double a = motion.opening[0].delta_n, b = motion.opening[1].delta_n;
+    aperture(k) = bonds.d_m(k) * wedge_aperture(at_end(a, b), at_end(b, a)) / unit;
+  }
+};
+
+void find_crack_apertures(const Exec& exec, const Mechanics& rock, double residual, double unit,
+                          const ScalarField<double>& aperture) {
+  for_each_node(
+      exec, "vug::crack_aperture::find", rock.bonds().count,
+      FindCrackAperture{rock.particles(), rock.bonds(), rock.parameters().thermal_expansion, residual, unit, aperture});
+}
+
+}  // namespace vug

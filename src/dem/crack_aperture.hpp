@@ -1,0 +1,19 @@
+#pragma once
+// How wide cracks gape, for what flows through them.
+#include "dem/mechanics.hpp"
+
+namespace vug {
+
+/// Aperture of the plane slot that conducts as well as a wedge from aperture `a` to `b`: by lubrication the resistances
+/// 12/w^3 are in series, the mean of 1/w^3 over a linear w is (a + b)/(2 a^2 b^2). 0 where one end is closed.
+KOKKOS_FORCEINLINE_FUNCTION double wedge_aperture(double a, double b) {
+  return a + b > 0 ? Kokkos::cbrt(2 * a * a * b * b / (a + b)) : 0;
+}
+
+/// aperture(bond) = d_m times that of the wedge between the bond's two faces, in units of `unit` m; each end gapes by
+/// as far as the faces have parted along the normal there, `residual` (m) added, which a crack keeps when it closes
+/// (rough faces).
+void find_crack_apertures(const Exec& exec, const Mechanics& rock, double residual, double unit,
+                          const ScalarField<double>& aperture);
+
+}  // namespace vug
