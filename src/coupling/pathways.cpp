@@ -1,5 +1,6 @@
 #include "coupling/pathways.hpp"
 
+#include "dem/crack_aperture.hpp"
 #include "kernels/launch.hpp"
 #include "kernels/slit.hpp"
 
@@ -71,7 +72,9 @@ void PathwayOpener::follow_cracks(const Mechanics& rock, double residual, double
 }
 
 bool PathwayOpener::look(const Exec& exec, const ScalarField<double>& d_m) {
-  if (rock_) find_crack_apertures(exec, *rock_, residual_, spacing_, gap_);
+  if (rock_)
+    find_crack_apertures(exec, rock_->particles(), rock_->bonds(), rock_->parameters().thermal_expansion, residual_,
+                         spacing_, gap_);
   int changed = 0;
   Kokkos::parallel_reduce("vug::pathways::look",
                           Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(bonds_.strip.extent(0))),

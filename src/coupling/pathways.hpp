@@ -2,7 +2,7 @@
 // How damage conducts: each bond carries a strip of nodes that turn fluid as its mechanical damage grows
 // (paper sections 2.4, 3.1; closure with c_d in docs/model.md, "Pathways").
 #include "coupling/solid_spread.hpp"
-#include "dem/crack_aperture.hpp"
+#include "dem/mechanics.hpp"
 #include "kernels/fluid_nodes.hpp"
 
 namespace vug {

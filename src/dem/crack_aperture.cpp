@@ -27,11 +27,10 @@ struct FindCrackAperture {
   }
 };
 
-void find_crack_apertures(const Exec& exec, const Mechanics& rock, double residual, double unit,
-                          const ScalarField<double>& aperture) {
-  for_each_node(
-      exec, "vug::crack_aperture::find", rock.bonds().count,
-      FindCrackAperture{rock.particles(), rock.bonds(), rock.parameters().thermal_expansion, residual, unit, aperture});
+void find_crack_apertures(const Exec& exec, const Particles& particles, const Bonds& bonds, double expansion,
+                          double residual, double unit, const ScalarField<double>& aperture) {
+  for_each_node(exec, "vug::crack_aperture::find", bonds.count,
+                FindCrackAperture{particles, bonds, expansion, residual, unit, aperture});
 }
 
 }  // namespace vug

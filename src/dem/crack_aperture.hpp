@@ -1,6 +1,6 @@
 #pragma once
 // How wide cracks gape, for what flows through them.
-#include "dem/mechanics.hpp"
+#include "dem/bonds.hpp"
 
 namespace vug {
 
@@ -13,7 +13,7 @@ KOKKOS_FORCEINLINE_FUNCTION double wedge_aperture(double a, double b) {
 /// aperture(bond) = d_m times that of the wedge between the bond's two faces, in units of `unit` m; each end gapes by
 /// as far as the faces have parted along the normal there, `residual` (m) added, which a crack keeps when it closes
 /// (rough faces).
-void find_crack_apertures(const Exec& exec, const Mechanics& rock, double residual, double unit,
-                          const ScalarField<double>& aperture);
+void find_crack_apertures(const Exec& exec, const Particles& particles, const Bonds& bonds, double expansion,
+                          double residual, double unit, const ScalarField<double>& aperture);
 
 }  // namespace vug

@@ -1,5 +1,6 @@
 // One bond between two triangles, its faces moved by hand: the law as the kernel applies it.
 #include "dem/bond_law.hpp"
+#include "dem/crack_aperture.hpp"
 #include "dem/forces.hpp"
 #include "dem_support.hpp"
 #include "support/record.hpp"
@@ -172,6 +173,34 @@ TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
   // two points at ± l / (2 sqrt 3), each with k_n l / 2: torque k_n l^3 / 12 times the angle
   EXPECT_NEAR(load(0, 3) + arm * load(0, 1), -k_n * l * l * l / 12 * angle, 1e-5 * k_n * l * l * l / 12 * angle);
   EXPECT_NEAR(load(0, 0), 0, 1e-5 * k_n * l * l * angle);
+}
+
+/// Particle b turns about the middle of the edge, which opens by `middle`; by lubrication the wedge conducts like the slot
+/// of (mean of 1/w^3)^(-1/3).
+TEST_F(OneBond, GapesLikeTheSlotThatConductsAlike) {
+  const double arm = l / (2 * std::sqrt(3.0)), unit = 1e-6, residual = 0.5e-6;
+  const ScalarField<double> aperture("aperture", 1);
+  const auto found = [&](double middle, double at_end, double d_m, double kept) {
+    const double angle = at_end / (l / 2);
+    test::place(particles, 1, middle + arm * (std::cos(angle) - 1), arm * std::sin(angle), angle);
+    Kokkos::deep_copy(bonds.d_m, d_m);
+    find_crack_apertures(Exec(), particles, bonds, 0, kept, unit, aperture);
+    return host_copy(aperture)(0);
+  };
+  const auto slot = [&](double a, double b) {
+    double sum = 0;
+    constexpr int parts = 2000;
+    for (int i = 0; i < parts; ++i) sum += std::pow(a + (b - a) * (i + 0.5) / parts, -3) / parts;
+    return std::pow(sum, -1.0 / 3);
+  };
+  EXPECT_NEAR(found(2e-6, 0, 1, 0), 2, 1e-6);
+  EXPECT_NEAR(found(2e-6, 0, 0.25, residual), 0.25 * 2.5, 1e-6);
+  EXPECT_NEAR(found(2e-6, 1e-6, 1, 0), slot(1, 3), 1e-3);
+  EXPECT_NEAR(found(2e-6, -1e-6, 1, 0), slot(3, 1), 1e-3);
+  EXPECT_NEAR(found(0.5e-6, 1e-6, 1, residual), slot(0.5, 2), 1e-3);  // faces that touch keep what is left
+  EXPECT_EQ(found(0.5e-6, 1e-6, 1, 0), 0);
+  EXPECT_EQ(found(-2e-6, 0, 1, 0), 0);
+  EXPECT_EQ(found(2e-6, 0, 0, residual), 0);  // intact
 }
 
 }  // namespace
