@@ -201,7 +201,6 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     if (vug::processes_started() > 1) ranks = mpi.emplace().world();  // alone, MPI would start a daemon
     if (!ranks.first()) vug::leave_words_to_others();
     require_run(line, ranks);
-    if (*line.run || *line.lab || *line.tune) scene_of(line);  // a wrong case is told in one line, before any remark
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
