@@ -35,8 +35,8 @@ struct FindResistance {
       // what a crack that has closed again leaves beside the narrowest strip hardly conducts
       double conductivity = nodes.least(k) <= bonds.strip(b) ? bonds.conductivity(b) : cubic_law(narrowest_slit);
       if (gone > 0) conductivity = cubic_law(Kokkos::cbrt(12 * conductivity) + etched_width(gone, nodes.slope(b)));
-      const double resistance = slit_resistance(conductivity, nodes.slope(b));
-      least = least < 0 || resistance < least ? resistance : least;
+      const double of_bond = slit_resistance(conductivity, nodes.slope(b));
+      least = least < 0 || of_bond < least ? of_bond : least;
     }
     return least < 0 ? 0 : least;  // no bond's: acid has opened it
   }

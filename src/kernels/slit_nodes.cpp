@@ -18,7 +18,7 @@ struct SlitViscosity {
 
 /// Whether this process computes item i of the list.
 KOKKOS_FORCEINLINE_FUNCTION bool has(const Share& share, int i) {
-  if (share.whole()) return true;
+  if (share.blocks < 0) return true;  // all are
   const int block = i / nodes_per_block;
   int first = 0, last = share.blocks;
   while (first < last) {
