@@ -104,7 +104,7 @@ def slits(records, _):
         "Cracks narrower than a cell", "SlitFlow, GapingCrack, Slits",
         "The narrowest strip of nodes with the drag of `damage.aperture = \"opening\"`, and from 1.2 cells on wider strips, "
         "against the cubic law w³/12, by direction. Between walls the drag follows Brinkman's solution to second order "
-        "(2e-4 at 40 nodes, every collision), without walls Darcy's law to 1e-8. In a coupled run the upper half of a cracked "
+        "(2e-4 at 40 nodes; 9e-4 with lallemand_luo), without walls Darcy's law to 1e-8. In a coupled run the upper half of a cracked "
         "block is lifted by so many cells: flow rate over that of the cubic law "
         + ", ".join(f"{r['ratio']:.4f} at {r['gap']:g}" for r in gaps) + " (from 1.6 on columns of n and n + 1 nodes in turn). "
         "The force and torque of the fluid on the rock are those of the pressure at the inlet to 0.2 %.",

@@ -35,7 +35,8 @@ def statics(records, _figures):
     ]
     rows += [("hole_in_a_plate", f"stress along and across, {r['gauge']} the hole" if r["gauge"] != "rim" else "stress along and across at the rim",
               "Kirsch, mean over the gauge",
-              f"{100 * (r['xx'] - r['exact_xx']):+.1f} %, {100 * (r['yy'] - r['exact_yy']):+.1f} % of the pull")
+              ", ".join(per_cent(1 + (r[c] - r[f"exact_{c}"]) / max(1, abs(r[f"exact_{c}"]))) for c in ("xx", "yy"))
+              + " of the stress or the pull, which is larger")
              for r in {r["gauge"]: r for r in hole}.values()]
     return section(
         "Beams, layers and holes", "ThreePointBending, Cantilever, DoubleCantilever, LayeredRock, HoleInAPlate",
