@@ -108,7 +108,7 @@ TEST_F(BudgetOfAStep, OfAnUpdateOfThePoresIsTwoNumbers) {
   simulation_.step();
   ASSERT_EQ(simulation_.clock().step % 20, 0);
   EXPECT_EQ(tally.launches.count("vug::dissolution::mark"), 1u);
-  EXPECT_EQ(tally.launches.count("vug::pathways::widen"), 1u);
+  EXPECT_EQ(tally.launches.count("vug::pathways::look"), 1u);
   EXPECT_EQ(Tally::sum(tally.copies), 0) << Tally::list(tally.copies);
   EXPECT_EQ(Tally::sum(tally.allocations), 0) << Tally::list(tally.allocations);
   EXPECT_LE(Tally::sum(tally.waits), runs_on_host ? 4 : 2) << Tally::list(tally.waits);
