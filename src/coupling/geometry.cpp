@@ -212,6 +212,12 @@ DrawnRock drawn_rock(const Scene& scene) {
   const GeometrySection& geometry = scene.geometry;
   if (geometry.kind == GeometryKind::image) {
     SolidImage image = read_solid_image(geometry.image, scene.lattice);
+    const bool all_rock = std::find(image.solid.begin(), image.solid.end(), false) == image.solid.end();
+    if (all_rock && (scene.flow || scene.solute) && !geometry.image.labelled())  // as of 12 bits taken for 16
+      throw InputError(
+          fmt::format("{}: has values {:g} ... {:g}, and geometry.grey_range, threshold and invert make "
+                      "rock of them all: there is no fluid",
+                      geometry.image.file, image.summary.least, image.summary.largest));
     return {std::move(image.solid), std::move(image.mineral)};
   }
   std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,

@@ -43,9 +43,10 @@ std::string bash(const CLI::App& app) {
       "  esac\n"
       "  if ((COMP_CWORD == 1)); then words=\"{} {}\"; fi\n"
       "  if ((COMP_CWORD > 1)) && [[ $word != -* ]]; then\n"
-      "    mapfile -t COMPREPLY < <(compgen -f -X '!*.toml' -- \"$word\"; compgen -d -- \"$word\")\n"
+      "    local IFS=$'\\n'\n"  // mapfile is unknown to zsh
+      "    COMPREPLY=($(compgen -f -X '!*.toml' -- \"$word\"; compgen -d -- \"$word\"))\n"
       "  else\n"
-      "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+      "    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
       "  fi\n"
       "}}\n"
       "complete -o filenames -F _vug vug\n",
@@ -75,7 +76,8 @@ std::string roff(const std::string& text) {
 }  // namespace
 
 std::string completion_script(const CLI::App& app, const std::string& shell) {
-  if (shell == "bash" || shell == "zsh") return bash(app);
+  if (shell == "bash") return bash(app);
+  if (shell == "zsh") return "autoload -U +X bashcompinit && bashcompinit\n" + bash(app);
   if (shell == "fish") return fish(app);
   throw InputError(fmt::format("there is no completion for \"{}\"; there are bash, zsh and fish", shell));
 }

@@ -8,7 +8,7 @@ class App;
 
 namespace vug {
 
-/// A script for bash (zsh reads it after `autoload -U bashcompinit; bashcompinit`) or fish, made from the commands and
+/// A script for bash, zsh (that of bash, which its bashcompinit understands) or fish, made from the commands and
 /// options of the program. Throws InputError for another shell.
 std::string completion_script(const CLI::App& app, const std::string& shell);
 

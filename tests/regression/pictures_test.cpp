@@ -24,6 +24,7 @@ TEST(Pictures, ThatContradictTheCaseAreRefusedInOneLine) {
       {"--set lattice.spacing=2e-5 --set geometry.coarsen=4 --set geometry.pixel_size=1e-5", "must agree"},
       {"--set geometry.page=1", "has 1 page, counted from 0"},
       {"--set 'geometry.crop_size=[399, 280]'", "geometry.crop_size = [398, 280]"},
+      {"--set 'geometry.grey_range=[0, 255]'", "has values 0 ... 50688, and geometry.grey_range, threshold and invert"},
       {"--set 'geometry.crop_from=[10, 0]' --set 'geometry.crop_size=[400, 280]'", "leaves the image"},
   };
   for (const auto& [change, why] : mistakes) {

@@ -50,10 +50,10 @@ TEST(Schema, IsJsonThatHoldsEveryKeyOfTheCases) {
       "    if jsonschema: jsonschema.validate(case, schema)\n"
       "assert schema['properties']['lattice']['properties']['size']['minItems'] == 2\n"
       "assert 'exclusiveMinimum' in json.dumps(schema['properties']['flow']['properties']['viscosity'])\n");
-  const test::Outcome outcome =
-      test::run_command(VUG_PYTHON " " + (folder / "hold.py") + " " + (folder / "schema.json") +
-                        " " VUG_SOURCE_DIR "/tests/cases/complete/*.toml " VUG_SOURCE_DIR
-                        "/cases/*.toml " VUG_SOURCE_DIR "/cases/rock/*.toml " VUG_SOURCE_DIR "/cases/laboratory/*.toml");
+  const test::Outcome outcome = test::run_command(
+      VUG_PYTHON " " + (folder / "hold.py") + " " + (folder / "schema.json") +
+      " " VUG_SOURCE_DIR "/tests/cases/complete/*.toml " VUG_SOURCE_DIR "/cases/*.toml " VUG_SOURCE_DIR
+      "/cases/rock/*.toml " VUG_SOURCE_DIR "/cases/laboratory/*.toml");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
 }
 
@@ -65,6 +65,13 @@ TEST(CommandLine, OffersCompletionACitationAndAManualPage) {
       test::run_command("bash -c 'source " + (folder / "completion") +
                         "; COMP_WORDS=(vug run --res); COMP_CWORD=2; _vug; echo ${COMPREPLY[@]}'");
   EXPECT_EQ(offered.output, "--resume\n");
+  test::write_text(folder / "my case.toml", "");
+  test::write_text(folder / "my case.txt", "");
+  const test::Outcome files = test::run_command(
+      "cd " + folder.path() + " && bash -c 'source completion; COMP_WORDS=(vug run my); COMP_CWORD=2; _vug; " +
+      "printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
+  EXPECT_EQ(files.output, "my case.toml\n");
+  EXPECT_TRUE(test::run_vug("completion zsh").output.starts_with("autoload -U +X bashcompinit && bashcompinit\n"));
   const std::string page = test::run_vug("man").output;
   EXPECT_NE(page.find(".It --fit-cohesion"), std::string::npos) << page;
   EXPECT_EQ(test::run_vug("completion tcsh").exit_code, 2);

@@ -141,6 +141,19 @@ TEST(Plot, DrawsEveryFieldTheOverviewAndTheHistories) {
   EXPECT_TRUE(test::contents(folder + "/figures/movie.gif").starts_with("GIF89a"));
 }
 
+// Black all over tells nobody anything.
+TEST(Plot, DrawsNoRockWhereThereIsNone) {
+  const test::TemporaryFolder folder;
+  FieldList fields;
+  fields.lattice.push_back(made_up_fields().lattice[0]);
+  fields.lattice.push_back(on_lattice("node_type", "1", [](double, double) { return 0.0; }));
+  fields.lattice.push_back(on_lattice("solid_fraction", "1", [](double, double) { return 0.0; }));
+  SnapshotWriter(folder.path(), Lattice(nx, ny), spacing, fields, {}).write(0, 0);
+  ASSERT_EQ(plot(folder.path()), 0);
+  EXPECT_TRUE(shows_a_field(folder / "figures/pressure.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "figures/solid_fraction.png"));
+}
+
 TEST(Plot, DrawsEverySnapshotOfASceneWithPressureOnly) {
   const test::TemporaryFolder folder;
   FieldList fields;

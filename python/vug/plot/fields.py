@@ -65,10 +65,10 @@ def panels_of(snapshot, creeping=None):
         values = in_fluid(snapshot[name].values, solid)
         panels.append(Panel(name, name.replace("concentration_", "concentration of "), snapshot[name].units, values,
                             SPECIES_MAPS[k % len(SPECIES_MAPS)], low=min(0, float(values.min())) if values.count() else 0))
-    if "solid_fraction" in snapshot:
+    if "solid_fraction" in snapshot and (solid.any() or "dissolved_fraction" in snapshot or not panels):
         panels.append(Panel("solid_fraction", "solid volume fraction", "1",
                             np.ma.asarray(snapshot["solid_fraction"].values), "bone", 0, 1))
-    elif solid is not None:
+    elif solid is not None and "solid_fraction" not in snapshot and (solid.any() or not panels):
         panels.append(Panel("rock", "rock", "1", np.ma.asarray(solid.astype(float)), "bone", 0, 1))
     if "mineral" in snapshot:
         numbers = np.ma.masked_less(snapshot["mineral"].values, 0)

@@ -31,7 +31,7 @@ def acid(history):
         curves = _named(history, (f"{name}_gain_injected", "injected", 1), (f"{name}_gain_reaction", "made by reaction", 1)
                         if np.sum(history.get(f"{name}_gain_reaction", np.zeros(1))) > 0
                         else (f"{name}_gain_reaction", "spent on rock", -1),
-                        (f"{name}_gain_outflow", "left", -1), (f"{name}_stored", "in the pores", 1))
+                        (f"{name}_gain_outflow", "flowed out", -1), (f"{name}_stored", "in the pores", 1))
         axes.append((name, "mol/m", curves))
     return axes
 
