@@ -23,3 +23,7 @@ words = {line.split()[0] for line in (ROOT / "Containerfile").read_text().replac
          if line and not line.startswith("#")}
 if not words <= {"FROM", "ENV", "RUN", "COPY", "WORKDIR", "ENTRYPOINT"}:
     sys.exit(f"packaging/Containerfile: unknown words in {words}")
+# What was built here must not travel into a container: podman reads the one name, docker the other.
+for name in (".containerignore", ".dockerignore"):
+    kept_out = set((ROOT.parent / name).read_text().split())
+    assert {"build", ".deps", "runs"} <= kept_out, f"{name} lets what was built here into a container: it has {kept_out}"

@@ -113,6 +113,7 @@ class OpenRuns(unittest.TestCase):
         from vug.plot.movie import scales_of
 
         self.assertEqual(style.Scale("m/s", 0, 0.006).label, "mm/s")
+        self.assertEqual(style.Scale("mol/m3", 0, 5).label, "mol/m³")
         self.assertAlmostEqual(style.Scale("m/s", 0, 0.006)(0.006), 6)
         self.assertEqual(style.Scale("Pa", 1e5, 2e7).label, "MPa")
         narrow = style.Scale("Pa", 100000.1, 100020)
@@ -136,6 +137,20 @@ class OpenRuns(unittest.TestCase):
         bar = axes.child_axes[0]
         self.assertEqual([label.get_text() for label in bar.get_yticklabels()], run[-1].minerals)
         plt.close(figure)
+
+    def test_what_two_acids_did_adds_up(self):
+        second = {"solute.species.2.name": "HAc", "solute.species.2.diffusivity": 3e-9, "reaction.further.0.reactant": "HAc",
+                  "reaction.further.0.product": "Ca", "reaction.further.0.rate_constant": 1e-4,
+                  "boundary.left.solute.concentration.HAc": "0.5 mol/L"}
+        history = self.run_case("cases/minerals.toml", second, steps=400).history
+        drawn = {title: {curve.label: curve.values[-1] for curve in curves}
+                 for title, _, curves in vug.plot.topics_of(history)["acid"]}
+        self.assertGreater(drawn["HAc"]["spent on rock"], 0)
+        for species, curves in drawn.items():
+            kept = (curves["injected"] + curves.get("made by reaction", 0) - curves.get("spent on rock", 0)
+                    - curves.get("flowed out", 0))
+            small = history[f"{species}_gain_births"][-1] + history[f"{species}_gain_advective_form"][-1]
+            np.testing.assert_allclose(kept + small, curves["in the pores"], rtol=1e-9)
 
     def test_a_study_and_its_map(self):
         case = root / "cases/poiseuille.toml"

@@ -28,10 +28,13 @@ def acid(history):
     """Where each species has gone, mol/m."""
     axes = []
     for name in species_of(history):
-        curves = _named(history, (f"{name}_gain_injected", "injected", 1), (f"{name}_gain_reaction", "made by reaction", 1)
-                        if np.sum(history.get(f"{name}_gain_reaction", np.zeros(1))) > 0
-                        else (f"{name}_gain_reaction", "spent on rock", -1),
-                        (f"{name}_gain_outflow", "flowed out", -1), (f"{name}_stored", "in the pores", 1))
+        reacted = sum(history[column] for column in history  # with rock, and of what each further reactant did
+                      if column == f"{name}_gain_reaction" or column.startswith(f"{name}_gain_reaction_of_"))
+        curves = _named(history, (f"{name}_gain_injected", "injected", 1))
+        if np.any(reacted):
+            made = np.sum(reacted) > 0
+            curves.append(Curve("made by reaction", reacted) if made else Curve("spent on rock", -reacted))
+        curves += _named(history, (f"{name}_gain_outflow", "flowed out", -1), (f"{name}_stored", "in the pores", 1))
         axes.append((name, "mol/m", curves))
     return axes
 
@@ -103,7 +106,7 @@ def draw_curves(axes, time, title, unit, curves, logarithmic=False):
         axes.text(0.01, np.finfo(float).eps, "rounding", transform=axes.get_yaxis_transform(), fontsize=8, va="center",
                   color="#444444", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1}, zorder=5)
     else:
-        axes.ticklabel_format(axis="y", scilimits=(-3, 4))
+        axes.ticklabel_format(axis="y", scilimits=(-3, 4), useOffset=False)
     tidy(axes)
     if logarithmic:
         axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(1, 1))

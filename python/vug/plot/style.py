@@ -47,7 +47,7 @@ class Scale:
         if unit in ("Pa", "K") and high - low < 0.01 * largest:
             self.offset = float(f"{low:.3g}")
         factor, name = readable(unit, max(abs(low - self.offset), abs(high - self.offset)))
-        self.factor, self.label = factor, name if unit != "1" else ""
+        self.factor, self.label = factor, name.replace("m3", "m³").replace("m2", "m²") if unit != "1" else ""
         if self.offset:
             base_factor, base_name = readable(unit, abs(self.offset))
             self.label = f"{name} above {self.offset * base_factor:g} {base_name}"
