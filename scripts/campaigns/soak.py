@@ -5,13 +5,17 @@ import time
 
 SMALL, FULL = 1_000, 20_000_000  # steps
 CLOSED = 1e-6  # of what is inside
-# rock that stands it
-STRONG = ["--set", "mechanics.bond.normal_strength=15e6", "--set", "mechanics.bond.cohesion=95e6",
-          "--set", "boundary.injection.flow.pressure=1e6"]
+# A coarse lattice of soft rock that never breaks, few sub-steps and slow acid: cheap steps, and something left of the
+# rock after all of them.
+LASTING = {"lattice.spacing": 5e-4, "mechanics.bond.normal_strength": 1e10, "mechanics.bond.cohesion": 1e10,
+           "mechanics.young_modulus": 1e8, "mechanics.contact.normal_stiffness": 1e6,
+           "mechanics.contact.tangential_stiffness": 4e5, "boundary.injection.flow.pressure": 2e5,
+           "reaction.rate_constant": 1e-7}
 
 
 def campaign(site, count):
-    arguments = site.rock("soak", *STRONG, "--set", f"time.steps={count}", "--set", f"output.interval={2.5e-6 * max(1, count // 40)}",
+    changes = [word for key, value in LASTING.items() for word in ("--set", f"{key}={value:g}")]
+    arguments = site.rock("soak", *changes, "--set", f"time.steps={count}", "--set", f"output.interval={2.5e-6 * max(1, count // 40)}",
                           "--set", f"output.checkpoint_interval={2.5e-6 * max(1, count // 20)}")
     arguments = without(arguments, "time.steps=160", "output.interval=5e-5",
                         "output.checkpoint_interval=5e-5")
