@@ -6,18 +6,22 @@ from dataclasses import dataclass
 from .source import Source
 
 LAWS = {
-    "kernels": """advective_form.cpp conjugate_link.hpp dissolution.cpp equilibrium.hpp flow.cpp flow_fields.cpp
-        heat.cpp heat.hpp heat_boundary.cpp heat_conditions.hpp heat_convection.hpp heat_kernels.hpp heat_sides.cpp heat_step.cpp
-        heat_sums.cpp link_area.hpp mirror_links.cpp momentum_exchange.cpp mrt.hpp open_boundary.cpp opening.cpp reaction.hpp reactive_wall.cpp
-        reactive_wall_kernel.hpp reactive_wall_step.hpp scalar_equilibrium.hpp solid_share.hpp solute.cpp solute_boundary.cpp
-        solute_sweep.hpp solute_totals.cpp surface_normal.cpp units.hpp""",
-    "dem": """accounts.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp bonds.cpp closest_point.hpp
-        contact_forces.hpp contact_law.hpp critical_step.cpp dissolved_rock.hpp elastic_energy.hpp energy.cpp forces.cpp heterogeneity.hpp integrate.cpp
-        loads.cpp mass_loss.cpp mean_stress.cpp mechanics.cpp particles.cpp push.hpp quench.cpp servo.cpp slab_cooling.cpp thermal_strain.hpp
-        triangle.hpp""",
-    "coupling": """build_modules.cpp chemical_damage.cpp face_temperature.hpp flow_module.cpp heat_module.cpp
-        mechanics_module.cpp pathways.cpp pathways.hpp pore_growth.cpp reaction_module.cpp read_fields.hpp rock.cpp
-        rock_map.cpp simulation.cpp solid_spread.cpp solute_module.cpp thermal_exchange.cpp""",
+    "kernels": """advective_form.cpp conjugate_link.hpp dissolution.cpp equilibrium.hpp flow.cpp flow_fields.cpp heat.cpp heat.hpp
+        heat_boundary.cpp heat_conditions.hpp heat_convection.hpp heat_kernels.hpp heat_sides.cpp heat_step.cpp
+        heat_sums.cpp link_area.hpp link_populations.cpp mirror_links.cpp momentum_exchange.cpp mrt.hpp
+        open_boundary.cpp opening.cpp reacting_solutes.cpp reaction.hpp reactive_wall.cpp reactive_wall_kernel.hpp
+        reactive_wall_step.hpp scalar_equilibrium.hpp slit.hpp slit_nodes.cpp solid_share.hpp solute.cpp
+        solute_boundary.cpp solute_sweep.hpp solute_totals.cpp surface_normal.cpp thermal_flow.cpp units.hpp""",
+    "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp bonds.cpp
+        closest_point.hpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp dissolved_rock.hpp
+        elastic_energy.hpp elasticity.hpp energy.cpp forces.cpp gauges.cpp heterogeneity.hpp integrate.cpp loads.cpp
+        mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp particles.cpp push.hpp quench.cpp rest.cpp servo.cpp
+        slab_cooling.cpp static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
+    "coupling": """build_modules.cpp chemical_damage.cpp chemical_damage.hpp face_temperature.hpp flow_module.cpp heat_module.cpp
+        mechanics_module.cpp minerals.cpp pathways.cpp pathways.hpp pore_growth.cpp reaction_accounts.cpp
+        reaction_module.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_loads.cpp rock_map.cpp simulation.cpp
+        slits.cpp solid_spread.cpp solute_module.cpp strip.cpp surfaces.cpp temperature_range.cpp thermal_exchange.cpp
+        velocity_profile.cpp wet_nodes.cpp""",
 }
 # Lines on which a mutant says nothing about a law: text, layout of memory, loops, what a compiler must know.
 NOT_A_LAW = re.compile(

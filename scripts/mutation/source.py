@@ -109,7 +109,7 @@ class Source:
     def condition_start(self, k):
         """The first token of the condition before the ? at k."""
         j = k - 1
-        while j >= 0 and self.tokens[j].text not in (";", ",", "=", "return", ":", "?", "{", "}", "+=", "-=", *OPEN):
+        while j >= 0 and self.tokens[j].text not in (";", ",", "=", "return", "else", ":", "?", "{", "}", "+=", "-=", *OPEN):
             if self.tokens[j].text in CLOSE:
                 j = self.opening(j)
             j -= 1

@@ -1,4 +1,5 @@
 """The tests that look for a mutant: of its library and of what is built on it, the quick ones first."""
+import collections
 import json
 import subprocess
 import time
@@ -12,6 +13,7 @@ SUITES = {
     "coupling": ["unit_coupling", "verification_coupling"],
 }
 STAGES = (0.3, 2, 10, float("inf"))  # s a test takes: all of one stage before the first of the next
+FAVOURITES = 8  # tests that have noticed others of the same file
 TESTS = "build/openmp/tests"
 
 
@@ -22,8 +24,10 @@ def executable(suite):
 class Suite:
     """The tests and how long each takes without a mutant."""
 
-    def __init__(self, folder, longest, suites):
+    def __init__(self, folder, longest, suites, left_out=""):
         self.folder = folder
+        self.tests = "-*Long.*" + (f":{left_out}" if left_out else "")
+        self.noticed = collections.defaultdict(collections.Counter)  # file -> {test: how many of its mutants}
         self.seconds = {}  # suite -> {test: s}
         self.sick = []  # fail without a mutant: they cannot tell
         for suite in suites:
@@ -33,7 +37,7 @@ class Suite:
         """Without a mutant; kept beside the executable until that changes."""
         program, report = self.folder / TESTS / executable(suite), self.folder / TESTS / f"{suite}.json"
         if not report.exists() or report.stat().st_mtime < program.stat().st_mtime:
-            self.call(suite, "-*Long.*", 0, 3600, f"--gtest_output=json:{report}")
+            self.call(suite, self.tests, 0, 3600, f"--gtest_output=json:{report}")
         seconds = {}
         for group in json.loads(report.read_text())["testsuites"]:
             for test in group["testsuite"]:
@@ -58,17 +62,31 @@ class Suite:
         running = [line.split("]")[1].strip() for line in run.stdout.splitlines() if line.startswith("[ RUN ")]
         return failed[0] if failed else f"{running[-1] if running else suite} (ended by itself)"
 
-    def hunt(self, number, library):
-        """(the test that notices the mutant or None, s that it took)."""
-        began, low = time.monotonic(), 0.0
+    def remember(self, mutant, test):
+        """What has noticed a mutant is asked first of the others in its file."""
+        self.noticed[mutant.path][test] += 1
+
+    def stages(self, mutant):
+        """Lists of tests by suite, in the order in which they are asked."""
+        suites = [suite for suite in SUITES[mutant.library] if suite in self.seconds]
+        first = {test for test, _ in self.noticed[mutant.path].most_common(FAVOURITES)}
+        yield {suite: [test for test in self.seconds[suite] if test in first] for suite in suites}
+        low = 0.0
         for high in STAGES:
-            for suite in [suite for suite in SUITES[library] if suite in self.seconds]:
-                tests = {test: s for test, s in self.seconds[suite].items() if low <= s < high}
+            yield {suite: [test for test, s in self.seconds[suite].items() if low <= s < high and test not in first]
+                   for suite in suites}
+            low = high
+
+    def hunt(self, number, mutant):
+        """(the test that notices the mutant or None, s that it took)."""
+        began = time.monotonic()
+        for stage in self.stages(mutant):
+            for suite, tests in stage.items():
                 if not tests:
                     continue
-                limit = 60 + 10 * sum(tests.values())
+                limit = 60 + 10 * sum(self.seconds[suite][test] for test in tests)
                 caught = self.call(suite, ":".join(tests), number, limit, "--gtest_fail_fast", "--gtest_brief=0")
                 if caught:
+                    self.remember(mutant, caught)
                     return caught, time.monotonic() - began
-            low = high
         return None, time.monotonic() - began
