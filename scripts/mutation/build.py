@@ -107,7 +107,9 @@ def faults(folder, log):
 
 def build(root, folder, mutants, targets, jobs, options):
     """Builds the copy. Returns the numbers of those mutants that are no C++, without which it was built."""
-    refused = set()
+    known = folder / "refused.txt"  # by an earlier build
+    names = set(known.read_text().split()) if known.exists() else set()
+    refused = {n for n, m in mutants if m.name in names}
     for _ in range(12):
         kept = [(n, m) for n, m in mutants if n not in refused]
         copy_project(root, folder, kept)
@@ -115,6 +117,7 @@ def build(root, folder, mutants, targets, jobs, options):
         command = ["cmake", "--build", "build/openmp", f"-j{jobs}", "--target", *targets, "--", "-k", "0"]
         run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         if run.returncode == 0:
+            known.write_text("".join(f"{name}\n" for name in sorted(names | {m.name for n, m in mutants if n in refused})))
             return refused
         log = run.stdout + run.stderr
         wrong = set()
