@@ -22,6 +22,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <numeric>
 
 namespace vug {
 
@@ -48,6 +49,13 @@ std::int64_t history_interval(const Scene& scene) {
   constexpr std::int64_t rows = 400, fewest_steps = 100;
   if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
   return std::max(fewest_steps, last_step(scene) / rows);
+}
+
+/// Rows of the history up to a step, that of the start among them.
+std::int64_t rows_until(const Scene& scene, std::int64_t step) {
+  const std::int64_t output = output_interval(scene), history = history_interval(scene);
+  const std::int64_t both = output / std::gcd(output, history) <= step / history ? std::lcm(output, history) : step + 1;
+  return 1 + step / output + step / history - step / both;
 }
 
 /// Lattice steps between two checkpoints.
@@ -112,6 +120,9 @@ class RunFiles {
                    {scene.output.fields, scene.output.compress, false, resume_step}, rock_shape(simulation.parts())),
         history_(directory + "/history.csv", names(row()),
                  resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
+
+  /// Rows of the history that is continued.
+  std::int64_t rows_kept() const { return history_.kept(); }
 
   void write_snapshot() { snapshots_.write(simulation_.clock().time(), simulation_.clock().step); }
 
@@ -210,8 +221,8 @@ class Run {
     const std::optional<RunSummary>& held = folder_->held();
     if (!held) return {hash, ""};
     if (held->case_hash != hash)
-      throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}",
-                                   path_, what_has_changed(record_, *held)));
+      throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path_,
+                                   what_has_changed(record_, *held)));
     record_.run = held->run;
     return {hash, held->run};
   }
@@ -274,6 +285,10 @@ class Run {
       files.emplace(scene_, simulation_, path_, resumed_at_);
     else
       simulation_.history();  // for the names of its columns
+    if (files && resumed_at_)
+      if (const std::int64_t due = rows_until(scene_, *resumed_at_); files->rows_kept() < due)
+        progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", path_,
+                                  files->rows_kept(), due, *resumed_at_));
     if (!resumed_at_) {
       simulation_.begin();
       if (files) files->write_snapshot();

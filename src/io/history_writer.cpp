@@ -37,7 +37,9 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
     : path_(path), columns_(columns.size()) {
   const auto header = fmt::format("{}", fmt::join(columns, ","));
   const bool resume = resume_time && std::filesystem::exists(path);
-  detail::replace_file(path, resume ? kept_rows(path, header, *resume_time) : header + "\n", false);
+  const std::string text = resume ? kept_rows(path, header, *resume_time) : header + "\n";
+  kept_ = std::count(text.begin(), text.end(), '\n') - 1;
+  detail::replace_file(path, text, false);
   file_.reset(std::fopen(path.c_str(), "a"));
   if (!file_) detail::throw_file_error(path, "open");
 }

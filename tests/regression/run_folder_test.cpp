@@ -220,6 +220,20 @@ TEST(Resumed, PassesOverADamagedCheckpointAndSaysSo) {
   EXPECT_EQ(test::difference(folder / "whole", out), "");
 }
 
+/// A history that was cut off goes on, and the log says what is missing.
+TEST(Resumed, SaysThatTheHistoryHasLostRows) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", history = out + "/history.csv";
+  ASSERT_EQ(run(out, "").exit_code, 0);
+  const std::string whole = test::contents(history);
+  const auto rows = std::count(whole.begin(), whole.end(), '\n') - 1;
+  EXPECT_THAT(run(out, "--resume").output, Not(HasSubstr("lost")));
+  test::write_text(history, whole.substr(0, whole.size() - 1));  // a row without its end
+  EXPECT_THAT(run(out, "--resume").output,
+              HasSubstr("warning: " + history + " has lost rows: " + std::to_string(rows - 1) + " of " +
+                        std::to_string(rows) + " up to step 1000 are left"));
+}
+
 TEST(Checkpoints, AreThereAtTheEndWhateverTheIntervals) {
   const TemporaryFolder folder;
   const std::string odd = " --set accuracy.update_interval=1000000 --set output.interval_steps=1000";

@@ -10,6 +10,8 @@ def datasets(group, prefix=""):
     """Every dataset below `group`, with its path; through links to other files, which visititems() passes over."""
     found = {}
     for name, item in group.items():
+        if item is None:
+            raise OSError(f"{prefix}{name} leads to nothing that can be read")
         found |= {prefix + name: item[()]} if isinstance(item, h5py.Dataset) else datasets(item, f"{prefix}{name}/")
     return found
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace {
 
@@ -42,6 +43,24 @@ TEST(Rotation, AgreesWithTheLibraryAtAnyAngle) {
     const double last_digit = 4e-15;  // the distance of neighbouring doubles at the largest angle
     EXPECT_NEAR(q.sin, std::sin(angle), last_digit) << angle;
     EXPECT_NEAR(1 + q.cos_minus_1, std::cos(angle), last_digit) << angle;
+  }
+}
+
+/// A dead load keeps its direction and its place on the triangle: its torque is that of the lever arm turned along.
+TEST(DeadLoad, TurnsATriangleByTheLeverArmThatTurnsWithIt) {
+  const double l = 2e-3, dt = 1e-9;
+  Loads loads;
+  loads.traction[static_cast<int>(RockSide::left)] = {3e6, -1e6};  // Pa, on the edge of length l
+  for (const double angle : {0.0, 0.7, -2.0}) {
+    Mechanics rock({{{0, 0}, {l, 0}, {0, l}}, {{0, 1, 2}}, {}}, {}, loads);
+    test::place(rock.particles(), 0, 0, 0, angle);
+    rock.advance(Exec(), dt, 1);
+    const double arm_x = -l / 3, arm_y = l / 2 - l / 3;  // from the centroid to the middle of the edge
+    const double x = std::cos(angle) * arm_x - std::sin(angle) * arm_y;
+    const double y = std::sin(angle) * arm_x + std::cos(angle) * arm_y;
+    const double torque = l * (x * -1e6 - y * 3e6);                          // N m per m
+    const double inertia = host_copy(rock.particles().mass)(0) * l * l / 9;  // of a right isosceles triangle
+    EXPECT_NEAR(host_copy(rock.particles().spin)(0) / (dt * torque / inertia), 1, 1e-9) << angle;
   }
 }
 

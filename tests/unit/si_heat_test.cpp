@@ -88,6 +88,23 @@ TEST(HeatInSI, HeldTemperaturesDriveTheFluxOfTheConductivities) {
   EXPECT_NEAR(run.now("largest_temperature_change_K"), 390 - flux * 0.5 * dx / rock - 350, 1e-8);
 }
 
+/// Through a side with a heat transfer coefficient h flows h times the difference of temperatures, however often heat
+/// is stepped: the resistances 1/h, of the rock and of the fluid are in series.
+TEST(HeatInSI, TransferCoefficientIsAResistanceInSeries) {
+  const std::string ends =
+      "[boundary.left]\nheat = { type = \"convection\", temperature = 390, coefficient = 3000 }\n"
+      "[boundary.right]\nheat = { type = \"temperature\", temperature = 330 }\n";
+  for (const std::string interval : {"1", "2"}) {
+    test::CoupledRun run(half_rock + ends, {"accuracy.heat_interval=" + interval});
+    run.steps(20000);
+    const double rock = 2600 * 850 * 4e-5, fluid = 900 * 3500 * 1.5e-5;  // W/(m K)
+    const double flux = 60 / (1 / 3000.0 + 6 * dx / rock + 10 * dx / fluid);
+    const std::vector<double> temperature = run.nodes("temperature");
+    EXPECT_NEAR(temperature[3 * 16], 390 - flux * (1 / 3000.0 + 0.5 * dx / rock), 1e-6) << interval;
+    EXPECT_NEAR(temperature[3 * 16 + 15], 330 + flux * 0.5 * dx / fluid, 1e-6) << interval;
+  }
+}
+
 const std::string rock_in_a_gradient = R"(
 [lattice]
 size = [0.048, 0.040]

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vug {
@@ -72,7 +73,7 @@ TEST(RockInSI, IsCompressedByTheStressOnItsSides) {
                                                                      {"left", "right", "bottom", "top"}};
   for (const auto& [x, held_x, y, held_y] : stressed_and_held) {
     const test::CoupledRun run(block + side(x, "normal_stress = 5e6") + side(held_x, "support = \"roller\"") +
-                         side(y, "normal_stress = 7.5e6") + side(held_y, "support = \"roller\""));
+                               side(y, "normal_stress = 7.5e6") + side(held_y, "support = \"roller\""));
     EXPECT_NEAR(strain(run, 0) / (-(5e6 - poisson * 7.5e6) / young), 1, 0.1) << x;
     EXPECT_NEAR(strain(run, 1) / (-(7.5e6 - poisson * 5e6) / young), 1, 0.1) << y;
     // what holds the rock carries the stress on the other side, N/m
@@ -97,15 +98,37 @@ TEST(RockInSI, GrowsFreelyWhenWarmed) {
   for (const double stress : test::of_bonds(run.rock(), "stress")) EXPECT_NEAR(stress, 0, 1e-3 * 1e-5 * 50 * young);
 }
 
+/// A shear stress on a side counts along +x or +y, whichever lies in it; what is held opposite bears it, N/m.
+TEST(RockInSI, ShearStressPushesAlongItsSide) {
+  const std::vector<std::pair<std::string, std::string>> sheared_and_held = {
+      {"right", "left"}, {"left", "right"}, {"top", "bottom"}, {"bottom", "top"}};
+  for (const auto& [sheared, held] : sheared_and_held) {
+    const test::CoupledRun run(block + side(sheared, "shear_stress = 2e6") + side(held, "support = \"fixed\""));
+    const auto reaction = run.rock().reaction(held == "left"    ? RockSide::left
+                                              : held == "right" ? RockSide::right
+                                              : held == "top"   ? RockSide::top
+                                                                : RockSide::bottom);
+    const bool upright = held == "left" || held == "right";
+    const double load = 2e6 * (upright ? height : width);
+    EXPECT_NEAR((upright ? reaction.y : reaction.x) / -load, 1, 1e-3) << sheared;
+    EXPECT_NEAR((upright ? reaction.x : reaction.y) / load, 0, 1e-3) << sheared;
+  }
+}
+
 /// Rock beyond that gives way by 1/S pushes back with S u: u = alpha dT L / (1 + S L / E).
 TEST(RockInSI, RockBeyondResistsItsGrowth) {
   const double S = 1e12;  // Pa/m
-  test::CoupledRun run(block + side("left", "support = \"roller\"", 370) + side("right", "stiffness = 1e12", 370) +
-                       side("bottom", "support = \"roller\"", 370) + side("top", "support = \"free\"", 370));
-  run.steps(800);
-  const double u = displacement_of_end(run, 0), length = width - 1e-3;  // from centroid to centroid
-  EXPECT_NEAR(u / (1e-5 * 50 * length / (1 + S * length / young)), 1, 0.05);
-  EXPECT_NEAR(run.rock().reaction(RockSide::left).x / (S * u * height), 1, 0.03);
+  for (const int axis : {0, 1}) {
+    const std::string spring = axis == 0 ? "right" : "top", open = axis == 0 ? "top" : "right";
+    test::CoupledRun run(block + side("left", "support = \"roller\"", 370) + side(spring, "stiffness = 1e12", 370) +
+                         side("bottom", "support = \"roller\"", 370) + side(open, "support = \"free\"", 370));
+    run.steps(800);
+    const double u = displacement_of_end(run, axis);
+    const double length = (axis == 0 ? width : height) - 1e-3;  // from centroid to centroid
+    EXPECT_NEAR(u / (1e-5 * 50 * length / (1 + S * length / young)), 1, 0.05) << axis;
+    const auto held = run.rock().reaction(axis == 0 ? RockSide::left : RockSide::bottom);
+    EXPECT_NEAR((axis == 0 ? held.x : held.y) / (S * u * (axis == 0 ? height : width)), 1, 0.03) << axis;
+  }
 }
 
 /// The stress of the preload is there before the rock beyond begins to answer.

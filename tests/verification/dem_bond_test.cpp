@@ -163,6 +163,16 @@ TEST_F(OneBond, DissolutionSoftensWeakensAndFinallyFailsIt) {
   EXPECT_TRUE(has_failed(state()));
 }
 
+/// What has dissolved weakens the cohesion as it weakens the tensile strength, by f1 (Eq. 27).
+TEST_F(OneBond, DissolutionWeakensItInShear) {
+  Kokkos::deep_copy(bonds.d_c, 0.3);
+  const double cohesion = 95e6 * 0.9104 / 0.98, onset = cohesion / (0.7 * 10.68e9 / bond_length());
+  EXPECT_NEAR(stress_at(0, 0.999 * onset)[1], 0.999 * cohesion, 1);
+  EXPECT_FALSE(has_failed(state()));
+  EXPECT_EQ(stress_at(0, 1.001 * onset)[1], 0);
+  EXPECT_EQ(state(), BondState::failed_in_shear);
+}
+
 TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
   const double k_n = 24.03e9 / bond_length(), angle = 1e-6;
   // particle b turns about the middle of the edge
@@ -175,8 +185,8 @@ TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
   EXPECT_NEAR(load(0, 0), 0, 1e-5 * k_n * l * l * angle);
 }
 
-/// Particle b turns about the middle of the edge, which opens by `middle`; by lubrication the wedge conducts like the slot
-/// of (mean of 1/w^3)^(-1/3).
+/// Particle b turns about the middle of the edge, which opens by `middle`; by lubrication the wedge conducts like the
+/// slot of (mean of 1/w^3)^(-1/3).
 TEST_F(OneBond, GapesLikeTheSlotThatConductsAlike) {
   const double arm = l / (2 * std::sqrt(3.0)), unit = 1e-6, residual = 0.5e-6;
   const ScalarField<double> aperture("aperture", 1);
