@@ -46,14 +46,15 @@ using vug::CommandLine;
 int info(const CommandLine& line, const vug::Ranks& ranks) {
   if (!ranks.first()) return done;
   const vug::BuildInfo build = vug::build_info();
-  const char* format = line.json
-                           ? "{{\"version\": \"{}\", \"commit\": \"{}\", \"compiler\": \"{}\", \"backend\": \"{}\", "
-                             "\"device\": \"{}\", \"threads\": {}, \"mpi\": \"{}\", \"ranks\": {}, \"precisions\": "
-                             "[\"single\", \"double\"]}}\n"
-                           : "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        "
-                             "{}\nranks      {}\nprecisions single, double\n";
-  vug::print(fmt::format(fmt::runtime(format), build.version, build.commit, build.compiler, build.backend, build.device,
-                         build.threads, vug::mpi_library(), ranks.size()));
+  constexpr const char* json =
+      R"({{"version": "{}", "commit": "{}", "compiler": "{}", "backend": "{}", "device": "{}", "threads": {}, )"
+      R"("mpi": "{}", "ranks": {}, "precisions": ["single", "double"]}})"
+      "\n";
+  constexpr const char* text =
+      "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        {}\nranks      {}\n"
+      "precisions single, double\n";
+  vug::print(fmt::format(fmt::runtime(line.json ? json : text), build.version, build.commit, build.compiler,
+                         build.backend, build.device, build.threads, vug::mpi_library(), ranks.size()));
   return done;
 }
 
@@ -185,8 +186,8 @@ int agree(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
 void require_run(const CommandLine& line, const vug::Ranks& ranks) {
   if (*line.info) return;
   if (ranks.alone() && vug::processes_started() > 1)
-    throw vug::InputError(fmt::format(
-        "{} processes were started together, but vug was built without MPI (-DVUG_MPI=ON)", vug::processes_started()));
+    throw vug::InputError(fmt::format("{} processes were started together, but this vug has no MPI (-DVUG_MPI=ON)",
+                                      vug::processes_started()));
   if (ranks.alone() || (*line.run && !line.error_bars)) return;
   throw vug::InputError(
       fmt::format("{} ranks were started; this command needs one: call it without mpirun", ranks.size()));

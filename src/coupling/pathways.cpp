@@ -6,12 +6,12 @@
 
 namespace vug {
 
-/// What a bond conducts now; counts those where that differs from the last look.
+/// What a bond conducts now; counts those where that differs from the last look, and those with slits.
 struct LookAtBonds {
   PathwayNodes nodes;
   Kokkos::View<const double*> d_m, gap;
   BondPathways bonds;
-  KOKKOS_FUNCTION void operator()(int b, int& changed) const {
+  KOKKOS_FUNCTION void operator()(int b, int& changed, int& narrow) const {
     double strip = 0, conductivity = 0;
     if (gap.extent(0) == 0) {
       strip = pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
@@ -22,6 +22,7 @@ struct LookAtBonds {
       strip = Kokkos::fmax(slot_aperture(conductivity), width >= narrowest_slit ? 1.0 : 0.0);
     }
     changed += strip != bonds.strip(b) || conductivity != bonds.conductivity(b);
+    narrow += strip >= 1 && slit_resistance(conductivity, nodes.slope(b)) > 0;
     bonds.strip(b) = strip;
     bonds.widest(b) = Kokkos::fmax(strip, bonds.widest(b));
     bonds.conductivity(b) = conductivity;
@@ -71,15 +72,15 @@ void PathwayOpener::follow_cracks(const Mechanics& rock, double residual, double
   gap_ = ScalarField<double>("vug::pathways::gap", bonds_.strip.extent(0));
 }
 
-bool PathwayOpener::look(const Exec& exec, const ScalarField<double>& d_m) {
+PathwayOpener::Look PathwayOpener::look(const Exec& exec, const ScalarField<double>& d_m) {
   if (rock_)
     find_crack_apertures(exec, rock_->particles(), rock_->bonds(), rock_->parameters().thermal_expansion, residual_,
                          spacing_, gap_);
-  int changed = 0;
+  Look found;
   Kokkos::parallel_reduce("vug::pathways::look",
                           Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(bonds_.strip.extent(0))),
-                          LookAtBonds{nodes_, d_m, gap_, bonds_}, changed);
-  return changed > 0;
+                          LookAtBonds{nodes_, d_m, gap_, bonds_}, found.changed, found.narrow);
+  return found;
 }
 
 int PathwayOpener::open(const Exec& exec, const Kokkos::View<NodeType*>& type, const ScalarField<double>& volume,

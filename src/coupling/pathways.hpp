@@ -43,8 +43,11 @@ class PathwayOpener {
   PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSpread spread);
   /// From now on pathways are as wide as the cracks of `rock` gape; otherwise they follow d_m. residual and spacing: m.
   void follow_cracks(const Mechanics& rock, double residual, double spacing);
-  /// Looks at the bonds. Returns whether one of them conducts otherwise than at the last look.
-  bool look(const Exec& exec, const ScalarField<double>& d_m);
+  /// How many bonds conduct otherwise than at the last look, and how many of all less than a strip of whole nodes.
+  struct Look {
+    int changed = 0, narrow = 0;
+  };
+  Look look(const Exec& exec, const ScalarField<double>& d_m);
   /// Opens nodes. `volume` and `dissolved` may be empty (a scene without dissolution). Returns how many opened.
   int open(const Exec& exec, const Kokkos::View<NodeType*>& type, const ScalarField<double>& volume,
            const ScalarField<double>& dissolved);

@@ -16,8 +16,8 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
   if (lost_.all.extent(0) > 0)
     dissolved =
         mark_dissolved(exec, fluid, geometry_.surface, geometry_.type, geometry_.volume, lost_.all, lost_.of_minerals);
-  const bool moved = opener_ && opener_->look(exec, d_m_);
-  if (moved) opened = opener_->open(exec, geometry_.type, geometry_.volume, geometry_.dissolved);
+  const PathwayOpener::Look look = opener_ ? opener_->look(exec, d_m_) : PathwayOpener::Look{};
+  if (look.changed > 0) opened = opener_->open(exec, geometry_.type, geometry_.volume, geometry_.dissolved);
   if (dissolved + opened > 0) {
     Births births{fluid.count, fluid.count, opened > 0};
     append_births(exec, geometry_.type, fluid);
@@ -28,8 +28,8 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
     dissolved_nodes_ += dissolved;
     opened_nodes_ += opened;
   }
-  // acid widens those that are there
-  if (moved || geometry_.slits.count > 0) slits_->update(exec, opener_->bonds(), geometry_);
+  // while there are any: acid widens them
+  if (look.narrow > 0 || geometry_.slits.count > 0) slits_->update(exec, opener_->bonds(), geometry_);
   return dissolved + opened;
 }
 

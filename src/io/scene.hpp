@@ -112,8 +112,8 @@ struct FlowSection {
   double density = 1000;                   ///< kg/m3
   double viscosity = 0;                    ///< kinematic, m2/s
   double viscosity_activation_energy = 0;  ///< J/mol, of the Arrhenius law about the reference temperature
-  std::vector<std::array<double, 2>>
-      viscosity_table;                  ///< (K, m2/s); then `viscosity` is that at the reference temperature
+  /// (K, m2/s); then `viscosity` is that at the reference temperature.
+  std::vector<std::array<double, 2>> viscosity_table;
   std::array<double, 2> gravity{0, 0};  ///< m/s2, on differences of density
   double thermal_expansion = 0;         ///< 1/K, of the volume
   double reference_temperature = 0;     ///< K, of density and viscosity; heat.initial_temperature unless given
@@ -208,8 +208,8 @@ struct InitialVelocity {
 };
 
 struct MechanicsSection {
-  std::string profile =
-      "paper-literal";  ///< or "calibrated": cohesion re-fitted to the measured strength; or "weibull-scale"
+  /// Or "calibrated": cohesion re-fitted to the measured strength; or "weibull-scale".
+  std::string profile = "paper-literal";
   MechanicsParameters parameters;
   std::vector<RockRegion> regions;      ///< of parameters.materials, one each; later ones paint over earlier ones
   std::array<double, 2> gravity{0, 0};  ///< m/s2

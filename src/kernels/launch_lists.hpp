@@ -1,9 +1,14 @@
 #pragma once
 // Several lists in one launch, which for short ones takes longer than the work: the stretches of a boundary. A law has
-//   Entry                 what it must know of a list: plain pointers and numbers, since up to 16 are arguments of a
-//   kernel count(list)           on the host: how many items one of the lists has that a launcher was given entry(list)
-//   likewise, where the lists are not given as entries law(entry, run)       calls run(body) once, with what runs over
-//   the items of that list
+//
+// - Entry: what it must know of a list, plain pointers and numbers, since up to 16 are arguments of a kernel;
+//
+// - count(list): on the host, how many items one of the lists has that a launcher was given;
+//
+// - entry(list): likewise, where the lists are not given as entries;
+//
+// - law(entry, run): calls run(body) once, with what runs over the items of that list.
+//
 // The lists must be independent. Their bits are those of one launch each. Nothing is fenced.
 #include "kernels/launch.hpp"
 

@@ -24,9 +24,10 @@ KOKKOS_FORCEINLINE_FUNCTION double slot_aperture(double conductivity) {
 }
 
 /// Aperture (cells) of the slot that conducts as well as the narrowest strip, the cells that a line passes through
-/// which rises by 0 <= slope <= 1 per column: 1 + slope of them per column. Measured with Stokes flow.
+/// which rises by 0 <= slope <= 1 per column: 1 + slope of them per column. Measured with Stokes flow, as the mean of
+/// two sweeps (a row of single nodes swings to and fro).
 KOKKOS_FORCEINLINE_FUNCTION double narrowest_aperture(double slope) {
-  return 1 + 0.264 * slope;
+  return 1 + 0.264 * slope + 0.15 * slope * (1 - slope);
 }
 
 /// Resistance 1/k (1/cells^2) to give to each node of the narrowest strip so that it conducts K (cells^3) along its

@@ -82,7 +82,7 @@ Front dissolve_slab(Cracks cracks, double k) {
       if (b % 3 && middle(b) < to) host(b) = 1;
     Kokkos::deep_copy(d_m, host);
     const int first = box.nodes.count;
-    if (!opener.look(box.exec, d_m) || opener.open(box.exec, box.type, box.V, box.dissolved) == 0) return;
+    if (opener.look(box.exec, d_m).changed == 0 || opener.open(box.exec, box.type, box.V, box.dissolved) == 0) return;
     for (int n = 0; n < lattice.size(); ++n)
       if (box.type(n) == NodeType::solid) front.most = std::max(front.most, box.V(n) + box.dissolved(n));
     append_births(box.exec, box.type, box.nodes);

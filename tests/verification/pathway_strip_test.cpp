@@ -28,7 +28,7 @@ TEST(PathwayStrip, ConductsAlikeInEveryDirection) {
       if (degrees == 5 && w > 3) continue;  // its turns around the lattice would meet
       const double error = crack.conductivity(w) / slot_conductivity(w) - 1;
       if (w == 1) {  // the narrowest piece of whole cells is wider than one
-        EXPECT_NEAR(error, slot_conductivity(narrowest_aperture(direction.slope())) / slot_conductivity(1) - 1, 0.13)
+        EXPECT_NEAR(error, slot_conductivity(narrowest_aperture(direction.slope())) / slot_conductivity(1) - 1, 0.05)
             << degrees;
       } else {
         const double bound = w >= 3 ? 0.05 : w >= 2 ? 0.08 : 0.13;
