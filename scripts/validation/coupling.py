@@ -76,30 +76,32 @@ def arrows(records, figures):
         table(["arrow", "test", "error"], rows), "coupling_arrows.png")
 
 
+def errors_by_direction(rows):
+    """A row for each direction of a crack, a column for each aperture in cells; empty where none was measured."""
+    apertures = sorted({r["aperture"] for r in rows})
+    error = {(r["degrees"], r["aperture"]): r["error"] for r in rows}
+    cell = lambda degrees, w: f"{100 * error[degrees, w]:+.1f} %" if (degrees, w) in error else ""
+    return table(["direction"] + [f"w = {w:g}" for w in apertures],
+                 [[f"{d}°"] + [cell(d, w) for w in apertures] for d in sorted({r["degrees"] for r in rows})])
+
+
 def strips(records, _):
     rows = records["pathway_strip"]
     if not rows:
         return None
-    apertures = sorted({r["aperture"] for r in rows})
-    error = {(r["degrees"], r["aperture"]): r["error"] for r in rows}
-    cell = lambda degrees, w: f"{100 * error[degrees, w]:+.1f} %" if (degrees, w) in error else ""
     return section(
         "Pathways in every direction", "PathwayStrip.ConductsAlikeInEveryDirection",
         "Stokes flow along a crack of four bonds that closes on itself on a periodic lattice, against the plane slot of its "
         "aperture in cells, (w³ + w/2)/12. Whole apertures along an axis are exact wherever the line lies "
         "(`PathwayStrip.ObeysTheCubicLawWhereverAnAxisParallelLineLies`). The narrowest strip that is one piece across faces "
         "of cells is wider than one cell in oblique directions.",
-        table(["direction"] + [f"w = {w:g}" for w in apertures],
-              [[f"{d}°"] + [cell(d, w) for w in apertures] for d in sorted({r["degrees"] for r in rows})]))
+        errors_by_direction(rows))
 
 
 def slits(records, _):
     rows, gaps = records["slit"], records["gaping_crack"]
     if not rows or not gaps:
         return None
-    apertures = sorted({r["aperture"] for r in rows})
-    error = {(r["degrees"], r["aperture"]): r["error"] for r in rows}
-    cell = lambda degrees, w: f"{100 * error[degrees, w]:+.1f} %" if (degrees, w) in error else ""
     return section(
         "Cracks narrower than a cell", "SlitFlow, GapingCrack, Slits",
         "The narrowest strip of nodes with the drag of `damage.aperture = \"opening\"`, and from 1.2 cells on wider strips, "
@@ -108,8 +110,7 @@ def slits(records, _):
         "block is lifted by so many cells: flow rate over that of the cubic law "
         + ", ".join(f"{r['ratio']:.4f} at {r['gap']:g}" for r in gaps) + " (from 1.6 on columns of n and n + 1 nodes in turn). "
         "The force and torque of the fluid on the rock are those of the pressure at the inlet to 0.2 %.",
-        table(["direction"] + [f"w = {w:g}" for w in apertures],
-              [[f"{d}°"] + [cell(d, w) for w in apertures] for d in sorted({r["degrees"] for r in rows})]))
+        errors_by_direction(rows))
 
 
 def cracked_slab(records, _):

@@ -45,11 +45,18 @@ class Line {
     const double rise = std::abs(slope_), offset = 2 * snapped(centre[1] - height(centre[0]));
     if (offset >= -1 - rise - tie && offset < 1 + rise - tie) return 1;
     const int nearer = static_cast<int>(offset < 0 ? std::ceil(-offset) - 1 : std::floor(offset));  // in its column
-    const double middle = (from_[0] + to_[0]) / 2, half = (to_[0] - from_[0]) / 2;
-    // share of the columns that open before it; the one in the middle opens once half of it is wanted
-    const double share = std::min(1.0, std::max(0.25, std::abs(centre[0] - middle)) / half);
+    // share of the columns that open before half of this one is wanted
+    const double share = std::min(1.0, (place(centre[0]) - 0.5) / (to_[0] - from_[0]));
     return slot_aperture(1 / ((1 - share) / slot_conductivity(strip_aperture(nearer, rise)) +
                               share / slot_conductivity(strip_aperture(nearer + 1, rise))));
+  }
+
+  /// Its place, from 1, in the order in which columns open: from the middle outwards, on both sides in turn.
+  int place(double column) const {
+    const double middle = (from_[0] + to_[0]) / 2, first = std::floor(middle) + 0.5;
+    const int away = static_cast<int>(column - first);
+    const bool nearer = away != 0 && (away < 0) != (first < middle);  // than the column as far on the other side
+    return 2 * std::abs(away) + (nearer ? 0 : 1);
   }
 
   /// Distance of a point that lies beyond an end from that end.
@@ -70,8 +77,11 @@ class Line {
 double strip_aperture(int n, double slope) {
   if (n == 1) return narrowest_aperture(slope);
   // What the steps of its walls take from the geometric width n cos(angle), at slopes of 0, 0.1, ... 1: measured with
-  // Stokes flow (verification/pathway_strip_test.cpp), alike for all n.
-  constexpr std::array<double, 11> steps{0, 0.117, 0.184, 0.197, 0.184, 0.165, 0.184, 0.183, 0.172, 0.142, 0.080};
+  // Stokes flow (verification/pathway_strip_test.cpp), alike for all n but the least.
+  using Steps = std::array<double, 11>;
+  constexpr Steps of_two{0, 0.120, 0.187, 0.212, 0.213, 0.193, 0.229, 0.232, 0.215, 0.186, 0.150},
+      of_more{0, 0.117, 0.184, 0.197, 0.184, 0.165, 0.184, 0.183, 0.172, 0.142, 0.080};
+  const Steps& steps = n == 2 ? of_two : of_more;
   const int left = std::min(9, static_cast<int>(10 * slope));
   const double lost = steps[left] + (10 * slope - left) * (steps[left + 1] - steps[left]);
   return n / std::sqrt(1 + slope * slope) - lost;

@@ -27,7 +27,8 @@ KOKKOS_FORCEINLINE_FUNCTION double slot_aperture(double conductivity) {
 /// which rises by 0 <= slope <= 1 per column: 1 + slope of them per column. Measured with Stokes flow, as the mean of
 /// two sweeps (a row of single nodes swings to and fro).
 KOKKOS_FORCEINLINE_FUNCTION double narrowest_aperture(double slope) {
-  return 1 + 0.264 * slope + 0.15 * slope * (1 - slope);
+  const double from_axis_or_diagonal = slope < 0.5 ? slope : 1 - slope;
+  return 1 + 0.264 * slope + 0.18 * from_axis_or_diagonal * from_axis_or_diagonal;
 }
 
 /// Resistance 1/k (1/cells^2) to give to each node of the narrowest strip so that it conducts K (cells^3) along its

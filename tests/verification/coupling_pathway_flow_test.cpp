@@ -144,7 +144,7 @@ double over_cubic_law(test::CoupledRun& run, double gap, int first, int last) {
 TEST(GapingCrack, ConductsByTheCubicLawBelowTheResolutionOfACell) {
   for (const double gap : {0.25, 0.5, 1.0, 1.6, 2.4}) {
     test::CoupledRun run = lifted_rock(gap);
-    run.steps(6000);
+    run.steps(3000);
     const double ratio = gap > 1 ? over_cubic_law(run, gap, 24, 72) : over_cubic_law(run, gap, 19, 21);
     EXPECT_NEAR(ratio, 1, gap <= 1 ? 0.01 : 0.05) << gap << " cells";
     test::record("gaping_crack", {{"gap", gap}, {"ratio", ratio}});
@@ -169,7 +169,7 @@ TEST(GapingCrack, ClosesAgain) {
 /// slit.
 TEST(GapingCrack, FluidDragsTheRockAlong) {
   test::CoupledRun run = lifted_rock(0.5);
-  run.steps(6000);
+  run.steps(3000);
   const Particles& particles = run.rock().particles();
   const auto centre = test::host_copy(particles.x0);
   double drag = 0, turning = 0;  // about the corner of the lattice

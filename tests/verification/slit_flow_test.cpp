@@ -73,10 +73,8 @@ TEST(SlitFlow, ConductsByTheCubicLawInEveryDirection) {
       const double resistance = slit_resistance(cubic_law(w), direction.slope());
       const double strip = std::max(1.0, slot_aperture(cubic_law(w)));
       const double error = crack.conductivity(strip, resistance) / cubic_law(w) - 1;
-      EXPECT_LT(std::abs(error), w <= 1  ? 0.03
-                                 : w < 3 ? 0.14
-                                         : 0.05)
-          << direction.degrees << " degrees, " << w << " cells";
+      const double bound = w <= 1.2 ? 0.025 : w < 3 ? 0.09 : 0.03;  // from a cell on: one column more or less
+      EXPECT_LT(std::abs(error), bound) << direction.degrees << " degrees, " << w << " cells";
       test::record("slit", {{"degrees", direction.degrees}, {"aperture", w}, {"error", error}});
     }
   }
