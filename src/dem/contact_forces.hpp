@@ -52,7 +52,7 @@ struct ContactForces {
   double expansion;
   double dt;
   Particles particles;
-  Bonds bonds;
+  IndexList events;  ///< of Bonds
   Contacts contacts;
   Keeper accounts;
 
@@ -140,7 +140,7 @@ struct ContactForces {
 
   /// All pairs of which particle `low` is the lower one.
   KOKKOS_FUNCTION void operator()(int low) const {
-    if (bonds.events(bond_has_failed) == 0) return;
+    if (events(bond_has_failed) == 0) return;
     const int generation = contacts.status(contacts_generation);
     PairEnergy energy;
     const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);

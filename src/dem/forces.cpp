@@ -11,26 +11,25 @@ namespace {
 /// Contacts beside bonds: they need not know of a bond that fails in this step, since no pair is listed before the
 /// first has failed.
 template <class Law, class Keeper>
-void launch_with(const Exec& exec, const Law& laws, const ContactForces<Keeper>& touch,
-                 const MechanicsParameters& parameters, const Groups* awake) {
+void launch_with(const Exec& exec, BondModel<Law, Keeper> model, ContactForces<Keeper> touch, const Groups* awake) {
   const char* label = "vug::dem::forces";
-  const BondModel<Law, Keeper> model{laws,     parameters.contact, parameters.chemical, touch.expansion,
-                                     touch.dt, touch.particles,    touch.bonds,         touch.accounts};
-  const CohesiveForces<Law, Keeper> hold{model};
-  const BondFailure<Law, Keeper> fail{model};
-  const auto pairs = each(touch.particles.count, touch);
+  const int particles = model.particles.count, bonds = model.bonds.count;
+  CohesiveForces<Law, Keeper> hold{model};
+  BondFailure<Law, Keeper> fail{std::move(model)};
+  auto pairs = each(particles, std::move(touch));
   if (awake)
-    launch(exec, label, side_by_side(in_turn(*awake, hold, fail), pairs));
+    launch(exec, label, side_by_side(in_turn(*awake, std::move(hold), std::move(fail)), std::move(pairs)));
   else
-    launch(exec, label, side_by_side(in_turn(touch.bonds.count, hold, fail), pairs));
+    launch(exec, label, side_by_side(in_turn(bonds, std::move(hold), std::move(fail)), std::move(pairs)));
 }
 
 /// What the dashpots of its contacts do to each particle.
 template <class Keeper>
-void gather_drag(const Exec& exec, const ContactForces<Keeper>& touch) {
+void gather_drag(const Exec& exec, int count, const Bonds& bonds, const Contacts& contacts, const Keeper& accounts) {
   if constexpr (Keeper::kept)
-    for_each_node(exec, "vug::dem::gather_drag", touch.particles.count,
-                  GatherContacts{touch.bonds, touch.contacts, touch.accounts.pair_drag, touch.accounts.particle_drag});
+    for_each_node(
+        exec, "vug::dem::gather_drag", count,
+        GatherContacts{bonds.events, contacts.row, contacts.entry, accounts.pair_drag, accounts.particle_drag});
 }
 
 }  // namespace
@@ -38,23 +37,29 @@ void gather_drag(const Exec& exec, const ContactForces<Keeper>& touch) {
 template <class Keeper>
 void compute_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
                     const Bonds& bonds, const Contacts& contacts, const Keeper& accounts, const Groups* awake) {
-  const ContactForces<Keeper> touch{
-      parameters.contact, parameters.thermal_expansion, dt, particles, bonds, contacts, accounts};
+  const double expansion = parameters.thermal_expansion;
+  const auto launch_law = [&](auto law) {
+    launch_with(exec,
+                BondModel<decltype(law), Keeper>{std::move(law), parameters.contact, parameters.chemical, expansion, dt,
+                                                 particles, bonds, accounts},
+                ContactForces<Keeper>{parameters.contact, expansion, dt, particles, bonds.events, contacts, accounts},
+                awake);
+  };
   if (bonds.elasticity.given())
-    launch_with(exec, LawOfEach{parameters.bond, bonds.elasticity}, touch, parameters, awake);
+    launch_law(LawOfEach{parameters.bond, bonds.elasticity});
   else
-    launch_with(exec, OneLaw{parameters.bond}, touch, parameters, awake);
-  gather_drag(exec, touch);
+    launch_law(OneLaw{parameters.bond});
+  gather_drag(exec, particles.count, bonds, contacts, accounts);
 }
 
 template <class Keeper>
 void compute_contact_forces(const Exec& exec, const MechanicsParameters& parameters, double dt,
                             const Particles& particles, const Bonds& bonds, const Contacts& contacts,
                             const Keeper& accounts) {
-  const ContactForces<Keeper> touch{
-      parameters.contact, parameters.thermal_expansion, dt, particles, bonds, contacts, accounts};
-  launch(exec, "vug::dem::contact_forces", each(particles.count, touch));
-  gather_drag(exec, touch);
+  launch(exec, "vug::dem::contact_forces",
+         each(particles.count, ContactForces<Keeper>{parameters.contact, parameters.thermal_expansion, dt, particles,
+                                                     bonds.events, contacts, accounts}));
+  gather_drag(exec, particles.count, bonds, contacts, accounts);
 }
 
 template void compute_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,

@@ -6,15 +6,15 @@ namespace vug {
 
 /// Sum of a particle's contacts, in the order of its row, of loads or of the dashpots in them.
 struct GatherContacts {
-  Bonds bonds;
-  Contacts contacts;
+  IndexList events;      ///< of Bonds
+  IndexList row, entry;  ///< of Contacts
   Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
   Kokkos::View<double* [3], Kokkos::LayoutLeft> push;
   KOKKOS_FUNCTION void operator()(int i) const {
-    if (bonds.events(bond_has_failed) == 0) return;
+    if (events(bond_has_failed) == 0) return;
     double x = 0, y = 0, torque = 0;
-    for (int e = contacts.row(i); e < contacts.row(i + 1); ++e) {
-      const int k = contacts.entry(e) / 2, end = contacts.entry(e) % 2;
+    for (int e = row(i); e < row(i + 1); ++e) {
+      const int k = entry(e) / 2, end = entry(e) % 2;
       const double sign = end == 0 ? 1 : -1;
       x += sign * load(k, 0);
       y += sign * load(k, 1);
@@ -25,5 +25,10 @@ struct GatherContacts {
     push(i, 2) = torque;
   }
 };
+
+/// Of the loads themselves.
+inline GatherContacts gather_loads(const Bonds& bonds, const Contacts& contacts) {
+  return {bonds.events, contacts.row, contacts.entry, contacts.load, contacts.push};
+}
 
 }  // namespace vug

@@ -15,7 +15,6 @@ template <class Keeper>
 struct Integrate {
   StepControl control;
   ParticlePush push;
-  Particles p;
   Keeper accounts;
 
   /// New velocity of one degree of freedom under `force`.
@@ -39,12 +38,12 @@ struct Integrate {
   /// platen, and damping, go to the accounts.
   KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double here, double force, double given,
                                         double inverse_mass) const {
-    const bool held = (p.held(i) & (axis == 0 ? 1 : 2)) != 0;
-    const double v = p.v(i, axis), kick = kicked(v, force, inverse_mass);
-    const double w = here * (held ? p.drive(i, axis) : kick);
-    p.v(i, axis) = w;
-    p.u(i, axis) += control.dt * w;
-    p.reaction(i, axis) = held ? -force : 0.0;
+    const bool held = (push.p.held(i) & (axis == 0 ? 1 : 2)) != 0;
+    const double v = push.p.v(i, axis), kick = kicked(v, force, inverse_mass);
+    const double w = here * (held ? push.p.drive(i, axis) : kick);
+    push.p.v(i, axis) = w;
+    push.p.u(i, axis) += control.dt * w;
+    push.p.reaction(i, axis) = held ? -force : 0.0;
     if constexpr (Keeper::kept) {
       const double jerk = 0.5 * (w * w - v * v) / inverse_mass;  // of a platen that changes its speed
       accounts.add_particle(
@@ -54,15 +53,15 @@ struct Integrate {
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void turn(int i, double here, double torque, double given, double inverse_inertia) const {
-    const bool held = (p.held(i) & 4) != 0;
-    const double v = p.spin(i), kick = kicked(v, torque, inverse_inertia);
+    const bool held = (push.p.held(i) & 4) != 0;
+    const double v = push.p.spin(i), kick = kicked(v, torque, inverse_inertia);
     const double w = here * (held ? 0.0 : kick);
-    const double angle = p.angle(i) + control.dt * w;
+    const double angle = push.p.angle(i) + control.dt * w;
     const Rotation rotation = Rotation::by(angle);
-    p.spin(i) = w;
-    p.angle(i) = angle;
-    p.rotation(i, 0) = rotation.cos_minus_1;
-    p.rotation(i, 1) = rotation.sin;
+    push.p.spin(i) = w;
+    push.p.angle(i) = angle;
+    push.p.rotation(i, 0) = rotation.cos_minus_1;
+    push.p.rotation(i, 1) = rotation.sin;
     if constexpr (Keeper::kept) {
       accounts.add_particle(i, held ? 0 : control.dt * given * 0.5 * (v + w),
                             (held ? 0 : damped(v, w, torque)) + dragged(i, 2, v, w));
@@ -71,9 +70,9 @@ struct Integrate {
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
     const Push given = push.outside(i), all = push.total(i, given);
-    const double left = p.solid_fraction(i), here = presence(left);
+    const double left = push.p.solid_fraction(i), here = presence(left);
     const double share = control.mass_scaling * mass_fraction(left);
-    const double inverse_mass = 1 / (share * p.mass(i)), inverse_inertia = 1 / (share * p.inertia(i));
+    const double inverse_mass = 1 / (share * push.p.mass(i)), inverse_inertia = 1 / (share * push.p.inertia(i));
     move(i, 0, here, all.x, given.x, inverse_mass);
     move(i, 1, here, all.y, given.y, inverse_mass);
     turn(i, here, all.torque, given.torque, inverse_inertia);
@@ -86,13 +85,13 @@ template <class Keeper>
 void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts, const Groups* awake) {
   const char* label = "vug::dem::integrate";
-  const GatherContacts gather{bonds, contacts, contacts.load, contacts.push};
-  const Integrate<Keeper> move{
-      control, {control.load_factor, control.surroundings, bonds, contacts, loads, particles}, particles, accounts};
+  GatherContacts gather = gather_loads(bonds, contacts);
+  Integrate<Keeper> move{
+      control, particle_push(control.load_factor, control.surroundings, bonds, contacts, loads, particles), accounts};
   if (awake)
-    launch(exec, label, in_turn(*awake, gather, move));
+    launch(exec, label, in_turn(*awake, std::move(gather), std::move(move)));
   else
-    launch(exec, label, in_turn(particles.count, gather, move));
+    launch(exec, label, in_turn(particles.count, std::move(gather), std::move(move)));
 }
 
 template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,

@@ -13,16 +13,17 @@ struct Push {
 /// Contacts::push, outside forces, boundary loads and gravity. No branches, so that a host does eight particles at
 /// once.
 struct ParticlePush {
-  double load_factor, surroundings;  ///< see StepControl
-  Bonds bonds;
-  Contacts contacts;
+  double load_factor, surroundings;                        ///< see StepControl
+  Kokkos::View<int* [3], Kokkos::LayoutLeft> slot;         ///< of Bonds
+  Kokkos::View<double* [4], Kokkos::LayoutLeft> load;      ///< of Bonds
+  Kokkos::View<double* [3], Kokkos::LayoutLeft> contacts;  ///< Contacts::push
   BoundaryLoads boundary;
   Particles p;
 
   KOKKOS_FORCEINLINE_FUNCTION Push bond(int i, int edge) const {
-    const int slot = bonds.slot(i, edge), k = slot / 2, end = slot % 2;
+    const int k = slot(i, edge) / 2, end = slot(i, edge) % 2;
     const double sign = 1 - 2 * end;
-    return {sign * bonds.load(k, 0), sign * bonds.load(k, 1), bonds.load(k, 2 + end)};
+    return {sign * load(k, 0), sign * load(k, 1), load(k, 2 + end)};
   }
 
   /// What the rock beyond the boundary adds to the stress that was there after the preload.
@@ -44,9 +45,14 @@ struct ParticlePush {
   /// Of everything; `given` from outside(i).
   KOKKOS_FORCEINLINE_FUNCTION Push total(int i, const Push& given) const {
     const Push a = bond(i, 0), b = bond(i, 1), c = bond(i, 2);
-    return {a.x + b.x + c.x + contacts.push(i, 0) + given.x, a.y + b.y + c.y + contacts.push(i, 1) + given.y,
-            a.torque + b.torque + c.torque + contacts.push(i, 2) + given.torque};
+    return {a.x + b.x + c.x + contacts(i, 0) + given.x, a.y + b.y + c.y + contacts(i, 1) + given.y,
+            a.torque + b.torque + c.torque + contacts(i, 2) + given.torque};
   }
 };
+
+inline ParticlePush particle_push(double load_factor, double surroundings, const Bonds& bonds, const Contacts& contacts,
+                                  const BoundaryLoads& loads, const Particles& particles) {
+  return {load_factor, surroundings, bonds.slot, bonds.load, contacts.push, loads, particles};
+}
 
 }  // namespace vug

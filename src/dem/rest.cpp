@@ -23,7 +23,6 @@ struct LookAtRest {
   double wake_at, mass_scaling, per_step;  ///< N, 1, 1/s
   GatherContacts gather;
   ParticlePush push;
-  Particles p;
   Groups groups;
 
   /// Of one degree of freedom; of a rotation torque and momentum over the radius of gyration.
@@ -33,18 +32,18 @@ struct LookAtRest {
   }
   KOKKOS_FUNCTION double unrest(int i) const {
     const Push all = push.total(i, push.outside(i));
-    const double mass = mass_scaling * mass_fraction(p.solid_fraction(i)) * p.mass(i);
-    const double gyration = Kokkos::sqrt(p.inertia(i) / p.mass(i));
-    const int held = p.held(i);
-    const double x = unrest((held & 1) != 0, all.x, mass * p.v(i, 0));
-    const double y = unrest((held & 2) != 0, all.y, mass * p.v(i, 1));
-    const double turn = unrest((held & 4) != 0, all.torque / gyration, mass * gyration * p.spin(i));
+    const double mass = mass_scaling * mass_fraction(push.p.solid_fraction(i)) * push.p.mass(i);
+    const double gyration = Kokkos::sqrt(push.p.inertia(i) / push.p.mass(i));
+    const int held = push.p.held(i);
+    const double x = unrest((held & 1) != 0, all.x, mass * push.p.v(i, 0));
+    const double y = unrest((held & 2) != 0, all.y, mass * push.p.v(i, 1));
+    const double turn = unrest((held & 4) != 0, all.torque / gyration, mass * gyration * push.p.spin(i));
     return at_least(at_least(x, y), turn);
   }
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int g = team.league_rank(), first = g * groups.size;
     const auto range =
-        Kokkos::TeamThreadRange(team, first, first + groups.size < p.count ? first + groups.size : p.count);
+        Kokkos::TeamThreadRange(team, first, first + groups.size < push.p.count ? first + groups.size : push.p.count);
     double most = 0;
     Kokkos::parallel_reduce(
         range,
@@ -58,7 +57,7 @@ struct LookAtRest {
     team.team_barrier();
     Kokkos::single(Kokkos::PerTeam(team), [&] { groups.runs(g) = wakes ? 1 : 0; });
     if (wakes || !was_awake) return;
-    Kokkos::parallel_for(range, [&](int i) { p.v(i, 0) = p.v(i, 1) = p.spin(i) = 0; });
+    Kokkos::parallel_for(range, [&](int i) { push.p.v(i, 0) = push.p.v(i, 1) = push.p.spin(i) = 0; });
   }
 };
 
@@ -103,9 +102,8 @@ void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bon
   const LookAtRest look{rest.wake_at,
                         control.mass_scaling,
                         1 / control.dt,
-                        {bonds, contacts, contacts.load, contacts.push},
-                        {control.load_factor, control.surroundings, bonds, contacts, loads, particles},
-                        particles,
+                        gather_loads(bonds, contacts),
+                        particle_push(control.load_factor, control.surroundings, bonds, contacts, loads, particles),
                         rest.particles};
   const int groups = static_cast<int>(rest.particles.runs.extent(0));
   for_each_team(exec, "vug::dem::look_at_rest", groups, particles_per_group, look);

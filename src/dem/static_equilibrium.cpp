@@ -41,7 +41,6 @@ typename ViewType::host_mirror_type host_copy(const ViewType& view) {
 /// Force and torque that each particle is left with; what holds a held axis is its reaction.
 struct Imbalance {
   ParticlePush push;
-  Particles particles;
   ForceField force;
   KOKKOS_FUNCTION void operator()(int i) const {
     const Push all = push.total(i, push.outside(i));
@@ -49,7 +48,7 @@ struct Imbalance {
     force(i, 1) = all.y;
     force(i, 2) = all.torque;
     for (int axis = 0; axis < 2; ++axis)
-      particles.reaction(i, axis) = (particles.held(i) >> axis & 1) != 0 ? -force(i, axis) : 0.0;
+      push.p.reaction(i, axis) = (push.p.held(i) >> axis & 1) != 0 ? -force(i, axis) : 0.0;
   }
 };
 
@@ -207,10 +206,9 @@ class Search {
     Kokkos::deep_copy(exec_, bonds_.slip, slip_);
     Kokkos::deep_copy(exec_, contacts_.stretch, stretch_);
     compute_forces(exec_, parameters_, long_time, particles_, bonds_, contacts_, NoAccounts{});
-    for_each_node(exec_, "vug::dem::gather_contacts", particles_.count,
-                  GatherContacts{bonds_, contacts_, contacts_.load, contacts_.push});
+    for_each_node(exec_, "vug::dem::gather_contacts", particles_.count, gather_loads(bonds_, contacts_));
     for_each_node(exec_, "vug::dem::imbalance", particles_.count,
-                  Imbalance{{load_factor, 0, bonds_, contacts_, loads_, particles_}, particles_, force_});
+                  Imbalance{particle_push(load_factor, 0, bonds_, contacts_, loads_, particles_), force_});
     const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, force_);
     Eigen::VectorXd left(linear_.rows());
     largest_ = 0;

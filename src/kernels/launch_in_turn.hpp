@@ -4,6 +4,7 @@
 #include "kernels/launch.hpp"
 
 #include <cstdint>
+#include <utility>
 
 namespace vug {
 
@@ -14,7 +15,8 @@ struct Groups {
   Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
 };
 
-/// What a launch runs: on a host blocks of a list, on a GPU its items.
+/// What a launch runs: on a host blocks of a list, on a GPU its items. Made by moving: a copy of a body counts the
+/// references of all its Views, which took a sixth of a step on a small lattice.
 template <class Body, class Schedule = Kokkos::Schedule<Kokkos::Static>>
 struct Work {
   using Policy = Kokkos::RangePolicy<Exec, Schedule>;
@@ -105,48 +107,49 @@ inline int blocks_of(int n, int size) {
 
 /// body(i) for i in [0, n), which must be independent.
 template <class Body>
-auto each(int n, const Body& body) {
+auto each(int n, Body body) {
   if constexpr (runs_on_host) {
     const int size = block_of_list(n);
-    return Work<detail::Block<detail::NodeLoop<Body>>>{{{body}, n, size}, detail::blocks_of(n, size)};
+    return Work<detail::Block<detail::NodeLoop<Body>>>{{{std::move(body)}, n, size}, detail::blocks_of(n, size)};
   } else {
-    return Work<Body>{body, n};
+    return Work<Body>{std::move(body), n};
   }
 }
 
 /// first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what first(i)
 /// wrote, but not what other iterations did. The bits are those of two calls of for_each_node.
 template <class First, class Second>
-auto in_turn(int n, const First& first, const Second& second) {
+auto in_turn(int n, First first, Second second) {
   if constexpr (runs_on_host) {
     using Loops = detail::LoopsInTurn<First, Second>;
     const int size = block_of_list(n);
-    return Work<detail::Block<Loops>>{{{{first}, {second}}, n, size}, detail::blocks_of(n, size)};
+    return Work<detail::Block<Loops>>{{{{std::move(first)}, {std::move(second)}}, n, size}, detail::blocks_of(n, size)};
   } else {
-    return Work<detail::NodesInTurn<First, Second>>{{first, second}, n};
+    return Work<detail::NodesInTurn<First, Second>>{{std::move(first), std::move(second)}, n};
   }
 }
 
 /// The same over the groups that run. Threads take blocks as they come, since those groups may lie together.
 template <class First, class Second>
-auto in_turn(const Groups& groups, const First& first, const Second& second) {
+auto in_turn(const Groups& groups, First first, Second second) {
   using AsTheyCome = Kokkos::Schedule<Kokkos::Dynamic>;
   const int n = groups.count;
   if constexpr (runs_on_host) {
     using Loops = detail::GroupLoops<First, Second>;
     const int size = (block_of_list(n) + groups.size - 1) / groups.size * groups.size;
-    return Work<detail::Block<Loops>, AsTheyCome>{{{first, second, groups}, n, size}, detail::blocks_of(n, size)};
+    return Work<detail::Block<Loops>, AsTheyCome>{{{std::move(first), std::move(second), groups}, n, size},
+                                                  detail::blocks_of(n, size)};
   } else {
-    return Work<detail::NodesOfGroups<First, Second>>{{first, second, groups}, n};
+    return Work<detail::NodesOfGroups<First, Second>>{{std::move(first), std::move(second), groups}, n};
   }
 }
 
 /// Two lists at once; neither may read what the other writes.
 template <class One, class Schedule, class Other>
-auto side_by_side(const Work<One, Schedule>& one, const Work<Other>& other) {
-  const int most = one.count > other.count ? one.count : other.count;
-  return Work<detail::SideBySide<One, Other>, Schedule>{{one.body, other.body, one.count, other.count, most},
-                                                        runs_on_host ? most : one.count + other.count};
+auto side_by_side(Work<One, Schedule> one, Work<Other> other) {
+  const int ones = one.count, others = other.count, most = ones > others ? ones : others;
+  return Work<detail::SideBySide<One, Other>, Schedule>{
+      {std::move(one.body), std::move(other.body), ones, others, most}, runs_on_host ? most : ones + others};
 }
 
 /// Runs it in one launch; the shortest without waking other threads of a host. Nothing is fenced.
