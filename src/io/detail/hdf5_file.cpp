@@ -5,7 +5,9 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace vug::detail {
 
@@ -32,6 +34,7 @@ herr_t collect_reason(unsigned, const H5E_error2_t* error, void* out) {
   std::string reason = "unknown reason";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, collect_reason, &reason);
   H5Eclear2(H5E_DEFAULT);
+  if (reason.find("memory allocation failed") != std::string::npos) throw std::bad_alloc();
   throw FileError(path + ": cannot " + action + ": " + reason);
 }
 
@@ -52,10 +55,20 @@ struct Handle {
   ~Handle() { close(id); }
 };
 
+// Where memory ends while it starts, the library follows a null pointer: it starts where there is more than it takes,
+// or std::bad_alloc ends the run in our words.
+bool has_room() {
+  constexpr std::size_t enough = 2 << 20;     // it takes 132 KiB
+  void* volatile room = std::malloc(enough);  // volatile, or a compiler may leave both out
+  if (!room) throw std::bad_alloc();
+  std::free(room);
+  return true;
+}
+
 // Quiet (errors become exceptions), without locks (a viewer may hold the file open while the run goes on), and without
 // the library's own clean-up at exit, which never ends after a full disk.
 hid_t access_properties(const std::string& path) {
-  static const bool quiet = H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static const bool quiet = has_room() && H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   if (!quiet) throw FileError(path + ": the HDF5 library does not start");
   const hid_t properties = check(H5Pcreate(H5P_FILE_ACCESS), path, "open");
 #if H5_VERSION_GE(1, 10, 7)
