@@ -91,6 +91,28 @@ TEST(SpeedLimiter, RemovesMomentumKeepsMassAndCounts) {
   EXPECT_GE(sum_in_order(flow.step.limited), counted);
 }
 
+/// Uniform flow faster than the limit keeps its direction and gets the speed of the limit, at every node.
+template <class T>
+void expect_limited(std::array<double, 2> direction) {
+  Flow<T> flow(23, 11, {true, true});
+  flow.set([&](int, int) { return Macroscopic<double>{0.01, 0.3 * direction[0], 0.3 * direction[1]}; });
+  flow.step.speed_limit = 0.2;
+  flow.step.rates = relaxation_rates(Collision::bgk, 1);
+  flow.sweep();
+  for (const auto& [x, y] : std::array<std::array<int, 2>, 3>{{{0, 0}, {22, 10}, {13, 4}}}) {
+    EXPECT_NEAR(flow.at(x, y).ux, 0.2 * direction[0], 1e-6) << x;
+    EXPECT_NEAR(flow.at(x, y).uy, 0.2 * direction[1], 1e-6) << x;
+  }
+  EXPECT_EQ(sum_in_order(flow.step.limited), 23 * 11);
+}
+
+TEST(SpeedLimiter, HoldsTheSpeedInAnyDirection) {
+  for (const std::array<double, 2> direction : {std::array{1.0, 0.0}, {0.0, -1.0}, {-0.6, 0.8}}) {
+    expect_limited<double>(direction);
+    expect_limited<float>(direction);
+  }
+}
+
 TEST(SpeedLimiter, ChangesNothingBelowTheLimit) {
   const auto state = [](int x, int y) { return Macroscopic<double>{0.01 * x, 0.02 * y, -0.01 * x}; };
   Flow<double> free(4, 5, {true, false}), limited(4, 5, {true, false});

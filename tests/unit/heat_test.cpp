@@ -239,6 +239,29 @@ TEST(Advect, ByRowsIsTheSameAsAfterAll) {
   }
 }
 
+/// A wave of temperature in uniform flow moves with the fluid: its phase falls by k . u a step.
+TEST(Advect, CarriesAWaveAtTheVelocityOfTheFluid) {
+  constexpr int nx = 32, ny = 24, steps = 100;
+  const double pi = std::acos(-1.0), kx = 2 * pi / nx, ky = 2 * pi / ny, ux = 0.04, uy = -0.025;
+  for (const ScalarVelocitySet set : velocity_sets)
+    for (const bool by_rows : {false, true}) {
+      HeatBox<double> box(
+          nx, ny, {0.05, 0.05, 1, set}, [](int, int) { return false; },
+          [&](int x, int y) { return std::sin(kx * x + ky * y); }, {true, true});
+      box.flow([&](int, int) { return std::array<double, 2>{ux, uy}; });
+      box.by_rows = by_rows;
+      box.run(steps);
+      const auto theta = box.theta();
+      double sine = 0, cosine = 0;
+      for (int y = 0; y < ny; ++y)
+        for (int x = 0; x < nx; ++x) {
+          sine += theta[y * nx + x] * std::sin(kx * x + ky * y);
+          cosine += theta[y * nx + x] * std::cos(kx * x + ky * y);
+        }
+      EXPECT_NEAR(std::atan2(-cosine, sine) / ((kx * ux + ky * uy) * steps), 1, 0.04) << test::name_of(set) << by_rows;
+    }
+}
+
 TEST(FirstOutside, IsTheLowestNodeThatIsNotFiniteOrBeyondTheBounds) {
   HeatBox<double> box(
       5, 4, {0.1, 0.1, 1}, [](int, int) { return false; },
