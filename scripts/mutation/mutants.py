@@ -119,6 +119,12 @@ def named(list_text, read):
     return mutants, stale
 
 
+def equivalent(root):
+    """Names of those that change no number (scripts/mutation/equivalent.txt)."""
+    lines = (root / "scripts/mutation/equivalent.txt").read_text().splitlines()
+    return {line.split()[0] for line in lines if line and not line.startswith("#")}
+
+
 def all_mutants(root):
     """(mutants, stale names), named ones first."""
     sources = root / "src"

@@ -1,4 +1,5 @@
-// A triangle or two against formulas by hand: the critical step, the stress of a triangle, a crack that was there.
+// A triangle or two against formulas by hand: critical step, stress, loads and supports, a crack that was there.
+#include "dem/gauges.hpp"
 #include "dem/mean_stress.hpp"
 #include "dem_support.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -76,13 +78,18 @@ TEST(CriticalStep, OfABondedPairIsThatOfItsBond) {
       p.bond.normal_modulus *= softened;
       const double k_n = (1 - d_c) * p.bond.normal_modulus * l / length;
       const double k_t = (1 - d_c) * p.bond.tangential_modulus * l / length;
-      // (u_n), and (u_t, rho angle) with the lever arm of the normal springs along the edge
-      const double a = k_t, b = k_t * arm / rho, c = (k_n + k_t) * arm * arm / (rho * rho);
-      const double largest = std::max(k_n, 0.5 * (a + c) + std::hypot(0.5 * (a - c), b));
+      // of (u_n), and of (u_t, rho angle) with the lever arm of the normal springs along the edge
+      const auto largest = [&](double n, double t) {
+        const double b = t * arm / rho, c = (n + t) * arm * arm / (rho * rho);
+        return std::max(n, 0.5 * (t + c) + std::hypot(0.5 * (t - c), b));
+      };
       for (const double angle : {0.0, 0.5}) {
+        p.bond.damping = angle == 0 ? 0 : 3e-6;  // of the sound bond
+        const double dashpot = p.bond.damping * largest(p.bond.normal_modulus * l, p.bond.tangential_modulus * l);
         const Mechanics rock(turned_pair(angle), p, {});
         Kokkos::deep_copy(rock.bonds().d_c, d_c);
-        EXPECT_NEAR(rock.critical_step() / step_of(2 * largest, m), 1, 1e-6) << softened << d_c << angle;
+        EXPECT_NEAR(rock.critical_step() / step_of(2 * largest(k_n, k_t), m, dashpot), 1, 1e-6)
+            << softened << d_c << angle;
       }
     }
 }
@@ -127,6 +134,50 @@ TEST(InitialCrack, BearsNoTensionAtEitherEnd) {
   const auto load = host_copy(rock.bonds().load);
   EXPECT_EQ(load(0, 0), 0);
   EXPECT_EQ(load(0, 1), 0);
+}
+
+/// Of the ends of a cracked edge the furthest along a direction; where none lies beyond, the place it is asked from.
+TEST(CrackTip, IsTheEndOfTheCrackedEdge) {
+  const double angle = 0.4;
+  Assembly pair = turned_pair(angle);
+  pair.initial_cracks = {{0, 1}};
+  const Mechanics rock(pair, nearly_free(), {});
+  const Vec2 n{std::cos(angle), std::sin(angle)}, t{-n.y, n.x};
+  const auto tip = [&](Vec2 from, Vec2 direction) {
+    return furthest_crack_tip(Exec(), rock.particles(), rock.bonds(), from, direction);
+  };
+  EXPECT_NEAR(norm(tip(0.1 * l * t, t) - l * t), 0, 1e-12 * l);
+  EXPECT_NEAR(norm(tip(0.1 * l * t, -1.0 * t)), 0, 1e-12 * l);
+  EXPECT_NEAR(norm(tip(2 * l * t, t) - 2 * l * t), 0, 1e-12 * l);
+}
+
+/// A support at one point of a side holds the triangle there; the rest of the side is free.
+TEST(PointSupport, HoldsATriangleAgainstItsWeight) {
+  for (const bool held : {false, true}) {
+    Loads loads;
+    loads.gravity = {0, -9.81};
+    if (held) loads.parts.push_back({RockSide::bottom, l / 3, l / 3, Support::fixed, {}, 0, {}, false});
+    Mechanics rock(lone, nearly_free(), loads);
+    rock.advance(Exec(), 1e-7, 10);
+    const double fallen = -9.81 * 1e-14 * 10 * 11 / 2;
+    EXPECT_NEAR(host_copy(rock.particles().u)(0, 1), held ? 0 : fallen, 1e-9 * std::abs(fallen)) << held;
+  }
+}
+
+/// A load on a part of an edge acts at the middle of that part.
+TEST(LoadOnAPart, HasItsForceAndItsLeverArm) {
+  const double dt = 1e-9, pressure = 3e6, m = 2500 * l * l / 2;
+  for (const auto& [from, to] : {std::pair{0.0, 0.4 * l}, {0.5 * l, 0.9 * l}}) {
+    Loads loads;
+    SidePart part{RockSide::left, from, to, Support::free, {}, 0, {}, false};
+    part.traction[0] = [pressure](double) { return pressure; };
+    loads.parts.push_back(part);
+    Mechanics rock(lone, nearly_free(), loads);
+    rock.advance(Exec(), dt, 1);
+    const double force = pressure * (to - from), arm_y = 0.5 * (from + to) - l / 3;
+    EXPECT_NEAR(host_copy(rock.particles().v)(0, 0) / (dt * force / m), 1, 1e-9) << from;
+    EXPECT_NEAR(host_copy(rock.particles().spin)(0) / (dt * -arm_y * force / (m * l * l / 9)), 1, 1e-9) << from;
+  }
 }
 
 }  // namespace
