@@ -111,6 +111,24 @@ TEST_P(AwkwardBirths, LoseNothing) {
     }
 }
 
+/// Pixels dissolve at every fifth step, as accuracy.update_interval says: at each of them that has something to open.
+TEST(BirthsOfARun, ComeWithEveryUpdate) {
+  const Scene scene = parse_scene(awkward_rock(rectangle(3, 2, 8, 6), ""), "case.toml");
+  Simulation simulation(scene);
+  simulation.begin();
+  const FluidNodes& fluid = simulation.parts().geometry.fluid;
+  int at_odd = 0, at_even = 0;
+  for (int step = 1; step <= 3000; ++step) {
+    const int before = fluid.count;
+    simulation.step();
+    if (fluid.count == before) continue;
+    ASSERT_EQ(step % 5, 0);
+    ++(step / 5 % 2 == 0 ? at_even : at_odd);
+  }
+  EXPECT_GT(at_odd, 0);
+  EXPECT_GT(at_even, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Places, AwkwardBirths,
     testing::Values(Place{"at the inlet", rectangle(0, 3, 2, 5)}, Place{"at the outlet", rectangle(10, 2, 12, 5)},
