@@ -32,8 +32,8 @@ def others(site, known):
 
 def campaign(site, count):
     known = recorded(site)
-    commands = known | others(site, known)
-    for name in list(commands)[:count]:
+    commands = others(site, known) | known
+    for name in sorted(commands, key=lambda name: "acid_fracturing" in name)[:count]:  # the long ones last
         if not any(True for _ in site.rounds(1)):
             return
         # numbers may differ from the recorded ones between builds; a sanitizer's word is what is looked for

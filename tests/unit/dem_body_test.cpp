@@ -180,4 +180,12 @@ TEST(LoadOnAPart, HasItsForceAndItsLeverArm) {
   }
 }
 
+/// A ramp of a hundred steps, then three looks in a row, a fifth of the ramp apart, that find the rock at rest.
+TEST(Preload, CountsItsSteps) {
+  Mechanics rock(lone, nearly_free(), {});
+  const PreloadReport report = rock.preload(Exec(), 100 * 0.3 * rock.critical_step());
+  EXPECT_TRUE(report.settled);
+  EXPECT_EQ(report.steps, 160);
+}
+
 }  // namespace
