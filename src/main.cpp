@@ -8,6 +8,7 @@
 #include "coupling/tuning.hpp"
 #include "front/completion.hpp"
 #include "front/schema.hpp"
+#include "front/short_waits.hpp"
 #include "front/templates.hpp"
 #include "front/watch.hpp"
 #include "io/message.hpp"
@@ -250,6 +251,7 @@ int help(const CLI::App& app, const CLI::ParseError& asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  vug::wait_briefly(argv);
   vug::occupy_standard_streams();
   vug::listen_to_signals();
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
