@@ -52,7 +52,6 @@ struct ContactForces {
   double expansion;
   double dt;
   Particles particles;
-  IndexList events;  ///< of Bonds
   Contacts contacts;
   Keeper accounts;
 
@@ -138,9 +137,9 @@ struct ContactForces {
     leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
   }
 
-  /// All pairs of which particle `low` is the lower one.
+  /// All pairs of which particle `low` is the lower one; none is listed before a bond has failed. (Bonds::events tells
+  /// that sooner, but bonds write it in this very launch.)
   KOKKOS_FUNCTION void operator()(int low) const {
-    if (events(bond_has_failed) == 0) return;
     const int generation = contacts.status(contacts_generation);
     PairEnergy energy;
     const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);

@@ -42,8 +42,7 @@ void compute_forces(const Exec& exec, const MechanicsParameters& parameters, dou
     launch_with(exec,
                 BondModel<decltype(law), Keeper>{std::move(law), parameters.contact, parameters.chemical, expansion, dt,
                                                  particles, bonds, accounts},
-                ContactForces<Keeper>{parameters.contact, expansion, dt, particles, bonds.events, contacts, accounts},
-                awake);
+                ContactForces<Keeper>{parameters.contact, expansion, dt, particles, contacts, accounts}, awake);
   };
   if (bonds.elasticity.given())
     launch_law(LawOfEach{parameters.bond, bonds.elasticity});
@@ -58,7 +57,7 @@ void compute_contact_forces(const Exec& exec, const MechanicsParameters& paramet
                             const Keeper& accounts) {
   launch(exec, "vug::dem::contact_forces",
          each(particles.count, ContactForces<Keeper>{parameters.contact, parameters.thermal_expansion, dt, particles,
-                                                     bonds.events, contacts, accounts}));
+                                                     contacts, accounts}));
   gather_drag(exec, particles.count, bonds, contacts, accounts);
 }
 

@@ -35,6 +35,9 @@ struct SweepAndReact {
     for (int i = begin; i < end; i += block) sweep(i, i + block < end ? i + block : end);
   }
 };
+// Clang deduces the arguments of aggregates by itself from version 17 on.
+template <class Reactant, class Product, class React>
+SweepAndReact(Reactant, Product, React, IndexList, int) -> SweepAndReact<Reactant, Product, React>;
 
 /// visit(flow): what a sweep reads of what carries the solutes.
 template <class T, class Visit>
