@@ -6,7 +6,8 @@
 
 namespace vug {
 
-/// What a bond conducts now; counts those where that differs from the last look, and those with slits.
+/// What a bond conducts now; counts those where that differs from the last look, and those with slits: narrower than
+/// whole nodes, or than they have been, since a crack that closes leaves its nodes open.
 struct LookAtBonds {
   PathwayNodes nodes;
   Kokkos::View<const double*> d_m, gap;
@@ -22,7 +23,7 @@ struct LookAtBonds {
       strip = Kokkos::fmax(slot_aperture(conductivity), width >= narrowest_slit ? 1.0 : 0.0);
     }
     changed += strip != bonds.strip(b) || conductivity != bonds.conductivity(b);
-    narrow += strip >= 1 && slit_resistance(conductivity, nodes.slope(b)) > 0;
+    narrow += strip < bonds.widest(b) || (strip >= 1 && slit_resistance(conductivity, nodes.slope(b)) > 0);
     bonds.strip(b) = strip;
     bonds.widest(b) = Kokkos::fmax(strip, bonds.widest(b));
     bonds.conductivity(b) = conductivity;

@@ -43,7 +43,7 @@ class PathwayOpener {
   PathwayOpener(const Lattice& lattice, PathwayNodes nodes, SolidSpread spread);
   /// From now on pathways are as wide as the cracks of `rock` gape; otherwise they follow d_m. residual and spacing: m.
   void follow_cracks(const Mechanics& rock, double residual, double spacing);
-  /// How many bonds conduct otherwise than at the last look, and how many of all less than a strip of whole nodes.
+  /// How many bonds conduct otherwise than at the last look, and how many of all less than their open nodes would.
   struct Look {
     int changed = 0, narrow = 0;
   };

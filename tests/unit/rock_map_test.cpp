@@ -261,6 +261,21 @@ TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
   }
 }
 
+/// Its nodes stay open and must be dragged, also where it closes at once and for good.
+TEST(PathwayOpener, SeesACrackThatIsNarrowerThanItHasBeen) {
+  OneBond rock;
+  PathwayOpener opener(rock.lattice, rock.nodes, SolidSpread(rock.particle, no_neighbours(1)));
+  const auto narrow = [&](double d_m) {
+    Kokkos::deep_copy(rock.d_m, d_m);
+    return opener.look(Exec{}, rock.d_m).narrow;
+  };
+  EXPECT_EQ(narrow(0), 0);
+  EXPECT_EQ(narrow(1), 0);        // three whole rows
+  EXPECT_EQ(narrow(2.0 / 3), 1);  // two of them
+  EXPECT_EQ(narrow(0), 1);
+  EXPECT_EQ(narrow(1), 0);
+}
+
 /// A crack half a cell wide: one row is open, and its resistance is that of the cubic law and of what acid adds.
 TEST(Slits, HaveTheResistanceOfTheCrackThatAcidWidens) {
   OneBond rock;

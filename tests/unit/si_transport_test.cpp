@@ -53,8 +53,8 @@ TEST(TransportInSI, FluidCarriesItsConcentrationAndItsHeat) {
     const double mol = run.gain("A", "injected"), joule = run.now("heat_stored_J_per_m");
     run.steps(300);
     const double carried = 0.05 * 0.006 * 0.3;  // m3 per m of depth in 0.3 s
-    EXPECT_NEAR((run.gain("A", "injected") - mol) / (700 * carried), 1, 0.05) << interval;
-    EXPECT_NEAR((run.now("heat_stored_J_per_m") - joule) / (800 * 2000 * 40 * carried), 1, 0.05) << interval;
+    EXPECT_NEAR((run.gain("A", "injected") - mol) / (700 * carried), 1, 2e-4) << interval;
+    EXPECT_NEAR((run.now("heat_stored_J_per_m") - joule) / (800 * 2000 * 40 * carried), 1, 2e-3) << interval;
   }
 }
 
