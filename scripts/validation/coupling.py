@@ -1,4 +1,6 @@
 """Couplings: the arrows between two physics (paper, Fig. 3)."""
+import math
+
 from .records import plt, save, section, table
 
 
@@ -86,15 +88,23 @@ def errors_by_direction(rows):
 
 
 def strips(records, _):
-    rows = records["pathway_strip"]
-    if not rows:
+    rows, cracks = records["pathway_strip"], records["pathway_strip_cracks"]
+    if not rows or not cracks:
         return None
+    means = [abs(r["mean"]) for r in cracks]
     return section(
-        "Pathways in every direction", "PathwayStrip.ConductsAlikeInEveryDirection",
+        "Pathways in every direction",
+        "PathwayStrip.ConductsAlikeInEveryDirection, PathwayStrip.CracksOfManyBondsConductAlikeInEveryDirection",
         "Stokes flow along a crack of four bonds that closes on itself on a periodic lattice, against the plane slot of its "
         "aperture in cells, (w³ + w/2)/12. Whole apertures along an axis are exact wherever the line lies "
         "(`PathwayStrip.ObeysTheCubicLawWhereverAnAxisParallelLineLies`). The narrowest strip that is one piece across faces "
-        "of cells is wider than one cell in oblique directions.",
+        "of cells is wider than one cell in oblique directions. Between 1 and 3 cells a column of n + 1 nodes more or less "
+        "counts for much in a bond of 20 columns. Along a crack that averages out: cracks of five bonds of random lengths at "
+        f"random places, eight for each direction and each of {len({r['aperture'] for r in cracks})} apertures from "
+        f"{min(r['aperture'] for r in cracks):g} to {max(r['aperture'] for r in cracks):g} cells, are off by "
+        f"{100 * math.sqrt(sum(r['mean_square'] for r in cracks) / len(cracks)):.1f} % (root mean square over cracks); the mean "
+        f"of a direction and aperture is within 5 % in {sum(m <= 0.05 for m in means)} of {len(means)} and off by "
+        f"{100 * max(means):.1f} % at most.",
         errors_by_direction(rows))
 
 

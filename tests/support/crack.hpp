@@ -2,6 +2,7 @@
 // A crack that closes on itself on a periodic lattice, and what it conducts.
 #include "coupling/strip.hpp"
 #include "kernels/slit_nodes.hpp"
+#include "kernels/splitmix64.hpp"
 #include "kernels/to_device.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
@@ -26,13 +27,14 @@ inline const std::vector<Direction> directions{{0, {101, 0}},  {5, {103, 9}},  {
                                                {20, {91, 33}}, {25, {90, 42}}, {30, {71, 41}}, {37, {73, 55}},
                                                {45, {71, 71}}, {60, {41, 71}}, {75, {26, 97}}, {90, {0, 101}}};
 
-/// On a lattice of `columns` x `rows`: `bonds` equal bonds from (0, start) to (over[0], start + over[1]), both of which
-/// are the same place or lie one lattice apart.
+/// On a lattice of `columns` x `rows`: `bonds` bonds from (0, start) to (over[0], start + over[1]), both of which are
+/// the same place or lie one lattice apart.
 struct Crack {
   int columns, rows;
   std::array<int, 2> over;
   int bonds = 4;
   double start = 0.13;
+  std::vector<double> ends;  ///< (bond) where it ends, as a share of the way; equal bonds where empty
 
   /// Once around a lattice that is no wider than needed.
   explicit Crack(const Direction& direction)
@@ -42,6 +44,18 @@ struct Crack {
   Crack(int wide, int high, std::array<int, 2> way, int parts = 4, double from = 0.13)
       : columns(wide), rows(high), over(way), bonds(parts), start(from) {}
 
+  /// A crack as generated rock has them: at a random place, its bonds 0.6 to 1.4 times as long as their mean.
+  static Crack at_random(const Direction& direction, int bonds, std::uint64_t seed) {
+    CounterRandom random{splitmix64(seed)};
+    Crack crack(direction);
+    crack.bonds = bonds;
+    crack.start = random.uniform();
+    double sum = 0;
+    for (int bond = 0; bond < bonds; ++bond) crack.ends.push_back(sum += 0.6 + 0.8 * random.uniform());
+    for (double& end : crack.ends) end /= sum;
+    return crack;
+  }
+
   double length() const { return std::hypot(over[0], over[1]); }
 
   std::vector<char> open(double aperture) const {
@@ -49,7 +63,7 @@ struct Crack {
     const Lattice wide(columns + 2 * margin, 2 * rows + 2 * margin);
     std::vector<char> open(static_cast<std::size_t>(columns) * rows, 0);
     const auto at = [&](int bond) {
-      const double share = static_cast<double>(bond) / bonds;
+      const double share = bond > 0 && !ends.empty() ? ends[bond - 1] : static_cast<double>(bond) / bonds;
       return std::array{margin + share * over[0], margin + start + share * over[1]};
     };
     for (int bond = 0; bond < bonds; ++bond)

@@ -39,6 +39,30 @@ TEST(PathwayStrip, ConductsAlikeInEveryDirection) {
   }
 }
 
+/// What a column more or less does to each bond averages out along a crack and over cracks: the same crack at 0 to 90
+/// degrees.
+TEST(PathwayStrip, CracksOfManyBondsConductAlikeInEveryDirection) {
+  constexpr int cracks = 8;
+  double all_squares = 0;
+  int all = 0;
+  for (const double w : {1.35, 1.65, 1.8, 2.0, 2.2, 2.5})
+    for (const test::Direction& direction : test::directions) {
+      double sum = 0, squares = 0;
+      for (int seed = 0; seed < cracks; ++seed) {
+        const double error = Crack::at_random(direction, 5, seed).conductivity(w) / slot_conductivity(w) - 1;
+        sum += error;
+        squares += error * error;
+      }
+      EXPECT_LT(std::abs(sum / cracks), 0.08) << direction.degrees << " degrees, " << w << " cells";
+      test::record(
+          "pathway_strip_cracks",
+          {{"degrees", direction.degrees}, {"aperture", w}, {"mean", sum / cracks}, {"mean_square", squares / cracks}});
+      all_squares += squares;
+      all += cracks;
+    }
+  EXPECT_LT(std::sqrt(all_squares / all), 0.035);
+}
+
 /// Generated meshes have bonds of any length and place; a chain of them conducts as well as one.
 TEST(PathwayStrip, ConductsAlikeForBondsOfAnyLength) {
   for (const auto& over : {std::array{97, 26}, {71, 41}, {71, 71}})
