@@ -7,6 +7,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 sys.dont_write_bytecode = True
+from paper.members import PARTS  # noqa: E402
 from paper.regimes import measure, reached_area, thirds  # noqa: E402
 
 DX = 2.5e-4
@@ -102,6 +103,18 @@ class Regimes(unittest.TestCase):
         self.assertGreater(found.cavity_area, 0.5 * beyond_the_hole)
         self.assertEqual(found.failed_bonds, len(segments))
         self.assertAlmostEqual(found.fracture_length, np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
+
+
+class Members(unittest.TestCase):
+    def test_each_has_its_own_folder_and_keeps_its_rate_constant(self):
+        members = {m for part in PARTS.values() for m in part}
+        self.assertEqual(len({m.folder for m in members}), len(members))
+        for m in members:
+            last = dict(text.split("=", 1) for text in m.settings)
+            diffusivity = float(last.get("solute.species.0.diffusivity", 5e-4))
+            kept = 0.02 / 0.0083 * 2.075e-4 if diffusivity == 2.075e-4 else 5e-4
+            self.assertAlmostEqual(float(last["reaction.damkohler"]) * diffusivity / (m.da * kept), 1, delta=1e-5)
+            self.assertEqual(float(last["boundary.injection.flow.pressure"]), m.pressure * 1e6)
 
 
 if __name__ == "__main__":
