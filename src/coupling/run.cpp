@@ -15,6 +15,7 @@
 #include "io/snapshot_writer.hpp"
 #include "kernels/interruption.hpp"
 #include "kernels/require.hpp"
+#include "ranks/traffic.hpp"
 
 #include <fmt/format.h>
 
@@ -258,6 +259,12 @@ class Run {
     return found;
   }
 
+  /// On any of the ranks.
+  bool someone_is_to_stop() const {
+    const Phase phase(ranks_, "agreement");
+    return ranks_.most(stop_requested() ? 1 : 0) > 0;
+  }
+
   /// How the ranks share the lattice.
   std::string shares() const {
     const Partition& rows = simulation_.parts().geometry.split.rows();
@@ -304,7 +311,7 @@ class Run {
     while (simulation_.clock().step < last_) {
       simulation_.step();
       const std::int64_t step = simulation_.clock().step;
-      const bool stop = ranks_.most(stop_requested() ? 1 : 0) > 0;
+      const bool stop = someone_is_to_stop();
       const bool write_now = step % output == 0 || step == last_;
       const bool row = write_now || step % history == 0;
       const bool save = stop || step % checkpoint == 0 || step == last_;
@@ -318,11 +325,14 @@ class Run {
       if (save) {
         if (files) write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), owner_);
         last_checkpoint_ = step;
+        const Phase phase(ranks_, "files");
         ranks_.most(0);  // nobody ends while it is written
       }
       progress.update(step, simulation_.updates_per_step());
       if (stop && step < last_) throw Interrupted(stop_reason());
     }
+    if (!ranks_.alone())
+      for (const std::string& line : traffic_table(ranks_, last_ - record_.first_step)) progress.note(line);
   }
 
   std::string checkpoints() const { return path_ + "/checkpoint"; }

@@ -3,6 +3,7 @@
 #include "coupling/read_fields.hpp"
 #include "kernels/require.hpp"
 #include "kernels/solid_share.hpp"
+#include "ranks/traffic.hpp"
 
 #include <algorithm>
 
@@ -29,19 +30,27 @@ void Simulation::begin() {
 }
 
 void Simulation::step() {
-  for (const auto& module : parts_->modules) module->step(exec_, clock_);
+  const Ranks& ranks = parts_->geometry.split.ranks();
+  for (const auto& module : parts_->modules) {
+    const Phase phase(ranks, module->name());
+    module->step(exec_, clock_);
+  }
   ++clock_.step;
   whole_ = false;
-  if (parts_->growth && clock_.step % update_interval_ == 0) parts_->growth->grow(exec_, parts_->modules);
+  if (!parts_->growth || clock_.step % update_interval_ != 0) return;
+  const Phase phase(ranks, "new pores");
+  parts_->growth->grow(exec_, parts_->modules);
 }
 
 void Simulation::gather() const {
   if (parts_->geometry.split.alone() || whole_) return;
+  const Phase phase(parts_->geometry.split.ranks(), "gathering");
   for (const auto& module : parts_->modules) module->gather(exec_);
   whole_ = true;
 }
 
 void Simulation::guard() {
+  const Phase phase(parts_->geometry.split.ranks(), "guards");
   for (const auto& module : parts_->modules) module->guard(exec_, clock_);
 }
 
@@ -71,6 +80,7 @@ Ledger Simulation::ledger() const {
 }
 
 std::vector<HistoryValue> Simulation::history() const {
+  const Phase phase(parts_->geometry.split.ranks(), "rows");
   if (scene_.output.forces || scene_.output.flows || !scene_.output.probes.empty()) gather();
   std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
   for (const auto& module : parts_->modules) module->history(row);

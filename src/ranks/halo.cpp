@@ -1,6 +1,7 @@
 #include "ranks/halo.hpp"
 
 #include "kernels/launch.hpp"
+#include "ranks/traffic.hpp"
 
 #include <algorithm>
 #include <map>
@@ -107,6 +108,7 @@ struct Halo::Lists {
     for_each_scattered(exec, "vug::halo::pack", from.count(), pack);
     exec.fence("vug::halo::packed");  // MPI reads what the kernel writes
     if (const int count = static_cast<int>(channel->requests.size()); count > 0) {
+      const Exchange counted = Exchange::of_neighbours(to.rank.size(), to.count() * n * sizeof(T));
       MPI_Startall(count, channel->requests.data());
       MPI_Waitall(count, channel->requests.data(), MPI_STATUSES_IGNORE);
     }
@@ -163,6 +165,7 @@ VUG_INSTANTIATE(float, 1)
 VUG_INSTANTIATE(double, 1)
 VUG_INSTANTIATE(float, 2)
 VUG_INSTANTIATE(double, 2)
+VUG_INSTANTIATE(double, 3)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -1,5 +1,7 @@
 #include "ranks/ranks.hpp"
 
+#include "ranks/traffic.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -30,19 +32,24 @@ std::size_t end_of(const Owners& owners) {
 
 int Ranks::most(int value) const {
   int found = value;
-  if (!alone()) MPI_Allreduce(&value, &found, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  if (alone()) return found;
+  const Exchange counted = Exchange::of_all(sizeof(value));
+  MPI_Allreduce(&value, &found, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   return found;
 }
 
 double Ranks::most(double value) const {
   double found = value;
-  if (!alone()) MPI_Allreduce(&value, &found, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  if (alone()) return found;
+  const Exchange counted = Exchange::of_all(sizeof(value));
+  MPI_Allreduce(&value, &found, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   return found;
 }
 
 std::string Ranks::told(const std::string& text) const {
   if (alone()) return text;
   int size = static_cast<int>(text.size());
+  const Exchange counted = Exchange::of_all(first() ? 0 : size);
   MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
   std::string heard = text;
   heard.resize(size);
@@ -58,9 +65,11 @@ std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>&
     sent_at[r + 1] = sent_at[r] + sent[r];
     out.insert(out.end(), lists[r].begin(), lists[r].end());
   }
+  const Exchange counted = Exchange::of_all((size_ - 1) * sizeof(int));
   MPI_Alltoall(sent.data(), 1, MPI_INT, got.data(), 1, MPI_INT, MPI_COMM_WORLD);
   for (int r = 0; r < size_; ++r) got_at[r + 1] = got_at[r] + got[r];
   std::vector<int> in(got_at[size_]);
+  const Exchange also = Exchange::of_all(in.size() * sizeof(int));
   MPI_Alltoallv(out.data(), sent.data(), sent_at.data(), MPI_INT, in.data(), got.data(), got_at.data(), MPI_INT,
                 MPI_COMM_WORLD);
   std::vector<std::vector<int>> heard(size_);
@@ -81,6 +90,7 @@ void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) con
     std::memcpy(to, bytes + first * item, (last - first) * item);
     to += (last - first) * item;
   }
+  const Exchange counted = Exchange::of_all((at[size_] - count[rank_]) * item);
   MPI_Datatype type;
   MPI_Type_contiguous(static_cast<int>(item), MPI_BYTE, &type);
   MPI_Type_commit(&type);

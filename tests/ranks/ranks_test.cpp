@@ -3,6 +3,7 @@
 #include "ranks/halo.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/partition.hpp"
+#include "ranks/traffic.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <mpi.h>
 #include <numeric>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -118,6 +120,42 @@ TEST(Halo, WaitsForASlowPackingKernelBeforeItSends) {
     EXPECT_GT(starts, 0);
   }
   EXPECT_FALSE(started_unfenced);
+}
+
+/// That of the phase; none where nothing was counted in it.
+Traffic traffic_of(const std::string& phase) {
+  for (const Traffic& found : traffic())
+    if (found.phase == phase) return found;
+  return {};
+}
+
+TEST(Traffic, IsWhatComesFromOthersInAPhase) {
+  const Halo halo = make_halo();
+  std::vector<int> owner(count), values(count);
+  std::set<int> neighbours;
+  for (int s = 0; s < count; ++s) owner[s] = owner_of(s);
+  for (const int s : needed_by(world.rank())) neighbours.insert(owner_of(s));
+  {
+    const Phase phase(world, "of the test");
+    halo.exchange<double, 3>(Exec{}, {numbered(), numbered(1), numbered(2)});
+    const Phase within(world, "within it");
+    world.make_whole(owners_of(owner, world.size()), values.data());
+  }
+  halo.exchange<double, 1>(Exec{}, {numbered()});  // belongs to no phase
+  const Traffic found = traffic_of("of the test"), within = traffic_of("within it");
+  EXPECT_EQ(found.messages, static_cast<int>(neighbours.size()));
+  EXPECT_EQ(found.bytes, halo.taken() * 24);
+  EXPECT_EQ(found.collectives, 0);
+  EXPECT_EQ(within.messages, 0);
+  EXPECT_EQ(within.collectives, world.alone() ? 0 : 1);
+  const auto ours = std::count(owner.begin(), owner.end(), world.rank());
+  EXPECT_EQ(within.collected, world.alone() ? 0 : (count - ours) * 4);
+  EXPECT_LE(found.waited, found.passed);
+  EXPECT_EQ(found.passed > 0, !world.alone());
+  const std::vector<std::string> table = traffic_table(world, 1);
+  EXPECT_EQ(table.empty(), !world.first());
+  const auto told = [&](const std::string& line) { return line.starts_with("of the test"); };
+  EXPECT_EQ(std::any_of(table.begin(), table.end(), told), world.first() && !world.alone());
 }
 
 TEST(Ranks, MakeAnArrayWholeFromItsOwners) {
