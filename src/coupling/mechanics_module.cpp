@@ -85,10 +85,30 @@ void MechanicsModule<T>::find_links(const Exec& exec) {
   if (flow_)
     find_wall_links(exec, geometry_.fluid, wet_->of_triangle(), wet_->node(), mechanics_.particles().x0,
                     geometry_.spacing, links_);
-  if (geometry_.split.alone() || !flow_) return;
-  std::vector<int> slots;
-  for (int k = 0; k < links_.first(links_.groups()); ++k) slots.push_back(links_.slot(k));
-  walls_ = geometry_.split.slots(geometry_.fluid, slots);
+  if (flow_ && !geometry_.split.alone()) share_links();
+}
+
+/// A triangle belongs to the rank of the fluid at its first link; one without links feels no fluid, on every rank.
+template <class T>
+void MechanicsModule<T>::share_links() {
+  const Split& split = geometry_.split;
+  std::vector<int> ours, slots, others, owners;
+  for (int g = 0; g < links_.groups(); ++g) {
+    const int first = links_.first(g), last = links_.first(g + 1);
+    const int owner =
+        first < last ? split.owner_of(links_.slot(first) % geometry_.fluid.capacity) : split.ranks().rank();
+    if (owner == split.ranks().rank()) {
+      ours.push_back(g);
+      for (int k = first; k < last; ++k) slots.push_back(links_.slot(k));
+    } else {
+      others.push_back(g);
+      owners.push_back(owner);
+    }
+  }
+  our_triangles_ = IndexList("vug::mechanics::our_triangles", ours.size());
+  std::copy(ours.begin(), ours.end(), our_triangles_->data());
+  walls_ = split.slots(geometry_.fluid, slots);
+  forces_ = Halo(split.ranks(), others, owners);
 }
 
 template <class T>
@@ -98,7 +118,9 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   if (flow_ && clock.step % exchange_interval_ == 0) {
     walls_.exchange<T, 1>(exec, {flow_->flow().f});
     exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
-                      particles.torque);
+                      particles.torque, our_triangles_);
+    const auto [x, y] = components(particles.force);
+    forces_.exchange<double, 3>(exec, {x, y, particles.torque});
     flow_->add_slit_drag(exec, particles.x0, particles.force, particles.torque);
   }
   if (clock.step % update_interval_ == 0) {

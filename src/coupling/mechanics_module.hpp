@@ -36,6 +36,7 @@ class MechanicsModule final : public Module {
  private:
   void choose_substeps();
   void find_links(const Exec& exec);
+  void share_links();
 
   MechanicsSection section_;
   LatticeUnits units_;
@@ -48,10 +49,12 @@ class MechanicsModule final : public Module {
   std::vector<std::pair<std::vector<int>, std::array<double, 2>>> initial_velocities_;  ///< triangles, m/s
   RockGauges gauges_;
   std::vector<std::string> fields_asked_for_;  ///< output.fields
-  std::optional<WetNodes> wet_;               ///< with flow or dissolution only
-  Halo walls_;                                ///< populations of other ranks' nodes that push our copy of the rock
-  WallLinks links_;                           ///< of each particle about its centroid; with flow only
-  std::optional<DissolvedShares> dissolved_;  ///< with dissolution only
+  std::optional<WetNodes> wet_;                ///< with flow or dissolution only
+  std::optional<IndexList> our_triangles_;     ///< on whose force we sum up what the fluid gives; several ranks only
+  Halo walls_;                                 ///< populations of other ranks' nodes that push them
+  Halo forces_;                                ///< on the triangles of others
+  WallLinks links_;                            ///< of each particle about its centroid; with flow only
+  std::optional<DissolvedShares> dissolved_;   ///< with dissolution only
   int substeps_ = 1;
 };
 

@@ -133,6 +133,7 @@ void ReactionModule<T, Set>::find_links(const Exec& exec) {
   for (Attack<T>& attack : attacks_)
     find_reactive_links<Set>(exec, geometry_.fluid, geometry_.surface, attack.wall.law, attack.links,
                              geometry_.mineral);
+  share_links();
 }
 
 template <class T, class Set>
@@ -144,7 +145,8 @@ void ReactionModule<T, Set>::refresh(const Exec& exec, std::int64_t step) {
   const double ahead = links_are_new ? 0 : 0.5 * static_cast<double>(next) / static_cast<double>(step - refreshed_);
   refreshed_ = step;
   if (section_.surface_normal)
-    find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal_);
+    find_normals(exec, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal_,
+                 our_surface());
   for (Attack<T>& attack : attacks_) set_rates(exec, attack, ahead);
 }
 
@@ -173,24 +175,6 @@ void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   refresh(exec, clock.step);
   if (clock.every(LongSum::interval))
     for (const Attack<T>& attack : attacks_) attack.consumed.settle(exec);
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::gather_links() const {
-  const Split& split = geometry_.split;
-  if (split.alone()) return;
-  for (const Attack<T>& attack : attacks_) {
-    Owners owners = split.of_fluid(geometry_.fluid);
-    for (Runs& runs : owners)
-      for (auto& [first, last] : runs) {
-        first = attack.links.first(first);
-        last = attack.links.first(last);
-      }
-    split.make_whole(owners, attack.links.acid);
-    if (attack.wall.law == ReactiveWallLaw::kinetic) continue;
-    split.make_whole(owners, attack.links.product);
-    split.make_whole(owners, attack.links.solid);
-  }
 }
 
 template <class T, class Set>

@@ -33,7 +33,7 @@ class ReactionModule final : public Module {
 
   std::string_view name() const override { return "reaction"; }
   void step(const Exec& exec, const Clock& clock) override;
-  void gather(const Exec&) override { gather_links(); }
+  void gather(const Exec&) override;
   void births(const Exec& exec, const Births& births) override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
@@ -53,6 +53,10 @@ class ReactionModule final : public Module {
   void refresh(const Exec& exec, std::int64_t step);
   /// Brings on every rank what the links have turned over.
   void gather_links() const;
+  Owners owners_of_links(const Attack<T>& attack) const;
+  /// Which links are ours, and the surface nodes that they lead from.
+  void share_links();
+  Share our_surface() const;
   void set_rates(const Exec& exec, Attack<T>& attack, double ahead);
   void set_up_minerals(const Scene& scene);
   void set_up(Attack<T>& attack);
@@ -94,6 +98,8 @@ class ReactionModule final : public Module {
   std::vector<Attack<T>> attacks_;
   std::vector<Solid> solids_;   ///< empty without minerals
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
+  int own_surface_count_ = -1;  ///< blocks of the surface with normals that we ask for; -1: all
+  IndexList own_surface_;       ///< (own) their numbers
   ScalarField<double> lost_;    ///< (block) volume that dissolving pixels were overdrawn by without an heir, pixels
   PoreGrowth::Losses losses_;
   int wall_interval_;

@@ -29,6 +29,8 @@ class Split {
   const Partition& rows() const { return rows_; }
   int first_row() const { return rows_.first(ranks_.rank()); }
   int own_rows() const { return rows_.last(ranks_.rank()) - first_row(); }
+  /// The rank that has a fluid node.
+  int owner_of(int fluid) const { return owner_of_block_[fluid / nodes_per_block]; }
 
   /// Shares out a list of fluid nodes that is new or has grown.
   void follow(FluidNodes& nodes);
@@ -49,7 +51,8 @@ class Split {
   Owners of_fluid(const FluidNodes& nodes) const;
   Owners of_fluid_by_row(const FluidNodes& nodes) const;
   Owners of_links(const BoundaryLinks& links) const;
-  /// Those of the fluid neighbours that [first, last), newborn nodes, have among the older ones; and of some dense nodes.
+  /// Those of the fluid neighbours that [first, last), newborn nodes, have among the older ones; and of some dense
+  /// nodes.
   Owners of_neighbours(const FluidNodes& nodes, int first, int last) const;
   Owners of_dense_nodes(const Lattice& lattice, std::vector<int> nodes) const;
   Owners of_blocks() const { return of_blocks(owner_of_block_.size()); }
@@ -75,7 +78,6 @@ class Split {
 
  private:
   Owners of_dense(const Lattice& lattice) const;
-  int owner_of(int fluid) const { return owner_of_block_[fluid / nodes_per_block]; }
   bool is_ours(int fluid) const { return owner_of(fluid) == ranks_.rank(); }
   Halo marked(const FluidNodes& nodes, const std::vector<bool>& needed) const;
   void mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const;

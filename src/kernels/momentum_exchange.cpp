@@ -123,6 +123,7 @@ struct ExchangeMomentum {
   double force_scale, torque_scale;
   VectorField<double> force;
   ScalarField<double> torque;
+  const int* listed = nullptr;  ///< (item) the groups that run; null: all do
 
   KOKKOS_FORCEINLINE_FUNCTION Wrench of_link(int k) const {
     const int q = (lever(k) & 7) + 1, arm = lever(k) >> 3;
@@ -141,7 +142,8 @@ struct ExchangeMomentum {
     prefetch(&f(slot(k + near < size ? k + near : size - 1)));
     prefetch_far(&f(slot(k + far < size ? k + far : size - 1)));
   }
-  KOKKOS_FUNCTION void operator()(int g) const {
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int g = listed ? listed[item] : item;
     Wrench sum;
     for (int k = first(g); k < first(g + 1); ++k) {
       announce(k);
@@ -150,7 +152,7 @@ struct ExchangeMomentum {
     store(g, sum);
   }
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int g = team.league_rank();
+    const int item = team.league_rank(), g = listed ? listed[item] : item;
     Wrench sum;
     Kokkos::parallel_reduce(
         Kokkos::TeamThreadRange(team, first(g), first(g + 1)), [&](int k, Wrench& s) { s += of_link(k); },
@@ -161,21 +163,32 @@ struct ExchangeMomentum {
 
 template <class T>
 void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const WallLinks& links, double force_scale,
-                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque) {
-  if (links.groups() <= 0) return;
-  const ExchangeMomentum<T> exchange{
-      links.first, links.slot,   links.lever, links.origin, fields.f, static_cast<int>(links.slot.extent(0)),
-      force_scale, torque_scale, force,       torque};
+                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque,
+                       const std::optional<IndexList>& only) {
+  const int groups = only ? static_cast<int>(only->extent(0)) : links.groups();
+  if (groups <= 0) return;
+  const ExchangeMomentum<T> exchange{links.first,
+                                     links.slot,
+                                     links.lever,
+                                     links.origin,
+                                     fields.f,
+                                     static_cast<int>(links.slot.extent(0)),
+                                     force_scale,
+                                     torque_scale,
+                                     force,
+                                     torque,
+                                     only ? only->data() : nullptr};
   if constexpr (runs_on_host)
-    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, links.groups()),
-                         exchange);
+    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, groups), exchange);
   else
-    for_each_team(exec, "vug::momentum_exchange::gather", links.groups(), 32, exchange);
+    for_each_team(exec, "vug::momentum_exchange::gather", groups, 32, exchange);
 }
 
 template void exchange_momentum(const Exec&, const FlowFields<float>&, const WallLinks&, double, double,
-                                const VectorField<double>&, const ScalarField<double>&);
+                                const VectorField<double>&, const ScalarField<double>&,
+                                const std::optional<IndexList>&);
 template void exchange_momentum(const Exec&, const FlowFields<double>&, const WallLinks&, double, double,
-                                const VectorField<double>&, const ScalarField<double>&);
+                                const VectorField<double>&, const ScalarField<double>&,
+                                const std::optional<IndexList>&);
 
 }  // namespace vug

@@ -2,6 +2,8 @@
 // The force of the fluid on the solid nodes that it touches.
 #include "kernels/flow.hpp"
 
+#include <optional>
+
 namespace vug {
 
 /// The links between the fluid and groups of solid nodes, such as the nodes of a particle: found anew when the pores
@@ -28,9 +30,11 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
 /// multiply. Double whatever T is; 8 bytes of table and a population per link.
 ///
 /// Valid between sweeps, before or after the sides are dressed. Where links to solid nodes themselves are dressed (a
-/// moving wall) it is the mean of a call before and a call after.
+/// moving wall) it is the mean of a call before and a call after. Of the groups listed in `only`, where given; the
+/// others are left as they are.
 template <class T>
 void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const WallLinks& links, double force_scale,
-                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque);
+                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque,
+                       const std::optional<IndexList>& only = {});
 
 }  // namespace vug

@@ -117,14 +117,14 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
   const char* label = "vug::reactive_wall::react";
   const auto by_paper = [&](const auto& equilibrium, const auto& its_product) {
     using Step = PaperStep<T, Set, std::decay_t<decltype(equilibrium)>, std::decay_t<decltype(its_product)>>;
-    for_each_node(exec, label, links.count,
+    for_each_node(exec, label, links.share(),
                   Step{equilibrium, T(wall.D_reactant), T(wall.D_product), nodes.capacity, links, reactant.h,
                        reactant.C, its_product});
   };
   const auto launch = [&](const auto& its_product) {
     if (wall.law == ReactiveWallLaw::kinetic)
       visit_kinetic_step<Set>(wall, links, reactant.h, its_product,
-                              [&](const auto& step) { for_each_scattered(exec, label, links.count, step); });
+                              [&](const auto& step) { for_each_scattered(exec, label, links.share(), step); });
     else if (wall.minerals.given())
       by_paper(MineralEquilibrium<T>{wall.minerals.rate, links.mineral}, its_product);
     else

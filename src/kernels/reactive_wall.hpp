@@ -60,6 +60,11 @@ struct ReactiveLinks {
   ScalarField<double> acid;    ///< (link) moles taken from the acid
   ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself but for the
                                        ///< paper's law, where the three differ
+  int own_count = -1;                  ///< blocks of the list that hold links of nodes of this process; -1: all
+  IndexList own_blocks;                ///< (own) their numbers
+
+  /// What this process computes of them.
+  Share share() const { return {count, own_count, own_blocks.data()}; }
 };
 
 /// Lists the links of `surface` to the fluid along the velocities of Set. What they have turned over must have been

@@ -57,7 +57,7 @@ void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& 
   const auto launch = [&](const auto& constants) {
     with_link_area(normal, [&](const auto& area) {
       using Body = SetConductance<T, Set, std::decay_t<decltype(constants)>, Rate, std::decay_t<decltype(area)>>;
-      for_each_node(exec, "vug::reactive_wall::conductances", links.count,
+      for_each_node(exec, "vug::reactive_wall::conductances", links.share(),
                     Body{wall.law, constants, T(wall.D_reactant), T(wall.D_product), T(ahead), rate, area, surface.node,
                          nodes.node, nodes.capacity, links});
     });

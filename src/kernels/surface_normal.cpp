@@ -87,10 +87,10 @@ struct SurfaceNormal {
 };
 
 void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ScalarField<double>& volume,
-                  const ScalarField<double>& dissolved, VectorField<double>& normal) {
+                  const ScalarField<double>& dissolved, VectorField<double>& normal, const std::optional<Share>& only) {
   if (static_cast<int>(normal.extent(0)) < surface.count)
     normal = VectorField<double>("vug::surface_normal::normal", surface.count + surface.count / 2);
-  for_each_node(exec, "vug::surface_normal::find", surface.count,
+  for_each_node(exec, "vug::surface_normal::find", only.value_or(Share(surface.count)),
                 SurfaceNormal{DenseNeighbour(nodes), surface.node, volume, dissolved, normal});
 }
 

@@ -1,0 +1,91 @@
+// What ranks share of the reaction at the walls: each knows how fast the links of its own fluid nodes react.
+#include "coupling/reaction_module.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+/// The numbers of marked blocks, in memory that the host shares.
+IndexList numbers_of(const std::vector<bool>& marked, int& count) {
+  count = static_cast<int>(std::count(marked.begin(), marked.end(), true));
+  IndexList numbers("vug::reaction::own_blocks", std::max(count, 1));
+  for (std::size_t b = 0, k = 0; b < marked.size(); ++b)
+    if (marked[b]) numbers(k++) = static_cast<int>(b);
+  return numbers;
+}
+
+}  // namespace
+
+/// Of the links and of the surface whole blocks, some of which two ranks compute alike.
+template <class T, class Set>
+void ReactionModule<T, Set>::share_links() {
+  const FluidNodes& fluid = geometry_.fluid;
+  if (fluid.own_count < 0) return;
+  std::vector<bool> surface(block_count(geometry_.surface.count), false);
+  for (Attack<T>& attack : attacks_) {
+    ReactiveLinks<T>& links = attack.links;
+    std::vector<bool> ours(block_count(links.count), false);
+    for (int k = 0; k < fluid.own_count; ++k) {
+      const int node = fluid.own_blocks(k) * nodes_per_block, end = std::min(node + nodes_per_block, fluid.count);
+      for (int l = links.first(node); l < links.first(end); ++l) ours[l / nodes_per_block] = true;
+    }
+    links.own_blocks = numbers_of(ours, links.own_count);
+    for (int l = 0; l < links.count; ++l)
+      if (ours[l / nodes_per_block]) surface[links.root(l) / 8 / nodes_per_block] = true;
+  }
+  own_surface_ = numbers_of(surface, own_surface_count_);
+}
+
+template <class T, class Set>
+Share ReactionModule<T, Set>::our_surface() const {
+  return {geometry_.surface.count, own_surface_count_, own_surface_.data()};
+}
+
+template <class T, class Set>
+Owners ReactionModule<T, Set>::owners_of_links(const Attack<T>& attack) const {
+  Owners owners = geometry_.split.of_fluid(geometry_.fluid);
+  for (Runs& runs : owners)
+    for (auto& [first, last] : runs) {
+      first = attack.links.first(first);
+      last = attack.links.first(last);
+    }
+  return owners;
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::gather(const Exec&) {
+  gather_links();
+  for (const Attack<T>& attack : attacks_) {
+    const Owners owners = owners_of_links(attack);
+    geometry_.split.make_whole(owners, attack.links.rate);
+    geometry_.split.make_whole(owners, attack.links.conductance);
+  }
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::gather_links() const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  for (const Attack<T>& attack : attacks_) {
+    const Owners owners = owners_of_links(attack);
+    split.make_whole(owners, attack.links.acid);
+    if (attack.wall.law == ReactiveWallLaw::kinetic) continue;
+    split.make_whole(owners, attack.links.product);
+    split.make_whole(owners, attack.links.solid);
+  }
+}
+
+#define VUG_INSTANTIATE(T, Set)                               \
+  template void ReactionModule<T, Set>::share_links();        \
+  template Share ReactionModule<T, Set>::our_surface() const; \
+  template void ReactionModule<T, Set>::gather(const Exec&);  \
+  template void ReactionModule<T, Set>::gather_links() const;
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug
