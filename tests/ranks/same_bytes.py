@@ -1,6 +1,8 @@
 """The same bytes of every file for any number of ranks and threads, over births, cracks and restarts.
 
-    same_bytes.py VUG CASE... -- MPIRUN...      (names of the table below)
+    same_bytes.py [--all] VUG CASE... -- MPIRUN...      (names of the table below)
+
+On 1, 2 and 3 ranks; with --all on 1, 2, 3, 4, 7 and 16 ranks of one and of two threads, but for those.
 """
 import csv
 import os
@@ -21,7 +23,7 @@ CASES = {  # case, steps, keys, output at every tenth step
     "channel": ("cases/cylinder.toml", 40, [], "output.interval=1e-2"),
     "cavity": ("cases/heated_cavity.toml", 60, [], "output.interval=4e-3"),
     "diffusion": ("cases/diffusion_reaction.toml", 60, [], "output.interval=0.03"),
-    "rock": (COUPLED + "small_rock.toml", 200, FINE, ROCK_OFTEN),
+    "rock": (COUPLED + "small_rock.toml", 207, FINE, ROCK_OFTEN),  # ends between two births: what walls conduct is set
     "single": (COUPLED + "small_rock.toml", 120, FINE + ["accuracy.precision=single", "flow.collision=bgk"], ROCK_OFTEN),
     "intervals": (COUPLED + "small_rock.toml", 120,
                   FINE + ["accuracy.solute_interval=3", "accuracy.heat_interval=2", "accuracy.exchange_interval=7",
@@ -30,11 +32,17 @@ CASES = {  # case, steps, keys, output at every tenth step
               FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5"], ROCK_OFTEN),
     "d2q9": (COUPLED + "small_rock.toml", 120, FINE + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"],
              ROCK_OFTEN),
+    "sleep": (COUPLED + "small_rock.toml", 120,
+              FINE + ["rock.element_size=1e-3", "mechanics.local_damping=0.7", "mechanics.rest_tolerance=0.3", ROCK_OFTEN],
+              ROCK_OFTEN),
     "well": (COUPLED + "well.toml", 200, ["lattice.spacing=2.5e-4"], OFTEN),
 }
 MANY = "rock"  # the case that is run on more ranks than the others
 COMPARED = [(2, 1), (3, 1), (2, 2)]  # ranks, threads
 COMPARED_MANY = [(4, 1), (7, 1), (1, 2), (3, 2)]
+COMPARED_ALL = [(1, 2), (3, 2)] + [(ranks, threads) for ranks in (4, 7, 16) for threads in (1, 2)]  # beside COMPARED
+# (ranks, threads) of a run that is stopped and goes on, in turn
+TURNS, TURNS_ALL = [(4, 1), (3, 1), (2, 1)], [(16, 1), (7, 2), (4, 1), (1, 2)]
 
 
 def blocks(path):
@@ -94,8 +102,15 @@ def births(folder):
     return sum(int(rows[-1].get(name, 0)) for name in ("nodes_dissolved_1", "nodes_opened_by_damage_1"))
 
 
-def check(runner, case, root):
+def least_awake(folder):
+    """Of all rows of the history; 1 where no rock may sleep."""
+    return min(float(row.get("rock_awake_1", 1)) for row in csv.DictReader((folder / "history.csv").open()))
+
+
+def check(runner, case, root, everything):
     """Compares runs, and runs that were stopped and went on with another number of ranks."""
+    compared = COMPARED_ALL if everything else COMPARED + (COMPARED_MANY if case == MANY else [])
+    turns = TURNS_ALL if everything else TURNS
     wrong = 0
 
     def compare(what, first, second):
@@ -108,25 +123,29 @@ def check(runner, case, root):
     runner.run(case, one, 1, 1)
     if CASES[case][0].startswith(COUPLED) and births(one) == 0:
         sys.exit(f"{case}: no node has turned fluid, so that nothing is tested")
-    for ranks, threads in COMPARED + (COMPARED_MANY if case == MANY else []):
+    if case == "sleep" and least_awake(one) == 1:
+        sys.exit(f"{case}: no rock has slept, so that nothing is tested")
+    for ranks, threads in compared:
         other = root / f"{case}_{ranks}_{threads}"
         runner.run(case, other, ranks, threads)
         compare(f"{ranks} ranks of {threads}", one, other)
-    often, middle = CASES[case][3], CASES[case][1] // 20 * 10
+    often, steps = CASES[case][3], CASES[case][1]
     whole, parts = root / f"{case}_whole", root / f"{case}_parts"
     runner.run(case, whole, 1, 1, often)
-    runner.run(case, parts, 4, 1, often, to=middle)
-    runner.run(case, parts, 3, 1, often, to=middle + 10, resume=True)
-    runner.run(case, parts, 2, 1, often, resume=True)
-    compare("4 ranks, then 3, then 2", whole, parts)
+    for turn, (ranks, threads) in enumerate(turns):
+        last = turn + 1 == len(turns)
+        to = steps if last else steps // 20 * 10 + 10 * turn
+        runner.run(case, parts, ranks, threads, often, to=to, resume=turn > 0)
+    compare("ranks in turn " + ", ".join(str(ranks) for ranks, _ in turns), whole, parts)
     return wrong
 
 
 def main(arguments):
-    split = arguments.index("--")
-    runner = Runner(arguments[0], arguments[split + 1:])
+    everything = arguments[0] == "--all"
+    split, first = arguments.index("--"), int(everything)
+    runner = Runner(arguments[first], arguments[split + 1:])
     with tempfile.TemporaryDirectory() as root:
-        wrong = sum(check(runner, case, pathlib.Path(root)) for case in arguments[1:split])
+        wrong = sum(check(runner, case, pathlib.Path(root), everything) for case in arguments[first + 1:split])
     return 1 if wrong else 0
 
 
