@@ -71,6 +71,8 @@ def killed(site, process, ranks, victim, what):
 def launcher_of(build):
     """How the build under attack starts ranks; none where it has no MPI."""
     found = {}
+    if not (build / "CMakeCache.txt").exists():  # a build that was packed and sent
+        return None
     for line in (build / "CMakeCache.txt").read_text(encoding="utf-8").splitlines():
         name, _, value = line.partition("=")
         found[name.partition(":")[0]] = value
