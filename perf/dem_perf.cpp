@@ -47,8 +47,12 @@ void advance(benchmark::State& state, double chemical_damage) {
   state.counters["bonds"] = rock.bonds().count;
 }
 
-void intact(benchmark::State& state) { advance(state, 0); }
-void crumbled(benchmark::State& state) { advance(state, 1); }
+void intact(benchmark::State& state) {
+  advance(state, 0);
+}
+void crumbled(benchmark::State& state) {
+  advance(state, 1);
+}
 
 BENCHMARK(intact)->Arg(5)->Arg(15)->Arg(50)->Arg(250)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK(crumbled)->Arg(15)->Arg(50)->Unit(benchmark::kMicrosecond)->UseRealTime();

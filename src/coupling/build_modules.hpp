@@ -31,8 +31,8 @@ struct Parts {
 /// that the case names.
 LatticeUnits units_of(const Scene& scene);
 
-/// Builds what the tables of the scene ask for: table present, module present; table absent, not a byte. The ranks share
-/// the work.
+/// Builds what the tables of the scene ask for: table present, module present; table absent, not a byte. The ranks
+/// share the work.
 std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const Ranks& ranks = {});
 
 }  // namespace vug

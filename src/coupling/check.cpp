@@ -144,7 +144,8 @@ CheckReport check_specimen(const Scene& scene) {
 }  // namespace
 
 CheckReport check_case(const Scene& scene, const std::string& preview) {
-  if (scene.laboratory && !preview.empty()) throw InputError("--preview draws a lattice, and a laboratory test has none");
+  if (scene.laboratory && !preview.empty())
+    throw InputError("--preview draws a lattice, and a laboratory test has none");
   if (scene.laboratory) return check_specimen(scene);
   CheckReport report;
   const double before = allocated_bytes();

@@ -16,9 +16,9 @@ struct CheckReport {
   LimitTable limits;
   std::vector<std::string> warnings;
   std::vector<std::string> choices;  ///< what those of the case gain and cost, as measured
-  double spacing = 0;  ///< m
+  double spacing = 0;                ///< m
   int nx = 0, ny = 0, fluid_nodes = 0, particles = 0, bonds = 0;
-  double porosity = 0;  ///< fluid share of the lattice at the start
+  double porosity = 0;                ///< fluid share of the lattice at the start
   double joined_x = 0, joined_y = 0;  ///< the same of fluid that reaches from left to right, from bottom to top
   std::optional<ImageSummary> image;  ///< of a picture that the rock was read from
   double bytes = 0;                   ///< held in Views

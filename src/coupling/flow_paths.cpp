@@ -163,7 +163,8 @@ void look_for_dry_mouths(const Scene& scene, const std::vector<Mouth>& mouths, b
     if ((!flows && !carries) || !dry) continue;
     const std::string line = fmt::format("{}.{} has no effect{}: no fluid touches it", mouth.key,
                                          flows ? "flow" : "solute", rock_opens ? " until rock opens" : "");
-    if (mouth.key.starts_with("boundary.injection") && !rock_opens) throw InputError(fmt::format("{}: {}", scene.path, line));
+    if (mouth.key.starts_with("boundary.injection") && !rock_opens)
+      throw InputError(fmt::format("{}: {}", scene.path, line));
     if (std::find(found.warnings.begin(), found.warnings.end(), line) == found.warnings.end())
       found.warnings.push_back(line);
   }

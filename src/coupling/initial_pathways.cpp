@@ -159,12 +159,12 @@ class Blocks {
     return true;
   }
 
-  Graph touching_;                          ///< triangles that share a bond
-  Graph along_;                             ///< corners that a bond joins
-  std::vector<std::array<int, 2>> ends_;    ///< (bond) corners
-  std::vector<std::array<int, 2>> sides_;   ///< (bond) triangles
-  std::vector<std::array<int, 2>> walls_;   ///< of holes and notches: corners
-  std::vector<int> order_;                  ///< triangles in the order in which they become blocks
+  Graph touching_;                         ///< triangles that share a bond
+  Graph along_;                            ///< corners that a bond joins
+  std::vector<std::array<int, 2>> ends_;   ///< (bond) corners
+  std::vector<std::array<int, 2>> sides_;  ///< (bond) triangles
+  std::vector<std::array<int, 2>> walls_;  ///< of holes and notches: corners
+  std::vector<int> order_;                 ///< triangles in the order in which they become blocks
   const std::vector<bool>& fixed_;
 };
 

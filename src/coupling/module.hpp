@@ -36,8 +36,8 @@ class Module {
   virtual void begin(const Exec&) {}
   /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
   virtual void step(const Exec& exec, const Clock& clock) = 0;
-  /// Brings on every rank what the ranks have computed each for itself, before fields and state are looked at. Called by
-  /// all ranks, as every other function, and only where there are several.
+  /// Brings on every rank what the ranks have computed each for itself, before fields and state are looked at. Called
+  /// by all ranks, as every other function, and only where there are several.
   virtual void gather(const Exec&) {}
   /// Takes up newborn fluid nodes; called between steps, when the list of fluid nodes has grown.
   virtual void births(const Exec&, const Births&) {}

@@ -9,8 +9,8 @@
 
 namespace vug {
 
-/// Adds displacement, rotation, temperature, damage, ... of `rock`; the stress of its triangles where `asked_for` names a
-/// component of it.
+/// Adds displacement, rotation, temperature, damage, ... of `rock`; the stress of its triangles where `asked_for` names
+/// a component of it.
 void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<std::string>& asked_for = {});
 
 /// Triangles and bonds for particles.h5.

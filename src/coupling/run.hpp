@@ -16,9 +16,9 @@ struct RunOptions {
   std::optional<std::int64_t> steps;  ///< stop after this many lattice steps, whatever the case says
   bool resume = false;     ///< continue from the newest checkpoint in `directory`, or begin where there is none
   bool overwrite = false;  ///< replace the run that `directory` holds
-  bool terminal = false;              ///< the progress goes to a terminal
-  std::ostream* progress = nullptr;   ///< null: quiet
-  Ranks ranks{};  ///< who computes the case together; the first of them writes
+  bool terminal = false;   ///< the progress goes to a terminal
+  std::ostream* progress = nullptr;  ///< null: quiet
+  Ranks ranks{};                     ///< who computes the case together; the first of them writes
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or

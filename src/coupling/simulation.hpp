@@ -32,8 +32,8 @@ class Simulation {
 
   /// Everything a restart needs, after any step.
   StateList state();
-  /// Takes a state over, from `load`, which is called with one list of blocks after the other: it makes room for a grown
-  /// list of fluid nodes first. Throws FileError for numbers that no state of this scene can have.
+  /// Takes a state over, from `load`, which is called with one list of blocks after the other: it makes room for a
+  /// grown list of fluid nodes first. Throws FileError for numbers that no state of this scene can have.
   void restore(const std::function<void(StateList&)>& load);
 
  private:
@@ -45,7 +45,7 @@ class Simulation {
   Clock clock_;
   int update_interval_;
   std::unique_ptr<Parts> parts_;
-  mutable bool whole_ = true;  ///< no step since the state was gathered
+  mutable bool whole_ = true;                 ///< no step since the state was gathered
   int fluid_count_ = 0, fluid_capacity_ = 0;  ///< as read from a checkpoint
 };
 

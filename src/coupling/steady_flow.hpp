@@ -11,8 +11,8 @@ template <class T>
 class SteadyFlow {
  public:
   SteadyFlow() = default;
-  /// Holds when the largest change of velocity between two looks, over the largest velocity, is at most `tolerance`, and
-  /// not before `earliest` (s), when the last pressure has been raised. Looks every `interval` lattice steps.
+  /// Holds when the largest change of velocity between two looks, over the largest velocity, is at most `tolerance`,
+  /// and not before `earliest` (s), when the last pressure has been raised. Looks every `interval` lattice steps.
   SteadyFlow(double tolerance, double earliest, int interval)
       : tolerance_(tolerance), earliest_(earliest), interval_(interval) {}
 

@@ -31,7 +31,7 @@ std::vector<Setting> settings_of(const Scene& scene);
 struct TunedSetting {
   Setting setting;
   std::size_t chosen = 0;
-  bool seen = true;  ///< whether a column of the pilot depends on it; else it stays as the case has it
+  bool seen = true;               ///< whether a column of the pilot depends on it; else it stays as the case has it
   std::vector<double> errors{0};  ///< of the rungs climbed, with all other settings at their first
   double error() const { return errors[chosen]; }
 };

@@ -19,11 +19,11 @@ struct NoAccounts {
 /// Sums since the last reset, J per m of thickness.
 ///
 /// The leapfrog moves a body by dt (v- + v+) / 2 round the time t of a force, so a spring of force -k x(t) takes up
-/// k x(t) (x(t+dt) - x(t-dt)) / 2, which is exactly the change of k x(t) x(t+dt) / 2: that product is the elastic energy
-/// the scheme keeps (k x^2 / 2 is off by (omega dt)^2 / 8 of it, several per cent for the fastest waves of a breaking
-/// bond). The losses follow from the same sum: damage dd releases dd k x(t) x(t-dt) / 2, a slider that moves by ds in a
-/// spring of stretch e takes k (e(t) + e(t-dt)) ds / 2, and a dashpot half a step of work on either side of its force:
-/// those of contacts are booked by the integrator, which knows both velocities.
+/// k x(t) (x(t+dt) - x(t-dt)) / 2, which is exactly the change of k x(t) x(t+dt) / 2: that product is the elastic
+/// energy the scheme keeps (k x^2 / 2 is off by (omega dt)^2 / 8 of it, several per cent for the fastest waves of a
+/// breaking bond). The losses follow from the same sum: damage dd releases dd k x(t) x(t-dt) / 2, a slider that moves
+/// by ds in a spring of stretch e takes k (e(t) + e(t-dt)) ds / 2, and a dashpot half a step of work on either side of
+/// its force: those of contacts are booked by the integrator, which knows both velocities.
 struct Accounts {
   static constexpr bool kept = true;
   /// (bond, 2 point + normal or tangential) dashpot stress of the last step, Pa: its later half is not yet in the sums
@@ -33,8 +33,8 @@ struct Accounts {
   /// (pair, component) share of the dashpots in Contacts::load, and (particle, component) in Contacts::push
   Kokkos::View<double* [4], Kokkos::LayoutLeft> pair_drag;
   Kokkos::View<double* [3], Kokkos::LayoutLeft> particle_drag;
-  ScalarField<double> particle_work;                               ///< (particle) by loads, fluid, gravity and platens
-  ScalarField<double> particle_damping;                            ///< (particle) local damping, dashpots of contacts
+  ScalarField<double> particle_work;     ///< (particle) by loads, fluid, gravity and platens
+  ScalarField<double> particle_damping;  ///< (particle) local damping, dashpots of contacts
 
   KOKKOS_FORCEINLINE_FUNCTION void add_bond(int k, double fracture, double friction, double damping) const {
     bond_fracture(k) += fracture;

@@ -24,25 +24,25 @@ struct PlatenTest {
   /// Support::free: the pressure is the dead load of a membrane, constant to the bit; Support::servo: that of rigid
   /// frictionless platens which follow it (servo.hpp).
   Support flanks = Support::free;
-  double confining_time = 150e-6;  ///< s over which it is raised
+  double confining_time = 150e-6;                      ///< s over which it is raised
   double confining_damping = default_preload_damping;  ///< Cundall's alpha meanwhile
-  double largest_strain = 0.02;    ///< where the test ends at the latest
-  double stop_below = 0.6;         ///< ends when the stress has fallen to this share of its peak
-  double step_fraction = 0.3;      ///< time step over the critical one
-  double sample_strain = 1e-5;     ///< between two points of the curve
-  double chemical_damage = 0;      ///< d_c of all bonds, as after soaking in acid
+  double largest_strain = 0.02;                        ///< where the test ends at the latest
+  double stop_below = 0.6;                             ///< ends when the stress has fallen to this share of its peak
+  double step_fraction = 0.3;                          ///< time step over the critical one
+  double sample_strain = 1e-5;                         ///< between two points of the curve
+  double chemical_damage = 0;                          ///< d_c of all bonds, as after soaking in acid
 };
 
 /// What the press records. Stress and strain count positive in the sense in which the platens load: compression in a
 /// compression test, a Brazilian test and when heated, tension in a tension test.
 struct PlatenResult {
-  std::vector<double> strain;  ///< of the platens over the distance of the held centroids, or alpha dT
-  std::vector<double> stress;  ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
+  std::vector<double> strain;       ///< of the platens over the distance of the held centroids, or alpha dT
+  std::vector<double> stress;       ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
   std::vector<double> confinement;  ///< mean pressure of servo platens on the flanks, or the membrane's, Pa
-  double modulus = 0;          ///< of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa
-  double poisson = 0;          ///< from gauges at the flanks, the same chord
-  double strength = 0;         ///< largest stress, Pa
-  double peak_strain = 0;      ///< strain there
+  double modulus = 0;      ///< of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa
+  double poisson = 0;      ///< from gauges at the flanks, the same chord
+  double strength = 0;     ///< largest stress, Pa
+  double peak_strain = 0;  ///< strain there
   BondCounts bonds_at_peak;
   BondCounts bonds_at_end;
   Energies energies;     ///< at the end; with parameters.energy_ledger
@@ -69,7 +69,7 @@ Spread spread_of(const std::vector<double>& values);
 /// What a search for the cohesion has found.
 struct CohesionFit {
   double cohesion = 0;  ///< Pa
-  Spread strength;  ///< over the seeds, Pa
+  Spread strength;      ///< over the seeds, Pa
   int rounds = 0;
 };
 

@@ -22,7 +22,8 @@ struct NeighbourGrid {
 NeighbourGrid make_neighbour_grid(const Particles& particles, double skin);
 
 /// Rebuilds the candidate pairs when contacts are awake and a particle has moved by more than a quarter of the skin, a
-/// bond has failed or a pair of crack faces has parted. Two launches that end at once when there is nothing to do; no host copy.
+/// bond has failed or a pair of crack faces has parted. Two launches that end at once when there is nothing to do; no
+/// host copy.
 void update_contacts(const Exec& exec, const NeighbourGrid& grid, const Particles& particles, const Bonds& bonds,
                      const Contacts& contacts);
 

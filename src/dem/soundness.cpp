@@ -26,7 +26,8 @@ std::string what_is_unsound(const Exec& exec, const Mechanics& rock) {
     std::snprintf(speed, sizeof speed, "%.3g", runaway.speed);
     return "particle " + std::to_string(runaway.particle) + " moves at " + speed + " m/s; " +
            (is_loose(rock.bonds(), runaway.particle)
-                ? "no bond holds it: a fragment that the fluid drives from where it is drawn on the lattice has left the model"
+                ? "no bond holds it: a fragment that the fluid drives from where it is drawn on the lattice has left "
+                  "the model"
                 : "take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction");
   }
   int lost = 0;

@@ -45,8 +45,8 @@ struct StateRange {
 struct StateList {
   std::vector<StateBlock> blocks;
 
-  /// A View of numbers that keeps its extent from here on. Loading throws FileError for one that is not finite or out of
-  /// range.
+  /// A View of numbers that keeps its extent from here on. Loading throws FileError for one that is not finite or out
+  /// of range.
   template <class ViewType>
   void add(std::string name, ViewType view, StateRange range = {});
   /// A plain number on the host, likewise.

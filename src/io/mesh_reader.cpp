@@ -28,11 +28,11 @@ struct RawMesh {
   std::vector<std::array<double, 3>> nodes;
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 2>> cracks;
-  std::set<std::int64_t> crack_groups;          // physical tags of lines
+  std::set<std::int64_t> crack_groups;                 // physical tags of lines
   std::map<std::int64_t, std::string> surface_groups;  // names by physical tags of surfaces
-  std::map<std::int64_t, bool> curve_is_crack;  // format 4: geometric tags of lines
-  std::map<std::int64_t, std::string> surface_group;  // format 4: of geometric tags of surfaces
-  std::map<std::string, std::vector<int>> groups;     // triangles of named surfaces
+  std::map<std::int64_t, bool> curve_is_crack;         // format 4: geometric tags of lines
+  std::map<std::int64_t, std::string> surface_group;   // format 4: of geometric tags of surfaces
+  std::map<std::string, std::vector<int>> groups;      // triangles of named surfaces
 };
 
 void read_physical_names(MeshText& text, RawMesh& mesh) {

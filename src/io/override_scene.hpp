@@ -7,7 +7,8 @@
 
 namespace vug {
 
-/// The scene that its case file gives with its own overrides and `more` of them, "table.key=value". Throws as read_scene.
+/// The scene that its case file gives with its own overrides and `more` of them, "table.key=value". Throws as
+/// read_scene.
 Scene override_scene(const Scene& scene, const std::vector<std::string>& more);
 
 }  // namespace vug

@@ -93,8 +93,8 @@ std::optional<RunSummary> read_run_summary(const std::string& directory) {
   std::error_code none;
   if (!fs::is_regular_file(path, none)) return std::nullopt;
   const std::string json = detail::read_file(path);
-  RunSummary summary{value_of(json, "run"), value_of(json, "status"), value_of(json, "case_hash"),
-                     value_of(json, "inputs"), value_of(json, "steps"), value_of(json, "started"),
+  RunSummary summary{value_of(json, "run"),         value_of(json, "status"),     value_of(json, "case_hash"),
+                     value_of(json, "inputs"),      value_of(json, "steps"),      value_of(json, "started"),
                      value_of(json, "exit_reason"), value_of(json, "first_step"), value_of(json, "last_step")};
   if (summary.status.empty() || summary.case_hash.empty())
     throw InputError(path + ": is no record of a run of vug; choose another folder");
@@ -110,9 +110,7 @@ bool is_in_use(const std::string& directory) {
 }
 
 RunFolder::RunFolder(std::string path, Use use, std::string offer)
-    : path_(std::move(path)),
-      use_(use),
-      offer_(std::move(offer)) {
+    : path_(std::move(path)), use_(use), offer_(std::move(offer)) {
   std::error_code none;
   if (!fs::is_directory(path_, none)) return;
   lock(false);

@@ -35,8 +35,8 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  /// Makes the folder, locks it, and looks again: what has come meanwhile is not touched either. To overwrite, clears it.
-  /// Throws InputError and FileError.
+  /// Makes the folder, locks it, and looks again: what has come meanwhile is not touched either. To overwrite, clears
+  /// it. Throws InputError and FileError.
   void take();
   /// Removes what a run has written, by the names that vug gives; other files stay, and run.json until it is replaced.
   void clear() const;

@@ -92,7 +92,8 @@ void rebuild_links(const Exec& exec, FluidNodes& nodes) {
     for_each_node(exec, "vug::fluid_nodes::build_windows", nodes.count / nodes_per_window, build_windows(nodes));
 }
 
-/// The tables of newborn nodes [first, last) and of the fluid nodes around them, in turn: newborns may share neighbours.
+/// The tables of newborn nodes [first, last) and of the fluid nodes around them, in turn: newborns may share
+/// neighbours.
 struct LinkNewborns {
   BuildLinks links;
   BuildWindows windows;

@@ -14,14 +14,14 @@ struct FlowExtremes {
 template <class T>
 int first_outside(const Exec& exec, const ScalarField<T>& field, int count, double lowest, double highest);
 
-/// Extremes of the density and velocity of the last sweep, of our share of the nodes; a broken population shows in the density of the node where
-/// it arrives. The same for any number of threads.
+/// Extremes of the density and velocity of the last sweep, of our share of the nodes; a broken population shows in the
+/// density of the node where it arrives. The same for any number of threads.
 template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);
 
-/// Largest |u - previous| over the fluid nodes divided by the largest |u| (0 where nothing moves); previous (fluid, axis)
-/// is u afterwards.
+/// Largest |u - previous| over the fluid nodes divided by the largest |u| (0 where nothing moves); previous (fluid,
+/// axis) is u afterwards.
 template <class T>
 double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
                        const VectorField<T>& previous);

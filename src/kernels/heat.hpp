@@ -72,8 +72,8 @@ struct HeatFields {
   Kokkos::View<std::uint8_t*> solid;
   HeatMatter matter;
   int first_row = 0, rows = 0;  ///< [first_row, first_row + rows) are the rows that a step computes: all, or our share
-  int bands = 0;         ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
-  ScalarField<T> lines;  ///< (band, line, x) what they set aside
+  int bands = 0;                ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
+  ScalarField<T> lines;         ///< (band, line, x) what they set aside
 };
 
 /// Temperature of a node, deviation from the reference: the sum of its populations, which every step conserves and

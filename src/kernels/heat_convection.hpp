@@ -34,9 +34,7 @@ struct ConvectEights {
     }
     KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum_of_lanes(sum); }
   };
-  KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const {
-    return {*this, advect, y, rows.first(y), rows.first(y + 1)};
-  }
+  KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const { return {*this, advect, y, rows.first(y), rows.first(y + 1)}; }
 
  private:
   using E = Eight<T>;
@@ -125,9 +123,7 @@ struct ConvectScattered {
     }
     KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum; }
   };
-  KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const {
-    return {*this, advect, y, rows.first(y), rows.first(y + 1)};
-  }
+  KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const { return {*this, advect, y, rows.first(y), rows.first(y + 1)}; }
 
  private:
   /// At most that many, before node `end`; returns how many.

@@ -125,8 +125,8 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   int not_finite;
   Kokkos::parallel_reduce("vug::heat::extremes",
                           Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? fields.rows : lattice.nx * lattice.ny),
-                          Extremes<T>{lattice, fields.first_row, fields.solid, Temperature<T>(fields)}, Kokkos::Min<T>(lowest),
-                          Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
+                          Extremes<T>{lattice, fields.first_row, fields.solid, Temperature<T>(fields)},
+                          Kokkos::Min<T>(lowest), Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
   return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
 }
 

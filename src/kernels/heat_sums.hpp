@@ -17,7 +17,8 @@ template <class T>
 void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
                       const ScalarField<double>& total);
 
-/// Extremes of theta over our rows of the lattice and how many entries are not finite. Read on the host: for guards, not in a step.
+/// Extremes of theta over our rows of the lattice and how many entries are not finite. Read on the host: for guards,
+/// not in a step.
 struct HeatExtremes {
   double lowest = 0, highest = 0;
   int not_finite = 0;

@@ -18,8 +18,8 @@ std::string stop_reason();
 /// Throws Interrupted when a stop was asked for.
 void throw_if_stop_requested();
 
-/// While one lives, somebody looks at stop_requested() at least once a second or a step. At other times there is nothing
-/// to be brought to an end, and a signal may end the process where it stands.
+/// While one lives, somebody looks at stop_requested() at least once a second or a step. At other times there is
+/// nothing to be brought to an end, and a signal may end the process where it stands.
 class StopsInOrder {
  public:
   StopsInOrder();

@@ -134,9 +134,9 @@ using ShortExec = std::conditional_t<shares_host_memory, Kokkos::Serial, Exec>;
 using ShortExec = Exec;  // the Kokkos of a distribution may have threads alone
 #endif
 
-/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent; the
-/// shortest lists without waking other threads, which takes longer than the work. Of a list that processes share: for
-/// our blocks of nodes_per_block.
+/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent;
+/// the shortest lists without waking other threads, which takes longer than the work. Of a list that processes share:
+/// for our blocks of nodes_per_block.
 template <class Body>
 void for_each_block(const Exec& exec, const std::string& label, const Share& list, const Body& body, int size) {
   const int n = list.n;

@@ -33,9 +33,7 @@ struct MarkNodes {
 
 struct CountMarks {
   NodeMarks marks;
-  KOKKOS_FUNCTION void operator()(int word, int& count) const {
-    count += Kokkos::popcount(word_of(marks, word));
-  }
+  KOKKOS_FUNCTION void operator()(int word, int& count) const { count += Kokkos::popcount(word_of(marks, word)); }
 };
 
 template <class Take>

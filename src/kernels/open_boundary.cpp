@@ -147,26 +147,26 @@ struct DressFlow {
 };
 
 FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
-                             const ScalarField<double>& gain) {
+                                 const ScalarField<double>& gain) {
   return {Kind::pressure, links.count, links.fluid.data(), links.direction.data(), gain.data(),
           mirror.data(),  nullptr,     {pressure, 0}};
 }
 
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
-                             const ScalarField<double>& share, const ScalarField<double>& gain) {
+                                 const ScalarField<double>& share, const ScalarField<double>& gain) {
   const Kind kind = share.extent(0) == 0 ? Kind::velocity : Kind::velocity_profile;
   return {kind,        links.count, links.fluid.data(), links.direction.data(),
           gain.data(), nullptr,     share.data(),       {velocity[0], velocity[1]}};
 }
 
 FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
-                                 const ScalarField<double>& gain) {
+                                     const ScalarField<double>& gain) {
   return {Kind::normal_speed, links.count, links.fluid.data(), links.direction.data(),
           gain.data(),        nullptr,     area.data(),        {speed, 0}};
 }
 
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
-                      const ScalarField<double>& gain) {
+                                const ScalarField<double>& gain) {
   return {Kind::outflow, links.count, links.fluid.data(), links.direction.data(), gain.data(),       mirror.data(),
           nullptr,       {0, 0},      state.faces,        state.speed.data(),     state.level.data()};
 }

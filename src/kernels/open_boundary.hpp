@@ -30,18 +30,18 @@ struct FlowCondition {
 /// anti-bounce-back of the link itself leaves the shear free. Creeping flow that runs straight out is carried on
 /// exactly: reversed in sign and mirrored it is a flow again. A link without an image is a wall.
 FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
-                             const ScalarField<double>& gain);
+                                 const ScalarField<double>& gain);
 
 /// Velocity of the wall, or of the fluid that enters through it: f_in = A + 6 w c_in . velocity; where it is spread
 /// over the links share(link) of it, all of it where `share` is empty. Links to solid nodes may be in the list as well:
 /// a wall that moves, its own displacement left out.
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
-                             const ScalarField<double>& share, const ScalarField<double>& gain);
+                                 const ScalarField<double>& share, const ScalarField<double>& gain);
 
 /// Fluid that enters at `speed` (negative: leaves) normal to the surface of an opening, area (link) of which belongs to
 /// each link (link_areas in opening.hpp): f_in = A + area speed, which is the rule above with u_w = speed n.
 FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
-                                 const ScalarField<double>& gain);
+                                     const ScalarField<double>& gain);
 
 /// What an outflow keeps from step to step, on the device.
 struct OutflowState {
@@ -61,7 +61,7 @@ void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowState& st
 /// pressure returns to the reference. Only the mean: a vortex, which carries no fluid on the whole, meets a constant
 /// pressure.
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
-                      const ScalarField<double>& gain);
+                                const ScalarField<double>& gain);
 
 /// Dresses the links of all stretches, no link of which is in two: one launch, and two more where there are outflows.
 template <class T>

@@ -15,8 +15,8 @@ struct ThreadChoice {
 
 /// `wanted` threads, or for 0 what KOKKOS_NUM_THREADS, OMP_NUM_THREADS or the processors say, as far as OpenMP grants
 /// them, and tells OpenMP so. Where nobody says and `looks_around` is set, processors that other programs keep busy are
-/// left to them (idle_processors.hpp); where `sharing` processes were started together on this machine and may run on any
-/// processor, each takes its part. Throws InputError when a variable of Kokkos's environment is not what Kokkos can
+/// left to them (idle_processors.hpp); where `sharing` processes were started together on this machine and may run on
+/// any processor, each takes its part. Throws InputError when a variable of Kokkos's environment is not what Kokkos can
 /// read, or when the system refuses the threads. Called once, before Kokkos starts.
 ThreadChoice choose_threads(int wanted, bool looks_around = false, int sharing = 1);
 

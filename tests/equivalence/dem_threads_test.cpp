@@ -60,7 +60,7 @@ std::vector<std::uint64_t> crushed(const Exec& exec) {
 TEST(MechanicsOfThreads, GivesTheSameBitsOnOneTwoAndFour) {
   const Exec exec;
   const std::vector<std::uint64_t> all = crushed(exec);
-  EXPECT_EQ(crushed(exec), all);  // a second run
+  EXPECT_EQ(crushed(exec), all);   // a second run
 #if defined(KOKKOS_ENABLE_OPENMP)  // elsewhere there is no number of threads to choose
   for (const int threads : {1, 2, 4}) EXPECT_EQ(crushed(Exec(threads)), all) << threads << " threads";
 #endif

@@ -60,7 +60,8 @@ void survive(int kills) {
     const std::string directory = folder / ("run" + std::to_string(ended));
     const bool resumes = has_checkpoint(directory);
     if (!resumes) std::filesystem::remove_all(directory);
-    const int code = run_for(common + directory + (resumes ? " --resume" : ""), std::chrono::milliseconds(milliseconds(random)));
+    const int code =
+        run_for(common + directory + (resumes ? " --resume" : ""), std::chrono::milliseconds(milliseconds(random)));
     killed += code == -1;
     if (code == -1) continue;
     ASSERT_EQ(code, 0);

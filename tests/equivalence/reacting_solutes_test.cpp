@@ -13,8 +13,8 @@
 namespace vug {
 namespace {
 
-using test::host_copy;
 using reference::ReactiveBox;
+using test::host_copy;
 
 template <class Set, class T>
 ReactiveBox<Set, T> porous_box(std::array<bool, 2> periodic = {false, false}) {

@@ -73,8 +73,8 @@ class BudgetOfAStep : public testing::Test {
   Simulation simulation_;
 };
 
-/// 5 sub-steps of 2 launches; flow 2; heat 2 (defect, sides, two sweeps in two steps), solutes 1, on a GPU 2, force 1/4;
-/// looks at resting rock 5/16 of 2; the rest at updates. A host counts besides who is awake.
+/// 5 sub-steps of 2 launches; flow 2; heat 2 (defect, sides, two sweeps in two steps), solutes 1, on a GPU 2, force
+/// 1/4; looks at resting rock 5/16 of 2; the rest at updates. A host counts besides who is awake.
 constexpr double launches_per_step = runs_on_host ? 17.0 : 17.8;
 
 TEST_F(BudgetOfAStep, OfLaunchesIsKept) {

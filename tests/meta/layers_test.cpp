@@ -25,11 +25,12 @@ std::map<std::string, std::string> sources() {
 }
 
 TEST(Layers, IncludeOnlyWhatLiesBelow) {
-  const std::map<std::string, std::set<std::string>> allowed{{"kernels", {"kernels"}},
-                                                             {"ranks", {"ranks", "kernels"}},
-                                                             {"dem", {"dem", "kernels"}},
-                                                             {"io", {"io", "dem", "kernels"}},
-                                                             {"coupling", {"coupling", "io", "dem", "ranks", "kernels"}}};
+  const std::map<std::string, std::set<std::string>> allowed{
+      {"kernels", {"kernels"}},
+      {"ranks", {"ranks", "kernels"}},
+      {"dem", {"dem", "kernels"}},
+      {"io", {"io", "dem", "kernels"}},
+      {"coupling", {"coupling", "io", "dem", "ranks", "kernels"}}};
   const std::regex include("#include \"(kernels|ranks|dem|io|coupling)/");
   int checked = 0;
   for (const auto& [file, text] : sources()) {

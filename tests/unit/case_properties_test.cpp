@@ -136,7 +136,7 @@ TEST(CaseProperties, EveryNumberRefusesWhatIsNoNumberOfItsRange) {
       for (const std::string& value : wrong) expect_named(text, line, with_first_number(line.value, value));
       for (const std::string value : {"[]", "[1, 2, 3]", "{ value = 1 }"}) {
         const bool points = known->type == "list of points";
-        if (points && std::string(value) == "[]") continue;  // no points: refused as too few
+        if (points && std::string(value) == "[]") continue;                       // no points: refused as too few
         if (known->type == "list of whole numbers" && value[0] == '[') continue;  // as many labels as there are
         const std::string changed = text.with(line.number, fmt::format("{} = {}", line.key, value));
         EXPECT_THAT(testing_cases::refusal(changed, text.path), HasSubstr(fmt::format("{}.{}", line.table, line.key)));

@@ -86,8 +86,8 @@ TEST(CaseTables, LaboratoryCasesHoldRockAloneAndTheirProfiles) {
 }
 
 TEST(CaseTables, BondsGetTheFractureEnergiesOverThePathRatio) {
-  const Scene scene = shipped("laboratory/compression.toml",
-                              {"mechanics.bond.path_ratio=1.25", "mechanics.bond.fracture_energy_I=30"});
+  const Scene scene =
+      shipped("laboratory/compression.toml", {"mechanics.bond.path_ratio=1.25", "mechanics.bond.fracture_energy_I=30"});
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.fracture_energy_I, 24);
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.fracture_energy_II, 51.2);
 }

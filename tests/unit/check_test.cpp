@@ -104,8 +104,8 @@ TEST(Check, SaysWhatItMeasured) {
 }
 
 TEST(Check, KnowsTheSpecimenOfALaboratoryTest) {
-  const Scene scene = parse_scene(
-      "[laboratory]\ntest = \"compression\"\nsize = [0.02, 0.04]\n[rock]\nelement_size = 2e-3\n", "a.toml");
+  const Scene scene =
+      parse_scene("[laboratory]\ntest = \"compression\"\nsize = [0.02, 0.04]\n[rock]\nelement_size = 2e-3\n", "a.toml");
   const CheckReport report = check_case(scene);
   EXPECT_GT(report.particles, 300);
   EXPECT_GT(report.bonds, report.particles);

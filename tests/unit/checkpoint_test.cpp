@@ -91,7 +91,8 @@ TEST(Checkpoint, LeavesThoseOfAnotherRunAlone) {
   const auto checkpoint = Checkpoint::latest(folder.path(), {"abc", "new"}).value();
   EXPECT_EQ(checkpoint.step(), 3);
   ASSERT_EQ(checkpoint.refused().size(), 2u);
-  EXPECT_THAT(checkpoint.refused()[0], HasSubstr("step_000000002000.checkpoint: the checkpoint belongs to another run"));
+  EXPECT_THAT(checkpoint.refused()[0],
+              HasSubstr("step_000000002000.checkpoint: the checkpoint belongs to another run"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 4);
   EXPECT_EQ(Checkpoint::latest(folder.path(), {"abc", ""}).value().run(), "old") << "whichever";
 }

@@ -131,8 +131,11 @@ TEST(FullDisk, StopsCheckpointsWithTheReasonAndKeepsTheOneBefore) {
   write_checkpoint(folder.path(), state, 1, 0, {"abc", "r1"});
   {
     const SmallDisk disk(100 * 1024);
-    expect_file_error([&] { write_checkpoint(folder.path(), state, 2, 0, {"abc", "r1"}); }, "step_000000000002.checkpoint",
-                      "File too large");
+    expect_file_error(
+        [&] {
+          write_checkpoint(folder.path(), state, 2, 0, {"abc", "r1"});
+        },
+        "step_000000000002.checkpoint", "File too large");
   }
   EXPECT_EQ(Checkpoint::latest(folder.path(), {"abc", "r1"})->step(), 1);
   EXPECT_EQ(files_in(folder.path()), 1) << "nothing half-written is left";

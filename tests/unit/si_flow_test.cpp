@@ -99,7 +99,8 @@ TEST(FlowInSI, PressureOfFluidAtRestIsThatOfItsWeight) {
     }
 }
 
-/// 0.03 m/s in and a thousandth less out through 18 mm for half a second; what stays stands under the pressure that holds it.
+/// 0.03 m/s in and a thousandth less out through 18 mm for half a second; what stays stands under the pressure that
+/// holds it.
 TEST(FlowInSI, InletAddsItsMassAndThePressureOfTheLattice) {
   const int steps = 500;
   const double entered = density * 3e-5 * ny * dx * steps * dt;  // kg/m

@@ -39,9 +39,9 @@ TEST(Study, GridHasAllCombinationsTheLastKeyFastest) {
   const Study study = study_of(
       "[[study.keys]]\nkey = \"flow.viscosity\"\nvalues = [1e-6, \"2e-6\"]\n"
       "[[study.keys]]\nkey = \"time.steps\"\nfrom = 10\nto = 1000\ncount = 3\nscale = \"log\"\n");
-  EXPECT_THAT(sample(study), ElementsAre(ElementsAre("1e-06", "10"), ElementsAre("1e-06", "100"),
-                                         ElementsAre("1e-06", "1000"), ElementsAre("'2e-6'", "10"),
-                                         ElementsAre("'2e-6'", "100"), ElementsAre("'2e-6'", "1000")));
+  EXPECT_THAT(sample(study),
+              ElementsAre(ElementsAre("1e-06", "10"), ElementsAre("1e-06", "100"), ElementsAre("1e-06", "1000"),
+                          ElementsAre("'2e-6'", "10"), ElementsAre("'2e-6'", "100"), ElementsAre("'2e-6'", "1000")));
 }
 
 TEST(Study, ListTakesTheValuesTogether) {

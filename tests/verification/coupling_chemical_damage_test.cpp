@@ -126,16 +126,17 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   EXPECT_NEAR(sum * dx * dx / (-4e-4 * run.now("acid_gain_reaction_mol_per_m")), 1, 1e-11);
 }
 
-/// Rock that is gone stays gone: while acid in the pathways eats the sectors of bonds whole, and when cracks open beside
-/// them and move what solid is left.
+/// Rock that is gone stays gone: while acid in the pathways eats the sectors of bonds whole, and when cracks open
+/// beside them and move what solid is left.
 TEST(DissolvedTriangle, IsNotMendedByPathwaysThatOpen) {
   test::CoupledRun run(replaced(replaced(pickled_rock, "porosity = 0", "porosity = 0.1\npathway_aperture = 3"),
-                                      "molar_volume = 4e-4", "molar_volume = 2e-3"));
+                                "molar_volume = 4e-4", "molar_volume = 2e-3"));
   const Bonds& bonds = run.rock().bonds();
   const auto never_falls = [&](int steps) {
     const auto before = test::host_copy(bonds.d_c), fraction = test::host_copy(run.rock().particles().solid_fraction);
     run.steps(steps);
-    const auto after = test::host_copy(bonds.d_c), fraction_after = test::host_copy(run.rock().particles().solid_fraction);
+    const auto after = test::host_copy(bonds.d_c),
+               fraction_after = test::host_copy(run.rock().particles().solid_fraction);
     for (int b = 0; b < bonds.count; ++b) EXPECT_GE(after(b), before(b) - 1e-12) << "bond " << b;
     for (int t = 0; t < run.rock().particles().count; ++t) EXPECT_LE(fraction_after(t), fraction(t) + 1e-12) << t;
   };

@@ -89,7 +89,8 @@ TEST(HeatedSlab, HasTheGradientOfItsFluxExactly) {
       const double given = 2.0 * steps * flux;  // two nodes wide
       EXPECT_NEAR(sum_in_order(box.sides[0].energy_in) / given, 1, 1e-12);
       EXPECT_NEAR((box.energy() - before - box.entered()) / given, 0, 1e-12);
-      record("heat_heated_slab", {{"set", test::name_of(set)}, {"side", vug::name_of(heated)}, {"error", error / exact(0)}});
+      record("heat_heated_slab",
+             {{"set", test::name_of(set)}, {"side", vug::name_of(heated)}, {"error", error / exact(0)}});
     }
 }
 
@@ -214,8 +215,9 @@ TEST(TwoLayerEigenmode, DecaysWithSecondOrderAtAnyContrast) {
     const TwoLayerMode mode(0.1 / std::max(1.0, ratio), 0.1 * std::min(1.0, ratio), c.sigma);
     for (const ScalarVelocitySet set : velocity_sets) {  // in one dimension both are the same three velocities
       const ModeResult coarse = decay(mode, 8, set), medium = decay(mode, 16, set), fine = decay(mode, 32, set);
-      SCOPED_TRACE(::testing::Message() << test::name_of(set) << " sigma " << c.sigma << " conductivity " << c.conductivity
-                                        << ": " << coarse.error << " " << medium.error << " " << fine.error);
+      SCOPED_TRACE(::testing::Message() << test::name_of(set) << " sigma " << c.sigma << " conductivity "
+                                        << c.conductivity << ": " << coarse.error << " " << medium.error << " "
+                                        << fine.error);
       const double order = std::log2(medium.error / fine.error);
       EXPECT_GE(order, 1.95);
       EXPECT_LE(fine.error, c.bound);

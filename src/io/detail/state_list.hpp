@@ -1,5 +1,6 @@
 #pragma once
 // Bodies of StateList's templates.
+#include "io/field_list.hpp"
 #include "kernels/require.hpp"
 
 #include <cstdint>
@@ -25,7 +26,7 @@ struct NumberOf<bool> {
   using Type = std::uint8_t;
 };
 template <class Value>
-  requires std::is_enum_v<Value>
+requires std::is_enum_v<Value>
 struct NumberOf<Value> {
   using Type = std::underlying_type_t<Value>;
 };

@@ -1,11 +1,11 @@
 #pragma once
 // The names of files that belong to one lattice step.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
-
-#include <fmt/format.h>
 
 namespace vug::detail {
 

@@ -1,0 +1,67 @@
+// What the heat tells: limits, its balance, how far temperatures have gone.
+#include "coupling/heat_module.hpp"
+#include "kernels/launch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+template <class T>
+void HeatModule<T>::limits(LimitTable& table) const {
+  const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
+  table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
+                   "change lattice.time_step"});
+  if (carrier_ && interval_ > 1)  // what is carried further than its neighbours is lost
+    table.push_back({"heat", "cells per step at the largest speed", interval_ * fastest_, "1", 0, 1,
+                     "lower accuracy.heat_interval, lattice.time_step or flow.speed_limit"});
+  // without walls of rock or openings there is no stair-step to feed the mode
+  if (carrier_ && (geometry_.surface.count > 0 || !geometry_.openings.empty()))
+    table.push_back({"heat", "grid Peclet number at the largest speed",
+                     fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
+                     "lower the pressures or flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
+  table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
+                   "change lattice.time_step"});
+  for (std::size_t m = 1; m < minerals_.size(); ++m)
+    table.push_back({"heat", "relaxation time, " + minerals_[m].name, tau(minerals_[m].diffusivity), "1", 0.5003, 3.5,
+                     "change lattice.time_step"});
+}
+
+template <class T>
+void HeatModule<T>::ledger(Ledger& ledger) const {
+  // theta nodes in fluid heat capacities -> J per m of thickness
+  const double joule = section_.fluid_density * section_.fluid_heat_capacity * units_.volume();
+  Balance& balance = ledger.of("heat", "J/m");
+  balance.initial = joule * initial_energy_;
+  balance.stored = joule * energy();
+  if (carrier_ && !geometry_.split.alone()) geometry_.split.make_whole(geometry_.split.of_rows(), created_);
+  double injected = 0, sides = 0;
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();
+  balance.gains.push_back({"injection", joule * injected});
+  balance.gains.push_back({"sides", joule * sides});
+  for (std::size_t o = 0; o < openings_.size(); ++o)
+    balance.gains.push_back({geometry_.openings[o].name, joule * entered_[sides_.size() + o].total()});
+  balance.gains.push_back({"births", joule * sum_in_order(born_)});
+  balance.gains.push_back({"advective_form", joule * created_.total()});
+}
+
+template <class T>
+void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
+  const HeatExtremes extremes = this->extremes(Exec{});
+  const double change =
+      std::max(std::abs(extremes.lowest - initial_theta_), std::abs(extremes.highest - initial_theta_));
+  row.push_back({"largest_temperature_change_K", change});
+}
+
+#define VUG_INSTANTIATE(T)                                \
+  template void HeatModule<T>::limits(LimitTable&) const; \
+  template void HeatModule<T>::ledger(Ledger&) const;     \
+  template void HeatModule<T>::history(std::vector<HistoryValue>&) const;
+VUG_INSTANTIATE(float)
+VUG_INSTANTIATE(double)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug
