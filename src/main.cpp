@@ -27,6 +27,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 #include <new>
@@ -37,6 +38,7 @@
 #include <string_view>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -45,17 +47,22 @@ enum ExitCode { done = 0, invalid_input = 2, diverged = 3, file_failed = 4, out_
 using vug::CommandLine;
 
 int info(const CommandLine& line, const vug::Ranks& ranks) {
-  if (!ranks.first()) return done;
   const vug::BuildInfo build = vug::build_info();
+  const std::vector<std::string> places = ranks.told_by_all(vug::machine_name() + ": " + build.device);
+  if (!ranks.first()) return done;
+  std::string lines;
+  for (std::size_t r = 0; !ranks.alone() && r < places.size(); ++r)
+    lines += fmt::format("{:10} {}\n", fmt::format("rank {}", r), places[r]);
   constexpr const char* json =
       R"({{"version": "{}", "commit": "{}", "compiler": "{}", "backend": "{}", "device": "{}", "threads": {}, )"
-      R"("mpi": "{}", "ranks": {}, "precisions": ["single", "double"]}})"
+      R"("mpi": "{}", "ranks": {}, "places": ["{}"], "precisions": ["single", "double"]}})"
       "\n";
   constexpr const char* text =
-      "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        {}\nranks      {}\n"
+      "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        {}\nranks      {}\n{}"
       "precisions single, double\n";
   vug::print(fmt::format(fmt::runtime(line.json ? json : text), build.version, build.commit, build.compiler,
-                         build.backend, build.device, build.threads, vug::mpi_library(), ranks.size()));
+                         build.backend, build.device, build.threads, vug::mpi_library(), ranks.size(),
+                         line.json ? fmt::format("{}", fmt::join(places, "\", \"")) : lines));
   return done;
 }
 

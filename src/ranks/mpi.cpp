@@ -1,10 +1,12 @@
 #include "ranks/mpi.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <string_view>
 #include <thread>
+#include <unistd.h>
 
 #ifdef VUG_MPI
 #include <mpi.h>
@@ -15,6 +17,12 @@ namespace vug {
 void let_first_end(const Ranks& ranks) {
   constexpr std::chrono::seconds patience(5);
   if (!ranks.first()) std::this_thread::sleep_for(patience);
+}
+
+std::string machine_name() {
+  char name[256] = "";
+  gethostname(name, sizeof(name) - 1);
+  return name;
 }
 
 int processes_started() {
@@ -56,8 +64,12 @@ std::string mpi_library() {
   char text[MPI_MAX_LIBRARY_VERSION_STRING];
   int length = 0;
   MPI_Get_library_version(text, &length);
-  const std::string_view all(text, length);
-  return std::string(all.substr(0, all.find_first_of(",\n")));
+  std::string name(text, length);
+  name.resize(std::min(name.size(), name.find_first_of(",\n")));
+  for (const std::string_view filling : {" Version:", "\t"})  // of MPICH
+    if (const auto at = name.find(filling); at != std::string::npos)
+      name.replace(at, filling.size(), filling == "\t" ? " " : "");
+  return name;
 }
 
 #else

@@ -28,8 +28,11 @@ void let_first_end(const Ranks& ranks);
 /// Ends every rank with an exit code, also those that wait for this one. Returns where there is no other.
 void end_all_ranks(const Ranks& ranks, int code);
 
-/// What was built in, for instance "Open MPI v4.1.4"; "none".
+/// What was built in, for instance "Open MPI v4.1.4" or "MPICH 4.0.2"; "none".
 std::string mpi_library();
+
+/// The machine that this rank runs on.
+std::string machine_name();
 
 /// What the environment says of how many processes were started together; 1 where nobody did.
 int processes_started();

@@ -28,6 +28,15 @@ std::size_t end_of(const Owners& owners) {
   return end;
 }
 
+std::vector<std::string> Ranks::told_by_all(const std::string& text) const {
+  std::vector<std::vector<int>> letters(size_);
+  letters[0].assign(text.begin(), text.end());
+  std::vector<std::string> heard;
+  for (const std::vector<int>& words : traded(letters))
+    if (first()) heard.emplace_back(words.begin(), words.end());
+  return heard;
+}
+
 #ifdef VUG_MPI
 
 int Ranks::most(int value) const {

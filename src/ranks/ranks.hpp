@@ -39,6 +39,8 @@ class Ranks {
   double least(double value) const { return -most(-value); }
   /// What the first rank says.
   std::string told(const std::string& text) const;
+  /// What every rank says, on the first one; empty on the others.
+  std::vector<std::string> told_by_all(const std::string& text) const;
   /// lists[r] goes to rank r; returns what came from each.
   std::vector<std::vector<int>> traded(const std::vector<std::vector<int>>& lists) const;
   /// Fills in the items of `values` (item) in host memory that other ranks own.

@@ -26,8 +26,13 @@ def end(process, within=60):
     return process.returncode, [line for line in (out + err).splitlines() if line.startswith("vug: ")]
 
 
-def children(pid):
-    return [int(word) for word in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+def ranks_below(pid):
+    """The processes of vug that a launcher has started, itself or by a helper of its own."""
+    found = []
+    for child in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
+        is_rank = pathlib.Path(f"/proc/{child}/comm").read_text().strip() == "vug"
+        found += [int(child)] if is_rank else ranks_below(int(child))
+    return found
 
 
 def wait_for_checkpoint(folder):
@@ -48,6 +53,9 @@ def main(root):
     code, lines = end(start(2, "check", ROCK))
     expect("a command for one rank", (code, len(lines)), (2, 1))
     assert "2 ranks were started" in lines[0], lines
+    process = start(3, "info")
+    places = [line for line in process.communicate(timeout=60)[0].splitlines() if line.startswith("rank ")]
+    expect("where ranks compute", [place.split()[:2] for place in places], [["rank", str(r)] for r in range(3)])
     code, lines = end(start(3, "run", ROCK, "-o", root / "no", "--set", "lattice.spacing=-1"))
     expect("an invalid case", (code, len(lines), (root / "no").exists()), (2, 1, False))
 
@@ -59,7 +67,7 @@ def main(root):
 
     killed = start(3, "run", ROCK, "-o", root / "killed", *LONG)
     wait_for_checkpoint(root / "killed")
-    os.kill(children(killed.pid)[1], signal.SIGKILL)
+    os.kill(ranks_below(killed.pid)[1], signal.SIGKILL)
     begun = time.monotonic()
     code, lines = end(killed)
     expect("one rank killed", (code != 0, time.monotonic() - begun < 10), (True, True))

@@ -174,6 +174,9 @@ TEST(Ranks, AgreeAndTell) {
   EXPECT_EQ(world.most(0.5 * world.rank()), 0.5 * (world.size() - 1));
   EXPECT_EQ(world.least(0.5 - world.rank()), 1.5 - world.size());
   EXPECT_EQ(world.told(world.first() ? "the first one's words" : "x"), "the first one's words");
+  const std::vector<std::string> all = world.told_by_all("I am " + std::to_string(world.rank()));
+  ASSERT_EQ(all.size(), world.first() ? world.size() : 0);
+  for (std::size_t r = 0; r < all.size(); ++r) EXPECT_EQ(all[r], "I am " + std::to_string(r));
 }
 
 TEST(Partition, CutsRowsWhereTheirWeightsAreHalved) {
