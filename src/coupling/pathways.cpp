@@ -12,7 +12,7 @@ struct LookAtBonds {
   PathwayNodes nodes;
   Kokkos::View<const double*> d_m, gap;
   BondPathways bonds;
-  KOKKOS_FUNCTION void operator()(int b, int& changed, int& narrow) const {
+  KOKKOS_FUNCTION void operator()(int b, PathwayOpener::Look& seen) const {
     double strip = 0, conductivity = 0;
     if (gap.extent(0) == 0) {
       strip = pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
@@ -22,8 +22,8 @@ struct LookAtBonds {
       conductivity = Kokkos::fmax(slot_conductivity(nodes.closed(b)), cubic_law(width));
       strip = Kokkos::fmax(slot_aperture(conductivity), width >= narrowest_slit ? 1.0 : 0.0);
     }
-    changed += strip != bonds.strip(b) || conductivity != bonds.conductivity(b);
-    narrow += strip < bonds.widest(b) || (strip >= 1 && slit_resistance(conductivity, nodes.slope(b)) > 0);
+    seen.changed += strip != bonds.strip(b) || conductivity != bonds.conductivity(b);
+    seen.narrow += strip < bonds.widest(b) || (strip >= 1 && slit_resistance(conductivity, nodes.slope(b)) > 0);
     bonds.strip(b) = strip;
     bonds.widest(b) = Kokkos::fmax(strip, bonds.widest(b));
     bonds.conductivity(b) = conductivity;
@@ -77,10 +77,10 @@ PathwayOpener::Look PathwayOpener::look(const Exec& exec, const ScalarField<doub
   if (rock_)
     find_crack_apertures(exec, rock_->particles(), rock_->bonds(), rock_->parameters().thermal_expansion, residual_,
                          spacing_, gap_);
-  Look found;
+  Look found;  // one value: a reduction of two waits twice
   Kokkos::parallel_reduce("vug::pathways::look",
                           Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(bonds_.strip.extent(0))),
-                          LookAtBonds{nodes_, d_m, gap_, bonds_}, found.changed, found.narrow);
+                          LookAtBonds{nodes_, d_m, gap_, bonds_}, found);
   return found;
 }
 

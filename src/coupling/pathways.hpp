@@ -46,6 +46,11 @@ class PathwayOpener {
   /// How many bonds conduct otherwise than at the last look, and how many of all less than their open nodes would.
   struct Look {
     int changed = 0, narrow = 0;
+    KOKKOS_FUNCTION Look& operator+=(const Look& other) {
+      changed += other.changed;
+      narrow += other.narrow;
+      return *this;
+    }
   };
   Look look(const Exec& exec, const ScalarField<double>& d_m);
   /// Opens nodes. `volume` and `dissolved` may be empty (a scene without dissolution). Returns how many opened.
