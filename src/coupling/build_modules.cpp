@@ -1,5 +1,6 @@
 #include "coupling/build_modules.hpp"
 
+#include "coupling/ageing_module.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/heat_module.hpp"
@@ -93,6 +94,8 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
   if (scene.reaction)
     reaction = add(std::make_unique<ReactionModule<T, Set>>(exec, scene, parts.units, geometry, *solutes, heat));
   if (solutes) add(std::move(solutes));
+  if (scene.accuracy.dissolution_tolerance > 0)
+    parts.ageing = add(std::make_unique<AgeingModule<T, Set>>(scene, geometry, *reaction, flow));
   if (reaction) add(std::make_unique<TurnoverModule<T, Set>>(*reaction, scene.accuracy.update_interval));
 
   std::unique_ptr<PathwayOpener> opener;

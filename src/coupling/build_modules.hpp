@@ -1,5 +1,6 @@
 #pragma once
 // From a scene to the modules that it needs, and no others.
+#include "coupling/ageing.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/module.hpp"
 #include "coupling/pore_growth.hpp"
@@ -21,6 +22,7 @@ struct Parts {
   std::vector<std::unique_ptr<Module>> modules;
   std::unique_ptr<PoreGrowth> growth;    ///< null where no node can turn fluid
   const Mechanics* mechanics = nullptr;  ///< null without [mechanics]
+  const Ageing* ageing = nullptr;        ///< null without accuracy.dissolution_tolerance
 
   Parts() = default;
   Parts(const Parts&) = delete;

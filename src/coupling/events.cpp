@@ -27,6 +27,23 @@ std::vector<Count> counts_of(const Simulation& simulation) {
   return counts;
 }
 
+/// News of accuracy.dissolution_tolerance.
+struct Pace {
+  const char* key;
+  std::int64_t value, first;  ///< told from `first` on
+  std::string what;
+};
+std::vector<Pace> paces_of(const Ageing& ageing) {
+  return {{"largest factor", static_cast<std::int64_t>(ageing.largest()), 10,
+           fmt::format("the rock ages {:.3g} times faster than the fluid", ageing.largest())},
+          {"waits", ageing.waits(), 1,
+           fmt::format("the rock has waited {} times for the acid to follow (factor 1)", ageing.waits())},
+          {"waiting", ageing.waiting_steps(), 100000,
+           fmt::format("warning: for {} lattice steps the acid was too far from a steady state for "
+                       "accuracy.dissolution_tolerance = {:g} (now {:.2g}), and the rock aged no faster than the fluid",
+                       ageing.waiting_steps(), ageing.tolerance(), ageing.residual())}};
+}
+
 std::string at(const Clock& clock) {
   return fmt::format("step {}, {:.4g} s: ", clock.step, clock.time());
 }
@@ -52,7 +69,30 @@ std::vector<std::string> Events::look(const Simulation& simulation) {
     if (begun_) news.push_back(fmt::format("{}{} {}", at(simulation.clock()), count.value, count.what));
     while (next <= count.value) next *= 10;
   }
+  if (!simulation.parts().ageing) return news;
+  for (const Pace& pace : paces_of(*simulation.parts().ageing)) {
+    std::int64_t& next = next_.try_emplace(pace.key, pace.first).first->second;
+    if (pace.value < next) continue;
+    if (begun_) news.push_back(at(simulation.clock()) + pace.what);
+    while (next <= pace.value) next *= 10;
+  }
   return news;
+}
+
+std::vector<std::string> Events::sum_up(const Simulation& simulation) {
+  const Ageing* ageing = simulation.parts().ageing;
+  const Clock& clock = simulation.clock();
+  if (!ageing || clock.step == 0) return {};
+  std::vector<std::string> lines{
+      fmt::format("the rock has aged {:.4g} times faster than the fluid in the mean, the dissolved volume is {:.2g} "
+                  "off for it at most",
+                  clock.time() / (static_cast<double>(clock.step) * clock.time_step), ageing->error())};
+  if (ageing->error() > ageing->tolerance())
+    lines.push_back(
+        fmt::format("warning: that is more than accuracy.dissolution_tolerance = {:g}: something other than "
+                    "the rock has changed in the fluid while the rock aged",
+                    ageing->tolerance()));
+  return lines;
 }
 
 std::vector<std::string> Events::look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row) {

@@ -40,6 +40,8 @@ class FlowModule final : public Module {
   bool needs_temperature() const { return section_.buoyant() || section_.viscosity_varies(); }
   /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
   void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }
+  /// Whether it changes by no more than accuracy.flow_tolerance.
+  bool settled() const { return steady_.settled(); }
   /// Largest speed that the case can drive, lattice units: what the sides prescribe, in the narrowest passage as well,
   /// and Bernoulli's bound of their pressures, at most the speed limit; that limit where a body force drives.
   double largest_speed() const;

@@ -87,7 +87,7 @@ double ReactionModule<T, Set>::with_dissolving(double volume, double sign) const
     for (const double dissolving : dissolving_of_minerals()) volume += sign * dissolving;
   else
     for (const Attack<T>& attack : attacks_)
-      volume += sign * attack.wall.molar_volume * sum_in_order(attack.links.solid);
+      volume += sign * volume_per_acid(section_.molar_volume, attack.rate) * sum_in_order(attack.links.solid);
   return volume;
 }
 
@@ -101,11 +101,43 @@ std::vector<double> ReactionModule<T, Set>::acid_of_minerals(const Attack<T>& at
 
 template <class T, class Set>
 double ReactionModule<T, Set>::paid_for(const Attack<T>& attack, double consumed) const {
-  if (!has_minerals()) return units_.volume() * attack.wall.molar_volume * consumed;
+  if (!has_minerals())
+    return units_.volume() * volume_per_acid(section_.molar_volume, attack.rate) * attack.aged[0].at(consumed, factor_);
   const std::vector<double> acid = acid_of_minerals(attack);
   double volume = 0;
-  for (std::size_t m = 0; m < acid.size(); ++m) volume += volume_per_acid(attack, m) * acid[m];
+  for (std::size_t m = 0; m < acid.size(); ++m)
+    volume += volume_per_acid(attack, m) * attack.aged[m].at(acid[m], factor_);
   return units_.volume() * volume;
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::consumed(const Attack<T>& attack) const {
+  return attack.consumed.total() + sum_in_order(attack.links.acid);
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::paid() const {
+  gather_links();
+  double volume = 0;
+  for (const Attack<T>& attack : attacks_) volume += paid_for(attack, consumed(attack));
+  return volume;
+}
+
+template <class T, class Set>
+std::vector<typename ReactionModule<T, Set>::Sway> ReactionModule<T, Set>::sways() const {
+  std::vector<Sway> sways;
+  for (const Attack<T>& attack : attacks_) {
+    double volume = 0, back = 0;
+    const auto note = [&](double molar_volume, const RateLaw& rate) {
+      volume = std::max(volume, units_.volume() * volume_per_acid(molar_volume, rate) / factor_);
+      back = std::max(back, rate.inverse_equilibrium_constant);
+    };
+    if (!has_minerals()) note(section_.molar_volume, attack.rate);
+    for (std::size_t m = 0; m < solids_.size(); ++m) note(solids_[m].molar_volume, attack.rates[m]);
+    sways.push_back({attack.reactant, volume});
+    if (attack.product && back > 0) sways.push_back({attack.product, volume * back / (1 + back)});
+  }
+  return sways;
 }
 
 template <class T, class Set>
@@ -114,7 +146,7 @@ void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
   const double mol = units_.amount();
   std::vector<double> paid;
   for (const Attack<T>& attack : attacks_) {
-    const double consumed = attack.consumed.total() + sum_in_order(attack.links.acid);  // booked and not yet
+    const double consumed = this->consumed(attack);
     const std::string reaction = attack.key.empty() ? "reaction" : "reaction_of_" + attack.key;
     ledger.of(attack.reactant->section.name, "mol/m").gains.push_back({reaction, -mol * consumed});
     if (attack.product) {
@@ -159,7 +191,8 @@ void ReactionModule<T, Set>::mineral_ledger(Ledger& ledger) const {
     amount.stored = pixel * dissolved / kind.molar_volume;
     for (std::size_t r = 0; r < attacks_.size(); ++r)
       amount.gains.push_back({"by_" + attacks_[r].reactant->section.name,
-                              factor_ * units_.amount() * acid[r][m] / attacks_[r].rates[m].stoichiometry});
+                              factor_ * units_.amount() * attacks_[r].aged[m].at(acid[r][m], factor_) /
+                                  attacks_[r].rates[m].stoichiometry});
   }
 }
 
@@ -175,9 +208,12 @@ void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});
 }
 
-#define VUG_INSTANTIATE(T, Set)                                    \
-  template void ReactionModule<T, Set>::limits(LimitTable&) const; \
-  template void ReactionModule<T, Set>::ledger(Ledger&) const;     \
+#define VUG_INSTANTIATE(T, Set)                                                                      \
+  template double ReactionModule<T, Set>::paid() const;                                              \
+  template std::vector<double> ReactionModule<T, Set>::acid_of_minerals(const Attack<T>&) const;     \
+  template std::vector<typename ReactionModule<T, Set>::Sway> ReactionModule<T, Set>::sways() const; \
+  template void ReactionModule<T, Set>::limits(LimitTable&) const;                                   \
+  template void ReactionModule<T, Set>::ledger(Ledger&) const;                                       \
   template void ReactionModule<T, Set>::history(std::vector<HistoryValue>&) const;
 VUG_INSTANTIATE(float, D2Q5)
 VUG_INSTANTIATE(float, D2Q9)

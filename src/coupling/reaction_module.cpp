@@ -9,6 +9,7 @@
 #include "kernels/mineral_sums.hpp"
 #include "kernels/reactive_wall_kernel.hpp"
 #include "kernels/solid_share.hpp"
+#include "kernels/solute_totals.hpp"
 #include "kernels/surface_normal.hpp"
 
 #include <algorithm>
@@ -47,6 +48,7 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       heat_(heat),
       wall_interval_(scene.accuracy.wall_interval),
       factor_(scene.accuracy.dissolution_factor),
+      varies_(scene.accuracy.dissolution_tolerance > 0),
       dissolves_(rock_dissolves(scene)) {
   const Lattice& lattice = geometry.lattice;
   geometry.volume = ScalarField<double>("vug::reaction::volume", lattice.size());
@@ -100,7 +102,6 @@ template <class T, class Set>
 void ReactionModule<T, Set>::set_up(Attack<T>& attack) {
   ReactiveWall& wall = attack.wall;
   wall.law = section_.wall;
-  wall.molar_volume = volume_per_acid(section_.molar_volume, attack.rate);
   wall.inverse_equilibrium = attack.rate.inverse_equilibrium_constant;
   wall.reference_concentration = section_.reference_concentration / units_.concentration;
   wall.D_reactant = attack.reactant->parameters.diffusivity();
@@ -111,6 +112,15 @@ void ReactionModule<T, Set>::set_up(Attack<T>& attack) {
   if (wall.law == ReactiveWallLaw::paper && attack.product)
     attack.sums.released = ScalarField<double>("vug::reaction::released", size);
   if (has_minerals()) attack.sums.acid = ScalarField<double>("vug::minerals::acid", size);
+  attack.aged.resize(has_minerals() ? solids_.size() : 1);
+  set_volumes(attack);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
+  ReactiveWall& wall = attack.wall;
+  factor_of_walls_ = factor_;
+  wall.molar_volume = volume_per_acid(section_.molar_volume, attack.rate);
   const std::vector<RateLaw> rates = has_minerals() ? attack.rates : std::vector<RateLaw>{attack.rate};
   if (!has_minerals() && attack.rate.order == 1) return;  // then the constants of the wall say all
   const Kokkos::View<MineralRate*> table("vug::minerals::rate", rates.size());
@@ -172,6 +182,8 @@ void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, doub
 
 template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (factor_of_walls_ != factor_)  // of a checkpoint
+    for (Attack<T>& attack : attacks_) set_volumes(attack);
   refresh(exec, clock.step);
   if (clock.every(LongSum::interval))
     for (const Attack<T>& attack : attacks_) attack.consumed.settle(exec);
@@ -181,6 +193,29 @@ template <class T, class Set>
 void ReactionModule<T, Set>::book(const Exec& exec) {
   gather_links();
   for (Attack<T>& attack : attacks_) book_turnover(exec, geometry_.surface, attack.wall, attack.links, attack.sums);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::set_factor(const Exec& exec, double factor) {
+  book(exec);
+  for (Attack<T>& attack : attacks_) {
+    const std::vector<double> acid =
+        has_minerals() ? acid_of_minerals(attack) : std::vector<double>{attack.consumed.total()};
+    for (std::size_t m = 0; m < acid.size(); ++m) attack.aged[m].change(acid[m], factor_);
+  }
+  factor_ = factor;
+  for (Attack<T>& attack : attacks_) set_volumes(attack);
+}
+
+template <class T, class Set>
+double ReactionModule<T, Set>::largest_loss(const Exec& exec) {
+  gather_links();
+  const Surface& surface = geometry_.surface;
+  if (static_cast<int>(loss_.extent(0)) < surface.count)
+    loss_ = ScalarField<double>("vug::reaction::loss", surface.node.extent(0));
+  Kokkos::deep_copy(exec, loss_, 0.0);
+  for (const Attack<T>& attack : attacks_) add_losses(exec, surface, attack.wall, attack.links, loss_);
+  return field_range(exec, loss_, surface.count).max;
 }
 
 template <class T, class Set>
@@ -202,6 +237,7 @@ void ReactionModule<T, Set>::state(StateList& list) {
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
   list.add_value("reaction/refreshed", refreshed_, {-1, most_steps});
+  if (varies_) list.add_value("reaction/factor", factor_, {1, 1e6});
   for (std::size_t m = 0; m < solids_.size(); ++m)
     list.add("reaction/lost/" + std::to_string(m), losses_.of_minerals.lost[m]);
   for (Attack<T>& attack : attacks_) {
@@ -215,6 +251,10 @@ void ReactionModule<T, Set>::state(StateList& list) {
     if (attack.wall.law != ReactiveWallLaw::kinetic) {
       list.add(key + "/link_product", Kokkos::subview(links.product, all));
       list.add(key + "/link_solid", Kokkos::subview(links.solid, all));
+    }
+    for (std::size_t m = 0; varies_ && m < attack.aged.size(); ++m) {
+      list.add_value(key + "/aged" + std::to_string(m), attack.aged[m].earlier);
+      list.add_value(key + "/seen" + std::to_string(m), attack.aged[m].seen);
     }
     list.add(key + "/link_rate", Kokkos::subview(links.rate, all));
     list.add(key + "/link_conductance", Kokkos::subview(links.conductance, all));

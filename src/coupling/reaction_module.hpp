@@ -8,6 +8,18 @@
 
 namespace vug {
 
+/// Acid that has reacted, at the factor by which the rock aged faster when it did (accuracy.dissolution_tolerance).
+struct AgedAcid {
+  double earlier = 0;  ///< factor times what had reacted until the factor changed last
+  double seen = 0;     ///< what had reacted until then
+  /// Of `now` in all: what would have dissolved as much at this factor.
+  double at(double now, double factor) const { return earlier / factor + (now - seen); }
+  void change(double now, double factor) {
+    earlier += factor * (now - seen);
+    seen = now;
+  }
+};
+
 /// One reactant at the walls.
 template <class T>
 struct Attack {
@@ -20,6 +32,7 @@ struct Attack {
   ReactiveLinks<T> links;  ///< their turnover is booked at every update interval, before pores
   LongSum consumed;        ///< (block) reactant that has reacted
   ReactionLedger sums;
+  std::vector<AgedAcid> aged;  ///< (mineral) of all rock where there are none
 };
 
 /// How fast every link at a wall reacts, and what that has dissolved. The solutes react at the links when they step:
@@ -44,6 +57,20 @@ class ReactionModule final : public Module {
   /// Takes what has reacted off the solid nodes.
   void book(const Exec& exec);
 
+  /// By how much faster the rock ages than the fluid, from now on; what has reacted is booked before.
+  void set_factor(const Exec& exec, double factor);
+  /// Volume that all acid consumed so far has paid for, m3/m.
+  double paid() const;
+  /// Largest share of a cell that a wall node has lost since that was last booked. Waits for the device.
+  double largest_loss(const Exec& exec);
+  /// A species whose concentration decides how much dissolves, and the most that a lattice unit of its amount dissolves
+  /// at the factor 1, m3/m.
+  struct Sway {
+    const SpeciesState<T>* species;
+    double volume;
+  };
+  std::vector<Sway> sways() const;
+
   /// What dissolving pixels were overdrawn by without an heir; `all` is empty where nothing dissolves.
   const PoreGrowth::Losses& losses() const { return losses_; }
 
@@ -60,6 +87,10 @@ class ReactionModule final : public Module {
   void set_rates(const Exec& exec, Attack<T>& attack, double ahead);
   void set_up_minerals(const Scene& scene);
   void set_up(Attack<T>& attack);
+  /// What acid dissolves, at the factor that holds, where the links read it.
+  void set_volumes(Attack<T>& attack);
+  /// Acid that an attack has consumed, booked or not.
+  double consumed(const Attack<T>& attack) const;
   void find_links(const Exec& exec);
   bool has_minerals() const { return geometry_.mineral.extent(0) > 0; }
   int minerals() const { return static_cast<int>(solids_.size()); }
@@ -105,6 +136,9 @@ class ReactionModule final : public Module {
   int wall_interval_;
   std::int64_t refreshed_ = -1;  ///< the step in which the links were refreshed last; -1: they are new
   double factor_;                ///< how many times faster the rock ages than the fluid (accuracy.dissolution_factor)
+  double factor_of_walls_ = 0;   ///< with which set_volumes was called last
+  bool varies_;                  ///< the factor does (accuracy.dissolution_tolerance)
+  ScalarField<double> loss_{"vug::reaction::loss", 0};  ///< (surface) for largest_loss
   bool dissolves_;
   double initial_volume_ = 0;  ///< pixels
 };

@@ -5,6 +5,7 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
+#include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "io/checkpoint.hpp"
 #include "io/history_writer.hpp"
@@ -38,6 +39,11 @@ std::int64_t steps_in(double seconds, const Scene& scene) {
   return std::max<std::int64_t>(1, std::llround(seconds / scene.lattice.time_step));
 }
 
+/// Of what comes every so many steps or, in a time that is not that of the steps, every so many seconds.
+Schedule schedule(const Scene& scene, std::int64_t steps, std::optional<double> seconds) {
+  return {steps, scene.accuracy.dissolution_tolerance > 0 ? seconds.value_or(0) : 0};
+}
+
 /// Lattice steps between two outputs.
 std::int64_t output_interval(const Scene& scene) {
   if (scene.output.interval_steps) return *scene.output.interval_steps;
@@ -62,6 +68,22 @@ std::int64_t rows_until(const Scene& scene, std::int64_t step) {
 /// Lattice steps between two checkpoints.
 std::int64_t checkpoint_interval(const Scene& scene) {
   return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
+}
+
+Schedule output_schedule(const Scene& scene) {
+  std::optional<double> seconds = scene.output.interval;
+  if (!seconds && !scene.output.interval_steps) seconds = scene.time.end;
+  return schedule(scene, output_interval(scene), seconds);
+}
+Schedule row_schedule(const Scene& scene) {
+  constexpr double rows = 400;
+  std::optional<double> seconds = scene.output.history_interval;
+  if (!seconds && scene.time.end) seconds = *scene.time.end / rows;
+  return schedule(scene, history_interval(scene), seconds);
+}
+Schedule checkpoint_schedule(const Scene& scene) {
+  if (!scene.output.checkpoint_interval) return output_schedule(scene);
+  return schedule(scene, checkpoint_interval(scene), scene.output.checkpoint_interval);
 }
 
 RunFolder::Use use_of(const RunOptions& options) {
@@ -177,7 +199,7 @@ class Run {
     if (folder_) {
       folder_->take();
       if (options_.resume && !resumed_at_) folder_->clear();
-      record_.last_step = last_;
+      if (!simulation_.parts().ageing) record_.last_step = last_;  // else nobody knows how many there will be
       write_run_record(path_, record_);
     }
     std::ostream silent(nullptr);
@@ -292,7 +314,7 @@ class Run {
       files.emplace(scene_, simulation_, path_, resumed_at_);
     else
       simulation_.history();  // for the names of its columns
-    if (files && resumed_at_)
+    if (files && resumed_at_ && !simulation_.parts().ageing)
       if (const std::int64_t due = rows_until(scene_, *resumed_at_); files->rows_kept() < due)
         progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", path_,
                                   files->rows_kept(), due, *resumed_at_));
@@ -306,15 +328,17 @@ class Run {
       for (const std::string& line : news) progress.note(line);
       record_.events.insert(record_.events.end(), news.begin(), news.end());
     };
-    const std::int64_t output = output_interval(scene_), history = history_interval(scene_);
-    const std::int64_t checkpoint = checkpoint_interval(scene_);
-    while (simulation_.clock().step < last_) {
+    const Schedule output = output_schedule(scene_), history = row_schedule(scene_);
+    const Schedule checkpoint = checkpoint_schedule(scene_);
+    while (!ended()) {
+      const Clock before = simulation_.clock();
       simulation_.step();
-      const std::int64_t step = simulation_.clock().step;
+      const Clock& clock = simulation_.clock();
+      const std::int64_t step = clock.step;
       const bool stop = someone_is_to_stop();
-      const bool write_now = step % output == 0 || step == last_;
-      const bool row = write_now || step % history == 0;
-      const bool save = stop || step % checkpoint == 0 || step == last_;
+      const bool write_now = output.due(before, clock) || ended();
+      const bool row = write_now || history.due(before, clock);
+      const bool save = stop || checkpoint.due(before, clock) || ended();
       if (row || save || step % scene_.accuracy.guard_interval == 0) {
         simulation_.guard();
         tell(events.look(simulation_));
@@ -328,11 +352,19 @@ class Run {
         const Phase phase(ranks_, "files");
         ranks_.most(0);  // nobody ends while it is written
       }
-      progress.update(step, simulation_.updates_per_step());
-      if (stop && step < last_) throw Interrupted(stop_reason());
+      progress.update(step, simulation_.updates_per_step(), clock.ahead);
+      if (stop && !ended()) throw Interrupted(stop_reason());
     }
+    tell(events.sum_up(simulation_));
     if (!ranks_.alone())
-      for (const std::string& line : traffic_table(ranks_, last_ - record_.first_step)) progress.note(line);
+      for (const std::string& line : traffic_table(ranks_, simulation_.clock().step - record_.first_step))
+        progress.note(line);
+  }
+
+  /// Whether the last step is done, or the rock as old as it was to get.
+  bool ended() const {
+    const Clock& clock = simulation_.clock();
+    return clock.step >= last_ || (clock.ahead > 0 && scene_.time.end && clock.time() >= *scene_.time.end);
   }
 
   std::string checkpoints() const { return path_ + "/checkpoint"; }

@@ -6,6 +6,7 @@
 #include "ranks/traffic.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace vug {
 
@@ -30,12 +31,14 @@ void Simulation::begin() {
 }
 
 void Simulation::step() {
+  const double factor = parts_->ageing ? parts_->ageing->factor() : 1;  // it may change in the step, for the next
   const Ranks& ranks = parts_->geometry.split.ranks();
   for (const auto& module : parts_->modules) {
     const Phase phase(ranks, module->name());
     module->step(exec_, clock_);
   }
   ++clock_.step;
+  clock_.ahead += (factor - 1) * clock_.time_step;
   whole_ = false;
   if (!parts_->growth || clock_.step % update_interval_ != 0) return;
   const Phase phase(ranks, "new pores");
@@ -133,6 +136,7 @@ FieldList Simulation::fields() const {
 StateList Simulation::geometry_state() {
   StateList list;
   list.add_value("clock/step", clock_.step, {0, most_steps});
+  if (parts_->ageing) list.add_value("clock/ahead", clock_.ahead, {0, std::numeric_limits<double>::max()});
   fluid_count_ = parts_->geometry.fluid.count;
   fluid_capacity_ = parts_->geometry.fluid.capacity;
   const StateRange room{static_cast<double>(fluid_count_), 2.0 * static_cast<double>(parts_->geometry.lattice.size())};

@@ -18,6 +18,8 @@ class SteadyFlow {
 
   bool on() const { return tolerance_ > 0; }
   bool held() const { return held_; }
+  /// Whether it has stopped changing as far as is asked for, new pores or not.
+  bool settled() const { return held_ || change_ <= tolerance_; }
   /// Lattice steps for which the flow has been held so far.
   std::int64_t held_steps() const { return held_steps_; }
   /// Lattice steps since it was held last.
@@ -34,11 +36,13 @@ class SteadyFlow {
     held_ = comparable_ = false;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
-  /// Waits for the device at every look.
-  void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u) {
+  /// Waits for the device at every look. `noise` is the share of the velocity that is rounding: what changes by no more
+  /// does not change, whatever the tolerance.
+  void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise) {
     if (!on() || held_ || clock.step % interval_ != 0) return;
-    const bool steady = velocity_change(exec, nodes, u, previous_) <= tolerance_;
-    held_ = steady && comparable_ && clock.time() >= earliest_;
+    change_ = velocity_change(exec, nodes, u, previous_);
+    if (change_ <= noise) change_ = 0;
+    held_ = change_ <= tolerance_ && comparable_ && clock.time() >= earliest_;
     comparable_ = true;
     age_ = 0;
   }
@@ -46,6 +50,7 @@ class SteadyFlow {
     if (!on()) return;
     list.add("flow/steady/previous", previous_);
     list.add_value("flow/steady/comparable", comparable_);
+    list.add_value("flow/steady/change", change_);
     list.add_value("flow/steady/held", held_);
     list.add_value("flow/steady/age", age_, {0, most_steps});
     list.add_value("flow/steady/held_steps", held_steps_, {0, most_steps});
@@ -55,6 +60,7 @@ class SteadyFlow {
   double tolerance_ = 0, earliest_ = 0;
   int interval_ = 1;
   bool held_ = false;
+  double change_ = 1;        ///< at the last look
   bool comparable_ = false;  ///< previous_ is of these pores
   std::int64_t age_ = 0, held_steps_ = 0;
   VectorField<T> previous_{"vug::flow::steady::previous", 0};  ///< (fluid, axis) velocity at the last look

@@ -202,8 +202,10 @@ Difference largest_difference(const History& reference, const History& other, co
   return largest;
 }
 
-Tuning tune(const Scene& scene, const TuningOptions& options) {
+Tuning tune(const Scene& given, const TuningOptions& options) {
   const StopsInOrder in_order;
+  const bool ages = given.accuracy.dissolution_tolerance > 0;  // pilots of as many steps would not be as long
+  const Scene scene = ages ? override_scene(given, {"accuracy.dissolution_tolerance=0"}) : given;
   Pilots pilots(scene, options);
   Tuning tuning;
   tuning.steps = pilots.steps();

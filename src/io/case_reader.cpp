@@ -120,6 +120,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
   check_minerals(document, scene);
   check_places(document, scene);
   check_groups(document, scene);
+  check_ageing(document, scene);
   check_times(document, scene);
   check_boundaries(document, scene);
   check_files(document, scene);

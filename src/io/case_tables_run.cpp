@@ -29,6 +29,7 @@ AccuracySection read_accuracy(const TomlCursor& table, Preset preset) {
   table.read("guard_interval", accuracy.guard_interval, range::between(1, 1e6));
   table.read("flow_tolerance", accuracy.flow_tolerance, unit::none, range::between(0, 1));
   table.read("dissolution_factor", accuracy.dissolution_factor, unit::none, range::between(1, 1e6));
+  table.read("dissolution_tolerance", accuracy.dissolution_tolerance, unit::none, range::between(0, 0.1));
   return accuracy;
 }
 

@@ -35,32 +35,34 @@ Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::functi
       start_(clock_()),
       shown_(start_),
       step_(run.first_step),
-      shown_step_(run.first_step),
-      window_{{start_, run.first_step}} {}
+      window_{{start_, run.first_step, static_cast<double>(run.first_step) * run.time_step}} {
+  shown_fraction_ = fraction();
+}
 
-double Progress::fraction(std::int64_t step) const {
-  const auto all = static_cast<double>(run_.last_step);
-  return all > 0 ? std::clamp(static_cast<double>(step) / all, 0.0, 1.0) : 1;
+double Progress::fraction() const {
+  if (run_.last_step <= 0) return 1;
+  const double ahead = run_.time_step > 0 ? ahead_ / run_.time_step : 0;  // of whole steps none is lost to rounding
+  return std::clamp((static_cast<double>(step_) + ahead) / static_cast<double>(run_.last_step), 0.0, 1.0);
 }
 
 bool Progress::due(double now) const {
   if (terminal_) return now - shown_ >= 0.2;
-  const auto last = std::max<std::int64_t>(1, run_.last_step);
-  const bool far = 20 * step_ / last > 20 * shown_step_ / last;
+  const bool far = std::floor(20 * fraction()) > std::floor(20 * shown_fraction_);
   return now - shown_ >= interval_ || (far && now - shown_ >= 2);
 }
 
-void Progress::update(std::int64_t step, double updates_per_step) {
+void Progress::update(std::int64_t step, double updates_per_step, double ahead) {
   run_.updates_per_step = updates_per_step;
   updates_ += static_cast<double>(step - step_) * updates_per_step;
   step_ = step;
+  ahead_ = ahead;
   const double now = clock_();
-  if (now - window_.back().time >= 0.1 || window_.size() < 2) window_.push_back({now, step});
+  if (now - window_.back().time >= 0.1 || window_.size() < 2) window_.push_back({now, step, simulated()});
   while (window_.size() > 2 && now - window_.front().time > window_seconds) window_.pop_front();
   if (!due(now)) return;
   if (now - shown_ >= interval_) interval_ = std::min(60.0, 2 * interval_);
   shown_ = now;
-  shown_step_ = step;
+  shown_fraction_ = fraction();
   if (terminal_)
     out_ << "\r\x1b[K" << bar() << line() << std::flush;
   else
@@ -75,9 +77,8 @@ void Progress::note(std::string_view text) {
 void Progress::finish(std::string_view reason) {
   if (terminal_) out_ << "\r\x1b[K";
   const double wall = wall_time();
-  out_ << fmt::format("{} at t = {:.4g} s, step {}: {} steps in {}, {:.1f} MLUPS", reason,
-                      static_cast<double>(step_) * run_.time_step, step_, step_ - run_.first_step, duration(wall),
-                      mlups())
+  out_ << fmt::format("{} at t = {:.4g} s, step {}: {} steps in {}, {:.1f} MLUPS", reason, simulated(), step_,
+                      step_ - run_.first_step, duration(wall), mlups())
        << '\n'
        << std::flush;
 }
@@ -94,16 +95,17 @@ double Progress::mlups() const {
 
 std::string Progress::line() const {
   const double speed = steps_per_second();
-  const auto left = static_cast<double>(run_.last_step - step_);
+  const Sample &first = window_.front(), &last = window_.back();
+  const double pace = (last.simulated - first.simulated) / (last.time - first.time);  // simulated over real seconds
   return fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  step {}  {:.4g} steps/s  {:.1f} MLUPS  ETA {}",
-                     std::floor(100 * fraction(step_)), static_cast<double>(step_) * run_.time_step,
-                     static_cast<double>(run_.last_step) * run_.time_step, step_, speed,
-                     1e-6 * speed * run_.updates_per_step, duration(speed > 0 ? left / speed : INFINITY));
+                     std::floor(100 * fraction()), simulated(), end(), step_, speed,
+                     1e-6 * speed * run_.updates_per_step,
+                     duration(pace > 0 ? (end() - simulated()) / pace : INFINITY));
 }
 
 std::string Progress::bar() const {
   constexpr int width = 20;
-  const int full = static_cast<int>(width * fraction(step_));
+  const int full = static_cast<int>(width * fraction());
   return fmt::format("[{}{}] ", std::string(full, '#'), std::string(width - full, '.'));
 }
 

@@ -24,8 +24,9 @@ class Progress {
   };
   Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds);
 
-  /// Cheap enough for every step of a small lattice; `updates_per_step` may have grown with the fluid.
-  void update(std::int64_t step, double updates_per_step);
+  /// Cheap enough for every step of a small lattice; `updates_per_step` may have grown with the fluid. `ahead` (s) is
+  /// by how much the time is more than that of the steps.
+  void update(std::int64_t step, double updates_per_step, double ahead = 0);
   void update(std::int64_t step) { update(step, run_.updates_per_step); }
   /// A line of its own: something physical has happened.
   void note(std::string_view line);
@@ -41,18 +42,22 @@ class Progress {
   struct Sample {
     double time;
     std::int64_t step;
+    double simulated;
   };
   bool due(double now) const;
   std::string line() const;
   std::string bar() const;
-  double fraction(std::int64_t step) const;
+  double simulated() const { return static_cast<double>(step_) * run_.time_step + ahead_; }
+  double end() const { return static_cast<double>(run_.last_step) * run_.time_step; }
+  double fraction() const;
 
   std::ostream& out_;
   bool terminal_;
   Run run_;
   std::function<double()> clock_;
   double start_, shown_, interval_ = 5;
-  std::int64_t step_, shown_step_;
+  std::int64_t step_;
+  double ahead_ = 0, shown_fraction_ = 0;
   double updates_ = 0;  // done so far
   std::deque<Sample> window_;
 };

@@ -192,6 +192,33 @@ struct BookTurnover {
   }
 };
 
+/// What the links of one surface node are about to take off it.
+template <class T, class Solid>
+struct AddLoss {
+  IndexList node;
+  ReactiveLinks<T> links;
+  Solid kind;
+  ScalarField<double> loss;
+  KOKKOS_FUNCTION void operator()(int s) const {
+    double solid = 0;
+    for (int k = links.of_surface(s); k < links.of_surface(s + 1); ++k) solid += links.solid(links.of_surface_link(k));
+    loss(s) += kind.volume_of(node(s)) * solid;
+  }
+};
+
+template <class T>
+void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                const ScalarField<double>& loss) {
+  const auto launch = [&](const auto& kind) {
+    for_each_node(exec, "vug::reactive_wall::loss", surface.count,
+                  AddLoss<T, std::decay_t<decltype(kind)>>{surface.node, links, kind, loss});
+  };
+  if (wall.minerals.of_node.extent(0) > 0)
+    launch(ManySolids{wall.minerals, {}});
+  else
+    launch(OneSolid{wall.molar_volume});
+}
+
 template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const ReactionLedger& ledger) {
@@ -225,6 +252,10 @@ VUG_INSTANTIATE(float, D2Q9)
 VUG_INSTANTIATE(double, D2Q9)
 #undef VUG_INSTANTIATE
 
+template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
+                         const ScalarField<double>&);
+template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
+                         const ScalarField<double>&);
 template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
                             const ReactionLedger&);
 template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,

@@ -146,4 +146,9 @@ template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const ReactionLedger& ledger);
 
+/// loss(s) += what the links have taken off surface node s since that was last booked, pixels.
+template <class T>
+void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                const ScalarField<double>& loss);
+
 }  // namespace vug

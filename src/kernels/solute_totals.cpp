@@ -19,6 +19,24 @@ double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteField
 }
 
 template <class T>
+struct ChangeOfNode {
+  Kokkos::View<const T*> C;
+  int count;
+  ScalarField<T> before;
+  KOKKOS_FUNCTION double operator()(int i) const {
+    const double change = double(C(i)) - double(before(i));
+    before(i) = C(i);
+    return i < count ? Kokkos::abs(change) : 0;
+  }
+};
+
+template <class T>
+void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<const T*>& C, int count,
+                const ScalarField<T>& before, const ScalarField<double>& total) {
+  add_per_block(exec, "vug::solute_totals::change", nodes.share(), ChangeOfNode<T>{C, count, before}, total);
+}
+
+template <class T>
 struct RangeOfField {
   Kokkos::View<const T*> field;
   OwnItems own;
@@ -47,13 +65,15 @@ FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Shar
   return range;
 }
 
-#define VUG_INSTANTIATE(T)                                                                       \
-  template void add_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,      \
-                                    const ScalarField<double>&);                                 \
-  template void add_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,      \
-                                    const ScalarField<double>&);                                 \
-  template double total_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&); \
-  template double total_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&); \
+#define VUG_INSTANTIATE(T)                                                                        \
+  template void add_change<T>(const Exec&, const FluidNodes&, const Kokkos::View<const T*>&, int, \
+                              const ScalarField<T>&, const ScalarField<double>&);                 \
+  template void add_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,       \
+                                    const ScalarField<double>&);                                  \
+  template void add_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,       \
+                                    const ScalarField<double>&);                                  \
+  template double total_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&);  \
+  template double total_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&);  \
   template FieldRange field_range<T>(const Exec&, const ScalarField<T>&, const Share&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

@@ -12,6 +12,11 @@ double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteField
 template <class Set, class T>
 void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s, const ScalarField<double>& total);
 
+/// total(block) += |C - before| of its nodes below `count`, of our share; before(fluid) is C afterwards, of all nodes.
+template <class T>
+void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<const T*>& C, int count,
+                const ScalarField<T>& before, const ScalarField<double>& total);
+
 /// Smallest and largest value of our share of the entries of a field, and the first entry that is not finite.
 struct FieldRange {
   double min = 0, max = 0;    ///< over the finite entries; +infinity and -infinity if there is none

@@ -108,6 +108,19 @@ TEST(SameBitsOfAWell, InDissolvingRockWithThreadsAndAfterARestart) {
   }
 }
 
+TEST(SameBitsOfAgeingRock, WithThreadsAndAfterARestart) {
+  const TemporaryFolder folder;
+  const std::string grain = VUG_SOURCE_DIR "/tests/cases/coupled/slow_grain.toml";
+  for (const std::string precision : {"double", "single"}) {
+    const std::string more = " --set accuracy.precision=" + precision;
+    const std::string whole = folder / ("whole_" + precision), parts = folder / ("parts_" + precision);
+    run(whole, "--threads 1" + more, grain);
+    run(parts, "--threads 2 --steps 7000" + more, grain);
+    run(parts, "--threads 1 --resume" + more, grain);
+    EXPECT_EQ(difference(whole, parts), "");
+  }
+}
+
 TEST(SameBitsLong, AfterRestartsAtTwentySteps) {
   std::vector<int> updates(39), stops(20);
   std::iota(updates.begin(), updates.end(), 1);

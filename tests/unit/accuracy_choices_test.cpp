@@ -155,6 +155,17 @@ TEST(HeldFlow, IsHeldOnceItIsSteadyAndNotBeforeThePressureIsRaised) {
   EXPECT_LE(std::abs(held.now("A_balance_error_1")), 1e-13);
 }
 
+/// A tolerance below what rounding leaves of the velocity: what changes no more but for that is steady.
+TEST(HeldFlow, IsHeldInSinglePrecisionWhateverTheTolerance) {
+  test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-9", "accuracy.precision=single"});
+  steps(always, 8000);
+  steps(held, 8000);
+  EXPECT_GT(held.now("flow_held_steps_1"), 1000);
+  const auto exact = always.nodes("velocity"), found = held.nodes("velocity");
+  const double speed = largest_difference(exact, std::vector<double>(exact.size(), 0));
+  EXPECT_LE(largest_difference(exact, found), 1e-4 * speed);
+}
+
 TEST(HeldFlow, WakesWhenAPixelDissolves) {
   test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-4"});
   const double nodes = held.now("fluid_nodes_1");

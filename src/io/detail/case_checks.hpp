@@ -10,6 +10,7 @@ void check_names(const TomlDocument& document);
 
 void check_modules(const TomlDocument& document, const Scene& scene);     ///< which table needs which other
 void check_places(const TomlDocument& document, Scene& scene);            ///< everything drawn lies on the lattice
+void check_ageing(const TomlDocument& document, const Scene& scene);      ///< what may age faster than the fluid
 void check_times(const TomlDocument& document, const Scene& scene);       ///< end, intervals, ramps
 void check_scales(const TomlDocument& document, const Scene& scene);      ///< what the time step makes of diffusivities
 void check_species(const TomlDocument& document, const Scene& scene);     ///< names of species

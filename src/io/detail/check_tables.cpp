@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace vug {
 namespace {
@@ -217,6 +218,21 @@ void check_places(const TomlDocument& document, Scene& scene) {
   check_triangles(document, rock, lattice.length_x * lattice.length_y);
 }
 
+void check_ageing(const TomlDocument& document, const Scene& scene) {
+  const std::string key = "accuracy.dissolution_tolerance";
+  if (scene.accuracy.dissolution_tolerance == 0) return;
+  if (document.find("accuracy.dissolution_factor"))
+    document.fail("accuracy.dissolution_factor", "stands beside accuracy.dissolution_tolerance, which chooses it");
+  for (const auto& [there, table] :
+       {std::pair{scene.heat.has_value(), "[heat]"}, {scene.mechanics.has_value(), "[mechanics]"}})
+    if (there)
+      document.fail(
+          key, fmt::format("is for rock that ages faster than the fluid, and {} cannot; leave one of them out", table));
+  if (!rock_dissolves(scene)) document.fail(key, "needs rock that dissolves: [reaction] with a molar_volume");
+  if (scene.flow && scene.accuracy.flow_tolerance == 0)
+    document.fail(key, "needs to know when the flow is steady: give accuracy.flow_tolerance as well, 1e-3 or so");
+}
+
 void check_times(const TomlDocument& document, const Scene& scene) {
   const double step = scene.lattice.time_step;
   const double slack = 1e-9 * step;
@@ -226,7 +242,10 @@ void check_times(const TomlDocument& document, const Scene& scene) {
   if (scene.time.end && *scene.time.end / step > 1e15) {
     document.fail("time.end", fmt::format("is more than 1e15 steps of lattice.time_step = {:g} s", step));
   }
-  const double end = scene.time.end ? *scene.time.end : static_cast<double>(*scene.time.steps) * step;
+  const bool ages = scene.accuracy.dissolution_tolerance > 0;  // then steps say little of the time
+  const double end = scene.time.end ? *scene.time.end
+                     : ages         ? std::numeric_limits<double>::max()
+                                    : static_cast<double>(*scene.time.steps) * step;
   const auto check_interval = [&](const char* key, const std::optional<double>& interval) {
     if (!interval) return;
     if (*interval < step - slack)

@@ -30,6 +30,8 @@ struct AccuracySection {
   double flow_tolerance = 0;
   /// Volume that dissolves per volume that the acid pays for: the rock ages so many times faster than the fluid
   double dissolution_factor = 1;
+  /// Largest relative error of the dissolved volume for which that factor is chosen as the run goes; 0: it is given
+  double dissolution_tolerance = 0;
 };
 
 struct Probe {

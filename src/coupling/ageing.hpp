@@ -1,0 +1,61 @@
+#pragma once
+// How much faster the rock may age than the fluid (accuracy.dissolution_tolerance; docs/model.md, "Slow scenes").
+#include "coupling/module.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+inline constexpr double largest_factor = 1e6;  ///< as for accuracy.dissolution_factor
+
+/// The factor by which the rock ages faster than the fluid until the next look, from that since the last one and what
+/// was seen in between: `residual`, the share by which the reaction may be off its steady state, and `loss`, the
+/// largest share of a cell that a wall node has lost between two looks for dissolved nodes. Either is to be at most
+/// `tolerance`; both are taken to grow with the factor, which at most doubles, as the step of an integrator does.
+inline double next_factor(double factor, double residual, double loss, double tolerance) {
+  constexpr double safety = 0.75;  // pores that have just opened are felt at the next look
+  double change = 2;
+  for (const double seen : {residual, loss})
+    if (seen > 0) change = std::min(change, safety * tolerance / seen);
+  return std::clamp(change * factor, 1.0, largest_factor);
+}
+
+/// Chooses that factor as the run goes.
+class Ageing : public Module {
+ public:
+  /// That which holds now.
+  double factor() const { return factor_; }
+  /// Bound of the relative error of the dissolved volume that ageing has made so far (estimated).
+  double error() const { return paid_ > 0 ? error_ / paid_ : 0; }
+  double tolerance() const { return tolerance_; }
+  double residual() const { return residual_; }            ///< at the last look
+  double largest() const { return largest_; }              ///< factor so far
+  std::int64_t waits() const { return waits_; }            ///< how often the factor has fallen back to 1
+  std::int64_t waiting_steps() const { return waiting_; }  ///< lattice steps at the factor 1
+
+  std::string_view name() const override { return "ageing"; }
+  void history(std::vector<HistoryValue>& row) const override {
+    row.push_back({"dissolution_factor_1", factor_});
+    row.push_back({"dissolution_error_1", error()});
+  }
+
+ protected:
+  explicit Ageing(double tolerance) : tolerance_(tolerance) {}
+  /// What has been seen since the last look, so many lattice steps ago.
+  struct Look {
+    double made;      ///< volume that has dissolved, m3/m
+    double residual;  ///< see next_factor
+    double loss;      ///< likewise
+    bool still;       ///< the flow is steady
+    std::int64_t steps;
+  };
+  void take_in(const Look& look);
+  void add_state(StateList& list);
+
+ private:
+  double tolerance_, factor_ = 1, largest_ = 1, residual_ = 0;
+  double paid_ = 0, error_ = 0;  ///< m3/m, dissolved and possibly wrong
+  std::int64_t waits_ = 0, waiting_ = 0;
+};
+
+}  // namespace vug

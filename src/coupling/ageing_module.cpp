@@ -1,0 +1,110 @@
+#include "coupling/ageing_module.hpp"
+
+#include "kernels/launch.hpp"
+#include "kernels/solute_totals.hpp"
+
+#include <limits>
+#include <numeric>
+
+namespace vug {
+
+namespace {
+
+/// Lattice steps between looks: whenever the walls are booked and solutes step, with ten steps of these in between.
+int look_interval(const AccuracySection& accuracy) {
+  constexpr int solute_steps = 10;
+  const int both = std::lcm(accuracy.update_interval, accuracy.solute_interval);
+  return both * std::max(1, (solute_steps * accuracy.solute_interval + both - 1) / both);
+}
+
+}  // namespace
+
+void Ageing::take_in(const Look& look) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  residual_ = look.made > 0 ? look.residual : infinite;
+  if (look.made > 0) {
+    paid_ += look.made;
+    error_ += (1 - 1 / factor_) * std::min(look.residual, 1.0) * look.made;
+  }
+  if (factor_ == 1) waiting_ += look.steps;
+  const double next = next_factor(factor_, look.still ? residual_ : infinite, look.loss, tolerance_);
+  if (next == 1 && factor_ > 1) ++waits_;
+  factor_ = next;
+  largest_ = std::max(largest_, factor_);
+}
+
+void Ageing::add_state(StateList& list) {
+  list.add_value("ageing/factor", factor_, {1, largest_factor});
+  list.add_value("ageing/largest", largest_, {1, largest_factor});
+  list.add_value("ageing/paid", paid_);
+  list.add_value("ageing/error", error_);
+  list.add_value("ageing/waits", waits_, {0, most_steps});
+  list.add_value("ageing/waiting", waiting_, {0, most_steps});
+}
+
+template <class T, class Set>
+AgeingModule<T, Set>::AgeingModule(const Scene& scene, const Geometry& geometry, ReactionModule<T, Set>& reaction,
+                                   const FlowModule<T>* flow)
+    : Ageing(scene.accuracy.dissolution_tolerance),
+      geometry_(geometry),
+      reaction_(reaction),
+      flow_(flow),
+      interval_(look_interval(scene.accuracy)),
+      compared_(geometry.fluid.count) {
+  for (const Sway& sway : reaction.sways()) {
+    Watched watched{sway, ScalarField<T>("vug::ageing::before", geometry.fluid.capacity)};
+    Kokkos::deep_copy(watched.before, sway.species->fields.C);
+    watched_.push_back(watched);
+  }
+}
+
+template <class T, class Set>
+double AgeingModule<T, Set>::unsteady(const Exec& exec) {
+  const FluidNodes& fluid = geometry_.fluid;
+  double volume = 0;
+  for (const Watched& watched : watched_) {
+    const ScalarField<double> change("vug::ageing::change", block_count(fluid.capacity));
+    add_change<T>(exec, fluid, watched.sway.species->fields.C, compared_, watched.before, change);
+    geometry_.split.make_whole(geometry_.split.of_blocks(), change);
+    volume += watched.sway.volume * sum_in_order(change);
+  }
+  compared_ = fluid.count;
+  return volume;
+}
+
+template <class T, class Set>
+void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
+  if (!clock.every(interval_)) return;
+  const double before = factor();
+  const double paid = reaction_.paid(), made = paid - paid_before_;
+  const double off = before * unsteady(exec);
+  paid_before_ = paid;
+  take_in({made, made > 0 ? off / made : 0, reaction_.largest_loss(exec), !flow_ || flow_->settled(), interval_});
+  if (factor() != before) reaction_.set_factor(exec, factor());
+}
+
+template <class T, class Set>
+void AgeingModule<T, Set>::gather(const Exec&) {
+  const Split& split = geometry_.split;
+  for (const Watched& watched : watched_) split.make_whole(split.of_fluid(geometry_.fluid), watched.before);
+}
+
+template <class T, class Set>
+void AgeingModule<T, Set>::births(const Exec& exec, const Births&) {
+  for (Watched& watched : watched_) Kokkos::resize(exec, watched.before, geometry_.fluid.capacity);
+}
+
+template <class T, class Set>
+void AgeingModule<T, Set>::state(StateList& list) {
+  add_state(list);
+  list.add_value("ageing/compared", compared_, {0, static_cast<double>(geometry_.fluid.count)});
+  list.add_value("ageing/paid_before", paid_before_);
+  for (std::size_t w = 0; w < watched_.size(); ++w) list.add("ageing/before" + std::to_string(w), watched_[w].before);
+}
+
+template class AgeingModule<float, D2Q5>;
+template class AgeingModule<float, D2Q9>;
+template class AgeingModule<double, D2Q5>;
+template class AgeingModule<double, D2Q9>;
+
+}  // namespace vug

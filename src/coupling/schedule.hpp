@@ -1,0 +1,26 @@
+#pragma once
+// When something is due again.
+#include "coupling/clock.hpp"
+
+#include <cmath>
+
+namespace vug {
+
+/// Every so many lattice steps; or, with seconds, whenever the time passes a multiple of these.
+class Schedule {
+ public:
+  Schedule(std::int64_t steps, double seconds) : steps_(steps), seconds_(seconds) {}
+
+  /// Whether it is after the step from `before` to `now`.
+  bool due(const Clock& before, const Clock& now) const {
+    if (seconds_ == 0) return now.step % steps_ == 0;
+    return std::floor(now.time() / seconds_ + rounding) > std::floor(before.time() / seconds_ + rounding);
+  }
+
+ private:
+  static constexpr double rounding = 1e-9;
+  std::int64_t steps_;
+  double seconds_;
+};
+
+}  // namespace vug
