@@ -8,15 +8,14 @@ namespace vug {
 
 inline constexpr double largest_factor = 1e6;  ///< as for accuracy.dissolution_factor
 
-/// The factor by which the rock ages faster than the fluid until the next look, from that since the last one and what
-/// was seen in between: `residual`, the share by which the reaction may be off its steady state, and `loss`, the
-/// largest share of a cell that a wall node has lost between two looks for dissolved nodes. Either is to be at most
-/// `tolerance`; both are taken to grow with the factor, which at most doubles, as the step of an integrator does.
-inline double next_factor(double factor, double residual, double loss, double tolerance) {
+/// The factor by which the rock ages faster than the fluid until the next look, from that since the last one and the
+/// largest of what was seen in between, each of which grows with the factor and is to be at most `tolerance`: the share
+/// by which the reaction may be off its steady state; the share of a cell that a wall node has lost between two looks
+/// for dissolved nodes; the share of its age by which the rock has aged. At most doubles, as the step of an integrator
+/// does.
+inline double next_factor(double factor, double seen, double tolerance) {
   constexpr double safety = 0.75;  // pores that have just opened are felt at the next look
-  double change = 2;
-  for (const double seen : {residual, loss})
-    if (seen > 0) change = std::min(change, safety * tolerance / seen);
+  const double change = seen > 0 ? std::min(2.0, safety * tolerance / seen) : 2;
   return std::clamp(change * factor, 1.0, largest_factor);
 }
 
@@ -44,8 +43,9 @@ class Ageing : public Module {
   /// What has been seen since the last look, so many lattice steps ago.
   struct Look {
     double made;      ///< volume that has dissolved, m3/m
-    double residual;  ///< see next_factor
-    double loss;      ///< likewise
+    double residual;  ///< share by which the reaction may be off its steady state
+    double loss;      ///< largest share of a cell that a wall node has lost
+    double aged;      ///< share of its age by which the rock has aged
     bool still;       ///< the flow is steady
     std::int64_t steps;
   };

@@ -27,7 +27,8 @@ void Ageing::take_in(const Look& look) {
     error_ += (1 - 1 / factor_) * std::min(look.residual, 1.0) * look.made;
   }
   if (factor_ == 1) waiting_ += look.steps;
-  const double next = next_factor(factor_, look.still ? residual_ : infinite, look.loss, tolerance_);
+  const double seen = std::max({look.still ? residual_ : infinite, look.loss, look.aged});
+  const double next = next_factor(factor_, seen, tolerance_);
   if (next == 1 && factor_ > 1) ++waits_;
   factor_ = next;
   largest_ = std::max(largest_, factor_);
@@ -79,7 +80,8 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   const double paid = reaction_.paid(), made = paid - paid_before_;
   const double off = before * unsteady(exec);
   paid_before_ = paid;
-  take_in({made, made > 0 ? off / made : 0, reaction_.largest_loss(exec), !flow_ || flow_->settled(), interval_});
+  const double aged = before * interval_ * clock.time_step / (clock.time() + clock.time_step);
+  take_in({made, made > 0 ? off / made : 0, reaction_.largest_loss(exec), aged, !flow_ || flow_->settled(), interval_});
   if (factor() != before) reaction_.set_factor(exec, factor());
 }
 

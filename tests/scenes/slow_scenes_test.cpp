@@ -19,14 +19,13 @@ using testing::Contains;
 using testing::HasSubstr;
 
 TEST(NextFactor, KeepsWhatWasSeenBelowTheToleranceAndAtMostDoubles) {
-  EXPECT_EQ(next_factor(8, 0, 0, 1e-2), 16);         // nothing is wrong
-  EXPECT_EQ(next_factor(8, 1e-2, 0, 1e-2), 6);       // of the error allowed three quarters are used
-  EXPECT_EQ(next_factor(8, 0.75e-2, 0, 1e-2), 8);    // just right
-  EXPECT_EQ(next_factor(8, 0, 3e-2, 1e-2), 2);       // walls recede too fast
-  EXPECT_EQ(next_factor(8, 1.5e-2, 3e-2, 1e-2), 2);  // the worse of the two counts
-  EXPECT_EQ(next_factor(8, 1, 0, 1e-2), 1);          // never slower than the fluid
-  EXPECT_EQ(next_factor(8, INFINITY, 0, 1e-2), 1);   // nothing is known
-  EXPECT_EQ(next_factor(8e5, 0, 0, 1e-2), largest_factor);
+  EXPECT_EQ(next_factor(8, 0, 1e-2), 16);        // nothing is wrong
+  EXPECT_EQ(next_factor(8, 1e-2, 1e-2), 6);      // of the error allowed three quarters are used
+  EXPECT_EQ(next_factor(8, 0.75e-2, 1e-2), 8);   // just right
+  EXPECT_EQ(next_factor(8, 1e-3, 1e-2), 16);     // at most doubles
+  EXPECT_EQ(next_factor(8, 1, 1e-2), 1);         // never slower than the fluid
+  EXPECT_EQ(next_factor(8, INFINITY, 1e-2), 1);  // nothing is known
+  EXPECT_EQ(next_factor(8e5, 0, 1e-2), largest_factor);
 }
 
 TEST(ScheduleOfAgeingRock, IsDueWhenTheTimePassesAMultiple) {
