@@ -21,11 +21,9 @@ int look_interval(const AccuracySection& accuracy) {
 
 void Ageing::take_in(const Look& look) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  residual_ = look.made > 0 ? look.residual : infinite;
-  if (look.made > 0) {
-    paid_ += look.made;
-    error_ += (1 - 1 / factor_) * std::min(look.residual, 1.0) * look.made;
-  }
+  residual_ = look.residual;
+  paid_ += look.made;
+  if (look.made > 0) error_ += (1 - 1 / factor_) * std::min(look.residual, 1.0) * look.made;
   if (factor_ == 1) waiting_ += look.steps;
   const double seen = std::max({look.still ? residual_ : infinite, look.loss, look.aged});
   const double next = next_factor(factor_, seen, tolerance_);
@@ -81,7 +79,10 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   const double off = before * unsteady(exec);
   paid_before_ = paid;
   const double aged = before * interval_ * clock.time_step / (clock.time() + clock.time_step);
-  take_in({made, made > 0 ? off / made : 0, reaction_.largest_loss(exec), aged, !flow_ || flow_->settled(), interval_});
+  // where nothing reacts although there is a wall, acid is still on its way
+  const double none = geometry_.surface.count > 0 ? std::numeric_limits<double>::infinity() : 0;
+  const double residual = made > 0 ? off / made : none;
+  take_in({made, residual, reaction_.largest_loss(exec), aged, !flow_ || flow_->settled(), interval_});
   if (factor() != before) reaction_.set_factor(exec, factor());
 }
 

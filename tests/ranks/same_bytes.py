@@ -35,7 +35,7 @@ CASES = {  # case, steps, keys, output at every tenth step
     "sleep": (COUPLED + "small_rock.toml", 120,
               FINE + ["rock.element_size=1e-3", "mechanics.local_damping=0.7", "mechanics.rest_tolerance=0.3", ROCK_OFTEN],
               ROCK_OFTEN),
-    "slow": (COUPLED + "slow_grain.toml", 9000, [], "output.interval_steps=100"),
+    "slow": (COUPLED + "slow_grain.toml", 2900, [], OFTEN),
     "well": (COUPLED + "well.toml", 200, ["lattice.spacing=2.5e-4"], OFTEN),
 }
 MANY = "rock"  # the case that is run on more ranks than the others

@@ -242,6 +242,15 @@ TEST(SlowScenes, AToleranceThatCannotBeMetIsSaid) {
   EXPECT_EQ(simulation.clock().ahead, 0);
 }
 
+/// When all rock is gone there is nothing to wait for.
+TEST(SlowScenes, TimePassesWhenTheRockIsGone) {
+  Simulation simulation(scene_of(disc, {"accuracy.dissolution_tolerance=5e-2", "time.end=86400"}));
+  simulation.begin();
+  age(simulation, 86400, 86400, [](double, double) {});
+  EXPECT_NEAR(now(simulation, "solid_volume_stored_m3_per_m"), 0, 1e-25);
+  EXPECT_LE(static_cast<double>(simulation.clock().step), 86400 / 2e-4 / 1000);
+}
+
 using State = std::map<std::string, std::vector<std::byte>>;
 State state_of(Simulation& simulation) {
   State state;
