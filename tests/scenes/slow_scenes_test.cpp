@@ -247,7 +247,7 @@ TEST(SlowScenes, TimePassesWhenTheRockIsGone) {
   Simulation simulation(scene_of(disc, {"accuracy.dissolution_tolerance=5e-2", "time.end=86400"}));
   simulation.begin();
   age(simulation, 86400, 86400, [](double, double) {});
-  EXPECT_NEAR(now(simulation, "solid_volume_stored_m3_per_m"), 0, 1e-25);
+  EXPECT_LE(now(simulation, "solid_volume_stored_m3_per_m"), 1e-9 * now(simulation, "solid_volume_initial_m3_per_m"));
   EXPECT_LE(static_cast<double>(simulation.clock().step), 86400 / 2e-4 / 1000);
 }
 
