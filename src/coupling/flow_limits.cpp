@@ -1,6 +1,7 @@
 // How fast the flow of a case may become, and whether its numbers are safe.
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
+#include "coupling/plane_waves.hpp"
 #include "coupling/velocity_profile.hpp"
 #include "kernels/guards.hpp"
 #include "kernels/require.hpp"
@@ -119,6 +120,12 @@ void FlowModule<T>::limits(LimitTable& table) const {
   };
   prescribed("Mach number of the prescribed velocities", prescribed_speed());
   prescribed("Mach number in the narrowest passage", passage_speed_);
+  // What a pressure drives is known only when it flows.
+  const double speed = std::max(prescribed_speed(), passage_speed_);
+  if (speed > 0)
+    table.push_back({"flow", "growth per step of a plane wave at that speed",
+                     flow_wave_growth(section_.collision, 0.5 + 3 * nu, speed), "1", 0, neutral_growth,
+                     "lower the velocity or lattice.time_step, or choose another flow.collision (docs/stability.md)"});
 }
 
 #define VUG_INSTANTIATE(T)                                       \

@@ -1,5 +1,6 @@
 #include "coupling/solute_module.hpp"
 
+#include "coupling/plane_waves.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/advective_form.hpp"
@@ -237,10 +238,13 @@ void SoluteModule<T, Set>::limits(LimitTable& table) const {
                      "change lattice.time_step"});
     // The scheme with Lambda = 1/4 on D2Q5 carries any speed at any diffusivity; all others that were measured hold up
     // to this at least (docs/stability.md).
-    if (carrier_ && (Set::Q != D2Q5::Q || section_.relaxation_time))
+    if (carrier_ && (Set::Q != D2Q5::Q || section_.relaxation_time)) {
+      const char* advice = "use solute.velocity_set = \"d2q5\" without solute.relaxation_time, or lower the pressures";
       table.push_back({"solute", s.section.name + " grid Peclet number at the largest speed",
-                       fastest_ * units_.diffusivity() / s.section.diffusivity, "1", 0, 10,
-                       "use solute.velocity_set = \"d2q5\" without solute.relaxation_time, or lower the pressures"});
+                       fastest_ * units_.diffusivity() / s.section.diffusivity, "1", 0, 10, advice});
+      table.push_back({"solute", s.section.name + " growth per step of a plane wave at the largest speed",
+                       solute_wave_growth<Set>(s.parameters, interval_ * fastest_), "1", 0, neutral_growth, advice});
+    }
     table.push_back({"solute", s.section.name + " relaxation time tau_h", s.parameters.tau_h, "1", 0.5,
                      std::numeric_limits<double>::infinity(), "raise solute.relaxation_time above 1/2"});
   }

@@ -31,17 +31,44 @@ struct AdvectiveForm {
   Kokkos::View<const T*> e;
 };
 
-/// Pull, collide, store, in place. With C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 - 3/2 u^2]):
+/// The collision of one node, or of eight: with C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 -
+/// 3/2 u^2]):
 ///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
-/// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h; with the
-/// advective form it returns what it adds to it, -C e with C (1 + e) = sum of the pulled populations. Bytes per node,
-/// size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights 3 (Q - 1)), + 2 s with advection, + s with the
-/// advective form.
+/// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h.
+template <class T, class Set>
+struct SoluteCollision {
+  T rate_h, rate_difference;
+
+  explicit SoluteCollision(const SoluteParameters& p)
+      : rate_h(T(1 / p.tau_h)), rate_difference(T(1 / p.tau_h - 1 / p.tau_1)) {}
+
+  /// Of populations g with their sum c; (x, y): J - C u. The population at rest is what the others leave of C: rounded
+  /// weights do not add up to one, and what they miss (5e-17 of C in double, 3e-8 in float) would be gained or lost at
+  /// every node in every step.
+  template <bool moves, class V>
+  KOKKOS_FORCEINLINE_FUNCTION void relax(V (&g)[Set::Q], const V& c, const V& ux, const V& uy, V x, V y) const {
+    x *= rate_difference;
+    y *= rate_difference;
+    V rest = c;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      V wc = T(Set::w(q)) * c;
+      if constexpr (moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
+      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * along(q, x, y);
+      rest -= g[q];
+    }
+    g[0] = rest;
+  }
+};
+
+/// Pull, collide, store, in place. With the advective form it returns what it adds to sum h, -C e with C (1 + e) = sum
+/// of the pulled populations. Bytes per node, size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights
+/// 3 (Q - 1)), + 2 s with advection, + s with the advective form.
 template <class T, class Set, class Slots, class Flow>
 struct SoluteSweep {
   Slots slots;
   ScalarField<T> h, C;
-  T rate_h, rate_difference;
+  SoluteCollision<T, Set> collision;
   Flow flow;
 
   static constexpr int Q = Set::Q;
@@ -81,28 +108,14 @@ struct SoluteSweep {
     return added;
   }
 
-  /// The population at rest is what the others leave of C: rounded weights do not add up to one, and what they miss
-  /// (5e-17 of C in double, 3e-8 in float) would be gained or lost at every node in every step.
   template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[Set::Q], const V& c, V flux_x, V flux_y) const {
-    V ux{}, uy{};
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[Set::Q], const V& c, const V& flux_x, const V& flux_y) const {
     if constexpr (Flow::moves) {
-      ux = flow.u.steps * fetch<V>(&flow.u.u(i, 0));
-      uy = flow.u.steps * fetch<V>(&flow.u.u(i, 1));
-      flux_x -= c * ux;
-      flux_y -= c * uy;
+      const V ux = flow.u.steps * fetch<V>(&flow.u.u(i, 0)), uy = flow.u.steps * fetch<V>(&flow.u.u(i, 1));
+      collision.template relax<true>(g, c, ux, uy, flux_x - c * ux, flux_y - c * uy);
+    } else {
+      collision.template relax<false>(g, c, V{}, V{}, flux_x, flux_y);
     }
-    flux_x *= rate_difference;
-    flux_y *= rate_difference;
-    V rest = c;
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      V wc = T(Set::w(q)) * c;
-      if constexpr (Flow::moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
-      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * along(q, flux_x, flux_y);
-      rest -= g[q];
-    }
-    g[0] = rest;
   }
 };
 
@@ -155,7 +168,7 @@ void visit_slots(const FluidNodes& nodes, const SoluteFields<T>& s, const Visit&
 template <class Set, class T, class Slots, class Flow>
 SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SoluteParameters& p, const SoluteFields<T>& s,
                                               const Flow& flow) {
-  return {slots, s.h, s.C, T(1 / p.tau_h), T(1 / p.tau_h - 1 / p.tau_1), flow};
+  return {slots, s.h, s.C, SoluteCollision<T, Set>(p), flow};
 }
 
 /// How a host sweeps a block of nodes, of sweep_block_size: body(first, last).

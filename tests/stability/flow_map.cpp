@@ -1,4 +1,5 @@
 // Prints the flow's stability map as Markdown: for docs/stability.md, see scripts/stability-map.
+#include "coupling/plane_waves.hpp"
 #include "support/unstable_flows.hpp"
 
 #include <cstdio>
@@ -24,14 +25,15 @@ void print_header(const char* first) {
   std::printf("\n");
 }
 
-/// Largest speed, in steps of 0.05 up to 0.4, below which every speed survives.
-void print_shear_layer() {
+/// Largest speed, in steps of 0.05 up to 0.4, below which holds(collision, tau, speed) for every speed.
+template <class Holds>
+void print_speeds(const Holds& holds) {
   print_header("collision \\ tau");
   for (const auto& [name, collision] : collisions) {
     std::printf("| %s |", name);
     for (const double tau : relaxation_times) {
       int k = 0;
-      while (k < 8 && test::shear_layer_survives(collision, tau, 0.05 * (k + 1))) ++k;
+      while (k < 8 && holds(collision, tau, 0.05 * (k + 1))) ++k;
       std::printf(k > 0 ? " %.2f |" : " none |", 0.05 * k);
     }
     std::printf("\n");
@@ -62,7 +64,11 @@ void print_percolation(int ramp, double limit) {
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard kokkos(argc, argv);
   std::printf("**Shear layer**: largest speed (lattice units, tried in steps of 0.05 up to 0.40) that survives.\n\n");
-  print_shear_layer();
+  print_speeds(test::shear_layer_survives);
+  std::printf("\n**Uniform flow**, by linear analysis: largest such speed at which no plane wave grows.\n\n");
+  print_speeds([](Collision collision, double tau, double speed) {
+    return flow_wave_growth(collision, tau, speed) <= neutral_growth;
+  });
   std::printf("\n**Percolation**, pressure ramped over 2000 steps: largest speed at the end, or lost.\n\n");
   print_percolation(2000, 0);
   std::printf("\n**Percolation**, pressure at once: the same.\n\n");

@@ -101,12 +101,15 @@ TEST(Limits, WarnBeforeEachMeasuredEdge) {
       // what is prescribed, also where it has to squeeze through
       {{velocity + "[0.3, 0] }"}, "Mach number of the prescribed velocities"},
       {{velocity + "[0.15, 0] }"}, "Mach number in the narrowest passage"},
+      {{velocity + "[0.09, 0] }", "flow.viscosity=2e-6", "flow.collision=bgk"}, "growth per step of a plane wave"},
       {{"accuracy.solute_interval=300"}, "cells per step at the largest speed"},
       {{"accuracy.heat_interval=300"}, "cells per step at the largest speed"},
       // memory of the even populations at small D; speed for schemes other than the default
       {{"solute.species.0.diffusivity=5e-7"}, "A diffusivity"},
       {{"solute.species.0.diffusivity=1e-5", "solute.velocity_set=d2q9", "solute.relaxation_time=0.7"},
        "A grid Peclet number at the largest speed"},
+      {{"solute.species.0.diffusivity=1e-6", "solute.velocity_set=d2q9", "solute.relaxation_time=0.7"},
+       "A growth per step of a plane wave"},
       {{"reaction.wall=paper", "solute.velocity_set=d2q9", "solute.species.0.diffusivity=2e-6"},
        "diffusivity for the paper's wall on D2Q9"},
       // Arrhenius' law is clamped to 250 ... 600 K
