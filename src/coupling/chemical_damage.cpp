@@ -100,6 +100,21 @@ struct StoreMoved {
   }
 };
 
+/// Marks a triangle that has left its place, and takes the share that it had left.
+struct LetGo {
+  VectorField<double> u, u_reference;
+  Kokkos::View<const double*> initial;  ///< (sector) pixels
+  double spacing;
+  ScalarField<double> left, gone;
+  KOKKOS_FUNCTION void operator()(int t) const {
+    const double area = initial(3 * t) + initial(3 * t + 1) + initial(3 * t + 2);
+    const double x = (u(t, 0) - u_reference(t, 0)) / spacing, y = (u(t, 1) - u_reference(t, 1)) / spacing;
+    if (4 * (x * x + y * y) <= area) return;
+    left(t) = 0;
+    gone(t) = 1;
+  }
+};
+
 SolidMoved::SolidMoved(std::size_t count)
     : left("vug::chemical_damage::left", count),
       dissolved("vug::chemical_damage::dissolved", count),
@@ -146,6 +161,18 @@ void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const Scalar
                 StoreSolidFraction{{{sum_}, triangles_}, solid_fraction_});
   for_each_node(exec, "vug::chemical_damage::d_c", static_cast<int>(d_c_.extent(0)),
                 StoreChemicalDamage{sectors_of_bond_, {{sum_}, sectors_}, initial_, solid_fraction_, d_c_});
+}
+
+void DissolvedShares::let_go(const Exec& exec, const Particles& particles, double spacing) const {
+  for_each_node(exec, "vug::chemical_damage::let_go", static_cast<int>(let_go_.extent(0)),
+                LetGo{particles.u, particles.u_reference, initial_, spacing, triangles_.left, let_go_});
+}
+
+int DissolvedShares::let_go_count() const {
+  const auto gone = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, let_go_);
+  int count = 0;
+  for (std::size_t t = 0; t < gone.extent(0); ++t) count += gone(t) > 0;
+  return count;
 }
 
 void DissolvedShares::solid_moved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved,

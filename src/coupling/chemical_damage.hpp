@@ -1,6 +1,7 @@
 #pragma once
 // What dissolution takes from triangles and bonds.
 #include "coupling/wet_nodes.hpp"
+#include "dem/particles.hpp"
 
 #include <string>
 
@@ -47,6 +48,15 @@ class DissolvedShares {
   void settle(const Exec& exec, const WetNodes& wet, const Kokkos::View<NodeType*>& type,
               const ScalarField<double>& dissolved) const;
 
+  /// From now on `let_go` may be called.
+  void follow_fragments() { let_go_ = ScalarField<double>("vug::chemical_damage::let_go", solid_fraction_.extent(0)); }
+  /// A triangle that has moved farther than half its size, sqrt(area)/2, from where the lattice has it is a fragment
+  /// that the fluid carries off: it has no share left at the next update and ever after, while its solid stays where it
+  /// is drawn. spacing: m. Nothing without follow_fragments.
+  void let_go(const Exec& exec, const Particles& particles, double spacing) const;
+  /// How many so far; waits for the device.
+  int let_go_count() const;
+
   /// (triangle) share of the solid that remained at the last update.
   const ScalarField<double>& solid_fraction() const { return solid_fraction_; }
   /// (bond) chemical damage then.
@@ -55,6 +65,7 @@ class DissolvedShares {
   template <class Visit>
   void visit_state(const Visit& visit) {
     visit("settled", settled_);
+    if (let_go_.extent(0) > 0) visit("let_go", let_go_);
     triangles_.visit_state("triangles", visit);
     sectors_.visit_state("sectors", visit);
   }
@@ -71,6 +82,7 @@ class DissolvedShares {
   SolidMoved triangles_, sectors_;
   ScalarField<double> initial_;     ///< (sector) solid volume, pixels
   ScalarField<double> settled_;     ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
+  ScalarField<double> let_go_;      ///< (triangle) 1 for a fragment that has gone; empty: none are followed
   ScalarField<double> sum_, held_;  ///< (sector) of the present update
   ScalarField<double> solid_fraction_, d_c_;
 };

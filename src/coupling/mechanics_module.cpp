@@ -51,6 +51,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
   const bool dissolves = geometry.volume.extent(0) > 0;
   if (flow_ || dissolves) wet_.emplace(geometry.lattice, rock.nodes_of_sector);
   if (dissolves) dissolved_.emplace(exec, rock.nodes_of_sector, rock.sectors_of_bond, geometry.volume);
+  if (section_.lets_fragments_go) dissolved_->follow_fragments();
   find_links(exec);
   choose_substeps();
 }
@@ -128,6 +129,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
       warm_particles(exec, nodes_of_particle_, heat_->temperature(exec), heat_->initial_theta(),
                      particles.temperature_change);
     if (dissolved_) {
+      dissolved_->let_go(exec, particles, geometry_.spacing);
       dissolved_->update(exec, *wet_, geometry_.dissolved);
       mechanics_.dissolve(exec, dt, dissolved_->solid_fraction(), dissolved_->d_c());
     }
@@ -170,6 +172,8 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
   if (dissolved_) {
     const LostWithRock lost = mechanics_.lost();
     row.push_back({"triangles_dissolved_1", static_cast<double>(lost.triangles)});
+    if (section_.lets_fragments_go)
+      row.push_back({"triangles_let_go_1", static_cast<double>(dissolved_->let_go_count())});
     row.push_back({"dissolved_rock_momentum_x_N_s_per_m", lost.momentum.x});
     row.push_back({"dissolved_rock_momentum_y_N_s_per_m", lost.momentum.y});
     row.push_back({"dissolved_rock_kinetic_energy_J_per_m", lost.kinetic});

@@ -46,8 +46,11 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   for (const TomlCursor& mineral : root.tables("mineral")) scene.minerals.push_back(read_mineral(mineral, scene));
   const auto accuracy = root.table("accuracy");
   const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::careful;
-  if (const auto table = root.table("mechanics"); table.given())
+  if (const auto table = root.table("mechanics"); table.given()) {
     scene.mechanics = read_mechanics(table, mechanics_of(preset));
+    if (scene.mechanics->lets_fragments_go && !scene.reaction)
+      table.refuse("fragments", "= \"let_go\" is for rock that dissolves and needs the table [reaction]");
+  }
   if (scene.rock && scene.mechanics)
     for (const RockRegion& region : scene.mechanics->regions)
       for (const Form& form : forms_of(region, scene.minerals)) scene.rock->borders.push_back(form);

@@ -111,6 +111,7 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   table.read("preload_time", mechanics.preload_time, unit::second, range::not_negative);
   table.read("preload_damping", mechanics.preload_damping, unit::none,
              {.low = 0, .high = 1, .low_open = true, .high_open = true});
+  table.choose("fragments", mechanics.lets_fragments_go, {{"end_run", false}, {"let_go", true}});
   table.read("gravity", mechanics.gravity, unit::metre_per_square_second);
   for (const TomlCursor& element : table.tables("initial_velocity")) {
     InitialVelocity& start =

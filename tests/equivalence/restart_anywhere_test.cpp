@@ -98,26 +98,31 @@ TEST_P(RestartAnywhere, GivesTheSameBits) {
 using Set = std::vector<std::string>;
 INSTANTIATE_TEST_SUITE_P(
     Choices, RestartAnywhere,
-    testing::Values(Set{}, Set{"accuracy.precision=single"}, test::minerals_of_small_rock(),
-                    Set{"accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
-                    Set{"accuracy.exchange_interval=7", "accuracy.wall_interval=35", "accuracy.update_interval=20"},
-                    Set{"accuracy.solute_interval=3", "accuracy.heat_interval=2"}, Set{"reaction.wall=paper"},
-                    Set{"accuracy.dissolution_factor=300", "accuracy.guard_interval=20"},
-                    // small triangles, so that there are groups of them, at rest until the cold fluid reaches them
-                    Set{"mechanics.rest_tolerance=1", "rock.element_size=2e-3", "mechanics.local_damping=0.8",
-                        "mechanics.bond.normal_strength=6e6"},
-                    Set{"boundary.top.traction.support=servo"},
-                    Set{"boundary.injection.flow.pressure=[[0,1e5],[1e-4,15e6],[3.6e-4,20e6]]",
-                        "boundary.injection.heat.temperature=[[0,488.15],[2e-4,288.15]]",
-                        "boundary.injection.solute.concentration.L1=[[0,0],[1e-4,3000]]", "output.forces=true",
-                        "output.flows=true"},
-                    Set{"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "accuracy.heat_interval=2",
-                        "flow.viscosity_activation_energy=8000"},
-                    Set{"boundary.top.traction.normal_stress=[[0, 1e6], [5e-5, 9e6], [1e-4, 2e6]]",
-                        "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"},
-                    Set{"damage.aperture=opening", "damage.residual_aperture=1e-4", "accuracy.flow_tolerance=0.5",
-                        "accuracy.guard_interval=10"},
-                    Set{test::several_materials, test::moving_part, test::gauges}));
+    testing::Values(
+        Set{}, Set{"accuracy.precision=single"}, test::minerals_of_small_rock(),
+        Set{"accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
+        Set{"accuracy.exchange_interval=7", "accuracy.wall_interval=35", "accuracy.update_interval=20"},
+        Set{"accuracy.solute_interval=3", "accuracy.heat_interval=2"}, Set{"reaction.wall=paper"},
+        Set{"accuracy.dissolution_factor=300", "accuracy.guard_interval=20"},
+        // small triangles, so that there are groups of them, at rest until the cold fluid reaches them
+        Set{"mechanics.rest_tolerance=1", "rock.element_size=2e-3", "mechanics.local_damping=0.8",
+            "mechanics.bond.normal_strength=6e6"},
+        Set{"boundary.top.traction.support=servo"},
+        // weak rock that is thrown to the right and goes to pieces
+        Set{"mechanics.fragments=let_go", "mechanics.bond.normal_strength=1e4", "mechanics.bond.cohesion=1e4",
+            "mechanics.initial_velocity=[{ type = \"disc\", centre = [0.02, 0.014], radius = 0.005, velocity = "
+            "[80, 60] }]"},
+        Set{"boundary.injection.flow.pressure=[[0,1e5],[1e-4,15e6],[3.6e-4,20e6]]",
+            "boundary.injection.heat.temperature=[[0,488.15],[2e-4,288.15]]",
+            "boundary.injection.solute.concentration.L1=[[0,0],[1e-4,3000]]", "output.forces=true",
+            "output.flows=true"},
+        Set{"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "accuracy.heat_interval=2",
+            "flow.viscosity_activation_energy=8000"},
+        Set{"boundary.top.traction.normal_stress=[[0, 1e6], [5e-5, 9e6], [1e-4, 2e6]]",
+            "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"},
+        Set{"damage.aperture=opening", "damage.residual_aperture=1e-4", "accuracy.flow_tolerance=0.5",
+            "accuracy.guard_interval=10"},
+        Set{test::several_materials, test::moving_part, test::gauges}));
 
 }  // namespace
 }  // namespace vug

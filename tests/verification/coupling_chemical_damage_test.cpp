@@ -157,5 +157,67 @@ TEST(DissolvedTriangle, IsNotMendedByPathwaysThatOpen) {
   ASSERT_GT(run.now("nodes_opened_by_damage_1"), opened + 20);
 }
 
+/// A corner of the block is thrown off at 100 m/s, far slower than sound.
+const std::vector<std::string> thrown{
+    "mechanics.initial_velocity=[{ type = \"disc\", centre = [0.02, 0.014], radius = 0.0025, velocity = [80, 60] }]",
+    "mechanics.bond.normal_strength=1e3", "mechanics.bond.cohesion=1e3", "mechanics.fragments=let_go"};
+
+TEST(Fragment, IsLetGoWhenItHasLeftItsPlaceAndTakesItsMomentumAlong) {
+  test::CoupledRun run(pickled_rock, thrown);
+  const Particles& particles = run.rock().particles();
+  const auto mass = test::host_copy(particles.mass);
+  const auto momentum = [&] {  // of what still moves
+    const auto v = test::host_copy(particles.v);
+    const auto fraction = test::host_copy(particles.solid_fraction);
+    std::array<double, 2> sum{0, 0};
+    for (int i = 0; i < particles.count; ++i)
+      for (const int axis : {0, 1}) sum[axis] += mass(i) * std::max(0.2, fraction(i)) * v(i, axis);
+    return sum;
+  };
+  const auto start = momentum();
+  EXPECT_GT(start[0], 0);
+  run.steps(2);  // 0.5 mm
+  EXPECT_EQ(run.now("triangles_let_go_1"), 0);
+  run.steps(60);
+  const auto fraction = test::host_copy(particles.solid_fraction);
+  const auto u = test::host_copy(particles.u);
+  int gone = 0;
+  for (int i = 0; i < particles.count; ++i) {
+    const double moved = std::hypot(u(i, 0), u(i, 1)), half = 0.5 * std::sqrt(mass(i) / 2500);
+    if (fraction(i) > 0) {
+      EXPECT_LT(moved, 1.1 * half) << i;
+    }
+    if (fraction(i) == 0) {
+      EXPECT_GT(moved, 0.9 * half) << i;
+      EXPECT_LT(moved, half + 1.5e-3) << i;  // and there it stays: a few steps of 0.25 mm on
+      ++gone;
+    }
+  }
+  EXPECT_GE(gone, 1);
+  EXPECT_LE(gone, 4);
+  EXPECT_EQ(run.now("triangles_let_go_1"), gone);
+  EXPECT_EQ(run.now("triangles_dissolved_1"), gone);
+  const auto now = momentum();
+  EXPECT_NEAR((now[0] + run.now("dissolved_rock_momentum_x_N_s_per_m")) / start[0], 1, 1e-3);
+  EXPECT_NEAR((now[1] + run.now("dissolved_rock_momentum_y_N_s_per_m")) / start[1], 1, 1e-3);
+  EXPECT_LT(run.worst_balance(), 1e-12);
+}
+
+TEST(Fragment, FliesOnWithoutThatWhileItsSolidStaysInAnyCase) {
+  auto kept = thrown;
+  kept.back() = "mechanics.fragments=end_run";
+  test::CoupledRun run(pickled_rock, kept), let_go(pickled_rock, thrown);
+  run.steps(62);
+  let_go.steps(62);
+  const auto u = test::host_copy(run.rock().particles().u);
+  double farthest = 0;
+  for (int i = 0; i < run.rock().particles().count; ++i) farthest = std::max(farthest, std::hypot(u(i, 0), u(i, 1)));
+  EXPECT_GT(farthest, 0.01);
+  EXPECT_THROW(run.now("triangles_let_go_1"), std::invalid_argument);
+  EXPECT_GT(run.now("nodes_dissolved_1"), 0);
+  EXPECT_EQ(run.nodes("node_type"), let_go.nodes("node_type"));
+  EXPECT_EQ(run.nodes("dissolved_fraction"), let_go.nodes("dissolved_fraction"));
+}
+
 }  // namespace
 }  // namespace vug
