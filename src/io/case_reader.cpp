@@ -49,7 +49,7 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("mechanics"); table.given()) {
     scene.mechanics = read_mechanics(table, mechanics_of(preset));
     if (scene.mechanics->lets_fragments_go && !scene.reaction)
-      table.refuse("fragments", "= \"let_go\" is for rock that dissolves and needs the table [reaction]");
+      table.refuse("fragments", "is for rock that dissolves: it needs the table [reaction]");
   }
   if (scene.rock && scene.mechanics)
     for (const RockRegion& region : scene.mechanics->regions)
