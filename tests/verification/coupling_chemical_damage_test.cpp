@@ -189,7 +189,7 @@ TEST(Fragment, IsLetGoWhenItHasLeftItsPlaceAndTakesItsMomentumAlong) {
     }
     if (fraction(i) == 0) {
       EXPECT_GT(moved, 0.9 * half) << i;
-      EXPECT_LT(moved, half + 1.5e-3) << i;  // and there it stays: a few steps of 0.25 mm on
+      EXPECT_LT(moved, half + 0.5e-3) << i;  // and there it stays: two steps of 0.25 mm on
       ++gone;
     }
   }
