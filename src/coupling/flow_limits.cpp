@@ -25,7 +25,17 @@ constexpr double largest_prescribed_mach = 0.35;
 double lowest_relaxation_time(Collision collision, double pressure) {
   if (pressure > 0.04) return 0.764;
   if (pressure > 0.01) return 0.60;
-  return collision == Collision::trt ? 0.55 : collision == Collision::bgk ? 0.52 : 0.505;
+  switch (collision) {
+    case Collision::trt:
+      return 0.55;
+    case Collision::bgk:
+      return 0.52;
+    case Collision::regularised:
+      return 0.51;
+    case Collision::lallemand_luo:
+      break;
+  }
+  return 0.505;
 }
 
 }  // namespace
