@@ -103,15 +103,20 @@ struct StoreMoved {
 /// Marks a triangle that has left its place, and takes the share that it had left.
 struct LetGo {
   VectorField<double> u, u_reference;
-  Kokkos::View<const double*> initial;  ///< (sector) pixels
-  double spacing;
+  Kokkos::View<double* [3][2], Kokkos::LayoutLeft> corner;
   ScalarField<double> left, gone;
   KOKKOS_FUNCTION void operator()(int t) const {
-    const double area = initial(3 * t) + initial(3 * t + 1) + initial(3 * t + 2);
-    const double x = (u(t, 0) - u_reference(t, 0)) / spacing, y = (u(t, 1) - u_reference(t, 1)) / spacing;
-    if (4 * (x * x + y * y) <= area) return;
+    const double x = u(t, 0) - u_reference(t, 0), y = u(t, 1) - u_reference(t, 1);
+    if (4 * (x * x + y * y) <= area(t)) return;
     left(t) = 0;
     gone(t) = 1;
+  }
+
+ private:
+  /// Of the triangle itself: the lattice may have no solid node in it.
+  KOKKOS_FORCEINLINE_FUNCTION double area(int t) const {
+    const auto side = [&](int end, int axis) { return corner(t, end, axis) - corner(t, 0, axis); };
+    return Kokkos::abs(side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)) / 2;
   }
 };
 
@@ -163,9 +168,9 @@ void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const Scalar
                 StoreChemicalDamage{sectors_of_bond_, {{sum_}, sectors_}, initial_, solid_fraction_, d_c_});
 }
 
-void DissolvedShares::let_go(const Exec& exec, const Particles& particles, double spacing) const {
+void DissolvedShares::let_go(const Exec& exec, const Particles& particles) const {
   for_each_node(exec, "vug::chemical_damage::let_go", static_cast<int>(let_go_.extent(0)),
-                LetGo{particles.u, particles.u_reference, initial_, spacing, triangles_.left, let_go_});
+                LetGo{particles.u, particles.u_reference, particles.corner, triangles_.left, let_go_});
 }
 
 int DissolvedShares::let_go_count() const {

@@ -52,8 +52,8 @@ class DissolvedShares {
   void follow_fragments() { let_go_ = ScalarField<double>("vug::chemical_damage::let_go", solid_fraction_.extent(0)); }
   /// A triangle that has moved farther than half its size, sqrt(area)/2, from where the lattice has it is a fragment
   /// that the fluid carries off: it has no share left at the next update and ever after, while its solid stays where it
-  /// is drawn. spacing: m. Nothing without follow_fragments.
-  void let_go(const Exec& exec, const Particles& particles, double spacing) const;
+  /// is drawn. Nothing without follow_fragments.
+  void let_go(const Exec& exec, const Particles& particles) const;
   /// How many so far; waits for the device.
   int let_go_count() const;
 

@@ -129,7 +129,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
       warm_particles(exec, nodes_of_particle_, heat_->temperature(exec), heat_->initial_theta(),
                      particles.temperature_change);
     if (dissolved_) {
-      dissolved_->let_go(exec, particles, geometry_.spacing);
+      dissolved_->let_go(exec, particles);
       dissolved_->update(exec, *wet_, geometry_.dissolved);
       mechanics_.dissolve(exec, dt, dissolved_->solid_fraction(), dissolved_->d_c());
     }

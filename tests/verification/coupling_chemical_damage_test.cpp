@@ -203,6 +203,25 @@ TEST(Fragment, IsLetGoWhenItHasLeftItsPlaceAndTakesItsMomentumAlong) {
   EXPECT_LT(run.worst_balance(), 1e-12);
 }
 
+/// Also a triangle of which the lattice has not one solid node, all of its own being pathways.
+TEST(Fragment, IsNoneWhereRockMovesALittle) {
+  test::CoupledRun run(
+      replaced(pickled_rock, "element_size = 3e-3\nporosity = 0", "element_size = 1e-3\nporosity = 0.5"),
+      {"mechanics.initial_velocity=[{ type = \"rectangle\", from = [0, 0], to = [0.02, 0.014], velocity = [1, 1] }]",
+       "mechanics.fragments=let_go"});
+  const auto volume = test::host_copy(run.parts().geometry.volume);
+  const NodeGroups& nodes = run.parts().rock->nodes_of_particle;
+  int without_solid = 0;
+  for (int t = 0; t < nodes.count(); ++t) {
+    double solid = 0;
+    nodes.for_each(t, [&](int node) { solid += volume(node); });
+    without_solid += solid == 0;
+  }
+  ASSERT_GT(without_solid, 0);
+  run.steps(10);  // 25 micrometres
+  EXPECT_EQ(run.now("triangles_let_go_1"), 0);
+}
+
 TEST(Fragment, FliesOnWithoutThatWhileItsSolidStaysInAnyCase) {
   auto kept = thrown;
   kept.back() = "mechanics.fragments=end_run";
