@@ -49,6 +49,7 @@ AgeingModule<T, Set>::AgeingModule(const Scene& scene, const Geometry& geometry,
       reaction_(reaction),
       flow_(flow),
       interval_(look_interval(scene.accuracy)),
+      change_("vug::ageing::change", block_count(geometry.fluid.capacity)),
       compared_(geometry.fluid.count) {
   for (const Sway& sway : reaction.sways()) {
     Watched watched{sway, ScalarField<T>("vug::ageing::before", geometry.fluid.capacity)};
@@ -62,10 +63,10 @@ double AgeingModule<T, Set>::unsteady(const Exec& exec) {
   const FluidNodes& fluid = geometry_.fluid;
   double volume = 0;
   for (const Watched& watched : watched_) {
-    const ScalarField<double> change("vug::ageing::change", block_count(fluid.capacity));
-    add_change<T>(exec, fluid, watched.sway.species->fields.C, compared_, watched.before, change);
-    geometry_.split.make_whole(geometry_.split.of_blocks(), change);
-    volume += watched.sway.volume * sum_in_order(change);
+    Kokkos::deep_copy(exec, change_, 0.0);
+    add_change<T>(exec, fluid, watched.sway.species->fields.C, compared_, watched.before, change_);
+    geometry_.split.make_whole(geometry_.split.of_blocks(), change_);
+    volume += watched.sway.volume * sum_in_order(change_);
   }
   compared_ = fluid.count;
   return volume;
@@ -95,6 +96,7 @@ void AgeingModule<T, Set>::gather(const Exec&) {
 template <class T, class Set>
 void AgeingModule<T, Set>::births(const Exec& exec, const Births&) {
   for (Watched& watched : watched_) Kokkos::resize(exec, watched.before, geometry_.fluid.capacity);
+  Kokkos::resize(exec, change_, block_count(geometry_.fluid.capacity));
 }
 
 template <class T, class Set>

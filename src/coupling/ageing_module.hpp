@@ -31,7 +31,8 @@ class AgeingModule final : public Ageing {
   const FlowModule<T>* flow_;
   int interval_;  ///< lattice steps between looks
   std::vector<Watched> watched_;
-  int compared_;  ///< fluid nodes that were there at the last look
+  ScalarField<double> change_;  ///< (block) room for a sum
+  int compared_;                ///< fluid nodes that were there at the last look
   double paid_before_ = 0;
 };
 
