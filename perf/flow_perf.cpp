@@ -1,6 +1,6 @@
 // The flow sweep: geometries, precisions, collisions.
 #include "hand_written_flow.hpp"
-#include "kernels/flow.hpp"
+#include "kernels/flow/flow.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // The flow sweep over the fluid list written by hand with raw pointers, without stored moments: what the layout itself
 // can do, as a yardstick for the kernel of the library. Two lattices, and in place (two kinds of steps in turn).
-#include "kernels/launch.hpp"
-#include "kernels/mrt.hpp"
+#include "kernels/flow/mrt.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug::perf {
 

@@ -1,6 +1,6 @@
 // The heat kernels: conduction over all nodes, what the flow carries over the fluid ones; velocity sets, precisions.
-#include "kernels/advective_form.hpp"
-#include "kernels/heat.hpp"
+#include "kernels/heat/heat.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
 

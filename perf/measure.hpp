@@ -1,8 +1,8 @@
 #pragma once
 // Timing against the machine's own limit: every repetition times the kernel and a bare copy of the same number of
 // streams in turn, so that a ratio is of the same seconds of a noisy machine.
-#include "kernels/launch.hpp"
-#include "kernels/source_windows.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/source_windows.hpp"
 
 #include <benchmark/benchmark.h>
 

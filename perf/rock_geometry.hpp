@@ -1,6 +1,6 @@
 #pragma once
 // The geometries on which kernels are timed: the paper's kind of rock, and an open box.
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

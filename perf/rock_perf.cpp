@@ -5,7 +5,7 @@
 #include "dem/mechanics.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
-#include "kernels/memory.hpp"
+#include "kernels/host/memory.hpp"
 #include "measure.hpp"
 
 #include <benchmark/benchmark.h>

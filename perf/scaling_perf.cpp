@@ -1,8 +1,8 @@
 // From the cache to far beyond it: flow, heat and a solute in square boxes, in float and double, by one thread and by
 // all, the four in turn, so that their ratios are of the same seconds.
-#include "kernels/flow.hpp"
-#include "kernels/heat.hpp"
-#include "kernels/solute.hpp"
+#include "kernels/flow/flow.hpp"
+#include "kernels/heat/heat.hpp"
+#include "kernels/solute/solute.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
 

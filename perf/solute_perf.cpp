@@ -1,8 +1,8 @@
 // The solute kernels and the reactive wall: velocity sets, precisions, geometries.
-#include "kernels/advective_form.hpp"
-#include "kernels/reacting_solutes.hpp"
-#include "kernels/reactive_wall_kernel.hpp"
-#include "kernels/surface_normal.hpp"
+#include "kernels/reaction/reacting_solutes.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
+#include "kernels/reaction/surface_normal.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
 

@@ -2,8 +2,8 @@
 // step of a cycle (of looks for new pores, of longer steps of heat, of looks at resting rock) is timed by itself and
 // its median counts, the copy's likewise. An event of new pores, which is in no step of a cycle, is timed apart.
 #include "coupling/simulation.hpp"
-#include "kernels/memory.hpp"
-#include "kernels/subnormals.hpp"
+#include "kernels/host/memory.hpp"
+#include "kernels/host/subnormals.hpp"
 #include "measure.hpp"
 #include "step_parts.hpp"
 

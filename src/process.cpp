@@ -1,7 +1,7 @@
 #include "process.hpp"
 
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/interruption.hpp"
 
 #include <cerrno>
 #include <csignal>

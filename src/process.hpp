@@ -8,9 +8,9 @@ namespace vug {
 /// take their numbers, and its messages would go into history.csv.
 void occupy_standard_streams();
 
-/// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR1 ask a run to stop (kernels/interruption.hpp), and end the
-/// process at once, with exit code 130, where it has nothing to bring to an end; those that were ignored stay so, as
-/// under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR1 ask a run to stop (kernels/host/interruption.hpp), and end
+/// the process at once, with exit code 130, where it has nothing to bring to an end; those that were ignored stay so,
+/// as under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
 void listen_to_signals();
 
 /// Another process says why this one ends, which a launcher stops with all others.

@@ -6,12 +6,15 @@ from dataclasses import dataclass
 from .source import Source
 
 LAWS = {
-    "kernels": """advective_form.cpp conjugate_link.hpp dissolution.cpp equilibrium.hpp flow.cpp flow_fields.cpp heat.cpp heat.hpp
-        heat_boundary.cpp heat_conditions.hpp heat_convection.hpp heat_kernels.hpp heat_sides.cpp heat_step.cpp
-        heat_sums.cpp link_area.hpp link_populations.cpp mirror_links.cpp momentum_exchange.cpp mrt.hpp
-        open_boundary.cpp opening.cpp reacting_solutes.cpp reaction.hpp reactive_wall.cpp reactive_wall_kernel.hpp
-        reactive_wall_step.hpp scalar_equilibrium.hpp slit.hpp slit_nodes.cpp solid_share.hpp solute.cpp
-        solute_boundary.cpp solute_sweep.hpp solute_totals.cpp surface_normal.cpp thermal_flow.cpp units.hpp""",
+    "kernels": """base/units.hpp flow/equilibrium.hpp flow/flow.cpp flow/flow_fields.cpp flow/link_populations.cpp
+        flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp flow/slit.hpp flow/slit_nodes.cpp
+        heat/conjugate_link.hpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp heat/heat_conditions.hpp
+        heat/heat_convection.hpp heat/heat_kernels.hpp heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp
+        heat/thermal_flow.cpp nodes/mirror_links.cpp nodes/opening.cpp reaction/dissolution.cpp
+        reaction/link_area.hpp reaction/reacting_solutes.cpp reaction/reaction.hpp reaction/reactive_wall.cpp
+        reaction/reactive_wall_kernel.hpp reaction/reactive_wall_step.hpp reaction/solid_share.hpp
+        reaction/surface_normal.cpp scalar/advective_form.cpp scalar/scalar_equilibrium.hpp solute/solute.cpp
+        solute/solute_boundary.cpp solute/solute_sweep.hpp solute/solute_totals.cpp""",
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp bonds.cpp
         closest_point.hpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp dissolved_rock.hpp
         elastic_energy.hpp elasticity.hpp energy.cpp forces.cpp gauges.cpp heterogeneity.hpp integrate.cpp loads.cpp

@@ -1,7 +1,7 @@
 #include "coupling/ageing_module.hpp"
 
-#include "kernels/launch.hpp"
-#include "kernels/solute_totals.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/solute/solute_totals.hpp"
 
 #include <limits>
 #include <numeric>

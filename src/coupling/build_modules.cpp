@@ -9,7 +9,7 @@
 #include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
-#include "kernels/free_memory.hpp"
+#include "kernels/host/free_memory.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "coupling/pore_growth.hpp"
 #include "coupling/rock.hpp"
 #include "dem/mechanics.hpp"
-#include "kernels/units.hpp"
+#include "kernels/base/units.hpp"
 
 #include <memory>
 #include <optional>

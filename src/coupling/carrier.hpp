@@ -1,6 +1,6 @@
 #pragma once
 // The velocity that carries a scalar which steps every n lattice steps.
-#include "kernels/displacement.hpp"
+#include "kernels/scalar/displacement.hpp"
 
 #include <cstdint>
 

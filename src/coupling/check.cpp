@@ -11,8 +11,8 @@
 #include "coupling/simulation.hpp"
 #include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"
-#include "kernels/base.hpp"
-#include "kernels/memory.hpp"
+#include "kernels/base/base.hpp"
+#include "kernels/host/memory.hpp"
 
 #include <fmt/format.h>
 

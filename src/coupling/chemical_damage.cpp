@@ -2,7 +2,7 @@
 
 #include "coupling/run_sum.hpp"
 #include "dem/dissolved_rock.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

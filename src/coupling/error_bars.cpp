@@ -4,7 +4,7 @@
 #include "io/history_writer.hpp"
 #include "io/override_scene.hpp"
 #include "io/time_table.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 // The temperature that the reaction at a wall sees.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

@@ -3,8 +3,8 @@
 #include "coupling/flow_paths.hpp"
 #include "coupling/plane_waves.hpp"
 #include "coupling/velocity_profile.hpp"
-#include "kernels/guards.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/flow/guards.hpp"
 
 #include <fmt/format.h>
 

@@ -4,12 +4,12 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "coupling/velocity_profile.hpp"
-#include "kernels/advective_form.hpp"
-#include "kernels/guards.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/mirror_links.hpp"
-#include "kernels/open_boundary.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/flow/open_boundary.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/mirror_links.hpp"
+#include "kernels/scalar/advective_form.hpp"
 
 #include <fmt/format.h>
 

@@ -5,10 +5,10 @@
 #include "coupling/steady_flow.hpp"
 #include "coupling/stretch_links.hpp"
 #include "coupling/temperature_range.hpp"
-#include "kernels/flow.hpp"
-#include "kernels/guards.hpp"
-#include "kernels/thermal_flow.hpp"
-#include "kernels/units.hpp"
+#include "kernels/base/units.hpp"
+#include "kernels/flow/flow.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/heat/thermal_flow.hpp"
 
 #include <deque>
 

@@ -2,7 +2,7 @@
 
 #include "coupling/fluid_picture.hpp"
 #include "coupling/velocity_profile.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

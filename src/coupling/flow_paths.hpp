@@ -2,7 +2,7 @@
 // Where the fluid can go from the sides of the lattice and from openings, and what the geometry makes of the conditions
 // there: looked at once, before the first step.
 #include "coupling/geometry.hpp"
-#include "kernels/units.hpp"
+#include "kernels/base/units.hpp"
 
 #include <string>
 #include <vector>

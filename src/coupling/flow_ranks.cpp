@@ -1,7 +1,7 @@
 // The flow of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <limits>
 

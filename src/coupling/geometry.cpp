@@ -3,7 +3,7 @@
 #include "coupling/cells.hpp"
 #include "io/form.hpp"
 #include "io/image_reader.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // What the heat tells: limits, its balance, how far temperatures have gone.
 #include "coupling/heat_module.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
-#include "kernels/guards.hpp"
-#include "kernels/heat_sums.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/heat/heat_sums.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <fmt/format.h>
 

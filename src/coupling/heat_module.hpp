@@ -3,11 +3,11 @@
 #include "coupling/face_temperature.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
-#include "kernels/heat.hpp"
-#include "kernels/heat_boundary.hpp"
-#include "kernels/heat_sums.hpp"
-#include "kernels/long_sum.hpp"
-#include "kernels/units.hpp"
+#include "kernels/base/units.hpp"
+#include "kernels/heat/heat.hpp"
+#include "kernels/heat/heat_boundary.hpp"
+#include "kernels/heat/heat_sums.hpp"
+#include "kernels/launch/long_sum.hpp"
 
 namespace vug {
 

@@ -9,9 +9,9 @@
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
 #include "io/run_folder.hpp"
-#include "kernels/free_memory.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/free_memory.hpp"
+#include "kernels/host/interruption.hpp"
 
 #include <fmt/format.h>
 

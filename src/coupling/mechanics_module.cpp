@@ -6,7 +6,7 @@
 #include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "coupling/rock.hpp"
 #include "coupling/rock_gauges.hpp"
 #include "dem/mechanics.hpp"
-#include "kernels/momentum_exchange.hpp"
+#include "kernels/flow/momentum_exchange.hpp"
 
 #include <optional>
 

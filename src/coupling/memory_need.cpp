@@ -1,7 +1,7 @@
 #include "coupling/memory_need.hpp"
 
 #include "io/triangle_count.hpp"
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

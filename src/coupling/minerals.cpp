@@ -2,7 +2,7 @@
 
 #include "coupling/geometry.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

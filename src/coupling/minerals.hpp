@@ -2,7 +2,7 @@
 // Which mineral each node of the rock is.
 #include "dem/assembly.hpp"
 #include "io/scene.hpp"
-#include "kernels/lattice.hpp"
+#include "kernels/base/lattice.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "coupling/limits.hpp"
 #include "io/field_list.hpp"
 #include "io/scene.hpp"
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 #include <cstdint>
 #include <string_view>

@@ -1,8 +1,8 @@
 #include "coupling/pathways.hpp"
 
 #include "dem/crack_aperture.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/slit.hpp"
+#include "kernels/flow/slit.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

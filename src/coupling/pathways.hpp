@@ -3,7 +3,7 @@
 // (paper sections 2.4, 3.1; closure with c_d in docs/model.md, "Pathways").
 #include "coupling/solid_spread.hpp"
 #include "dem/mechanics.hpp"
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

@@ -1,8 +1,8 @@
 #include "coupling/plane_waves.hpp"
 
-#include "kernels/heat_kernels.hpp"
-#include "kernels/mrt.hpp"
-#include "kernels/solute_sweep.hpp"
+#include "kernels/flow/mrt.hpp"
+#include "kernels/heat/heat_kernels.hpp"
+#include "kernels/solute/solute_sweep.hpp"
 
 #include <Eigen/Eigenvalues>
 

@@ -3,8 +3,8 @@
 // uniform velocity. One step turns the amplitudes F_q of a wave exp(i k.x) into exp(-i k.c_q) (J F)_q, J being the
 // Jacobian of the collision; the wave grows where an eigenvalue is larger than one. J is taken of the kernels' own
 // laws.
-#include "kernels/choices.hpp"
-#include "kernels/solute.hpp"
+#include "kernels/base/choices.hpp"
+#include "kernels/solute/solute.hpp"
 
 #include <array>
 #include <complex>

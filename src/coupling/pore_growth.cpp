@@ -1,7 +1,7 @@
 #include "coupling/pore_growth.hpp"
 
-#include "kernels/dissolution.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/reaction/dissolution.hpp"
 
 namespace vug {
 

@@ -4,7 +4,7 @@
 #include "coupling/module.hpp"
 #include "coupling/pathways.hpp"
 #include "coupling/slits.hpp"
-#include "kernels/dissolution.hpp"
+#include "kernels/reaction/dissolution.hpp"
 
 #include <memory>
 #include <optional>

@@ -5,12 +5,12 @@
 #include "coupling/minerals.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/mineral_sums.hpp"
-#include "kernels/reactive_wall_kernel.hpp"
-#include "kernels/solid_share.hpp"
-#include "kernels/solute_totals.hpp"
-#include "kernels/surface_normal.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/reaction/mineral_sums.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
+#include "kernels/reaction/solid_share.hpp"
+#include "kernels/reaction/surface_normal.hpp"
+#include "kernels/solute/solute_totals.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "coupling/module.hpp"
 #include "coupling/pore_growth.hpp"
 #include "coupling/solute_module.hpp"
-#include "kernels/reactive_wall.hpp"
+#include "kernels/reaction/reactive_wall.hpp"
 
 namespace vug {
 

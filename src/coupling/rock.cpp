@@ -8,8 +8,8 @@
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/require.hpp"
-#include "kernels/to_device.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/base/to_device.hpp"
 
 #include <fmt/format.h>
 

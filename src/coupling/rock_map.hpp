@@ -2,7 +2,7 @@
 // Which triangle and which bond a node belongs to. Displacements are micrometres where nodes are tens of micrometres
 // apart, so the rock is drawn on the lattice once, in its initial position (paper section 3.3).
 #include "dem/assembly.hpp"
-#include "kernels/lattice.hpp"
+#include "kernels/base/lattice.hpp"
 
 #include <vector>
 

@@ -14,8 +14,8 @@
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/interruption.hpp"
 #include "ranks/traffic.hpp"
 
 #include <fmt/format.h>

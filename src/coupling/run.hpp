@@ -22,7 +22,7 @@ struct RunOptions {
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or
-/// Interrupted (kernels/interruption.hpp) when the state has been kept in a checkpoint.
+/// Interrupted (kernels/host/interruption.hpp) when the state has been kept in a checkpoint.
 void run_case(const Scene& scene, const RunOptions& options);
 
 /// Lattice steps that the case asks for.

@@ -1,6 +1,6 @@
 #include "coupling/run_directory.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <fmt/format.h>
 

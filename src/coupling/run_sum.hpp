@@ -1,8 +1,8 @@
 #pragma once
 // Sums over the nodes of groups (of a triangle, of a part of it) in a fixed order: same bits on every run.
 #include "coupling/rock_map.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/prefetch.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/launch/prefetch.hpp"
 
 #include <string>
 

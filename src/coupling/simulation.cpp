@@ -1,8 +1,8 @@
 #include "coupling/simulation.hpp"
 
 #include "coupling/read_fields.hpp"
-#include "kernels/require.hpp"
-#include "kernels/solid_share.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/reaction/solid_share.hpp"
 #include "ranks/traffic.hpp"
 
 #include <algorithm>

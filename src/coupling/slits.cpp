@@ -1,7 +1,7 @@
 #include "coupling/slits.hpp"
 
-#include "kernels/launch.hpp"
-#include "kernels/slit.hpp"
+#include "kernels/flow/slit.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

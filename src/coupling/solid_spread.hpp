@@ -2,7 +2,7 @@
 // Where the solid goes that lay in an opened pathway. A pathway is a model of conductivity, cells wide where the crack
 // is far below a cell: the rock is still there, and "attached to other solid nodes" (paper section 3.3).
 #include "coupling/rock_map.hpp"
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 #include <vector>
 

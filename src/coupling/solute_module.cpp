@@ -3,12 +3,12 @@
 #include "coupling/plane_waves.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
-#include "kernels/advective_form.hpp"
-#include "kernels/dissolution.hpp"
-#include "kernels/guards.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/require.hpp"
-#include "kernels/solute_totals.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/reaction/dissolution.hpp"
+#include "kernels/scalar/advective_form.hpp"
+#include "kernels/solute/solute_totals.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/stretch_links.hpp"
-#include "kernels/dissolution.hpp"
-#include "kernels/reacting_solutes.hpp"
-#include "kernels/solute_boundary.hpp"
-#include "kernels/units.hpp"
+#include "kernels/base/units.hpp"
+#include "kernels/reaction/dissolution.hpp"
+#include "kernels/reaction/reacting_solutes.hpp"
+#include "kernels/solute/solute_boundary.hpp"
 
 namespace vug {
 

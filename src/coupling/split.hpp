@@ -1,8 +1,8 @@
 #pragma once
 // How the ranks share the work of a case. All of them hold the same lattice and the same list of fluid nodes; of the
 // nodes of both each computes its own, and has from others what those pull or carry along (docs/scaling.md).
-#include "kernels/fluid_nodes.hpp"
-#include "kernels/long_sum.hpp"
+#include "kernels/launch/long_sum.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 #include "ranks/halo.hpp"
 #include "ranks/partition.hpp"
 

@@ -2,7 +2,7 @@
 // When the flow is steady it is held: not computed again until the pores change.
 #include "coupling/clock.hpp"
 #include "io/field_list.hpp"
-#include "kernels/guards.hpp"
+#include "kernels/flow/guards.hpp"
 
 namespace vug {
 

@@ -1,9 +1,9 @@
 #pragma once
 // The links of one stretch of boundary or of an opening, and what has come in through them.
 #include "coupling/geometry.hpp"
-#include "kernels/long_sum.hpp"
-#include "kernels/open_boundary.hpp"
-#include "kernels/side_links.hpp"
+#include "kernels/flow/open_boundary.hpp"
+#include "kernels/launch/long_sum.hpp"
+#include "kernels/nodes/side_links.hpp"
 
 #include <vector>
 

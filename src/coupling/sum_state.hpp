@@ -1,7 +1,7 @@
 #pragma once
 // What a checkpoint must hold of a long sum.
 #include "io/field_list.hpp"
-#include "kernels/long_sum.hpp"
+#include "kernels/launch/long_sum.hpp"
 
 namespace vug {
 

@@ -3,8 +3,8 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/solute_module.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/link_populations.hpp"
+#include "kernels/flow/link_populations.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,8 +4,8 @@
 #include "coupling/simulation.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/override_scene.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/interruption.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "coupling/velocity_profile.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <algorithm>
 

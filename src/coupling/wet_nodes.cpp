@@ -1,7 +1,7 @@
 #include "coupling/wet_nodes.hpp"
 
-#include "kernels/launch.hpp"
-#include "kernels/offsets.hpp"
+#include "kernels/base/offsets.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

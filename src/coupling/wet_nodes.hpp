@@ -1,7 +1,7 @@
 #pragma once
 // Which nodes of which triangle the fluid touches: where it pushes the rock and where it dissolves it.
 #include "coupling/rock_map.hpp"
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Where energy goes in a step, kept per item by the kernels that spend it. `NoAccounts` is the default and costs
 // nothing.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The cohesive bond at one integration point: strengths, the unified linear traction-separation law and the damage it
 // leaves. Stresses in Pa, openings in m, tension and opening positive. Equation numbers are the paper's.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

@@ -3,7 +3,7 @@
 #include "dem/edges.hpp"
 #include "dem/heterogeneity.hpp"
 #include "dem/materials.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #pragma once
 // Two bodies that touch without being bonded: normal spring and dashpot that never pull, friction spring with a slider.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

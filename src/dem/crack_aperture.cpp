@@ -1,7 +1,7 @@
 #include "dem/crack_aperture.hpp"
 
 #include "dem/bond_kinematics.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

@@ -1,6 +1,6 @@
 #pragma once
 // What dissolution leaves of triangles and bonds: pure functions of the share of the solid that remains.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

@@ -1,7 +1,7 @@
 #include "dem/energy.hpp"
 
 #include "dem/elastic_energy.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "dem/gauges.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Strengths that vary from bond to bond: Weibull numbers that depend on names, never on the order of drawing.
-#include "kernels/splitmix64.hpp"
+#include "kernels/base/splitmix64.hpp"
 
 #include <cmath>
 #include <cstdint>

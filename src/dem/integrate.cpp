@@ -2,7 +2,7 @@
 
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
-#include "kernels/launch_in_turn.hpp"
+#include "kernels/launch/launch_in_turn.hpp"
 
 namespace vug {
 

@@ -1,8 +1,8 @@
 #include "dem/laboratory.hpp"
 
 #include "dem/soundness.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "dem/mass_loss.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

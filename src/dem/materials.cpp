@@ -1,6 +1,6 @@
 #include "dem/materials.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "dem/mean_stress.hpp"
 
-#include "kernels/launch.hpp"
-#include "kernels/to_device.hpp"
+#include "kernels/base/to_device.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

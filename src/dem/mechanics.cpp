@@ -5,8 +5,8 @@
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "dem/static_equilibrium.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/host/interruption.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <algorithm>
 #include <cmath>

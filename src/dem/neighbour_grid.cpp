@@ -1,7 +1,7 @@
 #include "dem/neighbour_grid.hpp"
 
 #include "dem/closest_point.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "dem/particles.hpp"
 
 #include "dem/materials.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

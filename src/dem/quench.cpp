@@ -1,7 +1,7 @@
 #include "dem/quench.hpp"
 
 #include "dem/soundness.hpp"
-#include "kernels/interruption.hpp"
+#include "kernels/host/interruption.hpp"
 
 #include <algorithm>
 #include <array>

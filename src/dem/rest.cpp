@@ -3,7 +3,7 @@
 #include "dem/bond_law.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

@@ -1,6 +1,6 @@
 #include "dem/soundness.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <cstdio>
 

@@ -5,8 +5,8 @@
 #include "dem/forces.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/host/interruption.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <Eigen/SparseCholesky>
 

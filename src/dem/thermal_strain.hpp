@@ -2,7 +2,7 @@
 // Thermal strain of a triangle. Minimum potential energy of a linear triangle with the strain alpha dT gives
 // u_k = alpha dT (X_k - x) for every elasticity matrix, uniquely up to rigid motion: the triangle grows about its
 // centroid. So a warm triangle is the cold one with its lever arms scaled.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

@@ -1,8 +1,8 @@
 #include "dem/timed_loads.hpp"
 
-#include "kernels/launch.hpp"
-#include "kernels/require.hpp"
-#include "kernels/to_device.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/base/to_device.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 // Geometry of one triangle (docs/model.md, particles): everything a rigid sphero-triangle needs to know of its shape.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 

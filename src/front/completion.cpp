@@ -1,6 +1,6 @@
 #include "front/completion.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "front/embedded.hpp"
 #include "io/detail/files.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "front/watch.hpp"
 
 #include "io/detail/nearest_name.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

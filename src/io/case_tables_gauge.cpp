@@ -1,6 +1,6 @@
 // [[output.gauges]]: numbers of the rock in the history.
 #include "io/detail/case_tables.hpp"
-#include "kernels/side.hpp"
+#include "kernels/base/side.hpp"
 
 #include <set>
 

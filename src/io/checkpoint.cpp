@@ -3,7 +3,7 @@
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #pragma once
 // What modules offer for output, and what a checkpoint must hold. Both hide the type of the Views behind a function
 // that copies to the host, called only when something is written.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 #include <cstddef>
 #include <functional>

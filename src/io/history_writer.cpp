@@ -1,7 +1,7 @@
 #include "io/history_writer.hpp"
 
 #include "io/detail/files.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

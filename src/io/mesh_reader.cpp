@@ -4,7 +4,7 @@
 #include "io/detail/input_file.hpp"
 #include "io/detail/mesh_text.hpp"
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

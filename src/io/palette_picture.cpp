@@ -2,7 +2,7 @@
 
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <png.h>
 

@@ -1,7 +1,7 @@
 #include "io/require_fields.hpp"
 
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,7 @@
 #include "io/detail/delaunay.hpp"
 #include "io/detail/poisson_disc.hpp"
 #include "io/detail/rock_outline.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

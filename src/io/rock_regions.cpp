@@ -2,7 +2,7 @@
 
 #include "io/form.hpp"
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

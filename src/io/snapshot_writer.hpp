@@ -2,7 +2,7 @@
 // Snapshots: fields.h5 with fields.xdmf on the lattice, particles.h5 with particles.xdmf on the triangles and bonds.
 #include "dem/assembly.hpp"
 #include "io/field_list.hpp"
-#include "kernels/lattice.hpp"
+#include "kernels/base/lattice.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "ranks/halo.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 #include "ranks/traffic.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 // Values that a rank reads of items that others compute.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 #include "ranks/ranks.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "io/scene.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "study/pool.hpp"
 
 #include "io/progress.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/interruption.hpp"
 
 #include <cerrno>
 #include <csignal>

@@ -1,4 +1,4 @@
-#include "kernels/splitmix64.hpp"
+#include "kernels/base/splitmix64.hpp"
 #include "study/study.hpp"
 
 #include <fmt/format.h>

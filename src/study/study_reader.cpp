@@ -2,7 +2,7 @@
 #include "io/detail/input_file.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/toml_cursor.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "study/study.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "study/sweep.hpp"
 
 #include "io/detail/files.hpp"
-#include "kernels/interruption.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/interruption.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
 #include "study/table.hpp"

@@ -4,7 +4,7 @@
 #include "io/detail/nearest_name.hpp"
 #include "io/history_reader.hpp"
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // FINDINGS/READER-SEED-NUMBER. FINDINGS/at holds the number of the input being read (8 bytes), for one that ends the
 // process; an input that takes longer than 10 s is ended by SIGALRM. Prints what it has counted, as JSON.
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "mutator.hpp"
 #include "readers.hpp"
 #include "unit/temporary_folder.hpp"

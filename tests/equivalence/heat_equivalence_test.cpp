@@ -1,8 +1,8 @@
 // Conduction in place gives what two lattices give, to the last bit, and convection behind it what it gives node by
 // node.
-#include "kernels/heat_boundary.hpp"
-#include "kernels/heat_kernels.hpp"
-#include "kernels/row_launch.hpp"
+#include "kernels/heat/heat_boundary.hpp"
+#include "kernels/heat/heat_kernels.hpp"
+#include "kernels/launch/row_launch.hpp"
 #include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>

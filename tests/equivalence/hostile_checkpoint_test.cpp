@@ -3,7 +3,7 @@
 #include "coupling/simulation.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/digest.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Reaction and both sweeps in one pass, and its list of links, against the same one after the other and by hand.
-#include "kernels/reacting_solutes.hpp"
+#include "kernels/reaction/reacting_solutes.hpp"
 
 #include "../reference/reactive_box.hpp"
 #include "support/host_copy.hpp"

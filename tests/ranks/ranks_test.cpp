@@ -1,5 +1,5 @@
 // What ranks trade, on as many as mpirun starts.
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 #include "ranks/halo.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/partition.hpp"

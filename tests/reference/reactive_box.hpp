@@ -1,11 +1,11 @@
 #pragma once
 // A reacting pixel domain for tests: everything of the solute side wired together as a run wires it.
-#include "kernels/dissolution.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/reactive_wall.hpp"
-#include "kernels/solute.hpp"
-#include "kernels/solute_totals.hpp"
-#include "kernels/surface_normal.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/reaction/dissolution.hpp"
+#include "kernels/reaction/reactive_wall.hpp"
+#include "kernels/reaction/surface_normal.hpp"
+#include "kernels/solute/solute.hpp"
+#include "kernels/solute/solute_totals.hpp"
 #include "support/dress_one.hpp"
 #include "support/host_copy.hpp"
 

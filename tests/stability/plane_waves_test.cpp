@@ -2,7 +2,7 @@
 #include "coupling/plane_waves.hpp"
 
 #include "../reference/reactive_box.hpp"
-#include "kernels/advective_form.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

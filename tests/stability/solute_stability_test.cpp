@@ -1,7 +1,7 @@
 // Where the solute scheme and the reactive wall hold, and where they break as docs/stability.md says.
 #include "../reference/diffusion_reaction.hpp"
 #include "../reference/reactive_box.hpp"
-#include "kernels/advective_form.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "support/dress_one.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #pragma once
 // A crack that closes on itself on a periodic lattice, and what it conducts.
 #include "coupling/strip.hpp"
-#include "kernels/slit_nodes.hpp"
-#include "kernels/splitmix64.hpp"
-#include "kernels/to_device.hpp"
+#include "kernels/base/splitmix64.hpp"
+#include "kernels/base/to_device.hpp"
+#include "kernels/flow/slit_nodes.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // A boundary condition on one stretch at a time, where a run dresses all of its stretches together.
-#include "kernels/open_boundary.hpp"
-#include "kernels/solute_boundary.hpp"
+#include "kernels/flow/open_boundary.hpp"
+#include "kernels/solute/solute_boundary.hpp"
 
 namespace vug {
 

@@ -1,8 +1,8 @@
 #pragma once
 // Small flows for the tests: geometry drawn with characters, fields read and written on the host.
-#include "kernels/flow.hpp"
-#include "kernels/launch.hpp"
-#include "kernels/mirror_links.hpp"
+#include "kernels/flow/flow.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/mirror_links.hpp"
 #include "support/host_copy.hpp"
 
 #include <string>

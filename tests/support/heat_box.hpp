@@ -1,10 +1,10 @@
 #pragma once
 // A box of conducting nodes for tests: geometry and start from functions of (x, y), steps, and reading back.
-#include "kernels/advective_form.hpp"
-#include "kernels/heat.hpp"
-#include "kernels/heat_boundary.hpp"
-#include "kernels/heat_sums.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/heat/heat.hpp"
+#include "kernels/heat/heat_boundary.hpp"
+#include "kernels/heat/heat_sums.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "support/host_copy.hpp"
 
 #include <algorithm>

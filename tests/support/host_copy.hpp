@@ -1,6 +1,6 @@
 #pragma once
 // Values of a device view on the host.
-#include "kernels/base.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The force of the fluid on every surface node of its own.
-#include "kernels/momentum_exchange.hpp"
+#include "kernels/flow/momentum_exchange.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

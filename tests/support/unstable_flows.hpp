@@ -1,6 +1,6 @@
 #pragma once
 // Two flows that ask for more than a lattice of their size resolves: where do the collisions break?
-#include "kernels/guards.hpp"
+#include "kernels/flow/guards.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 

@@ -1,6 +1,6 @@
 // What is wrong with a case is said in one line: where, which key, what was found, what is allowed.
 #include "io/scene.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of the case reader share.
 #include "io/scene.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <filesystem>

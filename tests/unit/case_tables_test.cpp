@@ -2,7 +2,7 @@
 #include "io/case_keys.hpp"
 #include "io/presets.hpp"
 #include "io/scene.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

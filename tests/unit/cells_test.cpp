@@ -4,7 +4,7 @@
 
 #include "coupling/geometry.hpp"
 #include "coupling/rock.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -4,9 +4,9 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/memory_need.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/free_memory.hpp"
-#include "kernels/memory.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/host/free_memory.hpp"
+#include "kernels/host/memory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

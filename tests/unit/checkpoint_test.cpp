@@ -1,7 +1,7 @@
 // A checkpoint gives back the same bytes or is refused; nothing in between.
 #include "io/checkpoint.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // The collisions on one node: bases, conservation, fixed points.
-#include "kernels/mrt.hpp"
+#include "kernels/flow/mrt.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "dem_support.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

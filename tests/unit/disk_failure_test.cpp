@@ -4,7 +4,7 @@
 #include "io/history_writer.hpp"
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Births of fluid nodes on lattices small enough to follow by hand.
-#include "kernels/dissolution.hpp"
+#include "kernels/reaction/dissolution.hpp"
 
 #include "../reference/reactive_box.hpp"
-#include "kernels/reactive_wall_kernel.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "support/dress_one.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "coupling/flow_paths.hpp"
 
 #include "coupling/simulation.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The sweep and what surrounds it, on lattices small enough to check by hand.
-#include "kernels/flow.hpp"
+#include "kernels/flow/flow.hpp"
 
-#include "kernels/guards.hpp"
-#include "kernels/momentum_exchange.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/flow/momentum_exchange.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

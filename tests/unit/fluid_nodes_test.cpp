@@ -1,8 +1,8 @@
 // The compact list of fluid nodes on lattices small enough to check by hand.
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
-#include "kernels/advective_form.hpp"
-#include "kernels/opening.hpp"
+#include "kernels/nodes/opening.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "support/host_copy.hpp"
 
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 #include "front/schema.hpp"
 #include "front/templates.hpp"
 #include "io/scene.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Laws and kernels of conjugate heat on lattices small enough to check by hand.
-#include "kernels/conjugate_link.hpp"
-#include "kernels/guards.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/heat/conjugate_link.hpp"
 #include "support/heat_box.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "io/history_writer.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

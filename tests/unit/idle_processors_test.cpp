@@ -1,4 +1,4 @@
-#include "kernels/idle_processors.hpp"
+#include "kernels/host/idle_processors.hpp"
 
 #include <gtest/gtest.h>
 

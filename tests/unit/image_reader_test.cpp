@@ -1,7 +1,7 @@
 #include "io/image_reader.hpp"
 
 #include "io/detail/image_rows.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Several lists in one launch have the bits of one launch each.
-#include "kernels/launch_lists.hpp"
+#include "kernels/launch/launch_lists.hpp"
 
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"

@@ -1,8 +1,8 @@
 // A node has the same bits at any place in the list of fluid nodes, in the vector part of a loop or in its remainder:
 // so lists may be cut, moved and grown without a trace.
-#include "kernels/advective_form.hpp"
-#include "kernels/flow.hpp"
-#include "kernels/solute.hpp"
+#include "kernels/flow/flow.hpp"
+#include "kernels/scalar/advective_form.hpp"
+#include "kernels/solute/solute.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

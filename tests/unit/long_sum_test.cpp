@@ -1,7 +1,7 @@
 // Sums over a run of a million steps.
-#include "kernels/long_sum.hpp"
+#include "kernels/launch/long_sum.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 
 #include <gtest/gtest.h>
 

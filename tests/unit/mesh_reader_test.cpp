@@ -2,7 +2,7 @@
 #include "io/mesh_reader.hpp"
 
 #include "io/assembly_quality.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

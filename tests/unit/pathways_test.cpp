@@ -3,7 +3,7 @@
 
 #include "coupling/slits.hpp"
 #include "coupling/strip.hpp"
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 #include "support/host_copy.hpp"
 #include "support/no_neighbours.hpp"
 

@@ -1,5 +1,5 @@
 // Rate laws against the numbers and equations of the paper.
-#include "kernels/reaction.hpp"
+#include "kernels/reaction/reaction.hpp"
 
 #include <gtest/gtest.h>
 

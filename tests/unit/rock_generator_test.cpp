@@ -2,7 +2,7 @@
 #include "io/rock_generator.hpp"
 
 #include "io/assembly_quality.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "io/run_record.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // The force of slow fluid on the walls of a slit narrower than a cell, by hand.
-#include "kernels/slit_nodes.hpp"
+#include "kernels/flow/slit_nodes.hpp"
 #include "support/flow_setup.hpp"
 
 #include <gtest/gtest.h>

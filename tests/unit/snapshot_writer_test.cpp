@@ -2,7 +2,7 @@
 // files.
 #include "io/snapshot_writer.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // Where the solid of an opened pathway goes.
 #include "coupling/solid_spread.hpp"
 
-#include "kernels/launch.hpp"
+#include "kernels/launch/launch.hpp"
 #include "support/no_neighbours.hpp"
 
 #include <gtest/gtest.h>

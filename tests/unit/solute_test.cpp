@@ -1,5 +1,5 @@
 // The solute side on lattices small enough to follow by hand.
-#include "kernels/solute.hpp"
+#include "kernels/solute/solute.hpp"
 
 #include "../reference/reactive_box.hpp"
 

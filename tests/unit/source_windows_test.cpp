@@ -1,5 +1,5 @@
 // Eight nodes at a time against the table of sources, slot by slot.
-#include "kernels/fluid_nodes.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A run under way in a terminal.
 #include "front/watch.hpp"
 
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 #include "support/run_vug.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Plane channels: the solutions that halfway bounce-back with two relaxation times represents exactly.
-#include "kernels/guards.hpp"
+#include "kernels/flow/guards.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

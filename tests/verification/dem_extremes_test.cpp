@@ -2,7 +2,7 @@
 #include "dem/laboratory.hpp"
 #include "dem/soundness.hpp"
 #include "dem_support.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

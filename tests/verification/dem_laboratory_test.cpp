@@ -1,7 +1,7 @@
 // The press itself: when a test ends and what it says.
 #include "dem/laboratory.hpp"
 #include "dem_support.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

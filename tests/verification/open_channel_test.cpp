@@ -1,6 +1,6 @@
 // Channels between open sides, over their whole length: what a pressure and an outflow do to the flow that meets them.
-#include "kernels/guards.hpp"
-#include "kernels/side_links.hpp"
+#include "kernels/flow/guards.hpp"
+#include "kernels/nodes/side_links.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

@@ -1,6 +1,6 @@
 // Advection and diffusion of a species away from reactive walls.
 #include "../reference/reactive_box.hpp"
-#include "kernels/advective_form.hpp"
+#include "kernels/scalar/advective_form.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>

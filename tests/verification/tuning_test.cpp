@@ -3,7 +3,7 @@
 
 #include "coupling/simulation.hpp"
 #include "io/override_scene.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

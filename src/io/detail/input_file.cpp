@@ -2,7 +2,7 @@
 
 #include "io/detail/files.hpp"
 #include "io/message.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // fields.h5 with fields.xdmf and the folder fields: the cells of the lattice.
 #include "io/detail/field_layout.hpp"
 #include "io/detail/snapshot_series.hpp"
-#include "kernels/lattice.hpp"
+#include "kernels/base/lattice.hpp"
 
 namespace vug::detail {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Points that keep a distance of their own from each other (Bridson's growth from the points already there).
 #include "io/detail/delaunay.hpp"
-#include "kernels/splitmix64.hpp"
+#include "kernels/base/splitmix64.hpp"
 
 #include <functional>
 #include <vector>

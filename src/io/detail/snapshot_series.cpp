@@ -2,7 +2,7 @@
 
 #include "io/detail/step_names.hpp"
 #include "io/detail/xdmf.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

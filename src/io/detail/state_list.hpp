@@ -1,7 +1,7 @@
 #pragma once
 // Bodies of StateList's templates.
 #include "io/field_list.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <cstdint>
 #include <cstring>

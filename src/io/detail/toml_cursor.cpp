@@ -2,7 +2,7 @@
 
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/quantity.hpp"
-#include "kernels/require.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

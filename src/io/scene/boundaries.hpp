@@ -2,7 +2,7 @@
 // What holds on the sides of the lattice, on stretches of them and on the surfaces of named shapes.
 #include "dem/support.hpp"
 #include "io/time_table.hpp"
-#include "kernels/choices.hpp"
+#include "kernels/base/choices.hpp"
 
 #include <algorithm>
 #include <array>

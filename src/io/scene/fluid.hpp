@@ -1,6 +1,6 @@
 #pragma once
 // What the fluid does: flow, heat, dissolved species.
-#include "kernels/choices.hpp"
+#include "kernels/base/choices.hpp"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 // What the fluid does to the rock's walls.
-#include "kernels/choices.hpp"
+#include "kernels/base/choices.hpp"
 
 #include <optional>
 #include <string>

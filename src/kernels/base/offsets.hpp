@@ -1,0 +1,28 @@
+#pragma once
+// Lists of different lengths, one behind the other in one array: where each begins.
+#include "kernels/base/base.hpp"
+
+#include <string>
+
+namespace vug {
+
+namespace detail {
+struct AccumulateCounts {
+  IndexList offset;
+  KOKKOS_FUNCTION void operator()(int i, int& sum, bool last) const {
+    sum += offset(i);
+    if (last) offset(i) = sum;
+  }
+};
+}  // namespace detail
+
+/// Turns counts into places, in place: offset(i + 1), the length of list i, becomes where it ends; offset(0) is zero.
+/// Returns the length of all and waits for it.
+inline int accumulate_counts(const Exec& exec, const std::string& label, const IndexList& offset) {
+  int all = 0;
+  Kokkos::parallel_scan(label, Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(offset.extent(0))),
+                        detail::AccumulateCounts{offset}, all);
+  return all;
+}
+
+}  // namespace vug

@@ -1,0 +1,277 @@
+#include "kernels/flow/flow.hpp"
+
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/streaming.hpp"
+
+#include <cassert>
+#include <type_traits>
+
+namespace vug {
+
+/// No limit of speed: costs nothing in the kernel.
+template <class T>
+struct NoLimiter {
+  static constexpr bool exists = false;
+  KOKKOS_FORCEINLINE_FUNCTION int operator()(T (&)[9], Macroscopic<T>&) const { return 0; }
+};
+
+/// Brings a speed above the limit back to it: f_q += 3 w_q c_q . (limit/|u| - 1) u. Mass is kept, momentum is not.
+template <class T>
+struct SpeedLimiter {
+  static constexpr bool exists = true;
+  T limit;
+  KOKKOS_FORCEINLINE_FUNCTION bool is_above(T ux, T uy) const { return ux * ux + uy * uy > limit * limit; }
+  KOKKOS_FORCEINLINE_FUNCTION int operator()(T (&f)[9], Macroscopic<T>& m) const {
+    const bool over = is_above(m.ux, m.uy);
+    const T excess = over ? limit / Kokkos::sqrt(m.ux * m.ux + m.uy * m.uy) - T(1) : T(0);
+    const T dx = excess * m.ux, dy = excess * m.uy;
+    m.ux += dx;
+    m.uy += dy;
+    unroll<D2Q9::Q>([&](auto q) VUG_INLINED { f[q] += T(3 * D2Q9::w(q)) * along(q, dx, dy); });
+    return over ? 1 : 0;
+  }
+};
+
+/// The sweep: populations after streaming, f_q(x, t+1) = f*_q(x - c_q, t) or bounced back, then collided.
+/// Conserves sum rho' to rounding; adds the body force to the momentum. Moves per node 2 x 9 populations, the velocity
+/// and 8 indices (4 on average in place): 176 bytes in double and 96 in float in place, 192 and 112 with two lattices,
+/// without the write-allocate of what it stores.
+template <class T, class Slots, class Relaxation, class Force, class Limiter>
+struct CollideAndStream {
+  Kokkos::View<const T*> f;
+  ScalarField<T> f_next;
+  VectorField<T> u;
+  Slots slots;
+  Relaxation relax;
+  Force force;
+  Limiter limit;
+  static constexpr bool limits = Limiter::exists;
+
+  KOKKOS_FORCEINLINE_FUNCTION void pull(int i, T (&g)[9]) const {
+    g[0] = f(i);
+    for (int q = 1; q < D2Q9::Q; ++q) g[q] = f(slots.arriving(q, i));
+  }
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION Macroscopic<V> moments(int i, const V (&g)[9]) const {
+    Macroscopic<V> m = macroscopic(g);
+    if constexpr (Force::present) {
+      const auto& here = force.template at<V>(i);
+      m.ux += here.x / 2;
+      m.uy += here.y / 2;
+    }
+    return m;
+  }
+  /// Of one node, or of eight neighbours.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
+    relax.template at<V>(i)(g, m, force.template at<V>(i));
+    put(&u(i, 0), m.ux);
+    put(&u(i, 1), m.uy);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION int collide(int i, T (&g)[9]) const {
+    Macroscopic<T> m = moments(i, g);
+    const int limited = limit(g, m);
+    collide(i, g, m);
+    return limited;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION int operator()(int i) const {
+    T g[9];
+    pull(i, g);
+    const int limited = collide(i, g);
+    f_next(i) = g[0];
+    for (int q = 1; q < D2Q9::Q; ++q) f_next(slots.leaving(q, i)) = g[q];
+    return limited;
+  }
+
+  using Unlimited = CollideAndStream<T, Slots, Relaxation, Force, NoLimiter<T>>;
+  KOKKOS_FORCEINLINE_FUNCTION Unlimited unlimited() const { return {f, f_next, u, slots, relax, force, {}}; }
+};
+
+/// A block of nodes on a host. The root and the quotient of the limiter would cost every node as much as its collision:
+/// it runs where some nodes that lie together hold one that is too fast, and `limited` gains its uses.
+template <class T, class Node>
+struct LimitedBlock {
+  Node node;
+  ScalarField<double> limited;
+  void operator()(int first, int last) const {
+    const Node local = node;
+    const typename Node::Unlimited free = node.unlimited();
+    constexpr int some = shortest_block;
+    int uses = 0;
+    for (int from = first; from < last; from += some) {
+      const int to = from + some < last ? from + some : last;
+      if (has_fast_node(local, from, to)) [[unlikely]] {
+        for (int i = from; i < to; ++i) uses += local(i);
+      } else {
+        VUG_VECTORISE
+        for (int i = from; i < to; ++i) free(i);
+      }
+    }
+    limited(first / nodes_per_block) += uses;
+  }
+
+ private:
+  static bool has_fast_node(const Node& node, int first, int last) {
+    int above = 0;
+    VUG_VECTORISE
+    for (int i = first; i < last; ++i) {
+      T g[9];
+      node.pull(i, g);
+      const Macroscopic<T> m = node.moments(i, g);
+      above += node.limit.is_above(m.ux, m.uy) ? 1 : 0;
+    }
+    return above > 0;
+  }
+};
+
+/// A block of nodes in place, by eights that stay in registers; from home the indices are 24 bytes per node instead of
+/// 32. The limiter as above: lane by lane, where one of eight is too fast.
+template <class T, class Node, class EightNodes>
+struct EightBlock {
+  Node node;
+  EightNodes eight;
+  ScalarField<double> limited;
+  using E = Eight<T>;
+  using Register = typename E::Register;
+
+  void operator()(int first, int last) const {
+    const Node local = node;
+    const EightNodes nodes = eight;
+    T* const f = local.f_next.data();
+    int uses = 0, i = first;
+    for (; i + eight_lanes <= last; i += eight_lanes) {
+      Register g[D2Q9::Q];
+      nodes.pull(f, i, g);
+      const Macroscopic<Register> m = local.moments(i, g);
+      if (has_fast_node(local, m)) [[unlikely]]
+        uses += one_by_one(local, i, g);
+      else
+        local.collide(i, g, m);
+      nodes.push(f, i, g);
+    }
+    for (; i < last; ++i) uses += local(i);
+    if constexpr (Node::limits) limited(first / nodes_per_block) += uses;
+  }
+
+ private:
+  static bool has_fast_node(const Node& node, const Macroscopic<Register>& m) {
+    if constexpr (Node::limits)
+      return E::any_above(m.ux * m.ux + m.uy * m.uy, Register{} + node.limit.limit * node.limit.limit);
+    else
+      return false;
+  }
+  /// What it changes passes through memory here, so that the populations of all others need not.
+  static int one_by_one(const Node& node, int first, Register (&g)[D2Q9::Q]) {
+    alignas(64) T lane[D2Q9::Q][eight_lanes];
+    VUG_UNROLL
+    for (int q = 0; q < D2Q9::Q; ++q) E::store(lane[q], g[q]);
+    int uses = 0;
+    for (int l = 0; l < eight_lanes; ++l) {
+      T own[D2Q9::Q];
+      for (int q = 0; q < D2Q9::Q; ++q) own[q] = lane[q][l];
+      uses += node.collide(first + l, own);
+      for (int q = 0; q < D2Q9::Q; ++q) lane[q][l] = own[q];
+    }
+    VUG_UNROLL
+    for (int q = 0; q < D2Q9::Q; ++q) g[q] = E::load(lane[q]);
+    return uses;
+  }
+};
+
+namespace {
+
+template <class T, class Node>
+auto eight_block(const Node& node, const FluidNodes& nodes, const ScalarField<double>& limited) {
+  const auto eight = eight_nodes<T>(node.slots, nodes);
+  return EightBlock<T, Node, std::decay_t<decltype(eight)>>{node, eight, limited};
+}
+
+/// One sweep, its choices made one after the other: collision (above), force, streaming, limiter.
+template <class T>
+struct Sweep {
+  const Exec& exec;
+  const FluidNodes& nodes;
+  FlowFields<T>& fields;
+  const FlowStep<T>& step;
+
+  template <class Relaxation>
+  void operator()(const Relaxation& relax) const {
+    const auto [fx, fy] = step.body_force;
+    if (step.theta.extent(0) > 0)
+      stream(relax, Buoyancy<T>{fx, fy, step.buoyancy[0], step.buoyancy[1], step.theta});
+    else if (fx == T(0) && fy == T(0))
+      stream(relax, NoForce<T>{});
+    else
+      stream(relax, BodyForce<T>{fx, fy});
+  }
+
+  template <class Relaxation, class Force>
+  void stream(const Relaxation& relax, const Force& force) const {
+    if (fields.f_next.extent(0) > 0) {
+      limit(TwoLattices<D2Q9>{nodes.source, nodes.capacity}, fields.f_next, relax, force);
+      std::swap(fields.f, fields.f_next);
+    } else if (fields.turned) {
+      limit(InPlaceFromTurned<D2Q9>{nodes.capacity}, fields.f, relax, force);
+      fields.turned = 0;
+    } else {
+      limit(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity}, fields.f, relax, force);
+      fields.turned = 1;
+    }
+  }
+
+  template <class Slots, class Relaxation, class Force>
+  void limit(const Slots& slots, const ScalarField<T>& target, const Relaxation& relax, const Force& force) const {
+    const char* label = "vug::flow::collide_and_stream";
+    const auto body = [&](auto limiter) {
+      return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{fields.f, target, fields.u, slots,
+                                                                              relax,    force,  limiter};
+    };
+    const bool limits = step.speed_limit > T(0);
+    assert(!limits || static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));
+    const int size = limits ? nodes_per_block : block_of_list(nodes.count);
+    const auto run = [&](const auto& node) {
+      using Node = std::decay_t<decltype(node)>;
+      if constexpr (has_eight_lanes && !std::is_same_v<Slots, TwoLattices<D2Q9>>)
+        for_each_block(exec, label, nodes.share(), eight_block<T>(node, nodes, step.limited), size);
+      else if constexpr (runs_on_host && Node::limits)
+        for_each_block(exec, label, nodes.share(), LimitedBlock<T, Node>{node, step.limited}, size);
+      else if constexpr (Node::limits)
+        add_per_block(exec, label, nodes.share(), node, step.limited);
+      else
+        for_each_node(exec, label, nodes.share(), node);
+    };
+    if (limits)
+      run(body(SpeedLimiter<T>{step.speed_limit}));
+    else
+      run(body(NoLimiter<T>{}));
+  }
+};
+
+}  // namespace
+
+template <class T>
+void collide_and_stream(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields, const FlowStep<T>& step) {
+  const Sweep<T> sweep{exec, nodes, fields, step};
+  if (step.spread.extent(0) > 0) {
+    const VaryingRelaxationTimes<T> rates{step.spread, step.collision == Collision::trt ? T(exact_wall_magic) : T(0)};
+    return sweep.stream(
+        rates, Buoyancy<T>{step.body_force[0], step.body_force[1], step.buoyancy[0], step.buoyancy[1], step.theta});
+  }
+  switch (step.collision) {
+    case Collision::trt:
+    case Collision::bgk:
+      sweep(TwoRelaxationTimes<T>(step.rates));
+      break;
+    case Collision::lallemand_luo:
+      sweep(MultipleRelaxationTimes<T>(step.rates));
+      break;
+    case Collision::regularised:
+      sweep(Regularised<T>(step.rates));
+      break;
+  }
+}
+
+template void collide_and_stream(const Exec&, const FluidNodes&, FlowFields<float>&, const FlowStep<float>&);
+template void collide_and_stream(const Exec&, const FluidNodes&, FlowFields<double>&, const FlowStep<double>&);
+
+}  // namespace vug

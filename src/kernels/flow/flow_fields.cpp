@@ -1,0 +1,117 @@
+// Making, growing and filling the fields of the flow, and their sums.
+#include "kernels/flow/flow.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/streaming.hpp"
+
+namespace vug {
+
+template <class T>
+FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Streaming streaming) {
+  const auto named = [&](const char* name) { return Kokkos::view_alloc(exec, std::string("vug::flow::") + name); };
+  const auto populations = static_cast<std::size_t>(D2Q9::Q) * nodes.capacity;
+  FlowFields<T> fields;
+  fields.f = ScalarField<T>(named("f"), populations);
+  if (streaming == Streaming::two_lattices) fields.f_next = ScalarField<T>(named("f_next"), populations);
+  fields.u = VectorField<T>(named("u"), nodes.capacity);
+  return fields;
+}
+
+template <class T>
+void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
+  const int old = static_cast<int>(fields.u.extent(0));
+  if (old == nodes.capacity) return;
+  fields.f = restride(exec, fields.f, D2Q9::Q, count, old, nodes.capacity);
+  if (fields.f_next.extent(0) > 0) Kokkos::resize(exec, fields.f_next, fields.f.extent(0));
+  Kokkos::resize(exec, fields.u, nodes.capacity);
+}
+
+/// f_q = feq_q(rho', u).
+template <class T>
+struct SetEquilibrium {
+  ScalarField<T> f;
+  Kokkos::View<const T*> density;
+  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
+  int capacity;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int q = 0; q < D2Q9::Q; ++q) f(q * capacity + i) = equilibrium(q, density(i), u(i, 0), u(i, 1));
+  }
+};
+
+template <class T>
+void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const ScalarField<T>& density, FlowFields<T>& fields) {
+  fields.turned = 0;
+  for_each_node(exec, "vug::flow::set_equilibrium", nodes.count,
+                SetEquilibrium<T>{fields.f, density, fields.u, nodes.capacity});
+}
+
+template <class T>
+struct StoreDensity {
+  Density<T> value;
+  ScalarField<T> density;
+  KOKKOS_FUNCTION void operator()(int i) const { density(i) = value(i); }
+};
+
+template <class T>
+ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields) {
+  const ScalarField<T> density(Kokkos::view_alloc(exec, "vug::flow::density"), nodes.capacity);
+  for_each_node(exec, "vug::flow::densities", nodes.count, StoreDensity<T>{Density<T>(nodes, fields), density});
+  return density;
+}
+
+template <class T>
+void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
+  bring_home<D2Q9>(exec, "vug::flow::settle", nodes, count, fields.f, fields.turned);
+}
+
+/// A new node at rest at the mean density of its old neighbours. New nodes read old ones only, and write themselves:
+/// the result does not depend on their order.
+template <class T>
+struct InitialiseBirths {
+  Density<T> density;  ///< of populations that are at home
+  ScalarField<T> f;
+  VectorField<T> u;
+  Kokkos::View<const int*> source;
+  int first, capacity;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int i = first + item;
+    double sum = 0;
+    int neighbours = 0;
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      const int upstream = source(q * capacity + i) - q * capacity;  // outside [0, first) at a wall and a new node
+      if (upstream < 0 || upstream >= first) continue;
+      sum += double(density(upstream));
+      ++neighbours;
+    }
+    const T mean = neighbours > 0 ? T(sum / neighbours) : T(0);
+    for (int q = 0; q < D2Q9::Q; ++q) f(q * capacity + i) = T(D2Q9::w(q)) * mean;
+    u(i, 0) = u(i, 1) = 0;
+  }
+};
+
+template <class T>
+void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, FlowFields<T>& fields) {
+  settle(exec, nodes, first, fields);  // the links to new nodes were walls until now: their populations are at home
+  for_each_node(
+      exec, "vug::flow::initialise_births", last - first,
+      InitialiseBirths<T>{Density<T>(nodes, fields), fields.f, fields.u, nodes.source, first, nodes.capacity});
+}
+
+template <class T>
+void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields,
+              const ScalarField<double>& total) {
+  add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T, D2Q9>{fields.f, nodes.capacity}, total);
+}
+
+#define VUG_INSTANTIATE(T)                                                                              \
+  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&, Streaming);                   \
+  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                            \
+  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);                   \
+  template void set_equilibrium(const Exec&, const FluidNodes&, const ScalarField<T>&, FlowFields<T>&); \
+  template ScalarField<T> densities(const Exec&, const FluidNodes&, const FlowFields<T>&);              \
+  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&);            \
+  template void add_mass(const Exec&, const FluidNodes&, const FlowFields<T>&, const ScalarField<double>&);
+VUG_INSTANTIATE(float)
+VUG_INSTANTIATE(double)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

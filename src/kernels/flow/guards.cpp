@@ -1,0 +1,91 @@
+#include "kernels/flow/guards.hpp"
+
+#include "kernels/launch/own_items.hpp"
+
+#include <limits>
+
+namespace vug {
+
+/// Largest speed and density and lowest bad index; max and min do not depend on the order of reduction.
+template <class T>
+struct FindExtremes {
+  Density<T> rho;
+  VectorField<T> u;
+  double speed_bound, density_bound;
+  OwnItems own;
+  KOKKOS_FUNCTION void operator()(int place, double& speed2, double& density, int& bad) const {
+    const int i = own(place);
+    if (i < 0) return;
+    const double ux = double(u(i, 0)), uy = double(u(i, 1)), u2 = ux * ux + uy * uy, size = Kokkos::abs(double(rho(i)));
+    const bool good = u2 <= speed_bound * speed_bound && size <= density_bound;  // false for NaN
+    if (!good && i < bad) bad = i;
+    if (u2 > speed2) speed2 = u2;
+    if (size > density) density = size;
+  }
+};
+
+template <class T>
+FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
+                           double density_bound) {
+  FlowExtremes found;
+  if (nodes.count == 0) return found;
+  double speed2 = 0;
+  int bad = std::numeric_limits<int>::max();
+  const OwnItems own{nodes.share()};
+  Kokkos::parallel_reduce("vug::guards::flow_extremes", Kokkos::RangePolicy<Exec>(exec, 0, own.places()),
+                          FindExtremes<T>{Density<T>(nodes, fields), fields.u, speed_bound, density_bound, own},
+                          Kokkos::Max<double>(speed2), Kokkos::Max<double>(found.density), Kokkos::Min<int>(bad));
+  found.speed = speed2 > 0 ? Kokkos::sqrt(speed2) : 0;
+  if (!(found.density > 0)) found.density = 0;  // the reduction's identity, where all is NaN
+  found.bad = bad == std::numeric_limits<int>::max() ? -1 : bad;
+  return found;
+}
+
+template <class T>
+struct FirstOutside {
+  Kokkos::View<const T*> field;
+  double lowest, highest;
+  KOKKOS_FUNCTION void operator()(int i, int& first) const {
+    const double value = double(field(i));
+    if (!(value > lowest && value < highest) && i < first) first = i;  // true for NaN
+  }
+};
+
+template <class T>
+int first_outside(const Exec& exec, const ScalarField<T>& field, int count, double lowest, double highest) {
+  int first = count;
+  Kokkos::parallel_reduce("vug::guards::first_outside", Kokkos::RangePolicy<Exec>(exec, 0, count),
+                          FirstOutside<T>{field, lowest, highest}, Kokkos::Min<int>(first));
+  return first < count ? first : -1;
+}
+
+template <class T>
+struct CompareVelocity {
+  VectorField<T> u, previous;
+  KOKKOS_FUNCTION void operator()(int i, double& change2, double& speed2) const {
+    const double ux = double(u(i, 0)), uy = double(u(i, 1));
+    const double dx = ux - double(previous(i, 0)), dy = uy - double(previous(i, 1));
+    previous(i, 0) = u(i, 0);
+    previous(i, 1) = u(i, 1);
+    if (dx * dx + dy * dy > change2) change2 = dx * dx + dy * dy;
+    if (ux * ux + uy * uy > speed2) speed2 = ux * ux + uy * uy;
+  }
+};
+
+template <class T>
+double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
+                       const VectorField<T>& previous) {
+  double change2 = 0, speed2 = 0;
+  Kokkos::parallel_reduce("vug::guards::velocity_change", Kokkos::RangePolicy<Exec>(exec, 0, nodes.count),
+                          CompareVelocity<T>{u, previous}, Kokkos::Max<double>(change2), Kokkos::Max<double>(speed2));
+  return speed2 > 0 ? Kokkos::sqrt(change2 / speed2) : 0;
+}
+
+template double velocity_change(const Exec&, const FluidNodes&, const VectorField<float>&, const VectorField<float>&);
+template double velocity_change(const Exec&, const FluidNodes&, const VectorField<double>&, const VectorField<double>&);
+template int first_outside(const Exec&, const ScalarField<float>&, int, double, double);
+template int first_outside(const Exec&, const ScalarField<double>&, int, double, double);
+template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<float>&, double, double);
+template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<double>&, double, double);
+
+}  // namespace vug

@@ -1,0 +1,120 @@
+#include "kernels/flow/link_populations.hpp"
+
+#include "kernels/launch/launch.hpp"
+
+namespace vug {
+
+/// Copies the slot of each link, there or back.
+template <class T, bool Back>
+struct CopyOutgoing {
+  IndexList fluid;
+  Kokkos::View<const std::uint8_t*> direction;
+  int capacity;
+  ScalarField<T> outgoing, f;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int slot = direction(link) * capacity + fluid(link);
+    if constexpr (Back)
+      f(slot) = outgoing(link);
+    else
+      outgoing(link) = f(slot);
+  }
+};
+
+template <class T>
+ScalarField<T> outgoing_populations(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                                    const ScalarField<T>& f) {
+  const ScalarField<T> outgoing(Kokkos::view_alloc(exec, "vug::link_populations::outgoing"), links.count);
+  for_each_node(exec, "vug::link_populations::take", links.count,
+                CopyOutgoing<T, false>{links.fluid, links.direction, nodes.capacity, outgoing, f});
+  return outgoing;
+}
+
+template <class T>
+void restore_outgoing(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                      const ScalarField<T>& outgoing, const ScalarField<T>& f) {
+  for_each_node(exec, "vug::link_populations::restore", links.count,
+                CopyOutgoing<T, true>{links.fluid, links.direction, nodes.capacity, outgoing, f});
+}
+
+/// One component (0: x, 1: y, 2: torque) of what a link gives. The force lies along the link, through its node.
+template <class T>
+struct ForceOfLink {
+  Lattice lattice;
+  IndexList node, fluid;
+  Kokkos::View<const std::uint8_t*> direction;
+  int capacity;
+  ScalarField<T> outgoing, f;
+  double centre_x, centre_y;
+  int component;
+  KOKKOS_FUNCTION double operator()(int link) const {
+    const int i = fluid(link), q = direction(link);
+    const double momentum = double(outgoing(link)) + double(f(q * capacity + i));
+    const double x = momentum * D2Q9::c(q, 0), y = momentum * D2Q9::c(q, 1);
+    if (component < 2) return component == 0 ? x : y;
+    return (lattice.x(node(i)) + 0.5 - centre_x) * y - (lattice.y(node(i)) + 0.5 - centre_y) * x;
+  }
+};
+
+namespace {
+
+template <class Body>
+double sum_over(const Exec& exec, const std::string& label, const BoundaryLinks& links, const Body& body) {
+  const ScalarField<double> partial(Kokkos::view_alloc(exec, label), block_count(links.count));
+  add_per_block(exec, label, links.count, body, partial);
+  return sum_in_order(partial);
+}
+
+}  // namespace
+
+template <class T>
+LinkForce force_on_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                         const ScalarField<T>& outgoing, const ScalarField<T>& f, std::array<double, 2> centre) {
+  const auto sum = [&](int component) {
+    return sum_over(exec, "vug::link_populations::force", links,
+                    ForceOfLink<T>{nodes.lattice, nodes.node, links.fluid, links.direction, nodes.capacity, outgoing, f,
+                                   centre[0], centre[1], component});
+  };
+  return {sum(0), sum(1), sum(2)};
+}
+
+/// The weight of a straight link, or that times C.
+template <class T>
+struct WeighLink {
+  IndexList fluid;
+  Kokkos::View<const std::uint8_t*> direction;
+  ScalarField<T> C;
+  VectorField<T> u;
+  bool by_flow, times_C;
+  KOKKOS_FUNCTION double operator()(int link) const {
+    const int i = fluid(link), q = direction(link);
+    if (q >= D2Q5::Q) return 0;
+    const double weight =
+        by_flow ? Kokkos::abs(D2Q9::c(q, 0) * double(u(i, 0)) + D2Q9::c(q, 1) * double(u(i, 1))) : 1.0;
+    return times_C ? weight * double(C(i)) : weight;
+  }
+};
+
+template <class T>
+LinkMean mean_at_links(const Exec& exec, const BoundaryLinks& links, const ScalarField<T>& C, const VectorField<T>& u) {
+  const auto sum = [&](bool by_flow, bool times_C) {
+    return sum_over(exec, "vug::link_populations::mean", links,
+                    WeighLink<T>{links.fluid, links.direction, C, u, by_flow, times_C});
+  };
+  LinkMean mean{0, 0, sum(false, false), sum(false, true)};
+  if (u.extent(0) > 0) mean.flow = sum(true, false), mean.carried = sum(true, true);
+  return mean;
+}
+
+#define VUG_INSTANTIATE(T)                                                                                       \
+  template ScalarField<T> outgoing_populations(const Exec&, const FluidNodes&, const BoundaryLinks&,             \
+                                               const ScalarField<T>&);                                           \
+  template void restore_outgoing(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<T>&,    \
+                                 const ScalarField<T>&);                                                         \
+  template LinkForce force_on_links(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<T>&, \
+                                    const ScalarField<T>&, std::array<double, 2>);                               \
+  template LinkMean mean_at_links(const Exec&, const BoundaryLinks&, const ScalarField<T>&, const VectorField<T>&);
+VUG_INSTANTIATE(float)
+VUG_INSTANTIATE(double)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

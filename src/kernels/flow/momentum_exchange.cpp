@@ -1,0 +1,194 @@
+#include "kernels/flow/momentum_exchange.hpp"
+
+#include "kernels/base/offsets.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/launch/prefetch.hpp"
+#include "kernels/nodes/dense_neighbour.hpp"
+
+namespace vug {
+
+/// The rows around a node that a list comes to later, which lies in no order that a processor foresees.
+struct AnnounceNeighbours {
+  IndexList index, node;
+  int pitch;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
+    constexpr int ahead = 128;
+    const int later = node(k + ahead < static_cast<int>(node.extent(0)) ? k + ahead : k);
+    if (later < pitch) return;  // an entry that is not used
+    for (int row = -1; row <= 1; ++row) prefetch_far(&index(later + row * pitch));
+  }
+};
+
+/// Looks at the neighbours of a group's nodes: bit q - 1 of touch(k) is set where q leads into node(k) from the fluid.
+struct CountWallLinks {
+  DenseNeighbour lattice;
+  IndexList index, offset, node;
+  WallLinks links;
+
+  KOKKOS_FUNCTION void operator()(int g) const {
+    int count = 0;
+    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
+    for (int k = offset(g); k < offset(g + 1); ++k) {
+      announce(k);
+      int bits = 0;
+      for (int q = 1; q < D2Q9::Q; ++q) {
+        const int touches = lattice.fluid_along(index, node(k), D2Q9::opposite(q)) >= 0;
+        bits |= touches << (q - 1);
+        count += touches;
+      }
+      links.touch(k) = static_cast<std::uint8_t>(bits);
+    }
+    links.first(g + 1) = count;
+  }
+};
+
+/// Lists them. Arms are counted from the first node of the group, so that they are whole and lose nothing.
+struct ListWallLinks {
+  DenseNeighbour lattice;
+  IndexList index, offset, node;
+  VectorField<double> centre;
+  double spacing;
+  int capacity;
+  WallLinks links;
+
+  KOKKOS_FUNCTION void operator()(int g) const {
+    if (links.first(g) == links.first(g + 1)) return;
+    const int x0 = lattice.lattice.x(node(offset(g))), y0 = lattice.lattice.y(node(offset(g)));
+    links.origin(g, 0) = x0 + 0.5 - centre(g, 0) / spacing;
+    links.origin(g, 1) = y0 + 0.5 - centre(g, 1) / spacing;
+    int at = links.first(g);
+    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
+    for (int k = offset(g); k < offset(g + 1); ++k) {
+      announce(k);
+      const int solid = node(k), bits = links.touch(k);
+      const int y = lattice.lattice.y(solid) - y0, x = lattice.lattice.x(solid) - x0;
+      for (int q = 1; q < D2Q9::Q; ++q) {
+        if ((bits >> (q - 1) & 1) == 0) continue;
+        links.slot(at) = q * capacity + lattice.fluid_along(index, solid, D2Q9::opposite(q));
+        links.lever(at++) = 8 * (x * D2Q9::c(q, 1) - y * D2Q9::c(q, 0)) + q - 1;
+      }
+    }
+  }
+};
+
+void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList& offset, const IndexList& node,
+                     const VectorField<double>& centre, double spacing, WallLinks& links) {
+  const int groups = static_cast<int>(offset.extent(0)) - 1;
+  if (links.groups() != groups) {
+    links.first = IndexList("vug::momentum_exchange::first", offset.extent(0));
+    links.origin = VectorField<double>("vug::momentum_exchange::origin", groups);
+  }
+  if (links.touch.extent(0) < node.extent(0))
+    links.touch = Kokkos::View<std::uint8_t*>("vug::momentum_exchange::touch", node.extent(0));
+  const DenseNeighbour lattice(nodes);
+  for_each_node(exec, "vug::momentum_exchange::count", groups,
+                CountWallLinks{lattice, nodes.index, offset, node, links});
+  const int count = accumulate_counts(exec, "vug::momentum_exchange::places", links.first);
+  if (static_cast<int>(links.slot.extent(0)) < count) {
+    links.slot = IndexList("vug::momentum_exchange::slot", count + count / 2);
+    links.lever = IndexList("vug::momentum_exchange::lever", count + count / 2);
+  }
+  for_each_node(exec, "vug::momentum_exchange::list", groups,
+                ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, nodes.capacity, links});
+}
+
+/// Momentum of links and its moment about the origin of their group; its own sum in a reduction.
+struct Wrench {
+  double x = 0, y = 0, torque = 0;
+  KOKKOS_FORCEINLINE_FUNCTION Wrench& operator+=(const Wrench& other) {
+    x += other.x;
+    y += other.y;
+    torque += other.torque;
+    return *this;
+  }
+};
+
+}  // namespace vug
+
+template <>
+struct Kokkos::reduction_identity<vug::Wrench> {
+  KOKKOS_FORCEINLINE_FUNCTION static vug::Wrench sum() { return {}; }
+};
+
+namespace vug {
+
+/// One group: its links in their order on a host, by a team on a GPU.
+template <class T>
+struct ExchangeMomentum {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Kokkos::View<const int*> first, slot, lever;
+  VectorField<double> origin;
+  Kokkos::View<const T*> f;
+  int size;
+  double force_scale, torque_scale;
+  VectorField<double> force;
+  ScalarField<double> torque;
+  const int* listed = nullptr;  ///< (item) the groups that run; null: all do
+
+  KOKKOS_FORCEINLINE_FUNCTION Wrench of_link(int k) const {
+    const int q = (lever(k) & 7) + 1, arm = lever(k) >> 3;
+    const double A = static_cast<double>(f(slot(k)));
+    return {A * D2Q9::c(q, 0), A * D2Q9::c(q, 1), A * arm};
+  }
+  /// Twice: a link's momentum is given when it arrives and when it leaves.
+  KOKKOS_FORCEINLINE_FUNCTION void store(int g, const Wrench& sum) const {
+    force(g, 0) = force_scale * 2 * sum.x;
+    force(g, 1) = force_scale * 2 * sum.y;
+    torque(g) = torque_scale * 2 * (sum.torque + origin(g, 0) * sum.y - origin(g, 1) * sum.x);
+  }
+  /// The populations of a particle's links lie in no order that a processor foresees.
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
+    constexpr int near = 64, far = 512;
+    prefetch(&f(slot(k + near < size ? k + near : size - 1)));
+    prefetch_far(&f(slot(k + far < size ? k + far : size - 1)));
+  }
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int g = listed ? listed[item] : item;
+    Wrench sum;
+    for (int k = first(g); k < first(g + 1); ++k) {
+      announce(k);
+      sum += of_link(k);
+    }
+    store(g, sum);
+  }
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int item = team.league_rank(), g = listed ? listed[item] : item;
+    Wrench sum;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, first(g), first(g + 1)), [&](int k, Wrench& s) { s += of_link(k); },
+        Kokkos::Sum<Wrench>(sum));
+    Kokkos::single(Kokkos::PerTeam(team), [&] { store(g, sum); });
+  }
+};
+
+template <class T>
+void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const WallLinks& links, double force_scale,
+                       double torque_scale, const VectorField<double>& force, const ScalarField<double>& torque,
+                       const std::optional<IndexList>& only) {
+  const int groups = only ? static_cast<int>(only->extent(0)) : links.groups();
+  if (groups <= 0) return;
+  const ExchangeMomentum<T> exchange{links.first,
+                                     links.slot,
+                                     links.lever,
+                                     links.origin,
+                                     fields.f,
+                                     static_cast<int>(links.slot.extent(0)),
+                                     force_scale,
+                                     torque_scale,
+                                     force,
+                                     torque,
+                                     only ? only->data() : nullptr};
+  if constexpr (runs_on_host)
+    Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, groups), exchange);
+  else
+    for_each_team(exec, "vug::momentum_exchange::gather", groups, 32, exchange);
+}
+
+template void exchange_momentum(const Exec&, const FlowFields<float>&, const WallLinks&, double, double,
+                                const VectorField<double>&, const ScalarField<double>&,
+                                const std::optional<IndexList>&);
+template void exchange_momentum(const Exec&, const FlowFields<double>&, const WallLinks&, double, double,
+                                const VectorField<double>&, const ScalarField<double>&,
+                                const std::optional<IndexList>&);
+
+}  // namespace vug

@@ -1,0 +1,247 @@
+#pragma once
+// Collisions of the flow populations (paper Sec. 3.1: multiple relaxation times), each a small pure function object:
+//   f* = f - M^-1 S (M f - meq) + M^-1 (1 - S/2) F,
+// with M the moment basis of Lallemand and Luo. All conserve rho' = sum f and add exactly the body force to sum c f.
+// They take the populations of one node, numbers of type T, or of several at once: V is T or a register of such
+// numbers.
+#include "kernels/base/choices.hpp"
+#include "kernels/flow/equilibrium.hpp"
+#include "kernels/launch/eight_lanes.hpp"
+
+namespace vug {
+
+/// Rates of shear stress, energy, energy squared and energy flux; s_nu = 1/tau, nu = (tau - 1/2)/3.
+struct RelaxationRates {
+  double s_nu = 1, s_e = 1, s_eps = 1, s_q = 1;
+};
+
+/// The odd rate that goes with an even rate s at the magic product Lambda = (1/s - 1/2)(1/s_q - 1/2).
+KOKKOS_INLINE_FUNCTION constexpr double odd_rate(double s, double magic) {
+  return 1 / (0.5 + magic / (1 / s - 0.5));
+}
+
+/// Lambda with which halfway bounce-back puts a straight wall exactly half way.
+inline constexpr double exact_wall_magic = 3.0 / 16.0;
+
+inline constexpr RelaxationRates relaxation_rates(Collision collision, double tau) {
+  const double s_nu = 1 / tau;
+  switch (collision) {
+    case Collision::trt:
+      return {s_nu, s_nu, s_nu, odd_rate(s_nu, exact_wall_magic)};
+    case Collision::lallemand_luo:
+      return {s_nu, 1.63, 1.14, 1.92};
+    case Collision::bgk:
+      return {s_nu, s_nu, s_nu, s_nu};
+    case Collision::regularised:
+      break;
+  }
+  return {s_nu, s_nu, 1, 1};
+}
+
+/// The moment basis, rows (rho', e, eps, jx, qx, jy, qy, pxx, pxy) over q; rows are orthogonal.
+struct MomentBasis {
+  enum Moment { rho, e, eps, jx, qx, jy, qy, pxx, pxy };
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int row(int moment, int q) {
+    const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1), c2 = cx * cx + cy * cy;
+    switch (moment) {
+      case rho:
+        return 1;
+      case e:
+        return 3 * c2 - 4;
+      case eps:
+        return (9 * c2 * c2 - 21 * c2 + 8) / 2;
+      case jx:
+        return cx;
+      case qx:
+        return (3 * c2 - 5) * cx;
+      case jy:
+        return cy;
+      case qy:
+        return (3 * c2 - 5) * cy;
+      case pxx:
+        return cx * cx - cy * cy;
+      default:
+        return cx * cy;
+    }
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int norm2(int moment) {
+    constexpr int norms[9] = {9, 36, 36, 6, 12, 6, 12, 4, 4};
+    return norms[moment];
+  }
+};
+
+/// No body force: costs nothing in the kernel.
+template <class T>
+struct NoForce {
+  static constexpr bool present = false;
+  T x = 0, y = 0;
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const NoForce& at(int) const {
+    return *this;
+  }
+};
+/// A body force per volume over the reference density, the same everywhere, lattice units.
+template <class T>
+struct BodyForce {
+  static constexpr bool present = true;
+  T x, y;
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const BodyForce& at(int) const {
+    return *this;
+  }
+};
+/// The same with the buoyancy of the node's temperature (Boussinesq): force + per_kelvin theta.
+template <class T>
+struct Buoyancy {
+  static constexpr bool present = true;
+  T x, y, x_per_kelvin, y_per_kelvin;
+  Kokkos::View<const T*> theta;  ///< (fluid)
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION BodyForce<V> at(int i) const {
+    const V warmth = fetch<V>(&theta(i));
+    return {x + x_per_kelvin * warmth, y + y_per_kelvin * warmth};
+  }
+};
+
+/// Two relaxation times: the even part of f relaxes with `even` = s_nu, the odd part with `odd` = s_q. The same as the
+/// moment form with s_e = s_eps = s_nu, in half the arithmetic; equal rates are BGK. Rates of type R: those of several
+/// nodes may differ.
+template <class T, class R = T>
+struct TwoRelaxationTimes {
+  R even, odd;
+  TwoRelaxationTimes(const RelaxationRates& rates) : even(T(rates.s_nu)), odd(T(rates.s_q)) {}
+  KOKKOS_FORCEINLINE_FUNCTION TwoRelaxationTimes(const R& even_rate, const R& odd_rate)
+      : even(even_rate), odd(odd_rate) {}
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const TwoRelaxationTimes& at(int) const {
+    return *this;
+  }
+
+  template <class V, class Force>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
+    const V isotropic = m.rho - T(1.5) * (m.ux * m.ux + m.uy * m.uy);
+    const V power = m.ux * force.x + m.uy * force.y;
+    f[0] -= even * (f[0] - T(D2Q9::w(0)) * isotropic);
+    if constexpr (Force::present) f[0] -= (T(1) - even / 2) * T(3 * D2Q9::w(0)) * power;
+    unroll<D2Q9::Q>([&](auto direction) VUG_INLINED {
+      constexpr int q = direction, opposite = D2Q9::opposite(q);
+      if constexpr (q < opposite) {
+        constexpr T w = T(D2Q9::w(q));
+        const V cu = along(q, m.ux, m.uy);
+        V even_change = even * (w * (isotropic + T(4.5) * cu * cu) - T(0.5) * (f[q] + f[opposite]));
+        V odd_change = odd * (T(3) * w * cu - T(0.5) * (f[q] - f[opposite]));
+        if constexpr (Force::present) {
+          const auto cF = along(q, force.x, force.y);
+          even_change += (T(1) - even / 2) * w * (T(9) * cu * cF - T(3) * power);
+          odd_change += (T(1) - odd / 2) * T(3) * w * cF;
+        }
+        f[q] += even_change + odd_change;
+        f[opposite] += even_change - odd_change;
+      }
+    });
+  }
+};
+
+/// Two relaxation times of a viscosity that differs from node to node: spread (fluid) = tau - 1/2 = 3 nu.
+template <class T>
+struct VaryingRelaxationTimes {
+  Kokkos::View<const T*> spread;
+  T magic;  ///< (tau_even - 1/2)(tau_odd - 1/2); 0: both are the same
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION TwoRelaxationTimes<T, V> at(int i) const {
+    const V wide = fetch<V>(&spread(i)), even = T(1) / (wide + T(0.5));
+    return {even, magic > 0 ? wide / (T(0.5) * wide + magic) : even};
+  }
+};
+
+/// Relaxes every moment with its own rate.
+template <class T>
+struct MultipleRelaxationTimes {
+  T s_nu, s_e, s_eps, s_q;
+  MultipleRelaxationTimes(const RelaxationRates& r)
+      : s_nu(T(r.s_nu)), s_e(T(r.s_e)), s_eps(T(r.s_eps)), s_q(T(r.s_q)) {}
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const MultipleRelaxationTimes& at(int) const {
+    return *this;
+  }
+
+  template <class V, class Force>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
+    using M = MomentBasis;
+    const V ux = m.ux, uy = m.uy, u2 = ux * ux + uy * uy, zero{};
+    const T rate[9] = {T(0), s_e, s_eps, T(0), s_q, T(0), s_q, s_nu, s_nu};
+    const V meq[9] = {zero,   T(3) * u2 - T(2) * m.rho, m.rho - T(3) * u2, zero, -ux, zero, -uy, ux * ux - uy * uy,
+                      ux * uy};
+    const V power = ux * force.x + uy * force.y;
+    const V source[9] = {zero,
+                         T(6) * power,
+                         T(-6) * power,
+                         zero + force.x,
+                         zero - force.x,
+                         zero + force.y,
+                         zero - force.y,
+                         T(2) * (ux * force.x - uy * force.y),
+                         ux * force.y + uy * force.x};
+    V change[9] = {};
+    unroll<9>([&](auto moment) VUG_INLINED {
+      constexpr int k = moment;
+      if constexpr (k == M::rho || ((k == M::jx || k == M::jy) && !Force::present)) return;
+      V value = zero;
+      if constexpr (k != M::jx && k != M::jy) {
+        unroll<9>([&](auto q) VUG_INLINED {
+          if constexpr (M::row(k, q) != 0) value += T(M::row(k, q)) * f[q];
+        });
+        value = rate[k] * (meq[k] - value);
+      }
+      if constexpr (Force::present) value += (T(1) - rate[k] / 2) * source[k];
+      value *= T(1.0 / M::norm2(k));
+      unroll<9>([&](auto q) VUG_INLINED {
+        if constexpr (M::row(k, q) != 0) change[q] += T(M::row(k, q)) * value;
+      });
+    });
+    unroll<9>([&](auto q) VUG_INLINED { f[q] += change[q]; });
+  }
+};
+
+/// f* = feq + 9/2 w (cc - c_s^2 I) : [(1 - s_nu) Pi_neq + (1 - s_nu/2)(uF + Fu)] + 3/2 w c.F
+template <class T>
+struct Regularised {
+  T s_nu;
+  Regularised(const RelaxationRates& rates) : s_nu(T(rates.s_nu)) {}
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION const Regularised& at(int) const {
+    return *this;
+  }
+
+  template <class V, class Force>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
+    const V isotropic = m.rho - T(1.5) * (m.ux * m.ux + m.uy * m.uy);
+    V xx{}, yy{}, xy{};
+    unroll<9>([&](auto direction) VUG_INLINED {
+      constexpr int q = direction, cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
+      if constexpr (cx != 0) xx += f[q];
+      if constexpr (cy != 0) yy += f[q];
+      if constexpr (cx * cy != 0) xy += T(cx * cy) * f[q];
+    });
+    // second moments of the equilibrium: rho'/3 I + u u
+    xx = (T(1) - s_nu) * (xx - m.rho / T(3) - m.ux * m.ux);
+    yy = (T(1) - s_nu) * (yy - m.rho / T(3) - m.uy * m.uy);
+    xy = (T(1) - s_nu) * (xy - m.ux * m.uy);
+    if constexpr (Force::present) {
+      xx += (T(2) - s_nu) * m.ux * force.x;
+      yy += (T(2) - s_nu) * m.uy * force.y;
+      xy += (T(1) - s_nu / 2) * (m.ux * force.y + m.uy * force.x);
+    }
+    unroll<9>([&](auto direction) VUG_INLINED {
+      constexpr int q = direction, cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
+      const V cu = along(q, m.ux, m.uy);
+      V stress = (T(cx * cx) - T(1.0 / 3.0)) * xx + (T(cy * cy) - T(1.0 / 3.0)) * yy;
+      if constexpr (cx * cy != 0) stress += T(2 * cx * cy) * xy;
+      V value = isotropic + T(3) * cu + T(4.5) * (cu * cu + stress);
+      if constexpr (Force::present) value += T(1.5) * along(q, force.x, force.y);
+      f[q] = T(D2Q9::w(q)) * value;
+    });
+  }
+};
+
+}  // namespace vug

@@ -1,0 +1,250 @@
+#include "kernels/flow/open_boundary.hpp"
+
+#include "kernels/launch/launch_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+/// Density given; no velocity along the surface.
+template <class T>
+struct PressureRule {
+  static constexpr bool slides = false;
+  T value;  ///< 3 p
+  KOKKOS_FORCEINLINE_FUNCTION T density() const { return value; }
+};
+
+/// Density of the step; the nodes' velocity along the surface.
+template <class T>
+struct OutflowRule {
+  static constexpr bool slides = true;
+  const double* level;
+  KOKKOS_FORCEINLINE_FUNCTION T density() const { return T(level[1]); }
+};
+
+/// Dresses each pair of links that are images of each other by a rule, from the first of them, and books the change of
+/// mass of either. Touches a population, a velocity and 25 bytes of lists and ledger per link.
+template <class T, class Rule>
+struct DressMirrored {
+  FlowCondition links;
+  ScalarField<T> f;
+  VectorField<T> u;
+  int capacity;
+  Rule rule;
+
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int image = links.mirror[link];
+    if (image < link) return;  // a wall, or dressed from its image
+    const T here = returned(link, image), there = returned(image, link), slip = slide(link, image);
+    bring_in(link, there - slip);
+    if (image != link) bring_in(image, here + slip);
+  }
+
+ private:
+  /// What goes out along `image` and comes in where `link` does: -A + w [rho' + 9/2 (c.u)^2 - 3/2 u^2] of both, the
+  /// velocity along the surface turned round with the image unless fluid may slide.
+  KOKKOS_FORCEINLINE_FUNCTION T returned(int image, int link) const {
+    const int i = links.fluid[image], q = links.direction[image];
+    return even(q, i) + even(Rule::slides ? links.direction[link] : q, i) - f(q * capacity + i);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION T even(int q, int i) const {
+    const T rho = rule.density(), ux = u(i, 0), uy = u(i, 1);
+    return T(0.5) * (equilibrium(q, rho, ux, uy) + equilibrium(D2Q9::opposite(q), rho, ux, uy));
+  }
+  /// 6 w t.u with the mean velocity of both nodes and the part t of the direction that lies in the surface.
+  KOKKOS_FORCEINLINE_FUNCTION T slide(int link, int image) const {
+    if constexpr (!Rule::slides) return T(0);
+    const int i = links.fluid[link], j = links.fluid[image], q = links.direction[link], p = links.direction[image];
+    const T along =
+        T(D2Q9::c(q, 0) - D2Q9::c(p, 0)) * (u(i, 0) + u(j, 0)) + T(D2Q9::c(q, 1) - D2Q9::c(p, 1)) * (u(i, 1) + u(j, 1));
+    return T(1.5 * D2Q9::w(q)) * along;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void bring_in(int link, T incoming) const {
+    const int slot = links.direction[link] * capacity + links.fluid[link];
+    links.gain[link] += double(incoming) - double(f(slot));
+    f(slot) = incoming;
+  }
+};
+
+/// f_in = A + 6 w c_in . u_w.
+template <class T>
+struct VelocityRule {
+  T ux, uy;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int, int q, T outgoing) const {
+    return outgoing - T(6 * D2Q9::w(q)) * (T(D2Q9::c(q, 0)) * ux + T(D2Q9::c(q, 1)) * uy);
+  }
+};
+
+/// The same with a share of the velocity on each link.
+template <class T>
+struct VelocityProfileRule {
+  T ux, uy;
+  const double* share;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T outgoing) const {
+    const T here = T(share[link]);
+    return VelocityRule<T>{here * ux, here * uy}(link, i, q, outgoing);
+  }
+};
+
+/// f_in = A + area speed.
+template <class T>
+struct NormalSpeedRule {
+  const double* area;
+  double speed;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T outgoing) const {
+    return outgoing + T(area[link] * speed);
+  }
+};
+
+/// Dresses the outgoing population of each link by a rule and books the change of mass. Touches one population and
+/// 21 bytes of lists and ledger per link.
+template <class T, class Rule>
+struct DressLinks {
+  FlowCondition links;
+  ScalarField<T> f;
+  int capacity;
+  Rule rule;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int i = links.fluid[link], q = links.direction[link];
+    const T outgoing = f(q * capacity + i);
+    const T incoming = rule(link, i, q, outgoing);
+    f(q * capacity + i) = incoming;
+    links.gain[link] += double(incoming) - double(outgoing);
+  }
+};
+
+using Kind = FlowCondition::Kind;
+
+/// Each stretch by its rule.
+template <class T>
+struct DressFlow {
+  using Entry = FlowCondition;
+  ScalarField<T> f;
+  VectorField<T> u;
+  int capacity;
+
+  /// The links of an outflow that has no face, if any, remain walls.
+  static int count(const FlowCondition& c) {
+    const bool closed = c.kind == Kind::outflow && c.faces == 0;
+    return c.kind == Kind::none || closed ? 0 : c.count;
+  }
+
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    const T x = T(c.value[0]), y = T(c.value[1]);
+    if (c.kind == Kind::pressure)
+      run(DressMirrored<T, PressureRule<T>>{c, f, u, capacity, {T(3 * c.value[0])}});
+    else if (c.kind == Kind::outflow)
+      run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c.level}});
+    else if (c.kind == Kind::velocity)
+      run(DressLinks<T, VelocityRule<T>>{c, f, capacity, {x, y}});
+    else if (c.kind == Kind::velocity_profile)
+      run(DressLinks<T, VelocityProfileRule<T>>{c, f, capacity, {x, y, c.part}});
+    else
+      run(DressLinks<T, NormalSpeedRule<T>>{c, f, capacity, {c.part, c.value[0]}});
+  }
+};
+
+FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
+                                 const ScalarField<double>& gain) {
+  return {Kind::pressure, links.count, links.fluid.data(), links.direction.data(), gain.data(),
+          mirror.data(),  nullptr,     {pressure, 0}};
+}
+
+FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
+                                 const ScalarField<double>& share, const ScalarField<double>& gain) {
+  const Kind kind = share.extent(0) == 0 ? Kind::velocity : Kind::velocity_profile;
+  return {kind,        links.count, links.fluid.data(), links.direction.data(),
+          gain.data(), nullptr,     share.data(),       {velocity[0], velocity[1]}};
+}
+
+FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
+                                     const ScalarField<double>& gain) {
+  return {Kind::normal_speed, links.count, links.fluid.data(), links.direction.data(),
+          gain.data(),        nullptr,     area.data(),        {speed, 0}};
+}
+
+FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
+                                const ScalarField<double>& gain) {
+  return {Kind::outflow, links.count, links.fluid.data(), links.direction.data(), gain.data(),       mirror.data(),
+          nullptr,       {0, 0},      state.faces,        state.speed.data(),     state.level.data()};
+}
+
+struct IsFace {
+  Kokkos::View<const std::uint8_t*> direction;
+  KOKKOS_FUNCTION void operator()(int link, int& faces) const { faces += direction(link) < D2Q5::Q; }
+};
+
+void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowState& state) {
+  int faces = 0;
+  Kokkos::parallel_reduce("vug::open_boundary::faces", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
+                          IsFace{links.direction}, faces);
+  state.faces = faces;
+  state.speed = ScalarField<double>("vug::open_boundary::speed", block_count(links.count));
+  Kokkos::resize(exec, state.level, 2);
+}
+
+/// Outward speed through a face.
+template <class T>
+struct OutwardSpeed {
+  FlowCondition links;
+  VectorField<T> u;
+  KOKKOS_FUNCTION double operator()(int link) const {
+    const int i = links.fluid[link], q = links.direction[link];
+    return q < D2Q5::Q ? D2Q9::c(q, 0) * double(u(i, 0)) + D2Q9::c(q, 1) * double(u(i, 1)) : 0;
+  }
+};
+
+/// Of all links of each outflow.
+template <class T>
+struct OutwardSpeeds {
+  using Entry = FlowCondition;
+  VectorField<T> u;
+  static int count(const FlowCondition& c) { return c.faces > 0 ? c.count : 0; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    run(OutwardSpeed<T>{c, u});
+  }
+};
+
+/// rho' = 3 c_s (U - U_0), then U_0 += share (U - U_0), with the mean speed U whose sums it clears.
+struct SetOutflowLevel {
+  FlowCondition links;
+  double share;
+  KOKKOS_FUNCTION void operator()(int) const {
+    double sum = 0;
+    for (int block = 0; block < block_count(links.count); ++block) {
+      sum += links.total[block];
+      links.total[block] = 0;
+    }
+    const double change = sum / links.faces - links.level[0];
+    links.level[1] = 3 * Kokkos::sqrt(c_s2) * change;
+    links.level[0] += share * change;
+  }
+};
+
+/// Of each outflow.
+struct SetOutflowLevels {
+  using Entry = FlowCondition;
+  double share;
+  static int count(const FlowCondition& c) { return c.faces > 0 ? 1 : 0; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    run(SetOutflowLevel{c, share});
+  }
+};
+
+template <class T>
+void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondition> conditions,
+           const FlowFields<T>& fields) {
+  const double crossing = std::max(nodes.lattice.nx, nodes.lattice.ny) / std::sqrt(c_s2);
+  add_per_block_of_lists(exec, "vug::open_boundary::outward_speed", conditions, OutwardSpeeds<T>{fields.u});
+  for_each_of_lists(exec, "vug::open_boundary::outflow_level", conditions, SetOutflowLevels{1 / (4 * crossing)});
+  for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
+}
+
+template void dress(const Exec&, const FluidNodes&, std::span<const FlowCondition>, const FlowFields<float>&);
+template void dress(const Exec&, const FluidNodes&, std::span<const FlowCondition>, const FlowFields<double>&);
+
+}  // namespace vug

@@ -1,0 +1,221 @@
+#include "kernels/heat/heat.hpp"
+
+#include "kernels/base/require.hpp"
+#include "kernels/heat/heat_bands.hpp"
+#include "kernels/launch/row_launch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace vug {
+
+namespace {
+
+/// As many bands for every thread, so low that what is set aside of one stays in its cache.
+int band_count(const Exec& exec, const Lattice& lattice) {
+  constexpr int rows_per_band = 32;
+  const int threads = exec.concurrency(), bands = (lattice.ny + rows_per_band - 1) / rows_per_band;
+  return (bands + threads - 1) / threads * threads;
+}
+
+void require_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw InputError(std::string("heat: ") + name + " = " + std::to_string(value) + ", expected a positive number");
+}
+
+/// Relaxation rate of a diffusivity.
+double rate_of(double diffusivity) {
+  return 1 / (0.5 + diffusivity / c_s2);
+}
+
+/// Tables with an entry for every byte that a node may have.
+HeatMatter make_matter(const Exec& exec, const HeatParameters& parameters, std::size_t nodes,
+                       const Kokkos::View<const std::uint8_t*>& mineral) {
+  constexpr std::size_t kinds = no_matter + 1;
+  HeatMatter matter{Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::matter"), nodes),
+                    ScalarField<double>("vug::heat::capacity", kinds), ScalarField<double>("vug::heat::rate", kinds),
+                    mineral};
+  const auto capacity = Kokkos::create_mirror_view(matter.capacity), rate = Kokkos::create_mirror_view(matter.rate);
+  capacity(0) = 1;
+  rate(0) = rate_of(parameters.fluid_diffusivity);
+  for (std::size_t m = 0; m < parameters.minerals.size(); ++m) {
+    require_positive("mineral diffusivity", parameters.minerals[m].diffusivity);
+    require_positive("heat capacity ratio of a mineral", parameters.minerals[m].capacity_ratio);
+    capacity(1 + m) = parameters.minerals[m].capacity_ratio;
+    rate(1 + m) = rate_of(parameters.minerals[m].diffusivity);
+  }
+  Kokkos::deep_copy(matter.capacity, capacity);
+  Kokkos::deep_copy(matter.rate, rate);
+  return matter;
+}
+
+}  // namespace
+
+template <class T>
+HeatRates<T> heat_rates(const HeatParameters& p) {
+  require_positive("fluid diffusivity", p.fluid_diffusivity);
+  require_positive("solid diffusivity", p.solid_diffusivity);
+  require_positive("heat capacity ratio", p.capacity_ratio);
+  const auto rate = [](double diffusivity) { return static_cast<T>(rate_of(diffusivity)); };
+  return {rate(p.fluid_diffusivity), rate(p.solid_diffusivity), static_cast<T>(interface_reflection(p.capacity_ratio)),
+          p.capacity_ratio};
+}
+
+/// Mask of the solid inside the lattice.
+struct CopySolid {
+  Kokkos::View<const NodeType*> type;
+  Kokkos::View<std::uint8_t*> solid;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
+    solid(node) =
+        type(node) == NodeType::opening ? inside_opening : static_cast<std::uint8_t>(type(node) == NodeType::solid);
+  }
+};
+
+/// The mask in the halo, where it makes the conjugate link inert: like the node joined to it, and where there is none,
+/// like the nearest node inside or, if `marked`, as outside.
+struct CopySolidToHalo {
+  Lattice lattice;
+  bool periodic_x, periodic_y, marked;
+  std::uint8_t mark;
+  Kokkos::View<std::uint8_t*> solid;
+
+  KOKKOS_FUNCTION static int source(int p, int n, bool periodic) {
+    if (periodic) return (p + n) % n;
+    return p < 0 ? 0 : p >= n ? n - 1 : p;
+  }
+  KOKKOS_FUNCTION void copy(int x, int y) const {
+    const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
+    const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
+    solid(lattice.node(x, y)) = outside && marked ? mark : solid(from);
+  }
+  /// Both ends of row `item` - 1, or of a column beyond the rows.
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int y = item - 1, x = y - lattice.ny - 1;
+    if (y <= lattice.ny) {
+      copy(-1, y);
+      copy(lattice.nx, y);
+    } else {
+      copy(x, -1);
+      copy(x, lattice.ny);
+    }
+  }
+};
+
+/// The kind of matter of a node inside the lattice.
+struct CopyMatter {
+  Kokkos::View<const std::uint8_t*> solid, mineral;
+  Kokkos::View<std::uint8_t*> matter;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
+    const std::uint8_t of_solid = static_cast<std::uint8_t>(1 + mineral(node));
+    matter(node) = solid(node) > 1 ? no_matter : solid(node) ? of_solid : std::uint8_t(0);
+  }
+};
+
+template <class T>
+void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
+                       HeatFields<T>& fields) {
+  const Lattice& lattice = fields.lattice;
+  for_each_dense_node(exec, "vug::heat::copy_solid", lattice, CopySolid{type, fields.solid});
+  const bool marked = fields.velocity_set == ScalarVelocitySet::d2q9;
+  const int ends = lattice.ny + 2 + lattice.nx;
+  for_each_node(exec, "vug::heat::copy_solid_to_halo", ends,
+                CopySolidToHalo{lattice, periodic[0], periodic[1], marked, outside_lattice, fields.solid});
+  HeatMatter& matter = fields.matter;
+  if (!matter.given()) return;
+  for_each_dense_node(exec, "vug::heat::copy_matter", lattice,
+                      CopyMatter{fields.solid, matter.mineral, matter.of_node});
+  for_each_node(exec, "vug::heat::copy_matter_to_halo", ends,
+                CopySolidToHalo{lattice, periodic[0], periodic[1], marked, no_matter, matter.of_node});
+}
+
+/// Populations at rest, g_q = w_q theta.
+template <class T, class Set>
+struct StartHeat {
+  int plane;
+  Kokkos::View<const T*> theta;
+  ScalarField<T> g;
+  KOKKOS_FUNCTION void operator()(int node) const {
+    for (int q = 0; q < Set::Q; ++q) g(q * plane + node) = T(Set::w(q)) * theta(node);
+  }
+};
+
+template <class T>
+void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields) {
+  const int plane = fields.lattice.size();
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    for_each_node(exec, "vug::heat::start", plane, StartHeat<T, decltype(set)>{plane, theta, fields.g});
+  });
+}
+
+template <class T>
+struct TakeTemperature {
+  Temperature<T> value;
+  Kokkos::View<const std::uint8_t*> solid;
+  ScalarField<T> theta;
+  KOKKOS_FUNCTION void operator()(int node) const { theta(node) = solid(node) > 1 ? T(0) : value(node); }
+};
+
+template <class T>
+void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta) {
+  for_each_dense_node(exec, "vug::heat::take_temperatures", fields.lattice,
+                      TakeTemperature<T>{Temperature<T>(fields), fields.solid, theta});
+}
+
+template <class T>
+ScalarField<T> temperatures(const Exec& exec, const HeatFields<T>& fields) {
+  const ScalarField<T> theta(Kokkos::view_alloc(exec, "vug::heat::theta"), fields.lattice.size());
+  take_temperatures(exec, fields, theta);
+  return theta;
+}
+
+template <class T>
+void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields) {
+  const int lines =
+      visit_velocity_set(fields.velocity_set, [](auto set) { return BandLines<T, decltype(set)>::count; });
+  fields.bands = std::min(bands, fields.lattice.ny);
+  fields.lines = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::lines"),
+                                static_cast<std::size_t>(fields.bands) * lines * fields.lattice.pitch);
+}
+
+template <class T>
+HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
+                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
+                               bool openings, const Kokkos::View<const std::uint8_t*>& mineral) {
+  HeatFields<T> fields;
+  fields.lattice = lattice;
+  fields.rates = heat_rates<T>(parameters);
+  fields.velocity_set = parameters.velocity_set;
+  fields.openings = openings;
+  fields.rows = lattice.ny;
+  const std::size_t size = lattice.size();
+  const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
+  fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);
+  if constexpr (runs_on_host)
+    set_heat_bands(exec, band_count(exec, lattice), fields);
+  else
+    fields.g_next = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g_next"), slots);
+  fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
+  if (!parameters.minerals.empty()) fields.matter = make_matter(exec, parameters, size, mineral);
+  set_heat_geometry(exec, type, periodic, fields);
+  const ScalarField<T> start(Kokkos::view_alloc(exec, "vug::heat::start"), size);
+  Kokkos::deep_copy(exec, start, static_cast<T>(theta));
+  start_heat(exec, start, fields);
+  return fields;
+}
+
+#define VUG_INSTANTIATE(T)                                                                                      \
+  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                   \
+  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                \
+                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool, \
+                                             const Kokkos::View<const std::uint8_t*>&);                         \
+  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                 \
+  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                    \
+  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                      \
+  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                               \
+  template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

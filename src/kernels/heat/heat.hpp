@@ -1,0 +1,157 @@
+#pragma once
+// Conjugate heat on every node of the lattice, fluid and solid alike: D2Q5 or D2Q9, two relaxation times with Lambda =
+// 1/4.
+//
+// One step: fill the halo (heat_boundary.hpp), `conduct` on all nodes, then `advect` on the fluid nodes where there is
+// flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
+// fluid's volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
+#include "kernels/nodes/fluid_rows.hpp"
+#include "kernels/scalar/displacement.hpp"
+
+#include <type_traits>
+#include <vector>
+
+namespace vug {
+
+/// What a mineral conducts and holds, as the solid of HeatParameters.
+struct HeatMineral {
+  double diffusivity = 0;
+  double capacity_ratio = 1;
+};
+
+/// Lattice units (dx = dt = 1); a heat step every n flow steps has n times the diffusivities.
+struct HeatParameters {
+  double fluid_diffusivity = 0;
+  double solid_diffusivity = 0;
+  double capacity_ratio = 1;  ///< sigma = (rho cp)_s / (rho cp)_f
+  ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
+  std::vector<HeatMineral>
+      minerals{};  ///< by their numbers, of which 0 is the solid above; empty: that is all there is
+};
+
+/// What the kernels need of HeatParameters.
+template <class T>
+struct HeatRates {
+  T fluid, solid;  ///< relaxation rate s = 1 / (1/2 + 3 D) of the odd moments; the even ones relax with 2 - s
+  T reflection;    ///< (1 - sigma) / (1 + sigma)
+  double capacity_ratio;
+};
+
+/// Throws InputError unless all three parameters are positive and finite.
+template <class T>
+HeatRates<T> heat_rates(const HeatParameters& parameters);
+
+/// The kinds of matter where there is more than fluid and one solid: 0 fluid, 1 + m mineral m, `no_matter` where
+/// nothing is computed.
+struct HeatMatter {
+  Kokkos::View<std::uint8_t*> of_node;        ///< (node) with halo, as HeatFields::solid; empty: fluid and one solid
+  ScalarField<double> capacity;               ///< (kind) heat capacity over that of the fluid; 0 of no_matter
+  ScalarField<double> rate;                   ///< (kind) relaxation rate s
+  Kokkos::View<const std::uint8_t*> mineral;  ///< (dense node) number of its mineral
+
+  bool given() const { return of_node.extent(0) > 0; }
+};
+inline constexpr std::uint8_t no_matter = 255;
+
+/// Entries of the mask of the solid where nothing is computed: beyond a side that is not joined to the opposite one
+/// (D2Q9; see HeatFields), and in an opening. All that is above 1 is such.
+inline constexpr std::uint8_t outside_lattice = 2, inside_opening = 3;
+
+/// Per node Q populations, in two lattices on a GPU, and a byte: on a host 21 bytes in float and 41 in double with
+/// D2Q5, 37 and 73 with D2Q9.
+template <class T>
+struct HeatFields {
+  Lattice lattice;
+  HeatRates<T> rates;
+  ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
+  bool openings = false;  ///< some nodes are in openings (opening.hpp), where g is what was filled in
+  ScalarField<T> g;       ///< (q * lattice.size() + node) post-collision populations, with halo
+  ScalarField<T> g_next;  ///< of a step with two lattices, exchanged with g; empty on a host, which steps in place
+  /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
+  /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
+  Kokkos::View<std::uint8_t*> solid;
+  HeatMatter matter;
+  int first_row = 0, rows = 0;  ///< [first_row, first_row + rows) are the rows that a step computes: all, or our share
+  int bands = 0;                ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
+  ScalarField<T> lines;         ///< (band, line, x) what they set aside
+};
+
+/// Temperature of a node, deviation from the reference: the sum of its populations, which every step conserves and
+/// leaves at their node. Not of nodes in openings and outside the lattice.
+template <class T>
+struct Temperature {
+  Kokkos::View<const T*> g;
+  int plane;
+  bool diagonals;  ///< there are those of D2Q9
+
+  explicit Temperature(const HeatFields<T>& fields)
+      : g(fields.g), plane(fields.lattice.size()), diagonals(fields.velocity_set == ScalarVelocitySet::d2q9) {}
+
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int node) const {
+    return diagonals ? sum_of_populations<D2Q9, T>(&g(node), plane) : sum_of_populations<D2Q5, T>(&g(node), plane);
+  }
+};
+
+/// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
+/// `mineral` (dense node) numbers parameters.minerals.
+template <class T>
+HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
+                               const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
+                               bool openings = false, const Kokkos::View<const std::uint8_t*>& mineral = {});
+
+/// Sets populations at rest from the temperatures theta (node).
+template <class T>
+void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields);
+
+/// theta (node) = temperature of every node inside the lattice, 0 in openings.
+template <class T>
+void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta);
+
+/// The same in a field of its own, 0 outside the lattice: for output.
+template <class T>
+ScalarField<T> temperatures(const Exec& exec, const HeatFields<T>& fields);
+
+/// Takes over a changed geometry. The populations of a node stay as they are when its kind changes; the energy it gains
+/// is booked by add_birth_energy (heat_sums.hpp), to be called before.
+template <class T>
+void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
+                       HeatFields<T>& fields);
+
+/// On a host: has a step done in that many bands of rows, at most one per row. make_heat_fields has chosen a number for
+/// the threads there are; no bit depends on it.
+template <class T>
+void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields);
+
+/// Conduction through fluid and solid: pull, conjugate link, collide at rest, store. The halo must have been filled.
+/// If `theta` (node) is given, it holds the temperatures afterwards, except in openings: on a host that costs a third
+/// of taking them later.
+template <class T>
+void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta = {});
+
+/// How much faster than the odd part of the carried populations their even part builds up, (2 - s) / s; 1 on D2Q5,
+/// where they have none.
+template <class T>
+T even_defect_weight(const HeatFields<T>& fields) {
+  return fields.velocity_set == ScalarVelocitySet::d2q9 ? (2 - fields.rates.fluid) / fields.rates.fluid : T(1);
+}
+
+/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` is the displacement in this
+/// step, `defect` (fluid) the e of kernels/scalar/advective_form.hpp for that in the heat step before, its even part
+/// weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the start and at births,
+/// part of a checkpoint. `created` (block) grows by the energy that the advective form adds; give an empty View to
+/// leave it out.
+template <class T>
+void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+            const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
+            const ScalarField<double>& created);
+
+/// `conduct` and `advect` in one go: on a host every part of a row is finished while it is in the nearest cache, since
+/// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes; `theta`
+/// as in `conduct`.
+template <class T>
+void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
+                        const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
+                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created,
+                        const std::type_identity_t<ScalarField<T>>& theta = {});
+
+}  // namespace vug

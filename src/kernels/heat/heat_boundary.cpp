@@ -1,0 +1,236 @@
+#include "kernels/heat/heat_boundary.hpp"
+
+#include "kernels/heat/heat_conditions.hpp"
+#include "kernels/launch/launch_lists.hpp"
+
+#include <type_traits>
+
+namespace vug {
+
+namespace {
+
+/// Direction of the outward velocity of a side.
+constexpr int outward(Side side) {
+  return static_cast<int>(side);
+}
+
+/// First node of a side and the distance in memory along it.
+struct SideNodes {
+  int first, stride;
+};
+
+SideNodes side_nodes(const Lattice& lattice, Side side) {
+  switch (side) {
+    case Side::left:
+      return {lattice.node(0, 0), lattice.pitch};
+    case Side::right:
+      return {lattice.node(lattice.nx - 1, 0), lattice.pitch};
+    case Side::bottom:
+      return {lattice.node(0, 0), 1};
+    default:
+      return {lattice.node(0, lattice.ny - 1), 1};
+  }
+}
+
+}  // namespace
+
+/// Writes the populations that arrive at one node through a side into the halo and returns the energy they bring in,
+/// the sum of c (in - A). `Law` maps a SideLink to what arrives.
+template <class T, class Set, class Law, class Kinds>
+struct FillSide {
+  Law law;
+  SideEntry side;
+  Kinds kinds;
+  Lattice lattice;
+  Kokkos::View<const std::uint8_t*> solid;
+  ScalarField<T> g;
+
+  KOKKOS_FORCEINLINE_FUNCTION static int along(int outward, int q) {
+    return Set::c(outward, 0) == 0 ? Set::c(q, 0) : Set::c(q, 1);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static bool crosses(int outward, int q) {
+    return Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) == 1;
+  }
+  /// True where a diagonal link leaves through a corner that is another side's.
+  KOKKOS_FUNCTION bool lost_corner(int node, int q) const {
+    const int step = along(side.outward, q);
+    return solid(node + step * side.stride) == outside_lattice && !(step < 0 ? side.lower_corner : side.upper_corner);
+  }
+  /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
+  /// same kind and of this stretch by the link that crosses q.
+  KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
+    const int step = along(side.outward, q), plane = lattice.size();
+    const int next = node + step * side.stride;
+    const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
+    if (!Law::mirrors || step == 0 || !beside || kinds.kind(next) != kinds.kind(node)) return g(q * plane + node);
+    int crossing = 5;
+    while (crossing == q || !crosses(side.outward, crossing)) ++crossing;
+    return g(crossing * plane + next);
+  }
+  KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
+    const int plane = lattice.size(), back = Set::opposite(q);
+    const SideLink<T> link{leaving(item, node, q), g(back * plane + node), static_cast<T>(Set::w(q)),
+                           kinds.share(node, share), kinds.solid(node)};
+    const T arriving = law(link);
+    g(back * plane + node + lattice.offset(q)) = arriving;
+    return static_cast<double>(arriving) - static_cast<double>(link.leaving);
+  }
+  KOKKOS_FUNCTION double operator()(int item) const {
+    const int node = side.first + item * side.stride;
+    if (solid(node) > 1) return 0;
+    double entered = 0;
+    T straight_share = 1;
+    for (int q = 5; q < Set::Q; ++q) {
+      if (!crosses(side.outward, q) || lost_corner(node, q)) continue;
+      const T share = static_cast<T>(6 * Set::w(q));
+      straight_share -= share;
+      entered += fill(item, node, q, share);
+    }
+    entered += fill(item, node, side.outward, straight_share);
+    return kinds.capacity(node) * entered;
+  }
+};
+
+/// As FillSide for one link into an opening, whose node there takes what arrives.
+template <class T, class Set, class Law, class Kinds>
+struct FillOpening {
+  Law law;
+  OpeningEntry opening;
+  Kinds kinds;
+  int plane;
+  ScalarField<T> g;
+  KOKKOS_FUNCTION double operator()(int item) const {
+    const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q);
+    const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)),
+                           kinds.share(n, static_cast<T>(opening.area[item])), kinds.solid(n)};
+    const T arriving = law(link);
+    g(back * plane + opening.beyond[item]) = arriving;
+    return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
+  }
+};
+
+/// All sides, each by its law.
+template <class T, class Set, class Kinds>
+struct FillSides {
+  Kinds kinds;
+  double capacity_ratio;
+  Lattice lattice;
+  Kokkos::View<const std::uint8_t*> solid;
+  ScalarField<T> g;
+
+  using Entry = SideEntry;
+  static int count(const HeatSide& side) { return side.last - side.first + 1; }
+  Entry entry(const HeatSide& side) const {
+    const auto [origin, stride] = side_nodes(lattice, side.side);
+    const bool whole = count(side) == side_length(lattice, side.side);
+    return {condition_of(side, capacity_ratio),
+            origin + side.first * stride,
+            count(side),
+            stride,
+            outward(side.side),
+            whole,
+            side.corners[0],
+            side.corners[1]};
+  }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
+    e.template visit<T>([&](const auto& law) {
+      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, solid, g});
+    });
+  }
+};
+
+/// All openings.
+template <class T, class Set, class Kinds>
+struct FillOpenings {
+  Kinds kinds;
+  double capacity_ratio;
+  int plane;
+  ScalarField<T> g;
+
+  using Entry = OpeningEntry;
+  static int count(const HeatOpening& opening) { return opening.links.count; }
+  Entry entry(const HeatOpening& opening) const {
+    const DenseLinks& links = opening.links;
+    return {condition_of(opening, capacity_ratio), links.node.data(), links.beyond.data(), links.direction.data(),
+            links.area.data()};
+  }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
+    e.template visit<T>([&](const auto& law) {
+      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, plane, g});
+    });
+  }
+};
+
+template <class T>
+void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides) {
+  visit_kinds(fields, [&](auto set, const auto& kinds) {
+    using Law = FillSides<T, decltype(set), std::decay_t<decltype(kinds)>>;
+    add_per_block_of_lists(exec, "vug::heat::fill_side", sides,
+                           Law{kinds, fields.rates.capacity_ratio, fields.lattice, fields.solid, fields.g});
+  });
+}
+
+template <class T>
+void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings) {
+  visit_kinds(fields, [&](auto set, const auto& kinds) {
+    using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
+    add_per_block_of_lists(exec, "vug::heat::fill_opening", openings,
+                           Law{kinds, fields.rates.capacity_ratio, fields.lattice.size(), fields.g});
+  });
+}
+
+template <class T>
+HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
+                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
+                              double value) {
+  const int directions = visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
+  HeatOpening made{
+      find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}, 0};
+  made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(made.links.count));
+  return made;
+}
+
+/// Copies the populations that leave through one side to the halo beside the other.
+template <class T, class Set>
+struct JoinSides {
+  int low, high, stride, beyond, plane, axis;
+  ScalarField<T> g;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int bottom = low + item * stride;
+    const int top = high + item * stride;
+    for (int q = 1; q < Set::Q; ++q) {
+      if (Set::c(q, axis) > 0) g(q * plane + bottom - beyond) = g(q * plane + top);
+      if (Set::c(q, axis) < 0) g(q * plane + top + beyond) = g(q * plane + bottom);
+    }
+  }
+};
+
+template <class T>
+void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
+  const Lattice& lattice = fields.lattice;
+  const Side low = axis == 0 ? Side::left : Side::bottom;
+  const Side high = axis == 0 ? Side::right : Side::top;
+  const SideNodes nodes = side_nodes(lattice, low);
+  const int last = side_nodes(lattice, high).first;
+  // Across axis 1 the halo of axis 0 is copied as well: it brings what moves diagonally through two joined sides.
+  const int halo = axis, count = (axis == 0 ? lattice.ny : lattice.nx) + 2 * halo;
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    for_each_node(exec, "vug::heat::join_sides", count,
+                  JoinSides<T, decltype(set)>{nodes.first - halo, last - halo, nodes.stride,
+                                              lattice.offset(outward(high)), lattice.size(), axis, fields.g});
+  });
+}
+
+#define VUG_INSTANTIATE(T)                                                                                  \
+  template void fill_heat_sides(const Exec&, const HeatFields<T>&, std::span<const HeatSide>);              \
+  template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>);        \
+  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
+                                         std::array<bool, 2>, const Opening&, HeatCondition, double);       \
+  template void join_heat_sides(const Exec&, const HeatFields<T>&, int)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

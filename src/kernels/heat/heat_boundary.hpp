@@ -1,0 +1,78 @@
+#pragma once
+// Heat at the sides of the lattice and at openings in it: the populations that should come in are written to
+// the halo, or to the nodes of the opening, before `conduct` pulls them. Every wall plane lies half a node outside the
+// first node.
+#include "kernels/heat/heat.hpp"
+#include "kernels/nodes/opening.hpp"
+
+#include <span>
+
+namespace vug {
+
+enum class HeatCondition {
+  adiabatic,    ///< in = A: nothing passes
+  temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
+  convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
+  flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
+  outflow       ///< in = the node's own population of the same direction: zero gradient
+};
+
+/// A stretch of one side with a condition of its own, nodes [first, last] along the side.
+struct HeatSide {
+  Side side = Side::left;
+  int first = 0;
+  int last = -1;
+  HeatCondition condition = HeatCondition::adiabatic;
+  double value = 0;               ///< theta of the wall, or the flux in theta nodes per step, in fluid heat capacities
+  ScalarField<double> energy_in;  ///< (block) heat that entered so far, in fluid heat capacities
+  /// D2Q9: whether the diagonal links through the corners at its lower and upper end are this side's.
+  std::array<bool, 2> corners{false, false};
+  double transfer = 0;  ///< h of convection per step, in fluid heat capacities; then `value` is theta outside
+};
+
+/// Nodes along a side.
+int side_length(const Lattice& lattice, Side side);
+
+/// A whole side, or a stretch of it. Stretches of one side must not overlap.
+HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value = 0);
+HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value = 0);
+
+/// Gives each corner where two of the sides meet to the one that says more there: a temperature or outflow before a
+/// flux before none; of equals, to the left or right side. A profile along an adiabatic side then stays
+/// one-dimensional up to its end.
+void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
+
+/// Fills the halo beside the sides in one launch, and books what enters in energy_in of each. On D2Q9 three links of a
+/// node cross the side, which share a flux as 1/6, 2/3, 1/6; where one through a corner is not this side's, its share
+/// goes to the straight link. An adiabatic side, and one with a flux, reflects what moves diagonally between like nodes
+/// as a mirror does: sent back the way it came it would hold back what flows along the side. Sides that are joined come
+/// first.
+template <class T>
+void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides);
+
+/// The surface of an opening with its condition. Its links are those of a geometry: births do not change them.
+struct HeatOpening {
+  DenseLinks links;
+  HeatCondition condition = HeatCondition::adiabatic;
+  double value = 0;               ///< as of a side
+  ScalarField<double> energy_in;  ///< (block of links) heat that entered so far, in fluid heat capacities
+  double transfer = 0;            ///< as of a side
+};
+
+/// The links of `fields` into an opening; `type` and `periodic` as given to make_heat_fields.
+template <class T>
+HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
+                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
+                              double value = 0);
+
+/// Writes the populations that should come out of the openings into their nodes, as fill_heat_sides does to the halo,
+/// and books what enters. A flux is per true area of the surface (link_areas). No mirror: on D2Q9
+/// what moves diagonally goes back the way it came. Before sides are joined.
+template <class T>
+void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings);
+
+/// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top), 0 before 1.
+template <class T>
+void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis);
+
+}  // namespace vug

@@ -1,0 +1,128 @@
+#pragma once
+// The laws of heat_boundary.hpp: what arrives through a link, from what leaves.
+#include "kernels/heat/heat_boundary.hpp"
+
+namespace vug {
+
+/// One link that crosses a side, as its law sees it.
+template <class T>
+struct SideLink {
+  T leaving;   ///< A, the population that leaves through it, or that a mirror sends back through it
+  T inward;    ///< the node's own population of the opposite direction
+  T weight;    ///< w of the velocity set
+  T share;     ///< of what enters at the node, of a mineral over its heat capacity
+  bool solid;  ///< of the one solid that there is
+};
+
+/// What a boundary asks of its nodes: fluid and one solid.
+template <class T>
+struct TwoKinds {
+  double capacity_ratio;
+  Kokkos::View<const std::uint8_t*> kind;
+  KOKKOS_FORCEINLINE_FUNCTION bool solid(int node) const { return kind(node) != 0; }
+  KOKKOS_FORCEINLINE_FUNCTION T share(int, T share) const { return share; }
+  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return kind(node) ? capacity_ratio : 1; }
+};
+/// Fluid and minerals.
+template <class T>
+struct ManyKinds {
+  Kokkos::View<const double*> capacities;
+  Kokkos::View<const std::uint8_t*> kind;
+  KOKKOS_FORCEINLINE_FUNCTION bool solid(int) const { return false; }
+  KOKKOS_FORCEINLINE_FUNCTION T share(int node, T share) const { return share / static_cast<T>(capacity(node)); }
+  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return capacities(kind(node)); }
+};
+
+/// in = A + share q / c.
+template <class T>
+struct FluxIn {
+  static constexpr bool mirrors = true;
+  T fluid_flux, solid_flux;
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
+    return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
+  }
+};
+
+/// in = A + share h (theta_out - (in + A) / 2w) / c, solved for what comes in: Newton's law of cooling with the
+/// temperature that the wall plane then has. Large h: the temperature is given; none: nothing passes.
+template <class T>
+struct ConvectionIn {
+  static constexpr bool mirrors = true;
+  T outside, fluid_transfer, solid_transfer;
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
+    const T passed = link.share * (link.solid ? solid_transfer : fluid_transfer), held = passed / (2 * link.weight);
+    return (link.leaving * (1 - held) + passed * outside) / (1 + held);
+  }
+};
+
+/// in = -A + 2 w theta_wall (half-way anti-bounce-back).
+template <class T>
+struct TemperatureIn {
+  static constexpr bool mirrors = false;
+  T twice_wall_temperature;
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
+    return link.weight * twice_wall_temperature - link.leaving;
+  }
+};
+
+/// in = the node's own inward population.
+template <class T>
+struct OutflowIn {
+  static constexpr bool mirrors = false;
+  KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const { return link.inward; }
+};
+
+/// The condition of a side or an opening, and where what enters is booked.
+struct ConditionOf {
+  HeatCondition condition;
+  double value, transfer, capacity_ratio;
+  double* total;
+
+  template <class T, class Visit>
+  KOKKOS_FUNCTION void visit(const Visit& visit) const {
+    switch (condition) {
+      case HeatCondition::adiabatic:
+        return visit(FluxIn<T>{0, 0});
+      case HeatCondition::temperature:
+        return visit(TemperatureIn<T>{static_cast<T>(2 * value)});
+      case HeatCondition::flux:
+        return visit(FluxIn<T>{static_cast<T>(value), static_cast<T>(value / capacity_ratio)});
+      case HeatCondition::convection:
+        return visit(ConvectionIn<T>{static_cast<T>(value), static_cast<T>(transfer),
+                                     static_cast<T>(transfer / capacity_ratio)});
+      case HeatCondition::outflow:
+        return visit(OutflowIn<T>{});
+    }
+  }
+};
+
+template <class Boundary>
+ConditionOf condition_of(const Boundary& boundary, double capacity_ratio) {
+  return {boundary.condition, boundary.value, boundary.transfer, capacity_ratio, boundary.energy_in.data()};
+}
+
+/// A stretch of a side, from its first node.
+struct SideEntry : ConditionOf {
+  int first, count, stride, outward;
+  bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
+};
+
+/// The links into an opening.
+struct OpeningEntry : ConditionOf {
+  const int *node, *beyond;
+  const std::uint8_t* direction;
+  const double* area;
+};
+
+/// visit(Set{}, the kinds of the nodes).
+template <class T, class Visit>
+void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    if (fields.matter.given())
+      visit(set, ManyKinds<T>{fields.matter.capacity, fields.matter.of_node});
+    else
+      visit(set, TwoKinds<T>{fields.rates.capacity_ratio, fields.solid});
+  });
+}
+
+}  // namespace vug

@@ -1,0 +1,232 @@
+#pragma once
+// The laws of the heat step, one node each.
+#include "kernels/base/unroll.hpp"
+#include "kernels/heat/conjugate_link.hpp"
+#include "kernels/heat/heat.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
+
+namespace vug {
+
+/// Conduction in fluid and solid (paper Eqs. 3, 4): g_q(x, t+1) is what arrives through the conjugate link, and the
+/// collision relaxes its odd part with s, its even part with s_plus towards w_q T. With Lambda = 1/4, s_plus = 2 - s,
+/// so
+///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
+/// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it to
+/// the last digit at any precision.
+template <class T, class Set>
+struct Conduction {
+  T fluid_rate, rate_step, reflection;
+
+  explicit Conduction(const HeatRates<T>& rates)
+      : fluid_rate(rates.fluid), rate_step(rates.solid - rates.fluid), reflection(rates.reflection) {}
+
+  /// Turns the populations `g` of a node into those after the step. `pulled` (q) left the neighbour that q comes from;
+  /// `beyond` (q) is 1 if that neighbour is solid, `solid` if the node is, else 0.
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T solid,
+                                              const T (&beyond)[Set::Q]) const {
+    T in[Set::Q];
+    T temperature = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q)
+      temperature += in[q] = conjugate_link(pulled[q], g[Set::opposite(q)], reflection, solid, beyond[q]);
+    const T s = fluid_rate + solid * rate_step;
+    const T even = (2 - s) * temperature;
+    g[0] = temperature;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
+      g[0] -= g[q];
+    }
+  }
+};
+
+/// The same where every node has the heat capacity and the rate of its own matter.
+template <class T, class Set>
+struct MineralConduction {
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T rate, T capacity,
+                                              const T (&beyond)[Set::Q]) const {
+    T in[Set::Q];
+    T temperature = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q)
+      temperature += in[q] = conjugate_link_of(pulled[q], g[Set::opposite(q)], capacity, beyond[q]);
+    const T even = (2 - rate) * temperature;
+    g[0] = temperature;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      g[q] = (rate - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
+      g[0] -= g[q];
+    }
+  }
+};
+
+/// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
+/// `inside_opening`), that of the node itself. D2Q5 without openings never meets such.
+template <class T, class Set, bool Openings>
+KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
+  if constexpr (Set::Q == D2Q5::Q && !Openings)
+    return beyond;
+  else
+    return beyond > 1 ? solid : beyond;
+}
+
+/// What the nodes are made of, for the conduction at one of them: fluid and one solid. `kind` is a byte per node, of
+/// which `staged` makes what the law takes for here and beyond.
+template <class T, class Set, bool Openings>
+struct TwoPhases {
+  Conduction<T, Set> law;
+  Kokkos::View<const std::uint8_t*> kind;
+
+  explicit TwoPhases(const HeatFields<T>& fields) : law(fields.rates), kind(fields.solid) {}
+  KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(k); }
+  KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return solid_beyond<T, Set, Openings>(there, here); }
+  KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return !Openings || here <= 1; }
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t, T here,
+                                           const T (&there)[Set::Q]) const {
+    law(g, pulled, here, there);
+  }
+};
+
+/// Fluid and minerals: what is staged are heat capacities.
+template <class T, class Set>
+struct ManyMinerals {
+  Kokkos::View<const std::uint8_t*> kind;
+  Kokkos::View<const double*> capacity, rate;
+
+  explicit ManyMinerals(const HeatFields<T>& fields)
+      : kind(fields.matter.of_node), capacity(fields.matter.capacity), rate(fields.matter.rate) {}
+  KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(capacity(k)); }
+  KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return there > 0 ? there : here; }
+  KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return here > 0; }
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t k, T here,
+                                           const T (&there)[Set::Q]) const {
+    MineralConduction<T, Set>{}(g, pulled, static_cast<T>(rate(k)), here, there);
+  }
+};
+
+/// Conduction at one node with two lattices: pulls from g, writes g_next. Dense fields; lattice units. Reads Q
+/// populations and a byte, writes Q. With `Openings` the nodes inside them keep what was filled in.
+template <class T, class Set, class Matter>
+struct Conduct {
+  Matter matter;
+  int pitch, plane;
+  Kokkos::View<const T*> g;
+  ScalarField<T> g_next;
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int node) const {
+    const std::uint8_t kind = matter.kind(node);
+    const T here = matter.staged(kind);
+    if (!matter.computed(here)) return keep(node);
+    T own[Set::Q], pulled[Set::Q], beyond[Set::Q];
+    own[0] = g(node);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const int from = node - Set::c(q, 1) * pitch - Set::c(q, 0);
+      own[q] = g(q * plane + node);
+      pulled[q] = g(q * plane + from);
+      beyond[q] = matter.beyond(matter.staged(matter.kind(from)), here);
+    }
+    matter.conduct(own, pulled, kind, here, beyond);
+    VUG_UNROLL
+    for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = own[q];
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void keep(int node) const {
+    for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = g(q * plane + node);
+  }
+};
+
+/// One node of a conduction step of these fields from `fields.g` to `g_next`.
+template <class Set, class T, class Matter>
+Conduct<T, Set, Matter> conduct_body(const HeatFields<T>& fields, const Matter& matter, const ScalarField<T>& g_next) {
+  return {matter, fields.lattice.pitch, fields.lattice.size(), fields.g, g_next};
+}
+
+/// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow
+/// conduction. Carried: g_q* += s w_q T 3 c_q.u, and on D2Q9 the even part of the equilibrium with its own rate, 2 - s.
+/// Towards solid and closed sides that part stays at its node, in the population at rest: only conducted heat crosses a
+/// wall. The advective form (advective_form.hpp) takes T e' from the
+/// population at rest before the collision, e' being what streaming has added to a uniform temperature: the carried
+/// part builds up over the relaxation time, so e' lags behind e in the same way, e' = (1 - s) e' + s e. A uniform
+/// temperature then stays uniform to round-off in any flow, steady or not.
+template <class T, class Set>
+struct Convection {
+  T rate;  ///< s of the fluid
+
+  /// e' after a step with the defect e.
+  KOKKOS_FORCEINLINE_FUNCTION T follow(T lagged, T defect) const { return lagged + rate * (defect - lagged); }
+
+  /// What is added to the temperature, -T e' / (1 + e').
+  KOKKOS_FORCEINLINE_FUNCTION static T added(T temperature, T lagged) { return -temperature * lagged / (1 + lagged); }
+
+  /// What is added to population q, over w_q, at the temperature with `added`; `walled` if nothing is carried along q.
+  KOKKOS_FORCEINLINE_FUNCTION T change(int q, T temperature, T added, T ux, T uy, bool walled) const {
+    const T along = walled ? T(0) : temperature * carried(q, ux, uy);
+    return (2 - rate) * added + along;
+  }
+
+ private:
+  /// Carried along direction q, over w_q T.
+  KOKKOS_FORCEINLINE_FUNCTION T carried(int q, T ux, T uy) const {
+    const T odd = 3 * along(q, ux, uy);
+    if constexpr (Set::Q == D2Q5::Q)
+      return rate * odd;
+    else
+      return rate * odd + (2 - rate) * (scalar_equilibrium<Set, T>(q, ux, uy) - 1 - odd);
+  }
+};
+
+/// Convection at one fluid node; what is not added to other populations is taken from the one at rest. Returns the
+/// energy added.
+template <class T, class Set>
+struct Advect {
+  Convection<T, Set> law;
+  int plane;
+  IndexList node;
+  Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
+  Displacement<T> u;
+  Kokkos::View<const T*> defect;
+  ScalarField<T> lagged, g;
+
+  /// Bit q: nothing is carried along q.
+  KOKKOS_FORCEINLINE_FUNCTION unsigned walls(int i) const {
+    return closed_links(solid_links(i), side_links(i), open_links(i));
+  }
+
+  KOKKOS_FUNCTION double operator()(int i) const {
+    const int n = node(i);
+    const T excess = law.follow(lagged(i), defect(i));
+    const T conducted = sum_of_populations<Set, T>(&g(n), plane);
+    const T added = law.added(conducted, excess), temperature = conducted + added;
+    const unsigned walled = walls(i);
+    T rest = added;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const T change = T(Set::w(q)) * law.change(q, temperature, added, u(i, 0), u(i, 1), walled >> q & 1u);
+      g(q * plane + n) += change;
+      rest -= change;
+    }
+    g(n) += rest;
+    lagged(i) = excess;
+    return static_cast<double>(added);
+  }
+};
+
+/// What the flow adds to the populations of one fluid node of these fields.
+template <class T, class Set>
+Advect<T, Set> advect_body(const FluidNodes& nodes, const Displacement<T>& u, const ScalarField<T>& defect,
+                           const ScalarField<T>& lagged, const HeatFields<T>& fields) {
+  return {{fields.rates.fluid},
+          fields.lattice.size(),
+          nodes.node,
+          nodes.solid_links,
+          nodes.side_links,
+          nodes.open_links,
+          u,
+          defect,
+          lagged,
+          fields.g};
+}
+
+}  // namespace vug

@@ -1,0 +1,99 @@
+// The heat step: on a host in place, conduction and convection of a row while it is in the cache; on a GPU with two
+// lattices, one after the other.
+#include "kernels/heat/heat_bands.hpp"
+#include "kernels/heat/heat_convection.hpp"
+#include "kernels/launch/row_launch.hpp"
+
+#include <utility>
+
+namespace vug {
+
+namespace {
+
+/// visit(Set{}, what the nodes are made of).
+template <class T, class Visit>
+void visit_matter(const HeatFields<T>& fields, const Visit& visit) {
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    using Set = decltype(set);
+    if (fields.matter.given())
+      visit(set, ManyMinerals<T, Set>(fields));
+    else if (fields.openings)
+      visit(set, TwoPhases<T, Set, true>(fields));
+    else
+      visit(set, TwoPhases<T, Set, false>(fields));
+  });
+}
+
+/// Conduction in place, and what follows it in every row (heat_convection.hpp).
+template <class Set, class T, class Matter, class Convection>
+void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Matter& matter, const Convection& convection,
+                      const ScalarField<T>& theta) {
+  using Rows = ThenTemperatures<T, Set, Convection>;
+  const Rows rows{convection, fields.lattice, fields.g, theta};
+  const HeatBands<T, Set> bands(fields);
+  const Kokkos::RangePolicy<Exec> all(exec, 0, bands.count);
+  Kokkos::parallel_for("vug::heat::set_aside", all, SetAsideBesideBand<T, Set>{bands});
+  const ConductBand<T, Set, Matter, Rows> band{bands, matter, rows};
+  Kokkos::parallel_for("vug::heat::rows", all, band);
+}
+
+}  // namespace
+
+template <class T>
+void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta) {
+  visit_matter(fields, [&](auto set, const auto& matter) {
+    using Set = decltype(set);
+    if constexpr (runs_on_host)
+      conduct_in_place<Set>(exec, fields, matter, NoConvection{}, theta);
+    else
+      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice, conduct_body<Set>(fields, matter, fields.g_next));
+  });
+  if constexpr (!runs_on_host) {
+    std::swap(fields.g, fields.g_next);
+    if (theta.extent(0) > 0) take_temperatures(exec, fields, theta);
+  }
+}
+
+template <class T>
+void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+            const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
+            const ScalarField<double>& created) {
+  visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields);
+    if (created.extent(0) > 0)
+      add_per_block(exec, "vug::heat::advect", nodes.count, body, created);
+    else
+      for_each_node(exec, "vug::heat::advect", nodes.count, body);
+  });
+}
+
+template <class T>
+void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
+                        const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
+                        const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created,
+                        const std::type_identity_t<ScalarField<T>>& theta) {
+  if constexpr (runs_on_host) {
+    visit_matter(fields, [&](auto set, const auto& matter) {
+      using Set = decltype(set);
+      const auto convection = convect_rows(nodes, rows, advect_body<T, Set>(nodes, u, defect, lagged, fields), created);
+      conduct_in_place<Set>(exec, fields, matter, convection, theta);
+    });
+  } else {
+    conduct(exec, fields);
+    advect(exec, nodes, u, defect, lagged, fields, created);
+    if (theta.extent(0) > 0) take_temperatures(exec, fields, theta);
+  }
+}
+
+#define VUG_INSTANTIATE(T)                                                                                   \
+  template void conduct(const Exec&, HeatFields<T>&, const ScalarField<T>&);                                 \
+  template void advect(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&,        \
+                       const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&);                   \
+  template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const Displacement<T>&, \
+                                   const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,             \
+                                   const ScalarField<double>&, const ScalarField<T>&)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

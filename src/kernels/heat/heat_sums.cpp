@@ -1,0 +1,142 @@
+#include "kernels/heat/heat_sums.hpp"
+
+#include "kernels/launch/row_launch.hpp"
+
+#include <type_traits>
+
+namespace vug {
+
+/// Heat capacity of a node of one solid, over that of the fluid.
+struct SolidCapacity {
+  double of_solid;
+  Kokkos::View<const std::uint8_t*> solid;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int node) const { return solid(node) ? of_solid : 1.0; }
+};
+/// Of several.
+struct MineralCapacity {
+  Kokkos::View<const std::uint8_t*> matter;
+  Kokkos::View<const double*> capacity;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int node) const { return capacity(matter(node)); }
+};
+
+/// visit(capacity of a node).
+template <class T, class Visit>
+void visit_capacity(const HeatFields<T>& fields, const Visit& visit) {
+  if (fields.matter.given())
+    visit(MineralCapacity{fields.matter.of_node, fields.matter.capacity});
+  else
+    visit(SolidCapacity{fields.rates.capacity_ratio, fields.solid});
+}
+
+/// Energy of one node; none in openings.
+template <class T, class Capacity>
+struct NodeEnergy {
+  Capacity capacity;
+  Kokkos::View<const std::uint8_t*> solid;
+  Temperature<T> theta;
+  KOKKOS_FUNCTION double operator()(int node) const {
+    const double energy = capacity(node) * static_cast<double>(theta(node));
+    return solid(node) > 1 ? 0.0 : energy;
+  }
+};
+
+int heat_energy_sums(const Lattice& lattice) {
+  return dense_sums(lattice);
+}
+
+template <class T>
+void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total) {
+  visit_capacity(fields, [&](const auto& capacity) {
+    add_per_dense_row(exec, "vug::heat::energy", fields.lattice,
+                      NodeEnergy<T, std::decay_t<decltype(capacity)>>{capacity, fields.solid, Temperature<T>(fields)},
+                      total);
+  });
+}
+
+/// (1 - sigma) theta of a solid node that becomes fluid.
+template <class T, class Capacity>
+struct BirthEnergy {
+  int first;
+  Capacity capacity;
+  IndexList list;
+  Kokkos::View<const std::uint8_t*> solid;
+  Temperature<T> theta;
+  KOKKOS_FUNCTION double operator()(int item) const {
+    const int node = list(first + item);
+    return solid(node) ? (1 - capacity(node)) * static_cast<double>(theta(node)) : 0.0;
+  }
+};
+
+template <class T>
+void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
+                      const ScalarField<double>& total) {
+  visit_capacity(fields, [&](const auto& capacity) {
+    using Body = BirthEnergy<T, std::decay_t<decltype(capacity)>>;
+    add_per_block(exec, "vug::heat::birth_energy", last - first,
+                  Body{first, capacity, list, fields.solid, Temperature<T>(fields)}, total);
+  });
+}
+
+/// Extremes of one node, of a row on a host: there in lanes, of which vectors take several.
+template <class T>
+struct Extremes {
+  static constexpr int lanes = 128;
+
+  Lattice lattice;
+  int first_row;
+  Kokkos::View<const std::uint8_t*> solid;
+  Temperature<T> theta;
+
+  KOKKOS_FORCEINLINE_FUNCTION void look(int node, T& lowest, T& highest, int& not_finite) const {
+    const T value = theta(node);
+    const int inside = solid(node) <= 1, finite = Kokkos::abs(value) <= Kokkos::Experimental::finite_max_v<T>;
+    const int good = inside & finite;
+    const T low = good ? value : lowest, high = good ? value : highest;
+    lowest = low < lowest ? low : lowest;
+    highest = high > highest ? high : highest;
+    not_finite += inside - good;
+  }
+
+  KOKKOS_FUNCTION void operator()(int item, T& lowest, T& highest, int& not_finite) const {
+    if constexpr (!runs_on_host) {
+      look(lattice.node(item % lattice.nx, item / lattice.nx), lowest, highest, not_finite);
+    } else {
+      T low[lanes], high[lanes];
+      int bad[lanes] = {};
+      for (int l = 0; l < lanes; ++l) low[l] = lowest, high[l] = highest;
+      for (int x = 0; x < lattice.nx; x += lanes) {
+        const int node = lattice.node(x, first_row + item), count = lattice.nx - x < lanes ? lattice.nx - x : lanes;
+        VUG_VECTORISE
+        for (int l = 0; l < count; ++l) look(node + l, low[l], high[l], bad[l]);
+      }
+      for (int l = 0; l < lanes; ++l) {
+        lowest = low[l] < lowest ? low[l] : lowest;
+        highest = high[l] > highest ? high[l] : highest;
+        not_finite += bad[l];
+      }
+    }
+  }
+};
+
+template <class T>
+HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
+  const Lattice& lattice = fields.lattice;
+  T lowest, highest;
+  int not_finite;
+  Kokkos::parallel_reduce("vug::heat::extremes",
+                          Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? fields.rows : lattice.nx * lattice.ny),
+                          Extremes<T>{lattice, fields.first_row, fields.solid, Temperature<T>(fields)},
+                          Kokkos::Min<T>(lowest), Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
+  return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
+}
+
+#define VUG_INSTANTIATE(T)                                                                      \
+  template void add_heat_energy(const Exec&, const HeatFields<T>&, const ScalarField<double>&); \
+  template void add_birth_energy(const Exec&, const HeatFields<T>&, const IndexList&, int, int, \
+                                 const ScalarField<double>&);                                   \
+  template HeatExtremes heat_extremes(const Exec&, const HeatFields<T>&)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

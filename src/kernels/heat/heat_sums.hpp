@@ -1,0 +1,29 @@
+#pragma once
+// Sums and extremes of the heat fields, for ledgers and guards.
+#include "kernels/heat/heat.hpp"
+
+namespace vug {
+
+/// Entries that the sums of add_heat_energy need.
+int heat_energy_sums(const Lattice& lattice);
+
+/// Adds the energy of the nodes to the entries of `total`: theta in fluid, sigma theta in solid.
+template <class T>
+void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total);
+
+/// total(block) += energy gained because the nodes list[first, last) turn from solid to fluid at constant temperature,
+/// (1 - sigma) theta each. They must still be solid in `fields`; others add nothing.
+template <class T>
+void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
+                      const ScalarField<double>& total);
+
+/// Extremes of theta over our rows of the lattice and how many entries are not finite. Read on the host: for guards,
+/// not in a step.
+struct HeatExtremes {
+  double lowest = 0, highest = 0;
+  int not_finite = 0;
+};
+template <class T>
+HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields);
+
+}  // namespace vug

@@ -1,0 +1,43 @@
+#include "kernels/heat/thermal_flow.hpp"
+
+#include "kernels/launch/launch.hpp"
+
+namespace vug {
+
+template <class T>
+struct GatherTemperature {
+  IndexList node;
+  Temperature<T> temperature;
+  ScalarField<T> theta;
+  KOKKOS_FUNCTION void operator()(int i) const { theta(i) = temperature(node(i)); }
+};
+
+template <class T>
+void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields,
+                         const ScalarField<T>& theta) {
+  for_each_node(exec, "vug::thermal_flow::temperatures", nodes.count,
+                GatherTemperature<T>{nodes.node, Temperature<T>(fields), theta});
+}
+
+template <class T>
+struct SetSpread {
+  ScalarField<T> theta;
+  ViscosityLaw law;
+  ScalarField<T> spread;
+  KOKKOS_FUNCTION void operator()(int i) const { spread(i) = static_cast<T>(3 * law(static_cast<double>(theta(i)))); }
+};
+
+template <class T>
+void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta, const ViscosityLaw& law,
+                const ScalarField<T>& spread) {
+  for_each_node(exec, "vug::thermal_flow::viscosities", list, SetSpread<T>{theta, law, spread});
+}
+
+#define VUG_INSTANTIATE(T)                                                                                        \
+  template void gather_temperatures(const Exec&, const FluidNodes&, const HeatFields<T>&, const ScalarField<T>&); \
+  template void set_spread(const Exec&, const Share&, const ScalarField<T>&, const ViscosityLaw&, const ScalarField<T>&)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,116 @@
+#include "kernels/host/free_memory.hpp"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace vug {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// The number that a file consists of; infinite where there is none ("max").
+double number_in(const std::string& path) {
+  double value = unlimited;
+  std::ifstream(path) >> value;
+  return value > 0 ? value : unlimited;
+}
+
+/// The number behind a name in a file of lines "name number"; 0 where there is none.
+double entry(const std::string& path, const std::string& name) {
+  std::ifstream file(path);
+  std::string line, found;
+  while (std::getline(file, line)) {
+    std::istringstream words(line);
+    double value = 0;
+    if (words >> found >> value && found == name) return value;
+  }
+  return 0;
+}
+
+/// Free in one control group: `limit`, `use` and the entry of droppable caches as this version of the kernel calls
+/// them.
+double free_in_group(const std::string& folder, const char* limit, const char* use, const char* cache) {
+  const double most = number_in(folder + "/" + limit), used = number_in(folder + "/" + use);
+  if (most == unlimited || used == unlimited) return unlimited;
+  return most - used + entry(folder + "/memory.stat", cache);
+}
+
+/// The least over the groups from the one of this process up to the root, in either version of control groups.
+double free_in_groups() {
+  double least = unlimited;
+  std::ifstream groups("/proc/self/cgroup");
+  std::string line;
+  while (std::getline(groups, line)) {
+    const auto first = line.find(':'), second = line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    const bool unified = controllers.empty();
+    if (!unified && controllers != "memory") continue;
+    for (std::string path = line.substr(second + 1);; path.erase(path.rfind('/'))) {
+      const double found = unified
+                               ? free_in_group("/sys/fs/cgroup" + path, "memory.max", "memory.current", "inactive_file")
+                               : free_in_group("/sys/fs/cgroup/memory" + path, "memory.limit_in_bytes",
+                                               "memory.usage_in_bytes", "total_inactive_file");
+      if (found < least) least = found;
+      if (path.rfind('/') == std::string::npos) break;
+    }
+  }
+  return least;
+}
+
+/// What a limit of this process leaves, when it holds the given number of pages.
+double under_limit(int resource, double pages) {
+  rlimit limit{};
+  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
+  return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::string readable(double bytes) {
+  constexpr std::array units{"B", "KiB", "MiB", "GiB", "TiB", "PiB"};
+  std::size_t unit = 0;
+  for (; bytes >= 1024 && unit + 1 < units.size(); ++unit) bytes /= 1024;
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3g %s", bytes > 0 ? bytes : 0, units[unit]);
+  return text;
+}
+
+}  // namespace
+
+FreeMemory free_memory() {
+  FreeMemory least{unlimited, ""};
+  const auto bound = [&](double bytes, const char* by) {
+    if (bytes < least.bytes) least = {bytes, by};
+  };
+  if (const double available = entry("/proc/meminfo", "MemAvailable:"); available > 0)
+    bound(1024 * (available + entry("/proc/meminfo", "SwapFree:")), "the machine");
+  bound(free_in_groups(), "the control group");
+  double size = 0, ignored = 0, data = 0;  // pages
+  if (std::ifstream("/proc/self/statm") >> size >> ignored >> ignored >> ignored >> ignored >> data) {
+    bound(under_limit(RLIMIT_AS, size), "ulimit -v");
+    bound(under_limit(RLIMIT_DATA, data), "ulimit -d");
+  }
+  return least;
+}
+
+std::string memory_taken() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const FreeMemory free = free_memory();
+  const std::string taken = readable(1024.0 * static_cast<double>(usage.ru_maxrss)) + " had been taken";
+  return free.bytes < unlimited ? taken + "; that given back, " + free.bound_by + " leaves " + readable(free.bytes)
+                                : taken;
+}
+
+void require_memory(double bytes, const std::string& what) {
+  const FreeMemory free = free_memory();
+  if (bytes <= free.bytes) return;
+  throw MemoryError(what + " needs " + readable(bytes) + " of memory at least, and " + free.bound_by + " leaves " +
+                    readable(free.bytes));
+}
+
+}  // namespace vug

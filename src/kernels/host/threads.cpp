@@ -1,0 +1,130 @@
+#include "kernels/host/threads.hpp"
+
+#include "kernels/base/require.hpp"
+#include "kernels/host/idle_processors.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <future>
+#include <initializer_list>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace vug {
+namespace {
+
+[[noreturn]] void refuse(const char* variable, std::string_view value, const std::string& wanted) {
+  throw InputError("environment: " + std::string(variable) + " = " + std::string(value.substr(0, 60)) + " must be " +
+                   wanted);
+}
+
+/// A whole number of the environment that is at least `least`; `absent` where the variable is not set.
+int whole_number(const char* variable, int least, int absent) {
+  const char* text = std::getenv(variable);
+  if (!text) return absent;
+  const std::string_view value(text);
+  int number = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (error != std::errc() || end != value.data() + value.size() || number < least)
+    refuse(variable, value, "a whole number, " + std::to_string(least) + " or more");
+  return number;
+}
+
+void require_word(const char* variable, std::initializer_list<std::string_view> words, const char* wanted) {
+  const char* text = std::getenv(variable);
+  if (!text) return;
+  std::string value(text);
+  for (char& c : value) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (std::find(words.begin(), words.end(), value) == words.end()) refuse(variable, text, wanted);
+}
+
+/// Kokkos aborts at a variable that it cannot read.
+void check_environment() {
+  whole_number("KOKKOS_NUM_THREADS", 1, 1);
+  whole_number("KOKKOS_DEVICE_ID", 0, 0);
+  for (const char* variable : {"KOKKOS_DISABLE_WARNINGS", "KOKKOS_PRINT_CONFIGURATION", "KOKKOS_TUNE_INTERNALS"})
+    require_word(variable, {"yes", "no", "true", "false", "1", "0"}, "true or false");
+  require_word("KOKKOS_MAP_DEVICE_ID_BY", {"random", "mpi_rank"}, "random or mpi_rank");
+}
+
+#if defined(_OPENMP)
+
+/// OpenMP ends the program where the system refuses it a thread.
+void require_startable(int count) {
+  std::promise<void> end;
+  const std::shared_future<void> over = end.get_future().share();
+  std::vector<std::thread> started;
+  std::string why;
+  try {
+    while (static_cast<int>(started.size()) < count - 1) started.emplace_back([over] { over.wait(); });
+  } catch (const std::system_error& error) {
+    why = error.what();
+  }
+  end.set_value();
+  for (std::thread& thread : started) thread.join();
+  if (!why.empty())
+    throw InputError("threads: the system grants " + std::to_string(started.size() + 1) + " of " +
+                     std::to_string(count) + " (" + why + "); ask for fewer by --threads");
+}
+
+/// Threads that a parallel region of `count` really has.
+int threads_of_a_region(int count) {
+  int found = 1;
+#pragma omp parallel num_threads(count)
+#pragma omp single
+  found = omp_get_num_threads();
+  return found;
+}
+
+#endif
+
+}  // namespace
+
+ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
+  check_environment();
+  ThreadChoice choice;
+#if defined(_OPENMP)
+  omp_set_dynamic(0);  // or OpenMP may give fewer from one parallel region to the next
+  if (omp_get_max_active_levels() < 1) omp_set_max_active_levels(1);
+  int usual = omp_get_max_threads();
+  if (!std::getenv("OMP_NUM_THREADS") && omp_get_num_procs() == sysconf(_SC_NPROCESSORS_ONLN))
+    usual = std::max(1, usual / sharing);
+  const int asked = wanted > 0 ? wanted : whole_number("KOKKOS_NUM_THREADS", 1, usual);
+  const auto fewer = [&](int count, const std::string& why) {
+    choice.count = count;
+    choice.remark = "threads: " + std::to_string(count) + " instead of " + std::to_string(asked) + ": " + why;
+  };
+  choice.count = asked;
+  if (asked > most_threads)
+    fewer(std::min(omp_get_num_procs(), most_threads),
+          "at most " + std::to_string(most_threads) + " are possible; this is one per processor");
+  if (choice.count > omp_get_thread_limit()) fewer(omp_get_thread_limit(), "OMP_THREAD_LIMIT allows no more");
+  constexpr double while_looking = 0.15;  // s
+  const bool said = wanted > 0 || std::getenv("KOKKOS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
+  if (looks_around && !said && choice.count > 1)
+    if (const int idle = idle_processors(while_looking); idle > 0 && idle < choice.count)
+      fewer(idle,
+            "other programs keep processors busy, and threads that wait for those are slower than fewer threads; "
+            "--threads insists");
+  require_startable(choice.count);
+  omp_set_num_threads(choice.count);
+  if (const int given = threads_of_a_region(choice.count); given < choice.count) fewer(given, "OpenMP gives no more");
+  omp_set_num_threads(choice.count);
+#else
+  (void)wanted;
+  (void)looks_around;
+  (void)sharing;
+#endif
+  return choice;
+}
+
+}  // namespace vug

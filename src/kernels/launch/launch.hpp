@@ -1,0 +1,208 @@
+#pragma once
+// Two launchers for one physics body: on a host, blocks of nodes whose inner loop the compiler vectorises; on a GPU,
+// one node per thread. Sums are taken per block in a fixed order, so their bits do not depend on the thread count.
+#include "kernels/base/base.hpp"
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+
+namespace vug {
+
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || !defined(__GNUC__) || defined(__clang__)
+#define VUG_VECTORISE
+#else
+#define VUG_VECTORISE _Pragma("GCC ivdep")
+#endif
+
+inline constexpr int nodes_per_block = 512, shortest_block = 32;
+
+KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
+  return (n + nodes_per_block - 1) / nodes_per_block;
+}
+
+/// Of eight interleaved sums.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]) {
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+/// The items [0, n) of a list that this process computes: all of them, or whole blocks of nodes_per_block. Every item
+/// keeps its place in the list and in its block, and with it its bits, however many processes share the list.
+struct Share {
+  int n = 0;
+  int blocks = -1;             ///< how many blocks are ours; -1: all
+  const int* block = nullptr;  ///< (ours) their numbers, ascending
+
+  Share(int items) : n(items) {}
+  Share(int items, int count, const int* numbers) : n(items), blocks(count), block(numbers) {}
+  bool whole() const { return blocks < 0; }
+};
+
+namespace detail {
+
+/// Runs a block's nodes in one loop. Of a copy that nobody else can see the constants and pointers stay in registers
+/// whatever the loop stores; Views of a body that runs count no references.
+template <class Body>
+struct NodeLoop {
+  Body body;
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
+    const Body local = body;
+    VUG_VECTORISE
+    for (int i = first; i < last; ++i) local(i);
+  }
+};
+
+/// As NodeLoop, one node after the other.
+template <class Body>
+struct ScatteredLoop {
+  Body body;
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
+    const Body local = body;
+    for (int i = first; i < last; ++i) local(i);
+  }
+};
+
+template <class Body>
+struct Block {
+  Body body;
+  int n, size;
+  const int* listed = nullptr;  ///< numbers of the blocks that run; null: all do
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int first = (listed ? listed[item] : item) * size;
+    body(first, first + size < n ? first + size : n);
+  }
+};
+
+/// On a host: the terms of a block into a buffer, so that the loop over nodes vectorises, then eight interleaved sums.
+template <class Body>
+KOKKOS_FORCEINLINE_FUNCTION double sum_of_block(const Body& body, int first, int last) {
+  constexpr int lanes = 8;
+  double term[nodes_per_block];
+  const int count = last - first;
+  VUG_VECTORISE
+  for (int i = 0; i < count; ++i) term[i] = static_cast<double>(body(first + i));
+  double sum[lanes] = {};
+  int i = 0;
+  for (; i + lanes <= count; i += lanes)
+    for (int l = 0; l < lanes; ++l) sum[l] += term[i + l];
+  for (int l = 0; i < count; ++i, ++l) sum[l] += term[i];
+  return sum_of_lanes(sum);
+}
+
+template <class Body>
+struct BlockSum {
+  Body body;
+  ScalarField<double> total;
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
+    const Body local = body;
+    total(first / nodes_per_block) += sum_of_block(local, first, last);
+  }
+};
+
+/// On a GPU: a team per block.
+template <class Body>
+struct TeamSum {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Body body;
+  int n;
+  ScalarField<double> total;
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int first = team.league_rank() * nodes_per_block;
+    const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
+    double sum = 0;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, first, last), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
+    Kokkos::single(Kokkos::PerTeam(team), [&] { total(team.league_rank()) += sum; });
+  }
+};
+
+}  // namespace detail
+
+/// Nodes per block of a list: short lists (the bonds of a small rock, the links of an opening) in shorter blocks, so
+/// that several threads have a share, whatever their number: where blocks end decides which nodes are rounded by the
+/// loop's vectorised part.
+inline int block_of_list(int n) {
+  constexpr int shares = 4;
+  const int share = ((n + shares - 1) / shares + shortest_block - 1) / shortest_block * shortest_block;
+  return share < nodes_per_block ? share : nodes_per_block;
+}
+
+/// Where a list runs that is too short for more than one thread.
+#ifdef KOKKOS_ENABLE_SERIAL
+using ShortExec = std::conditional_t<shares_host_memory, Kokkos::Serial, Exec>;
+#else
+using ShortExec = Exec;  // the Kokkos of a distribution may have threads alone
+#endif
+
+/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent;
+/// the shortest lists without waking other threads, which takes longer than the work. Of a list that processes share:
+/// for our blocks of nodes_per_block.
+template <class Body>
+void for_each_block(const Exec& exec, const std::string& label, const Share& list, const Body& body, int size) {
+  const int n = list.n;
+  if (n <= 0 || list.blocks == 0) return;
+  if (!list.whole())
+    return Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.blocks),
+                                detail::Block<Body>{body, n, nodes_per_block, list.block});
+  const detail::Block<Body> blocks{body, n, size};
+  if (n <= shortest_block)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), blocks);
+  else
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
+}
+
+/// Runs body(i) for the items i of a list. Iterations must be independent. Nothing is fenced.
+template <class Body>
+void for_each_node(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
+  if (list.n <= 0) return;
+  if constexpr (runs_on_host) {
+    for_each_block(exec, label, list, detail::NodeLoop<Body>{body}, block_of_list(list.n));
+  } else {
+    KOKKOS_ASSERT(list.whole());
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.n), body);
+  }
+}
+
+/// As for_each_node, for bodies that read and write what lies scattered: a host's gathers and scatters of vectors take
+/// several times as long as single loads and stores.
+template <class Body>
+void for_each_scattered(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
+  if constexpr (runs_on_host)
+    for_each_block(exec, label, list, detail::ScatteredLoop<Body>{body}, block_of_list(list.n));
+  else
+    for_each_node(exec, label, list, body);
+}
+
+/// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end can give
+/// for this body; of one on a host.
+template <class Body>
+void for_each_team(const Exec& exec, const std::string& label, int count, int threads, const Body& body,
+                   int lanes = 1) {
+  using Policy = Kokkos::TeamPolicy<Exec>;
+  lanes = std::min(lanes, Policy::vector_length_max());
+  const int most = shares_host_memory ? 1 : Policy(exec, count, 1, lanes).team_size_max(body, Kokkos::ParallelForTag{});
+  Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), lanes), body);
+}
+
+/// total(block) += sum of body(i) over the block's nodes, for the items i of a list of n; `total` has at least
+/// block_count(n) entries. body(i) returns double or int and may also write node i. Same bits for any number of
+/// host threads.
+template <class Body>
+void add_per_block(const Exec& exec, const std::string& label, const Share& list, const Body& body,
+                   const ScalarField<double>& total) {
+  const int n = list.n;
+  if (n <= 0) return;
+  if constexpr (runs_on_host) {
+    using Blocks = detail::Block<detail::BlockSum<Body>>;
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.whole() ? block_count(n) : list.blocks),
+                         Blocks{{body, total}, n, nodes_per_block, list.block});
+  } else {
+    KOKKOS_ASSERT(list.whole());
+    for_each_team(exec, label, block_count(n), 128, detail::TeamSum<Body>{body, n, total});
+  }
+}
+
+/// Sum of all entries in index order, read on the host: for monitors and ledgers, not inside a step.
+double sum_in_order(const ScalarField<double>& values);
+
+}  // namespace vug

@@ -1,0 +1,165 @@
+#pragma once
+// Two bodies in one launch, which for short lists takes longer than the work: one after the other over a list, or over
+// those groups of it that have something to do; side by side over two lists.
+#include "kernels/launch/launch.hpp"
+
+#include <cstdint>
+#include <utility>
+
+namespace vug {
+
+/// A list in groups of `size` neighbours, each of which may be left out.
+struct Groups {
+  int count = 0;  ///< items of the list
+  int size = 1;
+  Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
+};
+
+/// What a launch runs: on a host blocks of a list, on a GPU its items. Made by moving: a copy of a body counts the
+/// references of all its Views, which took a sixth of a step on a small lattice.
+template <class Body, class Schedule = Kokkos::Schedule<Kokkos::Static>>
+struct Work {
+  using Policy = Kokkos::RangePolicy<Exec, Schedule>;
+  Body body;
+  int count = 0;
+};
+
+namespace detail {
+
+/// A block of the first body, then the same block of the second.
+template <class First, class Second>
+struct LoopsInTurn {
+  NodeLoop<First> first;
+  NodeLoop<Second> second;
+  KOKKOS_FUNCTION void operator()(int begin, int end) const {
+    first(begin, end);
+    second(begin, end);
+  }
+};
+
+template <class First, class Second>
+struct NodesInTurn {
+  First first;
+  Second second;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    first(i);
+    second(i);
+  }
+};
+
+/// The groups of a block.
+template <class First, class Second>
+struct GroupLoops {
+  First first;
+  Second second;
+  Groups groups;
+  KOKKOS_FUNCTION void operator()(int begin, int end) const {
+    const First one = first;
+    const Second two = second;
+    for (int i = begin; i < end; i += groups.size) {
+      if (groups.runs(i / groups.size) == 0) continue;
+      const int last = i + groups.size < end ? i + groups.size : end;
+      VUG_VECTORISE
+      for (int k = i; k < last; ++k) one(k);
+      VUG_VECTORISE
+      for (int k = i; k < last; ++k) two(k);
+    }
+  }
+};
+
+template <class First, class Second>
+struct NodesOfGroups {
+  First first;
+  Second second;
+  Groups groups;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if (groups.runs(i / groups.size) == 0) return;
+    first(i);
+    second(i);
+  }
+};
+
+/// On a host a share of the blocks of either, so that every thread has of both; on a GPU all items of one, then of the
+/// other.
+template <class One, class Other>
+struct SideBySide {
+  One one;
+  Other other;
+  int ones, others, shares;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if constexpr (runs_on_host) {
+      for (int b = ones * i / shares; b < ones * (i + 1) / shares; ++b) one(b);
+      for (int b = others * i / shares; b < others * (i + 1) / shares; ++b) other(b);
+    } else {
+      if (i < ones)
+        one(i);
+      else
+        other(i - ones);
+    }
+  }
+};
+
+inline int blocks_of(int n, int size) {
+  return n > 0 ? (n + size - 1) / size : 0;
+}
+
+}  // namespace detail
+
+/// body(i) for i in [0, n), which must be independent.
+template <class Body>
+auto each(int n, Body body) {
+  if constexpr (runs_on_host) {
+    const int size = block_of_list(n);
+    return Work<detail::Block<detail::NodeLoop<Body>>>{{{std::move(body)}, n, size}, detail::blocks_of(n, size)};
+  } else {
+    return Work<Body>{std::move(body), n};
+  }
+}
+
+/// first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what first(i)
+/// wrote, but not what other iterations did. The bits are those of two calls of for_each_node.
+template <class First, class Second>
+auto in_turn(int n, First first, Second second) {
+  if constexpr (runs_on_host) {
+    using Loops = detail::LoopsInTurn<First, Second>;
+    const int size = block_of_list(n);
+    return Work<detail::Block<Loops>>{{{{std::move(first)}, {std::move(second)}}, n, size}, detail::blocks_of(n, size)};
+  } else {
+    return Work<detail::NodesInTurn<First, Second>>{{std::move(first), std::move(second)}, n};
+  }
+}
+
+/// The same over the groups that run. Threads take blocks as they come, since those groups may lie together.
+template <class First, class Second>
+auto in_turn(const Groups& groups, First first, Second second) {
+  using AsTheyCome = Kokkos::Schedule<Kokkos::Dynamic>;
+  const int n = groups.count;
+  if constexpr (runs_on_host) {
+    using Loops = detail::GroupLoops<First, Second>;
+    const int size = (block_of_list(n) + groups.size - 1) / groups.size * groups.size;
+    return Work<detail::Block<Loops>, AsTheyCome>{{{std::move(first), std::move(second), groups}, n, size},
+                                                  detail::blocks_of(n, size)};
+  } else {
+    return Work<detail::NodesOfGroups<First, Second>>{{std::move(first), std::move(second), groups}, n};
+  }
+}
+
+/// Two lists at once; neither may read what the other writes.
+template <class One, class Schedule, class Other>
+auto side_by_side(Work<One, Schedule> one, Work<Other> other) {
+  const int ones = one.count, others = other.count, most = ones > others ? ones : others;
+  return Work<detail::SideBySide<One, Other>, Schedule>{
+      {std::move(one.body), std::move(other.body), ones, others, most}, runs_on_host ? most : ones + others};
+}
+
+/// Runs it in one launch; the shortest without waking other threads of a host. Nothing is fenced.
+template <class Body, class Schedule>
+void launch(const Exec& exec, const std::string& label, const Work<Body, Schedule>& work) {
+  if (work.count <= 0) return;
+  if (runs_on_host && work.count == 1)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), work.body);
+  else
+    Kokkos::parallel_for(label, typename Work<Body, Schedule>::Policy(exec, 0, work.count), work.body);
+}
+
+}  // namespace vug

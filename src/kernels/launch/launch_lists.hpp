@@ -1,0 +1,164 @@
+#pragma once
+// Several lists in one launch, which for short ones takes longer than the work: the stretches of a boundary. A law has
+//
+// - Entry: what it must know of a list, plain pointers and numbers, since up to 16 are arguments of a kernel;
+//
+// - count(list): on the host, how many items one of the lists has that a launcher was given;
+//
+// - entry(list): likewise, where the lists are not given as entries;
+//
+// - law(entry, run): calls run(body) once, with what runs over the items of that list.
+//
+// The lists must be independent. Their bits are those of one launch each. Nothing is fenced.
+#include "kernels/launch/launch.hpp"
+
+#include <algorithm>
+#include <span>
+#include <type_traits>
+
+namespace vug {
+
+namespace detail {
+
+/// Lists cut into blocks, which are numbered through.
+template <class Entry>
+struct Lists {
+  static constexpr int most = 16;
+  Entry entry[most];
+  int count[most];           ///< items
+  int size[most];            ///< of a block
+  int first[most + 1] = {};  ///< its first block
+  int lists = 0, items = 0;
+
+  void add(const Entry& list, int n, int block) {
+    entry[lists] = list;
+    count[lists] = n;
+    size[lists] = block;
+    first[lists + 1] = first[lists] + (n + block - 1) / block;
+    ++lists;
+    items += n;
+  }
+  int blocks() const { return first[lists]; }
+
+  /// One block: its list and the items of that.
+  struct Part {
+    int list, begin, end;
+  };
+  KOKKOS_FUNCTION Part part(int block) const {
+    int l = 0;
+    while (block >= first[l + 1]) ++l;
+    const int begin = (block - first[l]) * size[l], end = begin + size[l];
+    return {l, begin, end < count[l] ? end : count[l]};
+  }
+};
+
+/// launch(lists) for as many of `all` at a time as fit; `block_of` says how long the blocks of so many items are.
+template <class Law, class Item, class BlockOf, class Launch>
+void for_lists(std::span<const Item> all, const Law& law, const BlockOf& block_of, const Launch& launch) {
+  using Some = Lists<typename Law::Entry>;
+  for (auto next = all.begin(); next != all.end();) {
+    Some some;
+    for (; next != all.end() && some.lists < Some::most; ++next)
+      if (const int n = law.count(*next); n > 0) {
+        if constexpr (std::is_same_v<Item, typename Law::Entry>)
+          some.add(*next, n, block_of(n));
+        else
+          some.add(law.entry(*next), n, block_of(n));
+      }
+    if (some.lists > 0) launch(some);
+  }
+}
+
+struct RunBlock {
+  int begin, end;
+  template <class Body>
+  KOKKOS_FUNCTION void operator()(const Body& body) const {
+    NodeLoop<Body>{body}(begin, end);
+  }
+};
+struct RunItem {
+  int item;
+  template <class Body>
+  KOKKOS_FUNCTION void operator()(const Body& body) const {
+    body(item);
+  }
+};
+struct SumBlock {
+  int begin, end;
+  double* total;
+  template <class Body>
+  KOKKOS_FUNCTION void operator()(const Body& body) const {
+    *total += sum_of_block(body, begin, end);
+  }
+};
+struct SumByTeam {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  const Team& team;
+  int begin, end;
+  double* total;
+  template <class Body>
+  KOKKOS_FUNCTION void operator()(const Body& body) const {
+    double sum = 0;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, begin, end), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
+    Kokkos::single(Kokkos::PerTeam(team), [&] { *total += sum; });
+  }
+};
+
+template <class Law>
+struct RunLists {
+  Law law;
+  Lists<typename Law::Entry> lists;
+  KOKKOS_FUNCTION void operator()(int block) const {
+    const auto part = lists.part(block);
+    if constexpr (runs_on_host)
+      law(lists.entry[part.list], RunBlock{part.begin, part.end});
+    else
+      law(lists.entry[part.list], RunItem{part.begin});
+  }
+};
+
+template <class Law>
+struct SumLists {
+  Law law;
+  Lists<typename Law::Entry> lists;
+  KOKKOS_FUNCTION double* total(int list, int begin) const { return lists.entry[list].total + begin / nodes_per_block; }
+  KOKKOS_FUNCTION void operator()(int block) const {
+    const auto [list, begin, end] = lists.part(block);
+    law(lists.entry[list], SumBlock{begin, end, total(list, begin)});
+  }
+  KOKKOS_FUNCTION void operator()(const SumByTeam::Team& team) const {
+    const auto [list, begin, end] = lists.part(team.league_rank());
+    law(lists.entry[list], SumByTeam{team, begin, end, total(list, begin)});
+  }
+};
+
+}  // namespace detail
+
+/// Runs body(i) for the items i of all lists, as for_each_node does for one.
+template <class Law, class Item>
+void for_each_of_lists(const Exec& exec, const std::string& label, std::span<const Item> all, const Law& law) {
+  const auto block_of = [](int n) { return runs_on_host ? block_of_list(n) : 1; };
+  detail::for_lists(all, law, block_of, [&](const auto& lists) {
+    const detail::RunLists<Law> body{law, lists};
+    if (runs_on_host && lists.items <= shortest_block)
+      Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, lists.blocks()), body);
+    else
+      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lists.blocks()), body);
+  });
+}
+
+/// entry.total[block] += sum of body(i) over the items i of a block, for all lists, as add_per_block does for one.
+template <class Law, class Item>
+void add_per_block_of_lists(const Exec& exec, const std::string& label, std::span<const Item> all, const Law& law) {
+  const auto block_of = [](int) { return nodes_per_block; };
+  detail::for_lists(all, law, block_of, [&](const auto& lists) {
+    const detail::SumLists<Law> body{law, lists};
+    if constexpr (runs_on_host)
+      Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lists.blocks()), body);
+    else
+      for_each_team(exec, label, lists.blocks(), 128, body);
+  });
+}
+
+}  // namespace vug

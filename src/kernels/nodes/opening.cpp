@@ -1,0 +1,128 @@
+#include "kernels/nodes/opening.hpp"
+
+#include <cmath>
+
+namespace vug {
+
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes,
+                     const std::function<std::array<double, 2>(double, double)>& normal) {
+  constexpr int links = D2Q9::Q - 1;
+  Opening opening{IndexList("vug::opening::node", nodes.size()),
+                  ScalarField<double>("vug::opening::facing", links * nodes.size())};
+  const auto node = Kokkos::create_mirror_view(opening.node);
+  const auto facing = Kokkos::create_mirror_view(opening.facing);
+  for (std::size_t item = 0; item < nodes.size(); ++item) {
+    node(item) = nodes[item];
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      const auto n = normal(lattice.x(nodes[item]) + 0.5 * (1 + D2Q9::c(q, 0)),
+                            lattice.y(nodes[item]) + 0.5 * (1 + D2Q9::c(q, 1)));
+      facing(links * item + q - 1) = std::abs(n[0] * D2Q9::c(q, 0) + n[1] * D2Q9::c(q, 1));
+    }
+  }
+  Kokkos::deep_copy(opening.node, node);
+  Kokkos::deep_copy(opening.facing, facing);
+  return opening;
+}
+
+/// Collects the links into an opening from the nodes that have a number: `number` (dense node), negative for none.
+struct CollectOpeningLinks {
+  Lattice lattice;
+  bool periodic_x, periodic_y;
+  int directions;
+  IndexList opening, number, from, item;
+  Kokkos::View<std::uint8_t*> direction;
+  KOKKOS_FUNCTION void operator()(int k, int& running, bool last) const {
+    for (int q = 1; q < directions; ++q) {
+      const int beyond = neighbour(lattice, periodic_x, periodic_y, opening(k), q);
+      if (beyond < 0 || number(beyond) < 0) continue;
+      if (last) {
+        from(running) = number(beyond);
+        item(running) = k;
+        direction(running) = static_cast<std::uint8_t>(D2Q9::opposite(q));
+      }
+      ++running;
+    }
+  }
+};
+
+namespace {
+
+struct FoundLinks {
+  BoundaryLinks links;
+  IndexList item;  ///< (link) of the opening
+};
+
+FoundLinks find_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic, const IndexList& number,
+                      const Opening& opening, int directions) {
+  FoundLinks found;
+  const std::size_t nodes = opening.node.extent(0), most = (directions - 1) * nodes;
+  found.links.fluid = IndexList("vug::opening::fluid", most);
+  found.links.direction = Kokkos::View<std::uint8_t*>("vug::opening::direction", most);
+  found.item = IndexList("vug::opening::item", most);
+  Kokkos::parallel_scan("vug::opening::collect_links", Kokkos::RangePolicy<Exec>(exec, 0, nodes),
+                        CollectOpeningLinks{lattice, periodic[0], periodic[1], directions, opening.node, number,
+                                            found.links.fluid, found.item, found.links.direction},
+                        found.links.count);
+  return found;
+}
+
+double weight(int directions, int q) {
+  return directions == D2Q9::Q ? D2Q9::w(q) : D2Q5::w(q);
+}
+
+ScalarField<double> areas(const FoundLinks& found, const Opening& opening, int directions) {
+  ScalarField<double> area("vug::opening::area", found.links.count);
+  const auto item = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, found.item);
+  const auto direction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, found.links.direction);
+  const auto facing = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, opening.facing);
+  const auto host = Kokkos::create_mirror_view(area);
+  double straight = 0, all = 0;
+  for (int l = 0; l < found.links.count; ++l) {
+    const int q = D2Q9::opposite(direction(l));
+    const double across = facing((D2Q9::Q - 1) * item(l) + q - 1);
+    host(l) = 6 * weight(directions, q) * across;
+    all += host(l);
+    if (q < D2Q5::Q) straight += across;
+  }
+  for (int l = 0; l < found.links.count && directions == D2Q9::Q; ++l) host(l) *= straight / all;
+  Kokkos::deep_copy(area, host);
+  return area;
+}
+
+/// A number for every node that is not in an opening: the node itself.
+IndexList dense_numbers(const Lattice& lattice, const Kokkos::View<NodeType*>& type) {
+  IndexList number("vug::opening::number", lattice.size());
+  const auto host_type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, type);
+  const auto host = Kokkos::create_mirror_view(number);
+  for (int n = 0; n < lattice.size(); ++n) host(n) = host_type(n) == NodeType::opening ? -1 : n;
+  Kokkos::deep_copy(number, host);
+  return number;
+}
+
+}  // namespace
+
+BoundaryLinks find_opening_links(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions) {
+  return find_links(exec, nodes.lattice, nodes.periodic, nodes.index, opening, directions).links;
+}
+
+ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions) {
+  return areas(find_links(exec, nodes.lattice, nodes.periodic, nodes.index, opening, directions), opening, directions);
+}
+
+/// The opening's node of every link.
+struct NodesBeyond {
+  IndexList item, opening, beyond;
+  KOKKOS_FUNCTION void operator()(int link) const { beyond(link) = opening(item(link)); }
+};
+
+DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic,
+                                    const Kokkos::View<NodeType*>& type, const Opening& opening, int directions) {
+  const FoundLinks found = find_links(exec, lattice, periodic, dense_numbers(lattice, type), opening, directions);
+  const BoundaryLinks& links = found.links;
+  IndexList beyond("vug::opening::beyond", links.count);
+  Kokkos::parallel_for("vug::opening::beyond", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
+                       NodesBeyond{found.item, opening.node, beyond});
+  return {links.count, links.fluid, beyond, links.direction, areas(found, opening, directions)};
+}
+
+}  // namespace vug

@@ -1,0 +1,42 @@
+#pragma once
+// Openings inside the lattice: a well, a heated pipe, a reservoir. The nodes of one are neither fluid nor solid and
+// nothing is computed in them; its surface has boundary conditions of its own, which dress the links into it as they
+// dress those that leave through a side.
+#include "kernels/nodes/fluid_nodes.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace vug {
+
+/// The nodes of one opening and how its surface lies in the links into it.
+struct Opening {
+  IndexList node;              ///< (item) dense nodes of type NodeType::opening
+  ScalarField<double> facing;  ///< (8 item + q - 1) |n.c_q|, n the unit normal of the surface half way along link q
+};
+
+/// `nodes` are dense nodes of the lattice; normal(x, y) is the unit normal of the surface at a point in cells.
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes,
+                     const std::function<std::array<double, 2>(double, double)>& normal);
+
+/// Links from fluid nodes into the opening, in order of its nodes; `directions` is 9 or 5.
+BoundaryLinks find_opening_links(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
+
+/// Links into the opening from all other nodes of the lattice, for fields that are on every node.
+struct DenseLinks {
+  int count = 0;
+  IndexList node;                         ///< (link) dense node
+  IndexList beyond;                       ///< (link) dense node in the opening, joined sides folded back
+  Kokkos::View<std::uint8_t*> direction;  ///< (link) from node to beyond
+  ScalarField<double> area;               ///< (link) of the surface, cells (see link_areas)
+};
+DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic,
+                                    const Kokkos::View<NodeType*>& type, const Opening& opening, int directions);
+
+/// (link) Area of the surface that each link of find_opening_links stands for, in cells: 6 w_q |n.c_q|, which adds up
+/// to the true area of a plane in any direction (3 sum of w_q (n.c_q)^2 = 1), times a factor near 1 with which D2Q9
+/// also has the sum of |n.c| over the straight links at corners. Computed on the host: not inside a step.
+ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
+
+}  // namespace vug

@@ -1,0 +1,160 @@
+#pragma once
+// Eight fluid nodes at a time on hosts with AVX-512. Walls apart, the slots from which eight consecutive nodes pull one
+// direction lie within two runs of eight, almost always (99.9 % in rock of three-node pathways): two loads and a
+// permutation of registers then take the place of eight loads, a permutation and masked stores that of eight stores.
+// The processor's own gathers and scatters are no faster than single loads and stores.
+#include "kernels/base/unroll.hpp"
+#include "kernels/base/velocity_set.hpp"
+#include "kernels/launch/eight_lanes.hpp"
+#include "kernels/launch/prefetch.hpp"
+
+#include <cstdint>
+
+namespace vug {
+
+inline constexpr bool has_source_windows = has_eight_lanes;
+inline constexpr int nodes_per_window = eight_lanes;
+
+/// Where eight consecutive nodes, the first a multiple of eight, pull one direction from: FluidNodes::source of them
+/// once more, in 24 bytes instead of 32. Numbers 0 to 7 are the slots from `near` on, 8 to 15 those from `far` on.
+struct SourceWindow {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  std::uint32_t near = none, far = 0;          ///< first slots of the two runs; none: the slots do not lie in two
+  std::uint32_t from = 0;                      ///< 4 bits per node: the number of its slot
+  std::uint32_t to_near = 0, to_far = 0;       ///< 3 bits per slot of a run: its node
+  std::uint8_t owned_near = 0, owned_far = 0;  ///< bit per slot of a run: it is some node's
+  std::uint8_t bounced = 0;                    ///< bit per node: pulls from its own opposite slot instead
+
+  KOKKOS_FORCEINLINE_FUNCTION bool is_irregular() const { return near == none; }
+  friend bool operator==(const SourceWindow&, const SourceWindow&) = default;
+};
+
+/// The window over eight entries of FluidNodes::source of one direction, whose slots are [plane, plane + capacity). Its
+/// runs begin at multiples of `step` slots of the plane.
+KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity, int step) {
+  const auto inside = [&](int slot) { return slot >= plane && slot < plane + capacity; };
+  const auto run_of = [&](int slot) { return slot - (slot - plane) % step; };
+  SourceWindow w;
+  int near = plane + capacity - 2 * nodes_per_window, far = plane + capacity - nodes_per_window;
+  for (int l = 0; l < nodes_per_window; ++l)
+    if (inside(source[l]) && source[l] < near) near = run_of(source[l]);
+  for (int l = 0; l < nodes_per_window; ++l)
+    if (inside(source[l]) && source[l] >= near + nodes_per_window && source[l] < far) far = run_of(source[l]);
+  for (int l = 0; l < nodes_per_window; ++l) {
+    const auto node = static_cast<std::uint32_t>(l);
+    if (!inside(source[l])) {
+      w.bounced = static_cast<std::uint8_t>(w.bounced | 1u << node);
+      continue;
+    }
+    const bool is_near = source[l] < near + nodes_per_window;
+    const auto slot = static_cast<std::uint32_t>(source[l] - (is_near ? near : far));
+    if (slot >= nodes_per_window) return {};
+    w.from |= (is_near ? slot : nodes_per_window + slot) << 4 * node;
+    (is_near ? w.to_near : w.to_far) |= node << 3 * slot;
+    std::uint8_t& owned = is_near ? w.owned_near : w.owned_far;
+    owned = static_cast<std::uint8_t>(owned | 1u << slot);
+  }
+  w.near = static_cast<std::uint32_t>(near);
+  w.far = static_cast<std::uint32_t>(w.owned_far == 0 ? near + nodes_per_window : far);
+  return w;
+}
+
+/// The same, its runs in line with the cache where two of that kind do.
+KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity) {
+  const SourceWindow aligned = source_window(source, plane, capacity, nodes_per_window);
+  return aligned.is_irregular() ? source_window(source, plane, capacity, 1) : aligned;
+}
+
+/// Populations of eight consecutive nodes over a velocity set, and how they are fetched and put back.
+template <class T, class Set>
+struct EightFromHome {
+  const SourceWindow* windows;  ///< (eight nodes, direction - 1)
+  const int* source;            ///< FluidNodes::source, where a window does not do
+  int capacity;
+
+  using E = Eight<T>;
+  using Register = typename E::Register;
+
+  /// What arrives at nodes i .. i + 7, i a multiple of eight.
+  void pull(const T* f, int i, Register (&g)[Set::Q]) const {
+    const SourceWindow* const window = windows + i;
+    announce(window + windows_ahead);
+    g[0] = E::load(f + i);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const SourceWindow& w = window[q - 1];
+      if (w.is_irregular()) [[unlikely]] {
+        g[q] = one_by_one(f, source + q * capacity + i);
+        continue;
+      }
+      const Register pulled = E::pick(w.from, E::load(f + w.near), E::load(f + w.far));
+      g[q] = E::blend(w.bounced, pulled, E::load(f + Set::opposite(q) * capacity + i));
+    }
+  }
+
+  /// `field` (fluid) at the nodes that the directions of i .. i + 7 come from, into `value` from `at` on; at a wall or
+  /// a side that of the node itself. Of directions other than those that `matters` says true of, nothing.
+  template <int some, class Matters>
+  void upstream(const T* field, int i, T (&value)[Set::Q][some], int at, const Matters& matters) const {
+    const Register own = E::load(field + i);
+    E::store(value[0] + at, own);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      if (!matters(q)) continue;
+      const SourceWindow& w = windows[i + q - 1];
+      const auto plane = static_cast<std::uint32_t>(q * capacity);
+      if (w.is_irregular()) [[unlikely]] {
+        for (int l = 0; l < nodes_per_window; ++l) {
+          const int from = source[q * capacity + i + l] - q * capacity;
+          value[q][at + l] = field[from >= 0 && from < capacity ? from : i + l];
+        }
+        continue;
+      }
+      const Register there = E::pick(w.from, E::load(field + (w.near - plane)), E::load(field + (w.far - plane)));
+      E::store(value[q] + at, E::blend(w.bounced, there, own));
+    }
+  }
+
+  /// Leaves what goes out against direction q where what came in along q was. Stores without a lane cost less than
+  /// branches that the processor guesses wrong.
+  void push(T* f, int i, const Register (&g)[Set::Q]) const {
+    const SourceWindow* const window = windows + i;
+    E::store(f + i, g[0]);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const SourceWindow& w = window[q - 1];
+      const int opposite = Set::opposite(q);
+      const Register out = g[opposite];
+      if (w.is_irregular()) [[unlikely]] {
+        one_by_one(f, source + q * capacity + i, out);
+        continue;
+      }
+      E::store(f + w.near, w.owned_near, E::pick(w.to_near, out));
+      E::store(f + w.far, w.owned_far, E::pick(w.to_far, out));
+      E::store(f + opposite * capacity + i, w.bounced, out);
+    }
+  }
+
+ private:
+  static constexpr int windows_ahead = 8 * nodes_per_window;
+
+  /// Among so many streams the processor does not foresee this one.
+  static void announce(const SourceWindow* later) {
+    constexpr int line = 64, bytes = (Set::Q - 1) * static_cast<int>(sizeof(SourceWindow));
+    VUG_UNROLL
+    for (int b = 0; b < bytes; b += line) prefetch(reinterpret_cast<const char*>(later) + b);
+  }
+  static Register one_by_one(const T* f, const int* slot) {
+    alignas(64) T lanes[nodes_per_window];
+    for (int l = 0; l < nodes_per_window; ++l) lanes[l] = f[slot[l]];
+    return E::load(lanes);
+  }
+  static void one_by_one(T* f, const int* slot, Register out) {
+    alignas(64) T lanes[nodes_per_window];
+    E::store(lanes, out);
+    for (int l = 0; l < nodes_per_window; ++l) f[slot[l]] = lanes[l];
+  }
+};
+
+}  // namespace vug

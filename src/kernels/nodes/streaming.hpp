@@ -1,0 +1,105 @@
+#pragma once
+// Where a sweep finds the population that arrives in direction q at fluid node i, and where it leaves the one that goes
+// out in direction q. Every slot is read and written by one node only, which reads all of its slots before it writes.
+//
+// In place a population at home lies in slot q * capacity + i of the node it leaves; after an odd number of steps one
+// that is about to move to a fluid neighbour is exchanged with the one that moves the other way (*turned*), while one
+// that leaves the fluid is at home always: what dresses walls and openings need not know.
+#include "kernels/base/unroll.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
+
+#include <string>
+
+namespace vug {
+
+template <class Set>
+struct TwoLattices {
+  Kokkos::View<const int*> source;
+  int capacity;
+  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return source(q * capacity + i); }
+  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
+};
+
+/// In place, populations at home: takes them from the neighbours and leaves its own in the slots it emptied.
+template <class Set>
+struct InPlaceFromHome {
+  Kokkos::View<const int*> source;
+  int capacity;
+  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return source(q * capacity + i); }
+  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return source(Set::opposite(q) * capacity + i); }
+};
+
+/// In place, populations turned: all have arrived already, and go home.
+template <class Set>
+struct InPlaceFromTurned {
+  int capacity;
+  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return Set::opposite(q) * capacity + i; }
+  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
+};
+
+/// Eight consecutive nodes of populations that are turned: as EightFromHome.
+template <class T, class Set>
+struct EightFromTurned {
+  int capacity;
+  using E = Eight<T>;
+  using Register = typename E::Register;
+
+  void pull(const T* f, int i, Register (&g)[Set::Q]) const {
+    g[0] = E::load(f + i);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) g[q] = E::load(f + Set::opposite(q) * capacity + i);
+  }
+  void push(T* f, int i, const Register (&g)[Set::Q]) const {
+    VUG_UNROLL
+    for (int q = 0; q < Set::Q; ++q) E::store(f + q * capacity + i, g[q]);
+  }
+};
+
+template <class T, class Set>
+EightFromHome<T, Set> eight_nodes(const InPlaceFromHome<Set>& slots, const FluidNodes& nodes) {
+  return {nodes.windows.data(), slots.source.data(), slots.capacity};
+}
+template <class T, class Set>
+EightFromTurned<T, Set> eight_nodes(const InPlaceFromTurned<Set>& slots, const FluidNodes&) {
+  return {slots.capacity};
+}
+
+/// Sum of the slots of node i in double: what it holds, or, turned, what is about to arrive there.
+template <class T, class Set>
+struct SumOfSlots {
+  Kokkos::View<const T*> f;
+  int capacity;
+  KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<Set, double>(&f(i), capacity); }
+};
+
+/// Exchanges the two populations of every link between fluid nodes; each pair is met once, from one end.
+template <class T, class Set>
+struct TurnBack {
+  ScalarField<T> f;
+  Kokkos::View<const int*> source;
+  int count, capacity;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int q = 1; q < Set::Q; ++q) {
+      const int opposite = Set::opposite(q);
+      if (opposite < q) continue;
+      const int other = source(q * capacity + i);  // of the neighbour along -q, when that is fluid
+      const int neighbour = other - q * capacity;
+      if (neighbour < 0 || neighbour >= count) continue;
+      const T mine = f(opposite * capacity + i);
+      f(opposite * capacity + i) = f(other);
+      f(other) = mine;
+    }
+  }
+};
+
+/// Brings the populations f of the first `count` nodes home if they are `turned`, and clears it.
+template <class Set, class T>
+void bring_home(const Exec& exec, const std::string& label, const FluidNodes& nodes, int count, const ScalarField<T>& f,
+                int& turned) {
+  if (!turned) return;
+  turned = 0;
+  for_each_node(exec, label, count, TurnBack<T, Set>{f, nodes.source, count, nodes.capacity});
+}
+
+}  // namespace vug

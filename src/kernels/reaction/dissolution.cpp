@@ -1,0 +1,235 @@
+#include "kernels/reaction/dissolution.hpp"
+
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/dense_neighbour.hpp"
+#include "kernels/nodes/streaming.hpp"
+
+namespace vug {
+
+/// Marks one dissolved surface node as fluid and counts it.
+struct MarkDissolved {
+  IndexList node;
+  Kokkos::View<NodeType*> type;
+  ScalarField<double> V;
+  KOKKOS_FUNCTION void operator()(int s, int& count) const {
+    if (type(node(s)) == NodeType::fluid || V(node(s)) > 0) return;
+    type(node(s)) = NodeType::fluid;
+    ++count;
+  }
+};
+
+/// Whether a node may take what another was overdrawn by: any, or one of the same mineral.
+struct AnyKin {
+  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int, int) const { return true; }
+};
+struct SameMineral {
+  Kokkos::View<const std::uint8_t*> mineral;
+  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int n, int m) const { return mineral(n) == mineral(m); }
+};
+
+/// Hands the overdrafts of dissolved nodes to their heirs, the solid nodes around them, in equal shares. What an heir
+/// gets is gathered in the order of the directions by the lowest of its overdrawn neighbours, so that nothing is added
+/// twice or in another order.
+template <class Kin>
+struct BequeathOverdraft {
+  Kin kin;
+  DenseNeighbour lattice;
+  IndexList node;
+  Kokkos::View<const NodeType*> type;
+  ScalarField<double> V;
+
+  KOKKOS_FORCEINLINE_FUNCTION bool overdrawn(int n) const { return type(n) == NodeType::fluid && V(n) < 0; }
+
+  /// The neighbour of n along q; -1 outside, and where a direction before q leads to the same node: on a joined lattice
+  /// one or two nodes wide.
+  KOKKOS_FUNCTION int neighbour(int n, int q) const {
+    const int m = lattice.along(n, q);
+    for (int p = 1; p < q; ++p)
+      if (lattice.along(n, p) == m) return -1;
+    return m;
+  }
+  KOKKOS_FUNCTION int heir(int n, int q) const {
+    const int m = neighbour(n, q);
+    return m >= 0 && type(m) == NodeType::solid && kin(n, m) ? m : -1;
+  }
+  KOKKOS_FUNCTION int count_heirs(int n) const {
+    int heirs = 0;
+    for (int q = 1; q < D2Q9::Q; ++q) heirs += heir(n, q) >= 0;
+    return heirs;
+  }
+  /// Adds to V(to) its shares, if n is the one to do it.
+  KOKKOS_FUNCTION void gather(int to, int n) const {
+    double sum = 0;
+    for (int q = 1; q < D2Q9::Q; ++q) {
+      const int from = neighbour(to, q);
+      if (from < 0 || !overdrawn(from) || !kin(from, to)) continue;
+      if (from < n) return;
+      sum += V(from) / count_heirs(from);
+    }
+    V(to) += sum;
+  }
+
+  KOKKOS_FUNCTION double operator()(int s) const {
+    const int n = node(s);
+    if (!overdrawn(n)) return 0;
+    if (count_heirs(n) == 0) return V(n);
+    for (int q = 1; q < D2Q9::Q; ++q)
+      if (const int to = heir(n, q); to >= 0) gather(to, n);
+    return 0;
+  }
+};
+
+/// What a node of one mineral is overdrawn by and finds no heir for.
+struct LostOfMineral {
+  BequeathOverdraft<SameMineral> bequest;
+  int mineral;
+  KOKKOS_FUNCTION double operator()(int s) const {
+    const int n = bequest.node(s);
+    const bool lost = bequest.overdrawn(n) && bequest.kin.mineral(n) == mineral && bequest.count_heirs(n) == 0;
+    return lost ? bequest.V(n) : 0.0;
+  }
+};
+
+struct EmptyDissolved {
+  IndexList node;
+  Kokkos::View<const NodeType*> type;
+  ScalarField<double> V;
+  KOKKOS_FUNCTION void operator()(int s) const {
+    if (type(node(s)) == NodeType::fluid) V(node(s)) = 0;
+  }
+};
+
+int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
+                   const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost,
+                   const MineralLosses& minerals) {
+  int count = 0;
+  Kokkos::parallel_reduce("vug::dissolution::mark", Kokkos::RangePolicy<Exec>(exec, 0, surface.count),
+                          MarkDissolved{surface.node, type, V}, count);
+  if (count == 0) return 0;
+  if (minerals.of_node.extent(0) > 0) {
+    const BequeathOverdraft<SameMineral> bequest{{minerals.of_node}, DenseNeighbour(nodes), surface.node, type, V};
+    for (std::size_t m = 0; m < minerals.lost.size(); ++m)
+      add_per_block(exec, "vug::dissolution::lost_of_mineral", surface.count,
+                    LostOfMineral{bequest, static_cast<int>(m)}, minerals.lost[m]);
+    add_per_block(exec, "vug::dissolution::bequeath", surface.count, bequest, lost);
+  } else {
+    add_per_block(exec, "vug::dissolution::bequeath", surface.count,
+                  BequeathOverdraft<AnyKin>{{}, DenseNeighbour(nodes), surface.node, type, V}, lost);
+  }
+  for_each_node(exec, "vug::dissolution::empty", surface.count, EmptyDissolved{surface.node, type, V});
+  return count;
+}
+
+/// The fluid neighbours of a fluid node as the table of sources knows them.
+template <class T, class Set>
+struct BirthNeighbours {
+  Kokkos::View<const int*> source;
+  ScalarField<T> h;
+  int capacity, first, last;
+
+  /// Fluid node that direction q comes from; -1 at a wall or side.
+  KOKKOS_FORCEINLINE_FUNCTION int upstream(int i, int q) const {
+    const int j = source(q * capacity + i) - q * capacity;
+    return j >= 0 && j < capacity ? j : -1;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION bool is_old(int i) const { return i >= 0 && i < first; }
+  KOKKOS_FORCEINLINE_FUNCTION bool is_newborn(int i) const { return i >= first && i < last; }
+  KOKKOS_FUNCTION int count_old(int i) const {
+    int m = 0;
+    for (int q = 1; q < Set::Q; ++q) m += is_old(upstream(i, q));
+    return m;
+  }
+  KOKKOS_FUNCTION int count_newborn(int i) const {
+    int m = 0;
+    for (int q = 1; q < Set::Q; ++q) m += is_newborn(upstream(i, q));
+    return m;
+  }
+  KOKKOS_FUNCTION double content(int i) const {
+    double sum = 0;
+    for (int q = 0; q < Set::Q; ++q) sum += double(h(q * capacity + i));
+    return sum;
+  }
+  /// Share of an old node's content that goes to one newborn beside it: 1/(old neighbours of the newborn + newborn
+  /// neighbours of the old node). For a single birth all end with nearly the same content, for many none is emptied.
+  KOKKOS_FUNCTION double share(int old, int newborn) const { return 1.0 / (count_old(newborn) + count_newborn(old)); }
+};
+
+/// Gives one newborn its solute, at rest; returns what was created.
+template <class T, class Set, BirthFill fill>
+struct FillNewborn {
+  BirthNeighbours<T, Set> around;
+  ScalarField<T> C;
+  KOKKOS_FUNCTION double operator()(int item) const {
+    const int i = around.first + item;
+    const int m = around.count_old(i);
+    double c = 0;
+    for (int q = 1; q < Set::Q; ++q) {
+      const int old = around.upstream(i, q);
+      if (!around.is_old(old)) continue;
+      c += around.content(old) * (fill == BirthFill::mean ? 1.0 / m : around.share(old, i));
+    }
+    C(i) = T(c);
+    for (int q = 0; q < Set::Q; ++q) around.h(q * around.capacity + i) = T(Set::w(q) * c);
+    return fill == BirthFill::mean ? c : 0;
+  }
+};
+
+/// Takes from the old neighbours of one newborn what they gave. An old node with several newborns is seen to by the
+/// newborn that its directions reach first.
+template <class T, class Set>
+struct ChargeOldNeighbours {
+  BirthNeighbours<T, Set> around;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int i = around.first + item;
+    for (int q = 1; q < Set::Q; ++q) {
+      const int old = around.upstream(i, q);
+      if (around.is_old(old) && first_newborn_link(old) == Set::opposite(q)) charge(old);
+    }
+  }
+  /// Direction q of the first link of `old` whose upstream node is a newborn.
+  KOKKOS_FUNCTION int first_newborn_link(int old) const {
+    for (int q = 1; q < Set::Q; ++q)
+      if (around.is_newborn(around.upstream(old, q))) return q;
+    return -1;
+  }
+  KOKKOS_FUNCTION void charge(int old) const {
+    double given = 0;
+    for (int q = 1; q < Set::Q; ++q) {
+      const int newborn = around.upstream(old, q);
+      if (around.is_newborn(newborn)) given += around.share(old, newborn);
+    }
+    for (int q = 0; q < Set::Q; ++q) around.h(q * around.capacity + old) *= T(1 - given);
+  }
+};
+
+template <class Set, class T>
+void settle(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
+  bring_home<Set>(exec, "vug::solute::settle", nodes, count, s.h, s.turned);
+}
+
+template <class Set, class T>
+void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,
+                       SoluteFields<T>& s, const ScalarField<double>& created) {
+  settle<Set>(exec, nodes, first, s);  // the links to newborns were walls until now: their populations are at home
+  const BirthNeighbours<T, Set> around{nodes.source, s.h, nodes.capacity, first, last};
+  if (fill == BirthFill::mean) {
+    add_per_block(exec, "vug::dissolution::fill_by_mean", last - first,
+                  FillNewborn<T, Set, BirthFill::mean>{around, s.C}, created);
+  } else {
+    add_per_block(exec, "vug::dissolution::fill_by_split", last - first,
+                  FillNewborn<T, Set, BirthFill::split>{around, s.C}, created);
+    for_each_node(exec, "vug::dissolution::charge_neighbours", last - first, ChargeOldNeighbours<T, Set>{around});
+  }
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                                                  \
+  template void settle<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);                           \
+  template void initialise_births<Set, T>(const Exec&, const FluidNodes&, int, int, BirthFill, SoluteFields<T>&, \
+                                          const ScalarField<double>&);
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,123 @@
+#include "kernels/reaction/reacting_solutes.hpp"
+
+#include "kernels/reaction/reactive_wall_step.hpp"
+#include "kernels/solute/solute_sweep.hpp"
+
+namespace vug {
+
+namespace {
+
+struct NoSweep {
+  [[maybe_unused]] void operator()(int, int) const {}
+};
+
+/// A sweep goes over so many blocks before the next: fewer are mostly beginnings of streams that the processor does not
+/// foresee, more do not stay in the cache.
+[[maybe_unused]] constexpr int blocks_at_a_time = 4;
+
+/// The sweeps of some nodes, then their links.
+template <class Reactant, class Product, class React>
+struct SweepAndReact {
+  Reactant reactant;
+  Product product;
+  React react;
+  IndexList first;
+  int block;
+  void operator()(int begin, int end) const {
+    in_blocks(reactant, begin, end);
+    in_blocks(product, begin, end);
+    react(first(begin), first(end));
+  }
+
+ private:
+  template <class Sweep>
+  void in_blocks(const Sweep& sweep, int begin, int end) const {
+    for (int i = begin; i < end; i += block) sweep(i, i + block < end ? i + block : end);
+  }
+};
+// Clang deduces the arguments of aggregates by itself from version 17 on.
+template <class Reactant, class Product, class React>
+SweepAndReact(Reactant, Product, React, IndexList, int) -> SweepAndReact<Reactant, Product, React>;
+
+/// visit(flow): what a sweep reads of what carries the solutes.
+template <class T, class Visit>
+void visit_flow(const SoluteCarrier<T>& carrier, const Visit& visit) {
+  if (!carrier.displacement)
+    visit(NoAdvection{});
+  else if (carrier.defect)
+    visit(AdvectiveForm<T>{*carrier.displacement, *carrier.defect});
+  else
+    visit(Advection<T>{*carrier.displacement});
+}
+
+/// By the kinetic law.
+template <class Set, class T>
+void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                     const ReactiveWall& wall, const ReactiveLinks<T>& links, const SteppingSolute<T>& reactant,
+                     const SteppingSolute<T>* product) {
+  KOKKOS_ASSERT(!product || product->fields.turned == reactant.fields.turned);
+  visit_flow(carrier, [&](const auto& flow) {
+    visit_slots<Set>(nodes, reactant.fields, [&](const auto& slots) {
+      const auto sweep_of = [&](const SteppingSolute<T>& s) {
+        return sweep_of_block(nodes, solute_sweep<Set>(slots, s.parameters, s.fields, flow), s.correction);
+      };
+      const auto launch = [&](const auto& its_product, const auto& sweep_of_product) {
+        const int block = sweep_block_size<std::decay_t<decltype(flow)>>(nodes.count);
+        visit_kinetic_step<Set>(wall, links, reactant.fields.h, its_product, [&](const auto& step) {
+          const detail::ScatteredLoop<std::decay_t<decltype(step)>> react{step};
+          for_each_block(exec, "vug::solute::advance_and_react", nodes.share(),
+                         SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},
+                         blocks_at_a_time * block);
+        });
+      };
+      if (product)
+        launch(WithProduct<T>{product->fields.h, product->fields.C}, sweep_of(*product));
+      else
+        launch(NoProduct{}, NoSweep{});
+    });
+  });
+  reactant.fields.turned = 1 - reactant.fields.turned;
+  if (product) product->fields.turned = 1 - product->fields.turned;
+}
+
+}  // namespace
+
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                    const SteppingSolute<T>& solute) {
+  if (!carrier.displacement)
+    advance_solute<Set>(exec, nodes, solute.parameters, solute.fields);
+  else if (carrier.defect)
+    advance_solute<Set>(exec, nodes, solute.parameters, *carrier.displacement, *carrier.defect, solute.fields,
+                        solute.correction);
+  else
+    advance_solute<Set>(exec, nodes, solute.parameters, *carrier.displacement, solute.fields);
+}
+
+template <class Set, class T>
+void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                              const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                              const SteppingSolute<T>& reactant, const SteppingSolute<T>* product) {
+  if (!runs_on_host || wall.law != ReactiveWallLaw::kinetic) {
+    advance_solute<Set>(exec, nodes, carrier, reactant);
+    if (product) advance_solute<Set>(exec, nodes, carrier, *product);
+    react_at_wall<Set>(exec, nodes, wall, links, reactant.fields, product ? &product->fields : nullptr);
+  } else if constexpr (runs_on_host) {
+    require_product(wall, product != nullptr);
+    sweep_and_react<Set>(exec, nodes, carrier, wall, links, reactant, product);
+  }
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                                           \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&,           \
+                                       const SteppingSolute<T>&);                                         \
+  template void advance_reacting_solutes<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&, \
+                                                 const ReactiveWall&, const ReactiveLinks<T>&,            \
+                                                 const SteppingSolute<T>&, const SteppingSolute<T>*);
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,264 @@
+#include "kernels/base/offsets.hpp"
+#include "kernels/launch/prefetch.hpp"
+#include "kernels/nodes/dense_neighbour.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
+#include "kernels/reaction/reactive_wall_step.hpp"
+
+namespace vug {
+
+/// Velocities of Set but that at rest, as bits of the link masks of FluidNodes.
+template <class Set>
+inline constexpr unsigned moving = (1u << Set::Q) - 2;
+
+/// Counts the links of a fluid node into first(i + 1).
+template <class Set>
+struct CountLinksOfFluid {
+  Kokkos::View<const std::uint16_t*> solid_links;
+  IndexList first;
+  KOKKOS_FUNCTION void operator()(int i) const { first(i + 1) = Kokkos::popcount(solid_links(i) & moving<Set>); }
+};
+
+/// Lists the links of a surface node, or with fill = false counts them into of_surface(s + 1).
+template <class T, class Set>
+struct ListReactiveLinks {
+  DenseNeighbour lattice;
+  IndexList node, index;
+  Kokkos::View<const std::uint16_t*> solid_links;
+  int capacity;
+  ReactiveLinks<T> links;
+  bool fill;
+
+  KOKKOS_FUNCTION void operator()(int s) const {
+    int at = fill ? links.of_surface(s) : 0;
+    for (int q = 1; q < Set::Q; ++q) {
+      const int fluid = lattice.fluid_along(index, node(s), q);
+      if (fluid < 0) continue;
+      if (fill) links.of_surface_link(at) = list(s, q, fluid);
+      ++at;
+    }
+    if (!fill) links.of_surface(s + 1) = at;
+  }
+
+ private:
+  /// The link between surface node s and the fluid node along q.
+  KOKKOS_FUNCTION int list(int s, int q, int fluid) const {
+    const int outgoing = Set::opposite(q);
+    const unsigned before = solid_links(fluid) & moving<Set> & ((1u << outgoing) - 1);
+    const int link = links.first(fluid) + Kokkos::popcount(before);
+    links.slot(link) = outgoing * capacity + fluid;
+    links.root(link) = 8 * s + q - 1;
+    return link;
+  }
+};
+
+/// The mineral of the surface node of a link.
+struct MineralOfLink {
+  IndexList root, node;
+  Kokkos::View<const std::uint8_t*> of_node;
+  Kokkos::View<std::uint8_t*> mineral;
+  KOKKOS_FUNCTION void operator()(int l) const { mineral(l) = of_node(node(root(l) / 8)); }
+};
+
+namespace {
+
+template <class T>
+void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law, bool minerals) {
+  if (static_cast<int>(links.slot.extent(0)) >= links.count) return;
+  const std::size_t room = links.count + links.count / 2;
+  links.of_surface_link = IndexList("vug::reactive_wall::of_surface_link", room);
+  links.slot = IndexList("vug::reactive_wall::slot", room);
+  links.root = IndexList("vug::reactive_wall::root", room);
+  links.rate = ScalarField<T>("vug::reactive_wall::rate", room);
+  links.conductance = ScalarField<T>("vug::reactive_wall::conductance", room);
+  if (minerals) links.mineral = Kokkos::View<std::uint8_t*>("vug::reactive_wall::mineral", room);
+  links.acid = links.product = links.solid = ScalarField<double>("vug::reactive_wall::acid", room);
+  if (law == ReactiveWallLaw::kinetic) return;
+  links.product = ScalarField<double>("vug::reactive_wall::product", room);
+  links.solid = ScalarField<double>("vug::reactive_wall::solid", room);
+}
+
+/// Makes counts in `offset` from 1 to n, by `count`, into places; returns what all are.
+template <class Count>
+int places(const Exec& exec, const char* label, int n, const Count& count, const IndexList& offset) {
+  for_each_node(exec, label, n, count);
+  return accumulate_counts(exec, "vug::reactive_wall::places", Kokkos::subview(offset, std::pair(0, n + 1)));
+}
+
+IndexList fitting(const char* label, const IndexList& list, int n) {
+  return static_cast<int>(list.extent(0)) < n + 1 ? IndexList(label, n + n / 2 + 1) : list;
+}
+
+}  // namespace
+
+template <class Set, class T>
+void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
+                         ReactiveLinks<T>& links, const Kokkos::View<const std::uint8_t*>& mineral) {
+  links.first = fitting("vug::reactive_wall::first", links.first, nodes.count);
+  links.of_surface = fitting("vug::reactive_wall::of_surface", links.of_surface, surface.count);
+  links.count = places(exec, "vug::reactive_wall::count", nodes.count,
+                       CountLinksOfFluid<Set>{nodes.solid_links, links.first}, links.first);
+  make_room(links, law, mineral.extent(0) > 0);
+  Kokkos::deep_copy(exec, links.rate, T(0));  // of places that no link takes: nothing is left of former lists
+  Kokkos::deep_copy(exec, links.conductance, T(0));
+  ListReactiveLinks<T, Set> list{DenseNeighbour(nodes), surface.node, nodes.index, nodes.solid_links,
+                                 nodes.capacity,        links,        false};
+  places(exec, "vug::reactive_wall::count_of_surface", surface.count, list, links.of_surface);
+  list.fill = true;
+  for_each_node(exec, "vug::reactive_wall::list", surface.count, list);
+  if (mineral.extent(0) > 0)
+    for_each_node(exec, "vug::reactive_wall::mineral_of_link", links.count,
+                  MineralOfLink{links.root, surface.node, mineral, links.mineral});
+}
+
+template <class Set, class T>
+void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const SoluteFields<T>& reactant, const SoluteFields<T>* product) {
+  require_product(wall, product != nullptr);
+  const char* label = "vug::reactive_wall::react";
+  const auto by_paper = [&](const auto& equilibrium, const auto& its_product) {
+    using Step = PaperStep<T, Set, std::decay_t<decltype(equilibrium)>, std::decay_t<decltype(its_product)>>;
+    for_each_node(exec, label, links.share(),
+                  Step{equilibrium, T(wall.D_reactant), T(wall.D_product), nodes.capacity, links, reactant.h,
+                       reactant.C, its_product});
+  };
+  const auto launch = [&](const auto& its_product) {
+    if (wall.law == ReactiveWallLaw::kinetic)
+      visit_kinetic_step<Set>(wall, links, reactant.h, its_product,
+                              [&](const auto& step) { for_each_scattered(exec, label, links.share(), step); });
+    else if (wall.minerals.given())
+      by_paper(MineralEquilibrium<T>{wall.minerals.rate, links.mineral}, its_product);
+    else
+      by_paper(SameEquilibrium<T>{T(wall.inverse_equilibrium)}, its_product);
+  };
+  if (product)
+    launch(WithProduct<T>{product->h, product->C});
+  else
+    launch(NoProduct{});
+}
+
+/// Pixels dissolved per acid, of rock of one kind.
+struct OneSolid {
+  double molar_volume;
+  KOKKOS_FORCEINLINE_FUNCTION double volume_of(int) const { return molar_volume; }
+  KOKKOS_FORCEINLINE_FUNCTION void note(int, double) const {}
+};
+/// Of minerals, each node's acid noted.
+struct ManySolids {
+  MineralRates minerals;
+  ScalarField<double> acid;
+  KOKKOS_FORCEINLINE_FUNCTION double volume_of(int node) const { return minerals.at(node).molar_volume; }
+  KOKKOS_FORCEINLINE_FUNCTION void note(int node, double consumed) const { acid(node) += consumed; }
+};
+
+/// Books the links of one surface node in their order; returns the acid that they consumed.
+template <class T, class Solid>
+struct BookTurnover {
+  IndexList node;
+  int count;
+  ReactiveLinks<T> links;
+  bool apart;  ///< acid, product and solid are three
+  Solid kind;
+  ReactionLedger ledger;
+
+  KOKKOS_FORCEINLINE_FUNCTION static double take(double& amount) {
+    const double taken = amount;
+    amount = 0;
+    return taken;
+  }
+  /// Surface nodes lie scattered over the lattice.
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int s) const {
+    constexpr int ahead = 32;
+    const int later = node(s + ahead < count ? s + ahead : count - 1);
+    prefetch(&ledger.V(later));
+    prefetch(&ledger.dissolved(later));
+  }
+  KOKKOS_FUNCTION double operator()(int s) const {
+    announce(s);
+    double acid = 0, product = 0, solid = 0;
+    for (int k = links.of_surface(s); k < links.of_surface(s + 1); ++k) {
+      const int l = links.of_surface_link(k);
+      acid += take(links.acid(l));
+      if (!apart) continue;
+      product += take(links.product(l));
+      solid += take(links.solid(l));
+    }
+    const int n = node(s);
+    const double volume = kind.volume_of(n) * (apart ? solid : acid);
+    kind.note(n, acid);
+    ledger.V(n) -= volume;
+    ledger.dissolved(n) += volume;
+    if (ledger.released.extent(0) > 0) ledger.released(n) += apart ? product : acid;
+    return acid;
+  }
+};
+
+/// What the links of one surface node are about to take off it.
+template <class T, class Solid>
+struct AddLoss {
+  IndexList node;
+  ReactiveLinks<T> links;
+  Solid kind;
+  ScalarField<double> loss;
+  KOKKOS_FUNCTION void operator()(int s) const {
+    double solid = 0;
+    for (int k = links.of_surface(s); k < links.of_surface(s + 1); ++k) solid += links.solid(links.of_surface_link(k));
+    loss(s) += kind.volume_of(node(s)) * solid;
+  }
+};
+
+template <class T>
+void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                const ScalarField<double>& loss) {
+  const auto launch = [&](const auto& kind) {
+    for_each_node(exec, "vug::reactive_wall::loss", surface.count,
+                  AddLoss<T, std::decay_t<decltype(kind)>>{surface.node, links, kind, loss});
+  };
+  if (wall.minerals.of_node.extent(0) > 0)
+    launch(ManySolids{wall.minerals, {}});
+  else
+    launch(OneSolid{wall.molar_volume});
+}
+
+template <class T>
+void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const ReactionLedger& ledger) {
+  const bool apart = wall.law != ReactiveWallLaw::kinetic;
+  const auto launch = [&](const auto& kind) {
+    add_per_block(
+        exec, "vug::reactive_wall::book", surface.count,
+        BookTurnover<T, std::decay_t<decltype(kind)>>{surface.node, surface.count, links, apart, kind, ledger},
+        ledger.consumed);
+  };
+  if (wall.minerals.of_node.extent(0) > 0)
+    launch(ManySolids{wall.minerals, ledger.acid});
+  else
+    launch(OneSolid{wall.molar_volume});
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                                                     \
+  template void find_reactive_links<Set, T>(const Exec&, const FluidNodes&, const Surface&, ReactiveWallLaw,        \
+                                            ReactiveLinks<T>&, const Kokkos::View<const std::uint8_t*>&);           \
+  template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,               \
+                                                      const ReactiveWall&, const UniformRate&,                      \
+                                                      const VectorField<double>&, const ReactiveLinks<T>&, double); \
+  template void set_conductances<Set, T, MineralArrhenius<UniformTemperature>>(                                     \
+      const Exec&, const FluidNodes&, const Surface&, const ReactiveWall&,                                          \
+      const MineralArrhenius<UniformTemperature>&, const VectorField<double>&, const ReactiveLinks<T>&, double);    \
+  template void react_at_wall<Set, T>(const Exec&, const FluidNodes&, const ReactiveWall&, const ReactiveLinks<T>&, \
+                                      const SoluteFields<T>&, const SoluteFields<T>*);
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
+                         const ScalarField<double>&);
+template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
+                         const ScalarField<double>&);
+template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
+                            const ReactionLedger&);
+template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
+                            const ReactionLedger&);
+
+}  // namespace vug

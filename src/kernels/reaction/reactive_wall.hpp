@@ -1,0 +1,154 @@
+#pragma once
+// The reaction L1 + S1 -> L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
+// 21-24). It dresses the outgoing populations of acid and product after the sweep, before they return with the next.
+//
+// Rock dissolves over thousands of steps and warms as slowly: where the links are, how well each conducts the reaction
+// and what it has taken off the solid are seen to now and then (find_reactive_links, set_conductances,
+// book_turnover), so that a step is one loop over a list of links.
+#include "kernels/base/choices.hpp"
+#include "kernels/reaction/link_area.hpp"
+#include "kernels/reaction/reaction.hpp"
+#include "kernels/solute/solute.hpp"
+
+namespace vug {
+
+/// Constants of one reactant on one mineral, in lattice units.
+struct MineralRate {
+  double k0 = 0;                      ///< rate constant at the reference temperature
+  double activation_temperature = 0;  ///< Ea/R in K
+  double inverse_equilibrium = 0;     ///< 1/K_eq
+  double order = 1;
+  double molar_volume = 0;  ///< pixels dissolved per pixel of unit concentration of the reactant
+};
+
+/// The constants of all minerals; without any where rock is of one kind that reacts in first order, whose constants are
+/// those of the wall itself.
+struct MineralRates {
+  Kokkos::View<const std::uint8_t*> of_node;  ///< (dense node) number of its mineral; empty: 0 everywhere
+  Kokkos::View<const MineralRate*> rate;      ///< (mineral)
+
+  bool given() const { return rate.extent(0) > 0; }
+  KOKKOS_FORCEINLINE_FUNCTION const MineralRate& at(int node) const {
+    return rate(of_node.extent(0) > 0 ? of_node(node) : 0);
+  }
+};
+
+/// Constants of a reactive wall, in lattice units.
+struct ReactiveWall {
+  ReactiveWallLaw law = ReactiveWallLaw::kinetic;
+  double molar_volume = 0;         ///< pixels dissolved per pixel of unit concentration; 0 = reacts, does not dissolve
+  double inverse_equilibrium = 0;  ///< 1/K_eq
+  double D_reactant = 1, D_product = 1;  ///< used by the paper's law
+  MineralRates minerals;                 ///< where given, instead of the two constants above
+  double reference_concentration = 1;    ///< C_ref of orders other than 1
+};
+
+/// The links through which a wall reacts, in the order of their fluid nodes and directions out of them, and what each
+/// has turned over since that was last booked.
+template <class T>
+struct ReactiveLinks {
+  int count = 0;
+  IndexList first;            ///< (fluid + 1) fluid node i has the links [first(i), first(i + 1))
+  IndexList of_surface;       ///< (surface + 1) surface node s has entries [of_surface(s), of_surface(s + 1)) of
+  IndexList of_surface_link;  ///< (entry) the link, in order of direction from s
+  IndexList slot;             ///< (link) slot of the population that leaves the fluid through it
+  IndexList root;             ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
+  Kokkos::View<std::uint8_t*> mineral;  ///< (link) of the surface node; empty without minerals
+  ScalarField<T> rate;                  ///< (link) rate constant times share of true area, when that was last asked for
+  ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances; of an
+                               ///< order other than 1 the rate constant
+  ScalarField<double> acid;    ///< (link) moles taken from the acid
+  ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself but for the
+                                       ///< paper's law, where the three differ
+  int own_count = -1;                  ///< blocks of the list that hold links of nodes of this process; -1: all
+  IndexList own_blocks;                ///< (own) their numbers
+
+  /// What this process computes of them.
+  Share share() const { return {count, own_count, own_blocks.data()}; }
+};
+
+/// Lists the links of `surface` to the fluid along the velocities of Set. What they have turned over must have been
+/// booked. Reuses the allocations when they fit; waits for the device. `mineral` as in MineralRates::of_node.
+template <class Set, class T>
+void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
+                         ReactiveLinks<T>& links, const Kokkos::View<const std::uint8_t*>& mineral = {});
+
+/// Rate policies: operator()(dense solid node, dense fluid node) gives the rate constant at their common face, in
+/// lattice units. This one is the same everywhere.
+struct UniformRate {
+  double k = 0;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int, int) const { return k; }
+};
+
+/// Rate constant after Arrhenius (Eq. 8) at the temperature `temperature(solid, fluid)`, in K, of the face.
+template <class FaceTemperature>
+struct ArrheniusRate {
+  double k0 = 0;                      ///< rate constant at the reference temperature, lattice units
+  double activation_temperature = 0;  ///< Ea/R in K
+  double reference_temperature = 0;   ///< K
+  FaceTemperature temperature;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
+    return arrhenius<double>(k0, activation_temperature, temperature(solid, fluid), reference_temperature);
+  }
+};
+
+/// The same with the constants of the solid node's mineral.
+template <class FaceTemperature>
+struct MineralArrhenius {
+  MineralRates minerals;
+  double reference_temperature = 0;  ///< K
+  FaceTemperature temperature;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
+    const MineralRate& mineral = minerals.at(solid);
+    return arrhenius<double>(mineral.k0, mineral.activation_temperature, temperature(solid, fluid),
+                             reference_temperature);
+  }
+};
+
+/// The same temperature everywhere, K.
+struct UniformTemperature {
+  double kelvin = 0;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int, int) const { return kelvin; }
+};
+
+/// Sets links.conductance from the rate at every face and the area that the link stands for: `normal` from find_normals
+/// corrects that of the stair-step; with extent 0 it is left as it is. To be called when the links are new and again
+/// every few steps: `ahead` times the change of the rate since the last call is added, half of it where the steps
+/// until the next are as many, so that the mean over them is right to second order; at most half and double the rate.
+/// 0 where the links are new. Instantiated for UniformRate and MineralArrhenius<UniformTemperature>; for others include
+/// reactive_wall_kernel.hpp.
+template <class Set, class T, class Rate>
+void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
+                      const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
+                      double ahead = 0);
+
+/// One step of reaction at all links. `product` may be null (L2 is not modelled; 1/K_eq must then be 0, else
+/// InputError). Acid + product are conserved exactly by the kinetic law. Per link: 2 populations (4 with product), its
+/// slot, conductance and turnover.
+template <class Set, class T>
+void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const SoluteFields<T>& reactant, const SoluteFields<T>* product);
+
+/// What the reaction took from the solid and from the fluid.
+struct ReactionLedger {
+  ScalarField<double> V;          ///< (dense node) solid volume, 1 -> 0 pixels; loses M times the moles
+  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far; gains them
+  ScalarField<double>
+      consumed;  ///< (block of surface nodes) acid taken from the fluid; block_count(lattice.size()) suffices
+  /// (dense node) product given to the fluid; wanted only with the paper's law, where it differs from the acid consumed
+  ScalarField<double> released;
+  ScalarField<double> acid;  ///< (dense node) acid that reacted with it; wanted only with minerals
+};
+
+/// Moves what the links have turned over to the ledger. Call it before the solid volume is looked at and before the
+/// links are listed anew.
+template <class T>
+void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const ReactionLedger& ledger);
+
+/// loss(s) += what the links have taken off surface node s since that was last booked, pixels.
+template <class T>
+void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                const ScalarField<double>& loss);
+
+}  // namespace vug

@@ -1,0 +1,25 @@
+#pragma once
+// How full of rock a node is, whatever the volume that it was given.
+#include "kernels/base/base.hpp"
+
+namespace vug {
+
+/// Cells' worth of solid that a node was given: what is left and what has dissolved of it, at least its own cell.
+KOKKOS_FORCEINLINE_FUNCTION double solid_given(double V, double dissolved) {
+  const double given = V + dissolved;
+  return given > 1 ? given : 1.0;
+}
+
+/// Share of a node's own solid that is left: 1 in rock that nothing has dissolved, also where V is more than a cell
+/// since an opened pathway has handed its solid on, 0 in fluid.
+KOKKOS_FORCEINLINE_FUNCTION double solid_share(double V, double dissolved) {
+  return V / solid_given(V, dissolved);
+}
+
+/// Share of a node's own solid that has dissolved, 0 to 1.
+KOKKOS_FORCEINLINE_FUNCTION double dissolved_share(double V, double dissolved) {
+  const double share = dissolved / solid_given(V, dissolved);
+  return share < 1 ? share : 1.0;
+}
+
+}  // namespace vug

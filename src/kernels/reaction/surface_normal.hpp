@@ -1,0 +1,27 @@
+#pragma once
+// Which way a stair-step surface really faces, from the solid volume around it.
+#include "kernels/nodes/fluid_nodes.hpp"
+
+#include <optional>
+
+namespace vug {
+
+/// Normal n = -grad V/|grad V| at every surface node, pointing into the fluid, from the share V of each node's own
+/// solid that is left (solid_share of `volume` and `dissolved`, dense) over 5 x 5 nodes with Gaussian weights; zero
+/// where it is undefined (a lone pixel). Its length is 1 on a flat wall and follows the curvature elsewhere: the
+/// outline of pixels that are partly dissolved is longer than the surface inside them, or shorter in a hollow. V beyond
+/// a side is that of the nearest node inside. normal: (surface, axis); its allocation is reused when it fits. To be
+/// renewed when the surface or V has changed noticeably. Reads 25 x 16 bytes per surface node. Of the surface nodes of
+/// `only`, where given.
+void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ScalarField<double>& volume,
+                  const ScalarField<double>& dissolved, VectorField<double>& normal,
+                  const std::optional<Share>& only = {});
+
+/// Area of the reactive surface in nodes (per node of depth): sum over the links between solid and fluid of
+/// 6 w |n.c|, which is the true length of a straight wall of any orientation. Without normals (extent 0) the area of
+/// the stair-step. Waits for the device; for the history, not inside a step.
+template <class Set>
+double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
+                    const VectorField<double>& normal);
+
+}  // namespace vug

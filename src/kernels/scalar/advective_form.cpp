@@ -1,0 +1,114 @@
+#include "kernels/scalar/advective_form.hpp"
+
+#include "kernels/base/unroll.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
+
+namespace vug {
+
+template <class Set, class T>
+struct AdvectiveDefect {
+  int capacity;
+  Kokkos::View<const int*> source;
+  Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
+  Displacement<T> u;
+  ScalarField<T> e;
+  T even_weight;
+
+  /// Whether the velocity along an axis matters to direction q: on D2Q5 what it moves along alone.
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr bool matters(int q, int axis) {
+    return Set::Q != D2Q5::Q || Set::c(q, axis) != 0;
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION T deviation(int q, T ux, T uy) const {
+    const T whole = scalar_equilibrium<Set, T>(q, ux, uy) - T(1);
+    if constexpr (Set::Q == D2Q5::Q) {
+      return whole;
+    } else {
+      const T odd = T(3) * along(q, ux, uy);
+      return odd + even_weight * (whole - odd);
+    }
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
+    T ux[Set::Q], uy[Set::Q];
+    ux[0] = u(i, 0);
+    uy[0] = u(i, 1);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const int from = source(q * capacity + i) - q * capacity;
+      const int upstream = from >= 0 && from < capacity ? from : i;  // at a wall or a side the node itself
+      ux[q] = u(upstream, 0);
+      uy[q] = u(upstream, 1);
+    }
+    finish(i, ux, uy);
+  }
+
+  /// From the velocities of the nodes that the directions come from.
+  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, const T (&ux)[Set::Q], const T (&uy)[Set::Q]) const {
+    const int closed = static_cast<int>(closed_links(solid_links(i), side_links(i), open_links(i)));
+    T sum = T(Set::w(0)) * deviation(0, ux[0], uy[0]);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const int opposite = Set::opposite(q);
+      const T sign = (closed >> opposite) & 1 ? T(-1) : T(1);  // what bounces back comes with the velocity reversed
+      sum += T(Set::w(q)) * deviation(q, sign * ux[q], sign * uy[q]);
+    }
+    e(i) = sum;
+  }
+};
+
+/// A block of nodes: what lies scattered is brought together, eight nodes at a time, for so many that their law runs on
+/// vectors.
+template <class Set, class T>
+struct EightDefects {
+  using Defect = AdvectiveDefect<Set, T>;
+  Defect defect;
+  Kokkos::View<const SourceWindow*> windows;
+  void operator()(int first, int last) const {
+    const Defect local = defect;
+    const EightFromHome<T, Set> eight{windows.data(), local.source.data(), local.capacity};
+    constexpr int some = shortest_block;
+    int i = first;
+    for (; i + some <= last; i += some) {
+      alignas(64) T ux[Set::Q][some], uy[Set::Q][some];
+      for (int l = 0; l < some; l += nodes_per_window) {
+        eight.upstream(&local.u.u(0, 0), i + l, ux, l, [](int q) { return Defect::matters(q, 0); });
+        eight.upstream(&local.u.u(0, 1), i + l, uy, l, [](int q) { return Defect::matters(q, 1); });
+      }
+      VUG_VECTORISE
+      for (int l = 0; l < some; ++l) {
+        T own_x[Set::Q], own_y[Set::Q];
+        VUG_UNROLL
+        for (int q = 0; q < Set::Q; ++q) {
+          own_x[q] = Defect::matters(q, 0) ? local.u.steps * ux[q][l] : T(0);
+          own_y[q] = Defect::matters(q, 1) ? local.u.steps * uy[q][l] : T(0);
+        }
+        local.finish(i + l, own_x, own_y);
+      }
+    }
+    for (; i < last; ++i) local(i);
+  }
+};
+
+template <class Set, class T>
+void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
+                      const ScalarField<T>& e, T even_weight) {
+  const char* label = "vug::advective_form::defect";
+  const AdvectiveDefect<Set, T> body{
+      nodes.capacity, nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links, u, e, even_weight};
+  if constexpr (has_source_windows)
+    for_each_block(exec, label, nodes.share(), EightDefects<Set, T>{body, nodes.windows}, block_of_list(nodes.count));
+  else
+    for_each_node(exec, label, nodes.share(), body);
+}
+
+#define VUG_INSTANTIATE(T, Set) \
+  template void advective_defect<Set>(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&, T);
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

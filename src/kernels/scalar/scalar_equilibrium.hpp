@@ -1,0 +1,21 @@
+#pragma once
+// How a scalar carried by the fluid is distributed over the velocities at equilibrium.
+#include "kernels/base/velocity_set.hpp"
+
+#include <type_traits>
+
+namespace vug {
+
+/// h_i^eq / (w_i C) for fluid velocity (ux, uy) in lattice units: the paper's quadratic form (Eq. 15 without the
+/// gradient term) on D2Q9, the linear form on D2Q5, whose five velocities carry no second-order term. V is T or a
+/// register of such numbers.
+template <class Set, class T, class V>
+KOKKOS_FORCEINLINE_FUNCTION V scalar_equilibrium(int q, const V& ux, const V& uy) {
+  const V cu = along(q, ux, uy);
+  if constexpr (std::is_same_v<Set, D2Q9>)
+    return T(1) + T(3) * cu + T(4.5) * cu * cu - T(1.5) * (ux * ux + uy * uy);
+  else
+    return T(1) + T(3) * cu;
+}
+
+}  // namespace vug

@@ -1,0 +1,99 @@
+#include "kernels/solute/solute.hpp"
+
+#include "kernels/base/require.hpp"
+#include "kernels/solute/solute_sweep.hpp"
+
+#include <string>
+
+namespace vug {
+
+SoluteParameters solute_parameters(double D) {
+  if (!(D > 0)) throw InputError("solute: diffusivity " + std::to_string(D) + " in lattice units, expected above 0");
+  return {0.5 + 3 * D, 0.5 + 0.25 / (3 * D)};
+}
+
+SoluteParameters solute_parameters(double D, double tau_h) {
+  if (!(D > 0)) throw InputError("solute: diffusivity " + std::to_string(D) + " in lattice units, expected above 0");
+  if (!(tau_h > 0.5)) throw InputError("solute: relaxation time " + std::to_string(tau_h) + ", expected above 0.5");
+  return {0.5 + 3 * D, tau_h};
+}
+
+template <class T, class Set>
+struct UniformConcentrationAtRest {
+  ScalarField<T> h, C;
+  int capacity;
+  T concentration;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    C(i) = concentration;
+    for (int q = 0; q < Set::Q; ++q) h(q * capacity + i) = T(Set::w(q)) * concentration;
+  }
+};
+
+template <class T, class Set>
+SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration) {
+  SoluteFields<T> s{ScalarField<T>("vug::solute::h", std::size_t(Set::Q) * nodes.capacity), 0,
+                    ScalarField<T>("vug::solute::C", nodes.capacity)};
+  for_each_node(exec, "vug::solute::uniform", nodes.count,
+                UniformConcentrationAtRest<T, Set>{s.h, s.C, nodes.capacity, T(concentration)});
+  return s;
+}
+
+/// One sweep; with the advective form `correction` gains what it adds.
+template <class Set, class T, class Flow>
+void advance(const Exec& exec, const char* label, const FluidNodes& nodes, const SoluteParameters& p,
+             SoluteFields<T>& s, const Flow& flow, const ScalarField<double>& correction = {}) {
+  visit_slots<Set>(nodes, s, [&](const auto& slots) {
+    const auto sweep = solute_sweep<Set>(slots, p, s, flow);
+    if constexpr (runs_on_host)
+      for_each_block(exec, label, nodes.share(), sweep_of_block(nodes, sweep, correction),
+                     sweep_block_size<Flow>(nodes.count));
+    else if constexpr (Flow::advective_form)
+      add_per_block(exec, label, nodes.share(), sweep, correction);
+    else
+      for_each_node(exec, label, nodes.share(), sweep);
+  });
+  s.turned = 1 - s.turned;
+}
+
+template <class Set, class T>
+void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
+  const int old = static_cast<int>(s.C.extent(0));
+  if (old == nodes.capacity) return;
+  s.h = restride(exec, s.h, Set::Q, count, old, nodes.capacity);
+  Kokkos::resize(exec, s.C, nodes.capacity);
+}
+
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p, SoluteFields<T>& s) {
+  advance<Set>(exec, "vug::solute::diffuse", nodes, p, s, NoAdvection{});
+}
+
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p,
+                    const std::type_identity_t<Displacement<T>>& u, SoluteFields<T>& s) {
+  advance<Set>(exec, "vug::solute::advect", nodes, p, s, Advection<T>{u});
+}
+
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p,
+                    const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& e, SoluteFields<T>& s,
+                    const ScalarField<double>& correction) {
+  advance<Set>(exec, "vug::solute::advect_in_advective_form", nodes, p, s, AdvectiveForm<T>{u, e}, correction);
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                                                    \
+  template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);                     \
+  template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);             \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&, SoluteFields<T>&); \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&,                    \
+                                       const Displacement<T>&, SoluteFields<T>&);                                  \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&,                    \
+                                       const Displacement<T>&, const ScalarField<T>&, SoluteFields<T>&,            \
+                                       const ScalarField<double>&);
+VUG_INSTANTIATE(float, D2Q5)
+VUG_INSTANTIATE(double, D2Q5)
+VUG_INSTANTIATE(float, D2Q9)
+VUG_INSTANTIATE(double, D2Q9)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,66 @@
+#pragma once
+// Transport of one dissolved species over the fluid nodes: the lattice kinetic scheme (paper Eqs. 14-20) as one sweep
+// over any velocity set.
+//
+// Order within a lattice step: dress the outgoing populations in `h` (solute_boundary.hpp), then advance_solute, which
+// pulls, collides and stores in place (streaming.hpp), then react_at_wall (reactive_wall.hpp), which dresses what has
+// just gone out. Births come between two steps (dissolution.hpp).
+#include "kernels/base/velocity_set.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
+#include "kernels/scalar/displacement.hpp"
+
+#include <type_traits>
+
+namespace vug {
+
+/// Relaxation times of the lattice kinetic scheme. Its closed form relaxes the first moment with tau_1 and every other
+/// moment with tau_h; the paper's adjustable factor is tau_B = tau_h - tau_1.
+struct SoluteParameters {
+  double tau_1 = 1;  ///< of the first moment: 1/2 + 3 D (Eq. 19 with tau_1 = tau_h - tau_B)
+  double tau_h = 1;  ///< of all other moments
+  double diffusivity() const { return (tau_1 - 0.5) / 3; }
+  double tau_B() const { return tau_h - tau_1; }
+};
+
+/// Relaxation times for a diffusivity in lattice units with (tau_1 - 1/2)(tau_h - 1/2) = 1/4, at which halfway walls
+/// lie half way and transport is linearly stable for every diffusivity. Throws InputError unless D > 0.
+SoluteParameters solute_parameters(double D);
+
+/// Relaxation times for a diffusivity in lattice units and a chosen tau_h > 1/2 (paper Table 2). Throws InputError.
+SoluteParameters solute_parameters(double D, double tau_h);
+
+/// Populations and concentration of one species on the fluid nodes.
+template <class T>
+struct SoluteFields {
+  ScalarField<T> h;  ///< (q * capacity + fluid) post-collision populations, outgoing
+  int turned = 0;    ///< 1 after an odd number of steps (streaming.hpp); belongs to h in a checkpoint
+  ScalarField<T> C;  ///< (fluid) concentration of the last sweep
+};
+
+/// Fields of one species for `nodes`, at rest with a uniform concentration.
+template <class T, class Set>
+SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration = 0);
+
+/// Moves the fields of the first `count` nodes to the capacity of `nodes`, if that has changed.
+template <class Set, class T>
+void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
+
+/// One lattice step of a species in a fluid at rest.
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters, SoluteFields<T>& s);
+
+/// One lattice step of a species carried by the flow.
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters,
+                    const std::type_identity_t<Displacement<T>>& u, SoluteFields<T>& s);
+
+/// As above in advective form: a uniform concentration stays uniform although the stair-step, pseudo-compressible
+/// velocity field has the discrete divergence e (fluid; advective_defect<Set> of advective_form.hpp, taken from the
+/// velocity of the last sweep). What the correction adds to the total, the sum of -C e, is added to correction(block);
+/// `correction` has at least block_count(nodes.count) entries.
+template <class Set, class T>
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters,
+                    const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& e, SoluteFields<T>& s,
+                    const ScalarField<double>& correction);
+
+}  // namespace vug

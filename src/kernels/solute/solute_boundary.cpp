@@ -1,0 +1,159 @@
+#include "kernels/solute/solute_boundary.hpp"
+
+#include "kernels/launch/launch_lists.hpp"
+
+namespace vug {
+
+struct UniformSideConcentration {
+  double value;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int) const { return value; }
+};
+
+struct SideConcentrationProfile {
+  const double* value;
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int link) const { return value[link]; }
+};
+
+/// h_in = -A + 2 w C_b.
+template <class T, class Set, class Concentration>
+struct ConcentrationRule {
+  Concentration C_b;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int q, T out) const {
+    return T(2 * Set::w(q) * C_b(link)) - out;
+  }
+};
+
+/// h_in = A + area flux.
+template <class T>
+struct FluxRule {
+  const double* area;
+  double flux;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T out) const { return out + T(area[link] * flux); }
+};
+
+/// h_in = h*_in of the same node. What goes inwards from there may be turned (streaming.hpp).
+template <class T, class Set>
+struct SoluteOutflowRule {
+  const T* h;
+  Kokkos::View<const int*> source;
+  int capacity, turned;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T) const {
+    return h[turned ? source(q * capacity + i) : Set::opposite(q) * capacity + i];
+  }
+};
+
+/// What comes in by a rule, in the slot of the outgoing population of one link. 8 + 5 + 2 s + 16 bytes per link.
+template <class T, class Rule>
+struct DressSolute {
+  SoluteCondition<T> links;
+  int capacity;
+  Rule rule;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int i = links.fluid[link], q = links.direction[link];
+    T& slot = links.h[q * capacity + i];
+    const T out = slot, in = rule(link, i, q, out);
+    slot = in;
+    links.gain[link] += double(in) - double(out);
+  }
+};
+
+/// Each stretch by its rule.
+template <class T, class Set>
+struct DressSolutes {
+  using Entry = SoluteCondition<T>;
+  Kokkos::View<const int*> source;
+  int capacity;
+
+  static int count(const Entry& c) { return c.count; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
+    using Kind = typename Entry::Kind;
+    using Uniform = ConcentrationRule<T, Set, UniformSideConcentration>;
+    using Profile = ConcentrationRule<T, Set, SideConcentrationProfile>;
+    if (c.kind == Kind::outflow)
+      run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, source, capacity, c.turned}});
+    else if (c.kind == Kind::concentration)
+      run(DressSolute<T, Uniform>{c, capacity, {{c.value}}});
+    else if (c.kind == Kind::concentration_profile)
+      run(DressSolute<T, Profile>{c, capacity, {{c.part}}});
+    else
+      run(DressSolute<T, FluxRule<T>>{c, capacity, {c.part, c.value}});
+  }
+};
+
+namespace {
+
+template <class T>
+SoluteCondition<T> condition(typename SoluteCondition<T>::Kind kind, const BoundaryLinks& links,
+                             const SoluteFields<T>& s, const ScalarField<double>& gain, const double* part,
+                             double value) {
+  return {kind, links.count, links.fluid.data(), links.direction.data(), gain.data(), s.h.data(), s.turned,
+          part, value};
+}
+
+}  // namespace
+
+template <class T>
+SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
+                                           const ScalarField<double>& gain) {
+  return condition(SoluteCondition<T>::Kind::concentration, links, s, gain, nullptr, C_b);
+}
+
+template <class T>
+SoluteCondition<T> concentration_condition(const BoundaryLinks& links, const ScalarField<double>& C_b,
+                                           const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  return condition(SoluteCondition<T>::Kind::concentration_profile, links, s, gain, C_b.data(), 0);
+}
+
+template <class T>
+SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<double>& area, double flux,
+                                  const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  return condition(SoluteCondition<T>::Kind::flux, links, s, gain, area.data(), flux);
+}
+
+template <class T>
+SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteFields<T>& s,
+                                     const ScalarField<double>& gain) {
+  return condition(SoluteCondition<T>::Kind::outflow, links, s, gain, nullptr, 0);
+}
+
+template <class Set, class T>
+void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions, bool narrow) {
+  const DressSolutes<T, Set> law{nodes.source, nodes.capacity};
+  const std::size_t together = narrow ? 1 : conditions.size();
+  for (std::size_t first = 0; first < conditions.size(); first += together)
+    for_each_of_lists(exec, "vug::solute_boundary::dress", conditions.subspan(first, together), law);
+}
+
+struct IsNarrow {
+  Kokkos::View<const int*> fluid;
+  Kokkos::View<const std::uint8_t*> direction;
+  Kokkos::View<const std::uint16_t*> side_links;
+  KOKKOS_FUNCTION void operator()(int link, int& narrow) const {
+    narrow += side_links(fluid(link)) >> D2Q9::opposite(direction(link)) & 1;
+  }
+};
+
+bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links) {
+  int narrow = 0;
+  Kokkos::parallel_reduce("vug::solute_boundary::narrow", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
+                          IsNarrow{links.fluid, links.direction, nodes.side_links}, narrow);
+  return narrow > 0;
+}
+
+#define VUG_INSTANTIATE(T)                                                                                  \
+  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&, \
+                                                      const ScalarField<double>&);                          \
+  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, const ScalarField<double>&,     \
+                                                      const SoluteFields<T>&, const ScalarField<double>&);  \
+  template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,      \
+                                             const SoluteFields<T>&, const ScalarField<double>&);           \
+  template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteFields<T>&,               \
+                                                const ScalarField<double>&);                                \
+  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);     \
+  template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);
+VUG_INSTANTIATE(float)
+VUG_INSTANTIATE(double)
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

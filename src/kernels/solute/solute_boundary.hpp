@@ -1,0 +1,56 @@
+#pragma once
+// What happens to a species at the sides of the lattice: the outgoing population is dressed before the sweep, and the
+// bounce-back in the table of sources brings it home. No flux needs nothing. Where several meet: outflow first.
+#include "kernels/solute/solute.hpp"
+
+#include <span>
+
+namespace vug {
+
+/// The condition of a species on the links of one stretch. Made by the functions below; holds no View: what it was made
+/// from must outlive its use. gain(link) += what the fluid gains.
+template <class T>
+struct SoluteCondition {
+  enum class Kind { outflow, concentration, concentration_profile, flux };
+  Kind kind = Kind::outflow;
+  int count = 0;                            ///< links
+  const int* fluid = nullptr;               ///< (link) fluid index
+  const std::uint8_t* direction = nullptr;  ///< (link)
+  double* gain = nullptr;                   ///< (link)
+  T* h = nullptr;                           ///< populations of the species
+  int turned = 0;                           ///< (streaming.hpp)
+  const double* part = nullptr;             ///< (link) concentration of a profile, area of a flux
+  double value = 0;
+};
+
+/// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population.
+template <class T>
+SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
+                                           const ScalarField<double>& gain);
+
+/// As above with a concentration of its own on every link, C_b(link).
+template <class T>
+SoluteCondition<T> concentration_condition(const BoundaryLinks& links, const ScalarField<double>& C_b,
+                                           const SoluteFields<T>& s, const ScalarField<double>& gain);
+
+/// Given flux: h_in = A + area flux, amount per step and cell of a surface of which area (link) belongs to each link.
+template <class T>
+SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<double>& area, double flux,
+                                  const SoluteFields<T>& s, const ScalarField<double>& gain);
+
+/// Outflow without gradient: h_in = the node's own population of the incoming direction.
+template <class T>
+SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteFields<T>& s,
+                                     const ScalarField<double>& gain);
+
+/// Dresses the links of all stretches, no link of which is in two, of any number of species: one launch; where fluid is
+/// `narrow` one for each stretch, in their order.
+template <class Set, class T>
+void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions,
+           bool narrow = false);
+
+/// Whether one of the links leaves a node whose opposite link is one of a side or an opening too: what an outflow reads
+/// there another condition writes.
+bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);
+
+}  // namespace vug

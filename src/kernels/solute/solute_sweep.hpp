@@ -1,0 +1,195 @@
+#pragma once
+// The sweep of the lattice kinetic scheme, node by node and by eights, and how a host runs a block of it.
+#include "kernels/base/unroll.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/nodes/streaming.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
+#include "kernels/solute/solute.hpp"
+
+#include <type_traits>
+
+namespace vug {
+
+/// Advection policies: what the sweep reads of the flow.
+struct NoAdvection {
+  static constexpr bool moves = false;
+  static constexpr bool advective_form = false;
+};
+
+template <class T>
+struct Advection {
+  static constexpr bool moves = true;
+  static constexpr bool advective_form = false;
+  Displacement<T> u;
+};
+
+template <class T>
+struct AdvectiveForm {
+  static constexpr bool moves = true;
+  static constexpr bool advective_form = true;
+  Displacement<T> u;
+  Kokkos::View<const T*> e;
+};
+
+/// The collision of one node, or of eight: with C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 -
+/// 3/2 u^2]):
+///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
+/// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h.
+template <class T, class Set>
+struct SoluteCollision {
+  T rate_h, rate_difference;
+
+  explicit SoluteCollision(const SoluteParameters& p)
+      : rate_h(T(1 / p.tau_h)), rate_difference(T(1 / p.tau_h - 1 / p.tau_1)) {}
+
+  /// Of populations g with their sum c; (x, y): J - C u. The population at rest is what the others leave of C: rounded
+  /// weights do not add up to one, and what they miss (5e-17 of C in double, 3e-8 in float) would be gained or lost at
+  /// every node in every step.
+  template <bool moves, class V>
+  KOKKOS_FORCEINLINE_FUNCTION void relax(V (&g)[Set::Q], const V& c, const V& ux, const V& uy, V x, V y) const {
+    x *= rate_difference;
+    y *= rate_difference;
+    V rest = c;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      V wc = T(Set::w(q)) * c;
+      if constexpr (moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
+      g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * along(q, x, y);
+      rest -= g[q];
+    }
+    g[0] = rest;
+  }
+};
+
+/// Pull, collide, store, in place. With the advective form it returns what it adds to sum h, -C e with C (1 + e) = sum
+/// of the pulled populations. Bytes per node, size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights
+/// 3 (Q - 1)), + 2 s with advection, + s with the advective form.
+template <class T, class Set, class Slots, class Flow>
+struct SoluteSweep {
+  Slots slots;
+  ScalarField<T> h, C;
+  SoluteCollision<T, Set> collision;
+  Flow flow;
+
+  static constexpr int Q = Set::Q;
+  static constexpr bool adds = Flow::advective_form;
+
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int i) const {
+    T g[Set::Q];
+    g[0] = h(i);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) g[q] = h(slots.arriving(q, i));
+    const T added = finish(i, g);
+    h(i) = g[0];
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) h(slots.leaving(q, i)) = g[q];
+    return added;
+  }
+
+  /// Concentration and collision of the populations that have arrived, of one node or of eight neighbours; returns what
+  /// is added.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V finish(int i, V (&g)[Set::Q]) const {
+    V c = g[0], flux_x{}, flux_y{}, added{};
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      c += g[q];
+      if (Set::c(q, 0) != 0) flux_x += Set::c(q, 0) > 0 ? g[q] : -g[q];
+      if (Set::c(q, 1) != 0) flux_y += Set::c(q, 1) > 0 ? g[q] : -g[q];
+    }
+    if constexpr (Flow::advective_form) {
+      const V e = fetch<V>(&flow.e(i));
+      added = -c * e / (T(1) + e);
+      g[0] += added;
+      c += added;
+    }
+    put(&C(i), c);
+    collide(i, g, c, flux_x, flux_y);
+    return added;
+  }
+
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[Set::Q], const V& c, const V& flux_x, const V& flux_y) const {
+    if constexpr (Flow::moves) {
+      const V ux = flow.u.steps * fetch<V>(&flow.u.u(i, 0)), uy = flow.u.steps * fetch<V>(&flow.u.u(i, 1));
+      collision.template relax<true>(g, c, ux, uy, flux_x - c * ux, flux_y - c * uy);
+    } else {
+      collision.template relax<false>(g, c, V{}, V{}, flux_x, flux_y);
+    }
+  }
+};
+
+/// A block of nodes by eights that stay in registers. What they add is summed as add_per_block does.
+template <class T, class Sweep, class EightNodes>
+struct EightSweeps {
+  Sweep sweep;
+  EightNodes eight;
+  ScalarField<double> correction;
+
+  void operator()(int first, int last) const {
+    const Sweep local = sweep;
+    const EightNodes nodes = eight;
+    constexpr int several = 4;
+    alignas(64) double sum[eight_lanes] = {};
+    int i = first;
+    for (; i + several * eight_lanes <= last; i += several * eight_lanes) by_eights<several>(local, nodes, i, sum);
+    for (; i + eight_lanes <= last; i += eight_lanes) by_eights<1>(local, nodes, i, sum);
+    for (int l = 0; i < last; ++i, ++l) sum[l] += static_cast<double>(local(i));
+    if constexpr (Sweep::adds) correction(first / nodes_per_block) += sum_of_lanes(sum);
+  }
+
+ private:
+  /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
+  template <int count>
+  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes& nodes, int first,
+                                                    double (&sum)[eight_lanes]) {
+    using E = Eight<T>;
+    typename E::Register g[count][Sweep::Q];
+    T* const h = local.h.data();
+    for (int k = 0; k < count; ++k) nodes.pull(h, first + k * eight_lanes, g[k]);
+    for (int k = 0; k < count; ++k) {
+      const typename E::Register added = local.finish(first + k * eight_lanes, g[k]);
+      if constexpr (Sweep::adds) E::add_to(sum, added);
+    }
+    for (int k = 0; k < count; ++k) nodes.push(h, first + k * eight_lanes, g[k]);
+  }
+};
+
+/// visit(slots): where the sweep of these fields finds the populations.
+template <class Set, class T, class Visit>
+void visit_slots(const FluidNodes& nodes, const SoluteFields<T>& s, const Visit& visit) {
+  if (s.turned)
+    visit(InPlaceFromTurned<Set>{nodes.capacity});
+  else
+    visit(InPlaceFromHome<Set>{nodes.source, nodes.capacity});
+}
+
+/// The sweep of a species.
+template <class Set, class T, class Slots, class Flow>
+SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SoluteParameters& p, const SoluteFields<T>& s,
+                                              const Flow& flow) {
+  return {slots, s.h, s.C, SoluteCollision<T, Set>(p), flow};
+}
+
+/// How a host sweeps a block of nodes, of sweep_block_size: body(first, last).
+template <class T, class Set, class Slots, class Flow>
+auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Flow>& sweep,
+                    const ScalarField<double>& correction) {
+  using Sweep = SoluteSweep<T, Set, Slots, Flow>;
+  if constexpr (has_eight_lanes) {
+    const auto eight = eight_nodes<T>(sweep.slots, nodes);
+    return EightSweeps<T, Sweep, std::decay_t<decltype(eight)>>{sweep, eight, correction};
+  } else if constexpr (Flow::advective_form) {
+    return detail::BlockSum<Sweep>{sweep, correction};
+  } else {
+    return detail::NodeLoop<Sweep>{sweep};
+  }
+}
+
+/// Nodes of such a block: where sums are taken, those of add_per_block.
+template <class Flow>
+int sweep_block_size(int count) {
+  return Flow::advective_form ? nodes_per_block : block_of_list(count);
+}
+
+}  // namespace vug
