@@ -168,6 +168,8 @@ class Blocks {
   const std::vector<bool>& fixed_;
 };
 
+}  // namespace
+
 int count_nodes(const std::vector<bool>& open, const std::vector<std::vector<int>>& strips) {
   std::vector<int> nodes;
   for (std::size_t b = 0; b < open.size(); ++b)
@@ -176,21 +178,18 @@ int count_nodes(const std::vector<bool>& open, const std::vector<std::vector<int
   return static_cast<int>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
 }
 
-}  // namespace
-
-std::vector<bool> choose_pathways(const Assembly& assembly, const std::vector<std::vector<int>>& strips,
-                                  const std::vector<bool>& fixed, int target_nodes, std::uint64_t seed) {
-  const int fixed_nodes = count_nodes(fixed, strips);
-  if (fixed_nodes >= target_nodes) return fixed;
+std::vector<bool> choose_pathways(const Assembly& assembly, const std::vector<bool>& fixed, double target,
+                                  std::uint64_t seed, const std::function<double(const std::vector<bool>&)>& taken) {
+  if (taken(fixed) >= target) return fixed;
   const Blocks blocks(assembly, fixed, seed);
-  const auto opened = [&](int count) { return count_nodes(blocks.joints(count), strips); };
-  // More blocks open more nodes, apart from a few: halving finds the number within those few.
+  const auto of_blocks = [&](int count) { return taken(blocks.joints(count)); };
+  // More blocks take more, apart from a little: halving finds the number within that.
   int few = 1, many = blocks.largest_count();
   while (many - few > 1) {
     const int middle = (few + many) / 2;
-    (opened(middle) < target_nodes ? few : many) = middle;
+    (of_blocks(middle) < target ? few : many) = middle;
   }
-  return blocks.joints(target_nodes - opened(few) < opened(many) - target_nodes ? few : many);
+  return blocks.joints(target - of_blocks(few) < of_blocks(many) - target ? few : many);
 }
 
 }  // namespace vug

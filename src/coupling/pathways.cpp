@@ -13,14 +13,17 @@ struct LookAtBonds {
   Kokkos::View<const double*> d_m, gap;
   BondPathways bonds;
   KOKKOS_FUNCTION void operator()(int b, PathwayOpener::Look& seen) const {
-    double strip = 0, conductivity = 0;
-    if (gap.extent(0) == 0) {
-      strip = pathway_aperture(d_m(b), nodes.closed(b), nodes.open(b));
-      conductivity = slot_conductivity(strip);
-    } else {
-      const double width = Kokkos::fmin(gap(b), nodes.open(b));
-      conductivity = Kokkos::fmax(slot_conductivity(nodes.closed(b)), cubic_law(width));
-      strip = Kokkos::fmax(slot_aperture(conductivity), width >= narrowest_slit ? 1.0 : 0.0);
+    const bool gapes = gap.extent(0) > 0;
+    const double closed = nodes.closed(b), open = nodes.open(b);
+    const double width = gapes ? Kokkos::fmin(gap(b), open) : pathway_aperture(d_m(b), closed, open);
+    double strip = width, conductivity = slot_conductivity(width);
+    if (nodes.cubic) {
+      const double slot = Kokkos::fmax(closed, width);
+      conductivity = cubic_law(slot);
+      strip = strip_of_slot(slot);
+    } else if (gapes) {
+      conductivity = Kokkos::fmax(slot_conductivity(closed), cubic_law(width));
+      strip = Kokkos::fmax(slot_aperture(conductivity), strip_of_slot(width));
     }
     seen.changed += strip != bonds.strip(b) || conductivity != bonds.conductivity(b);
     seen.narrow += strip < bonds.widest(b) || (strip >= 1 && slit_resistance(conductivity, nodes.slope(b)) > 0);

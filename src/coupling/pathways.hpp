@@ -3,6 +3,7 @@
 // (paper sections 2.4, 3.1; closure with c_d in docs/model.md, "Pathways").
 #include "coupling/solid_spread.hpp"
 #include "dem/mechanics.hpp"
+#include "kernels/flow/slit.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
@@ -15,6 +16,12 @@ KOKKOS_FORCEINLINE_FUNCTION double pathway_aperture(double d_m, double closed, d
 /// The narrowest crack that has a pathway, cells: it conducts 1e-7 cells^3.
 inline constexpr double narrowest_slit = 0.01;
 
+/// Aperture of the strip of nodes for a slot of `width` cells, which they may have to be dragged to conduct as little
+/// as; 0 where there is none.
+KOKKOS_FORCEINLINE_FUNCTION double strip_of_slot(double width) {
+  return width < narrowest_slit ? 0.0 : Kokkos::fmax(1.0, slot_aperture(cubic_law(width)));
+}
+
 /// The nodes near bonds that are solid, or fluid in a pathway narrower than a cell, each with the bonds whose strip it
 /// may belong to.
 struct PathwayNodes {
@@ -24,6 +31,7 @@ struct PathwayNodes {
   ScalarField<double> least;   ///< (entry) aperture from which the bond's strip holds the node, cells (strip_nodes)
   ScalarField<double> closed;  ///< (bond) aperture w_0 at d_m = 0, cells
   ScalarField<double> open;    ///< (bond) aperture w_1 at d_m = 1, cells
+  bool cubic = false;          ///< apertures are widths of slots of any size; otherwise of rows of nodes
   ScalarField<double> slope;   ///< (bond) of its edge to the axis that it follows more closely, 0 to 1
   IndexList in_order;          ///< (place) candidates by the triangle that holds them
   IndexList first;             ///< (triangle + 1) its places are [first(t), first(t + 1))

@@ -56,8 +56,11 @@ void read_tables(const TomlCursor& root, Scene& scene) {
       for (const Form& form : forms_of(region, scene.minerals)) scene.rock->borders.push_back(form);
   if (const auto table = root.table("damage"); table.given()) {
     ChemicalDamageLaw unused;  // damage without mechanics is refused later, with a better message
-    scene.damage = read_damage(table, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
+    const bool in_metres = scene.rock && scene.rock->pathway_width;
+    scene.damage = read_damage(table, in_metres, scene.mechanics ? scene.mechanics->parameters.chemical : unused);
   }
+  if (scene.rock && scene.rock->pathway_width && !scene.damage)
+    root.table("rock").refuse("pathway_width", "needs [damage], whose pathways may be narrower than a cell");
   if (laboratory.given()) scene.laboratory = read_laboratory(laboratory, scene.rock && scene.rock->mesh);
   const auto boundary = root.table("boundary");
   scene.left = read_boundary(boundary.table("left", "<side>"));

@@ -85,7 +85,7 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (!scene.rock) document.fail_at("laboratory", "[laboratory] needs the table [rock]");
   const LaboratorySection& laboratory = *scene.laboratory;
   const bool disc = laboratory.test == LaboratoryTest::brazilian;
-  for (const char* key : {"rock.porosity", "rock.pathway_aperture"})
+  for (const char* key : {"rock.porosity", "rock.pathway_aperture", "rock.pathway_width"})
     if (document.find(key) != nullptr) document.fail(key, "is of pathways on a lattice");
   if (disc)
     for (const char* key : {"rock.grading", "rock.notches", "rock.hole", "rock.holes"})

@@ -12,7 +12,7 @@ namespace {
 constexpr double calibrated_cohesion = 58e6;
 
 /// The straight pieces of a notch, from its ends or from the points along it.
-void read_notch(const TomlCursor& table, int entry, std::vector<Notch>& notches) {
+void read_notch(const TomlCursor& table, int entry, bool in_metres, std::vector<Notch>& notches) {
   Notch notch{};
   std::vector<Point> points;
   table.read("points", points, unit::metre);
@@ -25,7 +25,14 @@ void read_notch(const TomlCursor& table, int entry, std::vector<Notch>& notches)
     table.need("to", notch.to, unit::metre);
     points = {notch.from, notch.to};
   }
-  table.read("aperture", notch.aperture, unit::cells, range::between(0, 1000));
+  if (!in_metres || table.describing())
+    table.read("aperture", notch.aperture, unit::cells, range::between(0, 1000));
+  else
+    table.refuse("aperture", "is in cells, and rock.pathway_width says that widths are in metres; give width");
+  if (in_metres || table.describing())
+    table.read("width", notch.width, unit::metre, range::not_negative);
+  else
+    table.refuse("width", "is of rock.pathway_width");
   if (notch.aperture > 0 && notch.aperture < 1) table.fail("aperture", "must be 0, a closed crack, or 1 cell or more");
   notch.entry = entry;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -72,9 +79,14 @@ RockSection read_rock(const TomlCursor& table) {
     table.read("seed", rock.seed);
   }
   table.read("porosity", rock.porosity, unit::none, {.low = 0, .high = 1, .high_open = true});
-  table.read("pathway_aperture", rock.pathway_aperture, unit::cells, range::between(1, 1000));
+  table.read("pathway_width", rock.pathway_width, unit::metre, range::positive);
+  const bool in_metres = rock.pathway_width.has_value();
+  if (!in_metres || table.describing())
+    table.read("pathway_aperture", rock.pathway_aperture, unit::cells, range::between(1, 1000));
+  else
+    table.refuse("pathway_aperture", "is the same in cells as pathway_width in metres; give one of them");
   int entry = 0;
-  for (const TomlCursor& notch : table.tables("notches")) read_notch(notch, entry++, rock.notches);
+  for (const TomlCursor& notch : table.tables("notches")) read_notch(notch, entry++, in_metres, rock.notches);
   if (const TomlCursor hole = table.table("hole"); hole.given()) rock.hole = read_hole(hole);
   for (const TomlCursor& hole : table.tables("holes")) rock.holes.push_back(*read_form(hole, FormOf::geometry));
   if (meshed) table.refuse("holes", "is for the generator; rock.mesh has its own");
@@ -123,10 +135,18 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   return mechanics;
 }
 
-DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical) {
+DamageSection read_damage(const TomlCursor& table, bool in_metres, ChemicalDamageLaw& chemical) {
   DamageSection damage;
   table.read("pathway_factor", damage.pathway_factor, unit::none, range::between(0, 10));
-  table.read("minimum_aperture", damage.minimum_aperture, unit::cells, range::between(1, 1000));
+  if (!in_metres || table.describing())
+    table.read("minimum_aperture", damage.minimum_aperture, unit::cells, range::between(1, 1000));
+  else
+    table.refuse("minimum_aperture",
+                 "is in cells, and rock.pathway_width says that widths are in metres; give minimum_width");
+  if (in_metres || table.describing())
+    table.read("minimum_width", damage.minimum_width, unit::metre, range::not_negative);
+  else
+    table.refuse("minimum_width", "is of rock.pathway_width");
   table.choose("aperture", damage.aperture, {{"damage", ApertureLaw::damage}, {"opening", ApertureLaw::opening}});
   if (damage.aperture == ApertureLaw::opening || table.describing())
     table.read("residual_aperture", damage.residual_aperture, unit::metre, range::not_negative);

@@ -1,13 +1,18 @@
 // Pathways that bonds open with damage or as they gape, and cracks narrower than a cell within them.
 #include "coupling/pathways.hpp"
 
+#include "coupling/rock.hpp"
 #include "coupling/slits.hpp"
 #include "coupling/strip.hpp"
 #include "kernels/launch/launch.hpp"
 #include "support/host_copy.hpp"
 #include "support/no_neighbours.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace vug {
 namespace {
@@ -37,15 +42,15 @@ struct OneBond {
     particle = group_nodes(std::vector<int>(64, 0), 1, lattice);
     const auto strip = strip_nodes({0, 4}, {8, 4}, 3, lattice, 1.0);
     const int n = static_cast<int>(strip.size());
-    nodes = {IndexList("node", n),
-             IndexList("offset", n + 1),
-             IndexList("bond", n),
-             ScalarField<double>("least", n),
-             ScalarField<double>("closed", 1),
-             ScalarField<double>("open", 1),
-             ScalarField<double>("slope", 1),
-             IndexList("in_order", n),
-             IndexList("first", 2)};
+    nodes = {.node = IndexList("node", n),
+             .offset = IndexList("offset", n + 1),
+             .bond = IndexList("bond", n),
+             .least = ScalarField<double>("least", n),
+             .closed = ScalarField<double>("closed", 1),
+             .open = ScalarField<double>("open", 1),
+             .slope = ScalarField<double>("slope", 1),
+             .in_order = IndexList("in_order", n),
+             .first = IndexList("first", 2)};
     const auto node = Kokkos::create_mirror_view(nodes.node), offset = Kokkos::create_mirror_view(nodes.offset);
     const auto least = Kokkos::create_mirror_view(nodes.least);
     const auto in_order = Kokkos::create_mirror_view(nodes.in_order), first = Kokkos::create_mirror_view(nodes.first);
@@ -95,6 +100,24 @@ TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
     EXPECT_EQ(type(rock.lattice.node(x, 5)), NodeType::solid);
     EXPECT_GT(volume(rock.lattice.node(x, 0)), 1.3);
     EXPECT_LE(volume(rock.lattice.node(x, 0)), most_solid * (1 + 1e-14));
+  }
+}
+
+/// Given in metres, a width may be less than a cell: the row of the line opens and conducts by the cubic law.
+TEST(PathwayOpener, OpensARowForASlotNarrowerThanACell) {
+  OneBond rock;
+  rock.nodes.cubic = true;
+  PathwayOpener opener(rock.lattice, rock.nodes, SolidSpread(rock.particle, test::no_neighbours(1)));
+  for (const auto& [d_m, rows] : {std::pair{0.003, 0}, {0.1, 1}, {1 / 3.0, 1}, {0.9, 2}, {1.0, 3}}) {
+    Kokkos::deep_copy(rock.d_m, d_m);
+    const double width = 3 * d_m;
+    EXPECT_EQ(opener.look(Exec{}, rock.d_m).narrow, width >= 0.01 && width < 1.144 ? 1 : 0) << width;
+    opener.open(Exec{}, rock.type, rock.volume, rock.dissolved);
+    const auto type = test::host_copy(rock.type);
+    int open = 0;
+    for (int y = 0; y < 8; ++y) open += type(rock.lattice.node(0, y)) == NodeType::fluid;
+    EXPECT_EQ(open, rows) << width;
+    EXPECT_DOUBLE_EQ(test::host_copy(opener.bonds().conductivity)(0), width * width * width / 12);
   }
 }
 
@@ -158,6 +181,49 @@ TEST(Slits, HaveTheResistanceOfTheCrackThatAcidWidens) {
   ASSERT_EQ(geometry.slits.count, 8);
   EXPECT_EQ(test::host_copy(geometry.slits.fluid)(7), 0);
   EXPECT_NEAR(test::host_copy(geometry.slits.resistance)(7) / (12 / 1e-6 - 8), 1, 1e-9);
+}
+
+/// The same bonds have pathways, as wide in metres, whatever the spacing; they take the porosity asked for.
+TEST(RockPathways, AreTheSameOnAnyLatticeWhereTheirWidthIsInMetres) {
+  const auto widths = [](double spacing) {
+    const Scene scene = parse_scene(fmt::format(R"(
+[lattice]
+size = [0.04, 0.03]
+spacing = {}
+time_step = 1e-6
+[time]
+steps = 1
+[geometry]
+type = "rock"
+[rock]
+element_size = 2e-3
+porosity = 0.1
+pathway_width = 1.5e-4
+[[rock.notches]]
+from = [0.01, 0.015]
+to = [0.02, 0.015]
+width = 3e-4
+[flow]
+viscosity = 1e-6
+[mechanics]
+[damage]
+)",
+                                                spacing),
+                                    "case.toml");
+    const Rock rock = build_rock(scene, Lattice(scene.lattice.nx, scene.lattice.ny));
+    if (spacing < 1e-4) {
+      EXPECT_NEAR(rock.porosity, 0.1, 0.01);
+    }
+    std::vector<double> metres;
+    const auto closed = test::host_copy(rock.pathways.closed);
+    for (std::size_t b = 0; b < closed.extent(0); ++b) metres.push_back(std::round(closed(b) * spacing * 1e9));
+    return metres;
+  };
+  const auto fine = widths(5e-5);
+  EXPECT_GT(std::count(fine.begin(), fine.end(), 1.5e5), 50);
+  EXPECT_GE(std::count(fine.begin(), fine.end(), 3e5), 4);
+  EXPECT_EQ(widths(2.5e-4), fine);
+  EXPECT_EQ(widths(1e-4), fine);
 }
 
 }  // namespace

@@ -83,6 +83,9 @@ struct CutSquares {
     }
     fixed.assign(bonds.size(), false);
   }
+  std::vector<bool> choose(int nodes, std::uint64_t seed) const {
+    return choose_pathways(assembly, fixed, nodes, seed, [&](const auto& open) { return count_nodes(open, strips); });
+  }
   std::set<int> opened(const std::vector<bool>& chosen) const {
     std::set<int> nodes;
     for (std::size_t b = 0; b < bonds.size(); ++b)
@@ -127,17 +130,17 @@ TEST(NodeGroups, HoldEveryNodeOfTheirKeyInOrder) {
 TEST(InitialPathways, AreConnectedAndMeetTheTarget) {
   const CutSquares rock(13);
   for (const int target : {300, 600, 900, 1200}) {
-    const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, target, 7);
+    const auto chosen = rock.choose(target, 7);
     EXPECT_EQ(rock.pieces(chosen), 1) << target;
     EXPECT_NEAR(static_cast<double>(rock.opened(chosen).size()), target, 15) << target;
-    EXPECT_EQ(chosen, choose_pathways(rock.assembly, rock.strips, rock.fixed, target, 7));
-    EXPECT_NE(chosen, choose_pathways(rock.assembly, rock.strips, rock.fixed, target, 8));
+    EXPECT_EQ(chosen, rock.choose(target, 7));
+    EXPECT_NE(chosen, rock.choose(target, 8));
   }
 }
 
 TEST(InitialPathways, AreAllBondsWhenThePorosityAsksForIt) {
   const CutSquares rock(5);
-  const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, 100000, 7);
+  const auto chosen = rock.choose(100000, 7);
   EXPECT_EQ(std::count(chosen.begin(), chosen.end(), true), static_cast<long>(rock.bonds.size()));
 }
 
@@ -145,7 +148,7 @@ TEST(InitialPathways, AreAllBondsWhenThePorosityAsksForIt) {
 TEST(InitialPathways, EndOnlyAtTheSides) {
   const int side = 13;
   const CutSquares rock(side);
-  const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, 600, 7);
+  const auto chosen = rock.choose(600, 7);
   std::vector<int> degree(rock.assembly.vertices.size(), 0);
   for (std::size_t b = 0; b < rock.bonds.size(); ++b)
     if (chosen[b])
@@ -160,7 +163,7 @@ TEST(InitialPathways, ReachANotchThatLiesWithinABlock) {
     rock.fixed[b] = std::ranges::is_permutation(rock.bonds[b].vertex, std::array{6 * 13 + 6, 6 * 13 + 7});
   ASSERT_EQ(std::count(rock.fixed.begin(), rock.fixed.end(), true), 1);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const auto chosen = choose_pathways(rock.assembly, rock.strips, rock.fixed, 200, seed);
+    const auto chosen = rock.choose(200, seed);
     EXPECT_EQ(rock.pieces(chosen), 1) << seed;
     for (std::size_t b = 0; b < rock.bonds.size(); ++b) EXPECT_TRUE(chosen[b] || !rock.fixed[b]);
   }

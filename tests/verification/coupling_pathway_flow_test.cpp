@@ -76,6 +76,36 @@ TEST(CrackedBond, ConductsWithTheCubeOfItsAperture) {
   }
 }
 
+/// Flow rate over pressure gradient and density of `cracked_rock`, m4 s/kg: what passes the middle of the crack.
+double conductance(test::CoupledRun& run) {
+  const auto pressure = run.nodes("pressure"), velocity = run.nodes("velocity");
+  const auto at = [](int x, int y) { return static_cast<std::size_t>(y * 80 + x); };
+  double flow = 0;
+  for (int y = 0; y < 41; ++y) {
+    const double u = velocity[2 * at(40, y)];
+    if (!std::isnan(u)) flow += u * 2.5e-4;
+  }
+  const double gradient = (pressure[at(30, 20)] - pressure[at(50, 20)]) / (20 * 2.5e-4);
+  EXPECT_GT(gradient, 0.3 * 1000 / 0.02);
+  return flow / gradient;
+}
+
+/// Widths in metres, less than a cell and more: the last two are those of two and three whole rows.
+TEST(CrackedBond, ConductsByTheCubicLawHoweverManyCellsItsWidthIs) {
+  std::string rock = cracked_rock;
+  rock.replace(rock.find("aperture = 1"), 12, "width = 1e-4");
+  rock.replace(rock.find("porosity = 0"), 12, "porosity = 0\npathway_width = 1e-4");
+  for (const double cells : {0.6, 0.8, 1.1, std::cbrt(9.0), std::cbrt(28.5)}) {
+    const double width = cells * 2.5e-4;
+    test::CoupledRun run(rock, {"rock.notches.0.width=" + std::to_string(width), "damage.minimum_width=1e-5"});
+    run.steps(cells < 1 ? 20000 : 5000);
+    const double cubic_law = std::pow(width, 3) / (12 * 1000 * 2.2e-3);
+    EXPECT_NEAR(conductance(run) / cubic_law, 1, 0.02) << cells;
+    test::record("coupling_width_in_metres",
+                 {{"cells", cells}, {"conductance", conductance(run)}, {"exact", cubic_law}});
+  }
+}
+
 /// The aperture of a bond that has failed is c_d times the distance of the centroids on its sides.
 TEST(CrackedBond, OpensToTheShareOfTheCentroidsDistanceThatTheCaseGives) {
   for (const double factor : {0.3, 0.6}) {

@@ -34,7 +34,8 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
 /// Of [mechanics]: bonds, elasticity and the materials of regions.
 void read_materials(const TomlCursor& table, MechanicsSection& mechanics);
 /// Also fills the chemical law of the mechanics.
-DamageSection read_damage(const TomlCursor& table, ChemicalDamageLaw& chemical);
+/// in_metres: widths are, as rock.pathway_width says.
+DamageSection read_damage(const TomlCursor& table, bool in_metres, ChemicalDamageLaw& chemical);
 /// `meshed`: the rock's mesh says how large the specimen is.
 LaboratorySection read_laboratory(const TomlCursor& table, bool meshed);
 TractionBoundary read_traction(const TomlCursor& table);

@@ -16,6 +16,7 @@ namespace vug {
 struct Notch {
   std::array<double, 2> from, to;  ///< m
   double aperture = 3;             ///< cells
+  std::optional<double> width{};   ///< m, with RockSection::pathway_width, which it is if it is not given
   int entry = 0;                   ///< number in the case file
 };
 /// A rectangular cavity cut into a side of the rock, where fluid is injected.
@@ -29,6 +30,9 @@ struct RockSection {
   std::uint64_t seed = 1;
   double porosity = 0;          ///< share of the rock that pathways take from the start
   double pathway_aperture = 3;  ///< cells
+  /// m. If given, all widths are metres and pathways conduct by the cubic law however many cells that is; no aperture
+  /// in cells counts.
+  std::optional<double> pathway_width{};
   std::vector<Notch> notches;
   std::vector<Form> borders;  ///< outlines that generated triangles follow: those of the materials
   std::optional<InjectionHole> hole;
@@ -81,9 +85,10 @@ struct MechanicsSection {
 enum class ApertureLaw { damage, opening };
 struct DamageSection {
   ApertureLaw aperture = ApertureLaw::damage;
-  double pathway_factor = 0.2;   ///< c_d: aperture of a broken bond over the distance of its centroids
-  double minimum_aperture = 3;   ///< cells
-  double residual_aperture = 0;  ///< m, of a crack that is closed; with ApertureLaw::opening
+  double pathway_factor = 0.2;          ///< c_d: aperture of a broken bond over the distance of its centroids
+  double minimum_aperture = 3;          ///< cells
+  std::optional<double> minimum_width{};  ///< m, with RockSection::pathway_width, which it is if it is not given
+  double residual_aperture = 0;         ///< m, of a crack that is closed; with ApertureLaw::opening
 };
 
 }  // namespace vug
