@@ -7,7 +7,7 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/rock_limits.hpp"
-#include "coupling/run.hpp"
+#include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"

@@ -123,14 +123,14 @@ void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
   wall.molar_volume = volume_per_acid(section_.molar_volume, attack.rate);
   const std::vector<RateLaw> rates = has_minerals() ? attack.rates : std::vector<RateLaw>{attack.rate};
   if (!has_minerals() && attack.rate.order == 1) return;  // then the constants of the wall say all
-  const Kokkos::View<MineralRate*> table("vug::minerals::rate", rates.size());
-  const auto host = Kokkos::create_mirror_view(table);
+  if (attack.table.extent(0) == 0) attack.table = Kokkos::View<MineralRate*>("vug::minerals::rate", rates.size());
+  const auto host = Kokkos::create_mirror_view(attack.table);
   for (std::size_t m = 0; m < rates.size(); ++m)
     host(m) = {scaled(rates[m]), rates[m].activation_energy / gas_constant, rates[m].inverse_equilibrium_constant,
                rates[m].order,
                volume_per_acid(solids_.empty() ? section_.molar_volume : solids_[m].molar_volume, rates[m])};
-  Kokkos::deep_copy(table, host);
-  wall.minerals = {geometry_.mineral, table};
+  Kokkos::deep_copy(attack.table, host);
+  wall.minerals = {geometry_.mineral, attack.table};
 }
 
 template <class T, class Set>

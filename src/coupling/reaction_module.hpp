@@ -29,8 +29,9 @@ struct Attack {
   RateLaw rate;                        ///< of rock that no mineral holds
   std::vector<RateLaw> rates;          ///< (mineral) number 0 is that rock; empty without minerals
   ReactiveWall wall;
-  ReactiveLinks<T> links;  ///< their turnover is booked at every update interval, before pores
-  LongSum consumed;        ///< (block) reactant that has reacted
+  Kokkos::View<MineralRate*> table;  ///< (mineral) of the wall, where its own constants do not say all
+  ReactiveLinks<T> links;            ///< their turnover is booked at every update interval, before pores
+  LongSum consumed;                  ///< (block) reactant that has reacted
   ReactionLedger sums;
   std::vector<AgedAcid> aged;  ///< (mineral) of all rock where there are none
 };

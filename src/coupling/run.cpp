@@ -3,17 +3,15 @@
 #include "coupling/events.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/limit_text.hpp"
-#include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
+#include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "io/checkpoint.hpp"
-#include "io/history_writer.hpp"
 #include "io/progress.hpp"
 #include "io/require_fields.hpp"
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
-#include "io/snapshot_writer.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/host/interruption.hpp"
 #include "ranks/traffic.hpp"
@@ -21,70 +19,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <memory>
-#include <numeric>
 
 namespace vug {
 
-std::int64_t last_step(const Scene& scene) {
-  if (scene.time.steps) return *scene.time.steps;
-  return static_cast<std::int64_t>(std::ceil(*scene.time.end / scene.lattice.time_step - 1e-6));
-}
-
 namespace {
-
-std::int64_t steps_in(double seconds, const Scene& scene) {
-  return std::max<std::int64_t>(1, std::llround(seconds / scene.lattice.time_step));
-}
-
-/// Of what comes every so many steps or, in a time that is not that of the steps, every so many seconds.
-Schedule schedule(const Scene& scene, std::int64_t steps, std::optional<double> seconds) {
-  return {steps, scene.accuracy.dissolution_tolerance > 0 ? seconds.value_or(0) : 0};
-}
-
-/// Lattice steps between two outputs.
-std::int64_t output_interval(const Scene& scene) {
-  if (scene.output.interval_steps) return *scene.output.interval_steps;
-  if (scene.output.interval) return steps_in(*scene.output.interval, scene);
-  return std::max<std::int64_t>(1, last_step(scene));
-}
-
-/// Lattice steps between two rows of the history: by default about 400 in all, where they cost nothing that counts.
-std::int64_t history_interval(const Scene& scene) {
-  constexpr std::int64_t rows = 400, fewest_steps = 100;
-  if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
-  return std::max(fewest_steps, last_step(scene) / rows);
-}
-
-/// Rows of the history up to a step, that of the start among them.
-std::int64_t rows_until(const Scene& scene, std::int64_t step) {
-  const std::int64_t output = output_interval(scene), history = history_interval(scene);
-  const std::int64_t both = output / std::gcd(output, history) <= step / history ? std::lcm(output, history) : step + 1;
-  return 1 + step / output + step / history - step / both;
-}
-
-/// Lattice steps between two checkpoints.
-std::int64_t checkpoint_interval(const Scene& scene) {
-  return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
-}
-
-Schedule output_schedule(const Scene& scene) {
-  std::optional<double> seconds = scene.output.interval;
-  if (!seconds && !scene.output.interval_steps) seconds = scene.time.end;
-  return schedule(scene, output_interval(scene), seconds);
-}
-Schedule row_schedule(const Scene& scene) {
-  constexpr double rows = 400;
-  std::optional<double> seconds = scene.output.history_interval;
-  if (!seconds && scene.time.end) seconds = *scene.time.end / rows;
-  return schedule(scene, history_interval(scene), seconds);
-}
-Schedule checkpoint_schedule(const Scene& scene) {
-  if (!scene.output.checkpoint_interval) return output_schedule(scene);
-  return schedule(scene, checkpoint_interval(scene), scene.output.checkpoint_interval);
-}
 
 RunFolder::Use use_of(const RunOptions& options) {
   if (options.resume) return RunFolder::Use::resume;
@@ -97,85 +37,6 @@ std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
     if (held.inputs.find(input.hash) == std::string::npos) return input.path + " has changed since";
   return "the text of the case or a --set differs";
 }
-
-std::optional<RockShape> rock_shape(const Parts& parts) {
-  if (!parts.mechanics) return std::nullopt;
-  return shape_of_rock(parts.rock->assembly, parts.mechanics->bonds());
-}
-
-/// Node values at the probes of the case, named for history.csv.
-class Probes {
- public:
-  Probes(const Scene& scene, const FieldList& fields) : scene_(scene), fields_(fields) {}
-  void add(std::vector<HistoryValue>& row) const {
-    if (scene_.output.probes.empty()) return;
-    const int nx = scene_.lattice.nx, ny = scene_.lattice.ny;
-    for (const Field& field : fields_.lattice) {
-      std::vector<double> values(static_cast<std::size_t>(nx) * ny * field.components);
-      field.read(values);
-      for (const Probe& probe : scene_.output.probes) {
-        const int x = std::clamp(static_cast<int>(probe.at[0] / scene_.lattice.spacing), 0, nx - 1);
-        const int y = std::clamp(static_cast<int>(probe.at[1] / scene_.lattice.spacing), 0, ny - 1);
-        for (int c = 0; c < field.components; ++c) {
-          const std::string axis = field.components == 1 ? "" : c == 0 ? "_x" : "_y";
-          row.push_back({probe.name + "_" + field.name + axis + "_" + field.unit,
-                         values[(static_cast<std::size_t>(y) * nx + x) * field.components + c]});
-        }
-      }
-    }
-  }
-
- private:
-  const Scene& scene_;
-  const FieldList& fields_;
-};
-
-/// The open files of a run.
-class RunFiles {
- public:
-  /// With `resume_step` the files of the run are continued from there.
-  RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
-           std::optional<std::int64_t> resume_step)
-      : simulation_(simulation),
-        fields_(simulation.fields()),
-        probes_(scene, fields_),
-        snapshots_(directory, simulation.parts().geometry.lattice, scene.lattice.spacing, fields_,
-                   {scene.output.fields, scene.output.compress, false, resume_step}, rock_shape(simulation.parts())),
-        history_(directory + "/history.csv", names(row()),
-                 resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
-
-  /// Rows of the history that is continued.
-  std::int64_t rows_kept() const { return history_.kept(); }
-
-  void write_snapshot() { snapshots_.write(simulation_.clock().time(), simulation_.clock().step); }
-
-  /// Writes and returns a row of the history.
-  std::vector<HistoryValue> write_row() {
-    const std::vector<HistoryValue> written = row();
-    std::vector<double> values;
-    for (const HistoryValue& value : written) values.push_back(value.value);
-    history_.write(values);
-    return written;
-  }
-
- private:
-  std::vector<HistoryValue> row() const {
-    std::vector<HistoryValue> values = simulation_.history();
-    probes_.add(values);
-    return values;
-  }
-  static std::vector<std::string> names(const std::vector<HistoryValue>& row) {
-    std::vector<std::string> names;
-    for (const HistoryValue& value : row) names.push_back(value.name);
-    return names;
-  }
-
-  const Simulation& simulation_;
-  FieldList fields_;
-  Probes probes_;
-  SnapshotWriter snapshots_;
-  HistoryWriter history_;
-};
 
 /// One run from its first step to its last.
 class Run {

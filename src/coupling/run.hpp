@@ -25,7 +25,4 @@ struct RunOptions {
 /// Interrupted (kernels/host/interruption.hpp) when the state has been kept in a checkpoint.
 void run_case(const Scene& scene, const RunOptions& options);
 
-/// Lattice steps that the case asks for.
-std::int64_t last_step(const Scene& scene);
-
 }  // namespace vug

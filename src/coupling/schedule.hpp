@@ -1,6 +1,7 @@
 #pragma once
 // When something is due again.
 #include "coupling/clock.hpp"
+#include "io/scene.hpp"
 
 #include <cmath>
 
@@ -22,5 +23,16 @@ class Schedule {
   std::int64_t steps_;
   double seconds_;
 };
+
+/// Lattice steps that the case asks for.
+std::int64_t last_step(const Scene& scene);
+
+/// When snapshots, rows of the history and checkpoints are due.
+Schedule output_schedule(const Scene& scene);
+Schedule row_schedule(const Scene& scene);
+Schedule checkpoint_schedule(const Scene& scene);
+
+/// Rows of the history up to a step, that of the start among them.
+std::int64_t rows_until(const Scene& scene, std::int64_t step);
 
 }  // namespace vug

@@ -1,6 +1,6 @@
 #include "coupling/tuning.hpp"
 
-#include "coupling/run.hpp"
+#include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/override_scene.hpp"

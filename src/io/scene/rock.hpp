@@ -85,10 +85,10 @@ struct MechanicsSection {
 enum class ApertureLaw { damage, opening };
 struct DamageSection {
   ApertureLaw aperture = ApertureLaw::damage;
-  double pathway_factor = 0.2;          ///< c_d: aperture of a broken bond over the distance of its centroids
-  double minimum_aperture = 3;          ///< cells
+  double pathway_factor = 0.2;            ///< c_d: aperture of a broken bond over the distance of its centroids
+  double minimum_aperture = 3;            ///< cells
   std::optional<double> minimum_width{};  ///< m, with RockSection::pathway_width, which it is if it is not given
-  double residual_aperture = 0;         ///< m, of a crack that is closed; with ApertureLaw::opening
+  double residual_aperture = 0;           ///< m, of a crack that is closed; with ApertureLaw::opening
 };
 
 }  // namespace vug

@@ -1,0 +1,66 @@
+#include "coupling/run_files.hpp"
+
+#include "coupling/rock_fields.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+std::optional<RockShape> rock_shape(const Parts& parts) {
+  if (!parts.mechanics) return std::nullopt;
+  return shape_of_rock(parts.rock->assembly, parts.mechanics->bonds());
+}
+
+std::vector<std::string> names(const std::vector<HistoryValue>& row) {
+  std::vector<std::string> names;
+  for (const HistoryValue& value : row) names.push_back(value.name);
+  return names;
+}
+
+}  // namespace
+
+void Probes::add(std::vector<HistoryValue>& row) const {
+  if (scene_.output.probes.empty()) return;
+  const int nx = scene_.lattice.nx, ny = scene_.lattice.ny;
+  for (const Field& field : fields_.lattice) {
+    std::vector<double> values(static_cast<std::size_t>(nx) * ny * field.components);
+    field.read(values);
+    for (const Probe& probe : scene_.output.probes) {
+      const int x = std::clamp(static_cast<int>(probe.at[0] / scene_.lattice.spacing), 0, nx - 1);
+      const int y = std::clamp(static_cast<int>(probe.at[1] / scene_.lattice.spacing), 0, ny - 1);
+      for (int c = 0; c < field.components; ++c) {
+        const std::string axis = field.components == 1 ? "" : c == 0 ? "_x" : "_y";
+        row.push_back({probe.name + "_" + field.name + axis + "_" + field.unit,
+                       values[(static_cast<std::size_t>(y) * nx + x) * field.components + c]});
+      }
+    }
+  }
+}
+
+RunFiles::RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
+                   std::optional<std::int64_t> resume_step)
+    : simulation_(simulation),
+      fields_(simulation.fields()),
+      probes_(scene, fields_),
+      snapshots_(directory, simulation.parts().geometry.lattice, scene.lattice.spacing, fields_,
+                 {scene.output.fields, scene.output.compress, false, resume_step}, rock_shape(simulation.parts())),
+      history_(directory + "/history.csv", names(row()),
+               resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
+
+std::vector<HistoryValue> RunFiles::row() const {
+  std::vector<HistoryValue> values = simulation_.history();
+  probes_.add(values);
+  return values;
+}
+
+std::vector<HistoryValue> RunFiles::write_row() {
+  const std::vector<HistoryValue> written = row();
+  std::vector<double> values;
+  for (const HistoryValue& value : written) values.push_back(value.value);
+  history_.write(values);
+  return written;
+}
+
+}  // namespace vug

@@ -1,0 +1,69 @@
+#include "coupling/schedule.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace vug {
+
+namespace {
+
+std::int64_t steps_in(double seconds, const Scene& scene) {
+  return std::max<std::int64_t>(1, std::llround(seconds / scene.lattice.time_step));
+}
+
+/// Of what comes every so many steps or, in a time that is not that of the steps, every so many seconds.
+Schedule schedule(const Scene& scene, std::int64_t steps, std::optional<double> seconds) {
+  return {steps, scene.accuracy.dissolution_tolerance > 0 ? seconds.value_or(0) : 0};
+}
+
+/// Lattice steps between two outputs.
+std::int64_t output_interval(const Scene& scene) {
+  if (scene.output.interval_steps) return *scene.output.interval_steps;
+  if (scene.output.interval) return steps_in(*scene.output.interval, scene);
+  return std::max<std::int64_t>(1, last_step(scene));
+}
+
+/// Lattice steps between two rows of the history: by default about 400 in all, where they cost nothing that counts.
+std::int64_t history_interval(const Scene& scene) {
+  constexpr std::int64_t rows = 400, fewest_steps = 100;
+  if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
+  return std::max(fewest_steps, last_step(scene) / rows);
+}
+
+/// Lattice steps between two checkpoints.
+std::int64_t checkpoint_interval(const Scene& scene) {
+  return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
+}
+
+}  // namespace
+
+std::int64_t last_step(const Scene& scene) {
+  if (scene.time.steps) return *scene.time.steps;
+  return static_cast<std::int64_t>(std::ceil(*scene.time.end / scene.lattice.time_step - 1e-6));
+}
+
+Schedule output_schedule(const Scene& scene) {
+  std::optional<double> seconds = scene.output.interval;
+  if (!seconds && !scene.output.interval_steps) seconds = scene.time.end;
+  return schedule(scene, output_interval(scene), seconds);
+}
+
+Schedule row_schedule(const Scene& scene) {
+  constexpr double rows = 400;
+  std::optional<double> seconds = scene.output.history_interval;
+  if (!seconds && scene.time.end) seconds = *scene.time.end / rows;
+  return schedule(scene, history_interval(scene), seconds);
+}
+
+Schedule checkpoint_schedule(const Scene& scene) {
+  if (!scene.output.checkpoint_interval) return output_schedule(scene);
+  return schedule(scene, checkpoint_interval(scene), scene.output.checkpoint_interval);
+}
+
+std::int64_t rows_until(const Scene& scene, std::int64_t step) {
+  const std::int64_t output = output_interval(scene), history = history_interval(scene);
+  const std::int64_t both = output / std::gcd(output, history) <= step / history ? std::lcm(output, history) : step + 1;
+  return 1 + step / output + step / history - step / both;
+}
+
+}  // namespace vug
