@@ -16,7 +16,7 @@ constexpr double sweep_bytes(Streaming streaming) {
 
 struct Case {
   const Geometry* geometry;
-  int nx, ny;
+  Lattice lattice;
 };
 
 /// Nodes and their fields in gentle motion, so that no population is subnormal.
@@ -27,8 +27,7 @@ struct Setting {
   FlowFields<T> fields;
   FlowStep<T> step;
   explicit Setting(const Case& c, Streaming streaming = Streaming::in_place) {
-    const Lattice lattice(c.nx, c.ny);
-    nodes = make_fluid_nodes(exec, lattice, node_types(*c.geometry, lattice));
+    nodes = make_fluid_nodes(exec, c.lattice, node_types(*c.geometry, c.lattice));
     fields = make_flow_fields<T>(exec, nodes, streaming);
     const ScalarField<T> density("density", nodes.capacity);
     Kokkos::deep_copy(exec, density, T(1e-3));
@@ -94,7 +93,7 @@ void two_lattices(benchmark::State& state, const Case& c) {
 template <class T>
 void add_precision(const std::string& precision) {
   for (const Geometry& geometry : geometries) {
-    const Case c{&geometry, 2000, 1400};
+    const Case c{&geometry, timed_lattice()};
     const std::string suffix = "/" + precision + "/" + geometry.name;
     add("flow/in_place" + suffix, in_place<T>, c);
     add("flow/two_lattices" + suffix, two_lattices<T>, c);

@@ -7,8 +7,6 @@
 namespace vug::perf {
 namespace {
 
-constexpr int nx = 2000, ny = 1400;
-
 int directions_of(ScalarVelocitySet set) {
   return visit_velocity_set(set, [](auto s) { return decltype(s)::Q; });
 }
@@ -17,7 +15,8 @@ int directions_of(ScalarVelocitySet set) {
 template <class T>
 struct HeatSetting {
   Exec exec;
-  Lattice lattice{nx, ny};
+  Lattice lattice = timed_lattice();
+  int count = lattice.nx * lattice.ny;
   Kokkos::View<NodeType*> type;
   HeatFields<T> fields;
   HeatSetting(const Geometry& geometry, ScalarVelocitySet set)
@@ -32,9 +31,9 @@ void conduct_all(benchmark::State& state, const Geometry* geometry, ScalarVeloci
   const double bytes = 2 * directions_of(set) * sizeof(T) + 1;
   const auto step = [&] { conduct(s.exec, s.fields); };
   if (set == ScalarVelocitySet::d2q5)
-    measure<T, D2Q5::Q>(state, nx * ny, bytes, step);
+    measure<T, D2Q5::Q>(state, s.count, bytes, step);
   else
-    measure<T, D2Q9::Q>(state, nx * ny, bytes, step);
+    measure<T, D2Q9::Q>(state, s.count, bytes, step);
 }
 
 /// Q populations read and written, velocity and defect read, the lagged defect read and written, node, links.
@@ -62,16 +61,16 @@ void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVeloc
   const FluidRows rows = fluid_rows(s.exec, nodes);
   const VectorField<T> u("u", nodes.capacity);
   const ScalarField<T> defect("defect", nodes.capacity), lagged("lagged", nodes.capacity);
-  const ScalarField<double> created("created", std::max(block_count(s.lattice.size()), ny));
+  const ScalarField<double> created("created", std::max(block_count(s.lattice.size()), s.lattice.ny));
   Kokkos::deep_copy(u, T(1e-4));
-  const double fluid = static_cast<double>(nodes.count) / (nx * ny);
+  const double fluid = static_cast<double>(nodes.count) / s.count;
   const double bytes =
       2 * directions_of(set) * sizeof(T) + 1 + fluid * (5 * sizeof(T) + 2 * sizeof(int) + 3 * sizeof(std::uint16_t));
   const auto step = [&] { conduct_and_advect(s.exec, nodes, rows, u, defect, lagged, s.fields, created); };
   if (set == ScalarVelocitySet::d2q5)
-    measure<T, D2Q5::Q>(state, nx * ny, bytes, step);
+    measure<T, D2Q5::Q>(state, s.count, bytes, step);
   else
-    measure<T, D2Q9::Q>(state, nx * ny, bytes, step);
+    measure<T, D2Q9::Q>(state, s.count, bytes, step);
 }
 
 [[maybe_unused]] const bool registered = [] {

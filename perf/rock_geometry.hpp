@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <vector>
 
@@ -67,6 +68,11 @@ struct Geometry {
   double share_of_edges;  ///< of the strip rock; 0: an open box
 };
 inline constexpr Geometry geometries[] = {{"rock_15", 0.58}, {"rock_25", 1.0}, {"box", 0}};
+
+/// Too large for most caches; with VUG_PERF_SMALL in the environment such that it fits.
+inline Lattice timed_lattice() {
+  return std::getenv("VUG_PERF_SMALL") ? Lattice(400, 280) : Lattice(2000, 1400);
+}
 
 /// Node types of a geometry on the lattice.
 inline Kokkos::View<NodeType*> node_types(const Geometry& geometry, const Lattice& lattice) {

@@ -13,7 +13,7 @@ namespace {
 template <class T, class Set>
 struct SoluteSetting {
   Exec exec;
-  Lattice lattice{2000, 1400};
+  Lattice lattice = timed_lattice();
   Kokkos::View<NodeType*> type;
   FluidNodes nodes;
   SoluteFields<T> acid, product;

@@ -61,7 +61,7 @@ struct CollideAndStream {
     }
     return m;
   }
-  /// Of one node, or of eight neighbours.
+  /// Of one node, or of a pack of neighbours.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
     relax.template at<V>(i)(g, m, force.template at<V>(i));
@@ -82,108 +82,65 @@ struct CollideAndStream {
     for (int q = 1; q < D2Q9::Q; ++q) f_next(slots.leaving(q, i)) = g[q];
     return limited;
   }
-
-  using Unlimited = CollideAndStream<T, Slots, Relaxation, Force, NoLimiter<T>>;
-  KOKKOS_FORCEINLINE_FUNCTION Unlimited unlimited() const { return {f, f_next, u, slots, relax, force, {}}; }
 };
 
-/// A block of nodes on a host. The root and the quotient of the limiter would cost every node as much as its collision:
-/// it runs where some nodes that lie together hold one that is too fast, and `limited` gains its uses.
-template <class T, class Node>
-struct LimitedBlock {
+/// A block of nodes on a host, by packs that stay in registers from pull to push. The root and the quotient of the
+/// limiter would cost every node as much as its collision: it runs lane by lane, where one of a pack is too fast.
+template <class T, class Node, class NodePacks>
+struct SweepBlock {
   Node node;
-  ScalarField<double> limited;
-  void operator()(int first, int last) const {
-    const Node local = node;
-    const typename Node::Unlimited free = node.unlimited();
-    constexpr int some = shortest_block;
-    int uses = 0;
-    for (int from = first; from < last; from += some) {
-      const int to = from + some < last ? from + some : last;
-      if (has_fast_node(local, from, to)) [[unlikely]] {
-        for (int i = from; i < to; ++i) uses += local(i);
-      } else {
-        VUG_VECTORISE
-        for (int i = from; i < to; ++i) free(i);
-      }
-    }
-    limited(first / nodes_per_block) += uses;
-  }
-
- private:
-  static bool has_fast_node(const Node& node, int first, int last) {
-    int above = 0;
-    VUG_VECTORISE
-    for (int i = first; i < last; ++i) {
-      T g[9];
-      node.pull(i, g);
-      const Macroscopic<T> m = node.moments(i, g);
-      above += node.limit.is_above(m.ux, m.uy) ? 1 : 0;
-    }
-    return above > 0;
-  }
-};
-
-/// A block of nodes in place, by eights that stay in registers; from home the indices are 24 bytes per node instead of
-/// 32. The limiter as above: lane by lane, where one of eight is too fast.
-template <class T, class Node, class EightNodes>
-struct EightBlock {
-  Node node;
-  EightNodes eight;
-  ScalarField<double> limited;
-  using E = Eight<T>;
-  using Register = typename E::Register;
+  NodePacks packs;
+  ScalarField<double> limited;  ///< (block) gains the uses of the limiter
 
   void operator()(int first, int last) const {
     const Node local = node;
-    const EightNodes nodes = eight;
-    T* const f = local.f_next.data();
+    const NodePacks nodes = packs;
     int uses = 0, i = first;
-    for (; i + eight_lanes <= last; i += eight_lanes) {
-      Register g[D2Q9::Q];
-      nodes.pull(f, i, g);
-      const Macroscopic<Register> m = local.moments(i, g);
+    for (; i + pack_size <= last; i += pack_size) {
+      Pack<T> g[D2Q9::Q];
+      nodes.pull(local.f.data(), i, g);
+      const Macroscopic<Pack<T>> m = local.moments(i, g);
       if (has_fast_node(local, m)) [[unlikely]]
         uses += one_by_one(local, i, g);
       else
         local.collide(i, g, m);
-      nodes.push(f, i, g);
+      nodes.push(local.f_next.data(), i, g);
     }
     for (; i < last; ++i) uses += local(i);
     if constexpr (Node::limits) limited(first / nodes_per_block) += uses;
   }
 
  private:
-  static bool has_fast_node(const Node& node, const Macroscopic<Register>& m) {
+  static bool has_fast_node(const Node& node, const Macroscopic<Pack<T>>& m) {
     if constexpr (Node::limits)
-      return E::any_above(m.ux * m.ux + m.uy * m.uy, Register{} + node.limit.limit * node.limit.limit);
+      return PackOf<T>::any_above(m.ux * m.ux + m.uy * m.uy, Pack<T>{} + node.limit.limit * node.limit.limit);
     else
       return false;
   }
   /// What it changes passes through memory here, so that the populations of all others need not.
-  static int one_by_one(const Node& node, int first, Register (&g)[D2Q9::Q]) {
-    alignas(64) T lane[D2Q9::Q][eight_lanes];
+  static int one_by_one(const Node& node, int first, Pack<T> (&g)[D2Q9::Q]) {
+    alignas(64) T lane[D2Q9::Q][pack_size];
     VUG_UNROLL
-    for (int q = 0; q < D2Q9::Q; ++q) E::store(lane[q], g[q]);
+    for (int q = 0; q < D2Q9::Q; ++q) PackOf<T>::store(lane[q], g[q]);
     int uses = 0;
-    for (int l = 0; l < eight_lanes; ++l) {
+    for (int l = 0; l < pack_size; ++l) {
       T own[D2Q9::Q];
       for (int q = 0; q < D2Q9::Q; ++q) own[q] = lane[q][l];
       uses += node.collide(first + l, own);
       for (int q = 0; q < D2Q9::Q; ++q) lane[q][l] = own[q];
     }
     VUG_UNROLL
-    for (int q = 0; q < D2Q9::Q; ++q) g[q] = E::load(lane[q]);
+    for (int q = 0; q < D2Q9::Q; ++q) g[q] = PackOf<T>::load(lane[q]);
     return uses;
   }
 };
 
 namespace {
 
-template <class T, class Node>
-auto eight_block(const Node& node, const FluidNodes& nodes, const ScalarField<double>& limited) {
-  const auto eight = eight_nodes<T>(node.slots, nodes);
-  return EightBlock<T, Node, std::decay_t<decltype(eight)>>{node, eight, limited};
+template <class T, class Node, class NodePacks>
+SweepBlock<T, Node, NodePacks> sweep_block(const Node& node, const NodePacks& packs,
+                                           const ScalarField<double>& limited) {
+  return {node, packs, limited};
 }
 
 /// One sweep, its choices made one after the other: collision (above), force, streaming, limiter.
@@ -231,10 +188,8 @@ struct Sweep {
     const int size = limits ? nodes_per_block : block_of_list(nodes.count);
     const auto run = [&](const auto& node) {
       using Node = std::decay_t<decltype(node)>;
-      if constexpr (has_eight_lanes && !std::is_same_v<Slots, TwoLattices<D2Q9>>)
-        for_each_block(exec, label, nodes.share(), eight_block<T>(node, nodes, step.limited), size);
-      else if constexpr (runs_on_host && Node::limits)
-        for_each_block(exec, label, nodes.share(), LimitedBlock<T, Node>{node, step.limited}, size);
+      if constexpr (runs_on_host)
+        for_each_block(exec, label, nodes.share(), sweep_block<T>(node, packs_of<T>(slots, nodes), step.limited), size);
       else if constexpr (Node::limits)
         add_per_block(exec, label, nodes.share(), node, step.limited);
       else

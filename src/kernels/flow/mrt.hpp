@@ -2,11 +2,11 @@
 // Collisions of the flow populations (paper Sec. 3.1: multiple relaxation times), each a small pure function object:
 //   f* = f - M^-1 S (M f - meq) + M^-1 (1 - S/2) F,
 // with M the moment basis of Lallemand and Luo. All conserve rho' = sum f and add exactly the body force to sum c f.
-// They take the populations of one node, numbers of type T, or of several at once: V is T or a register of such
+// They take the populations of one node, numbers of type T, or of several at once: V is T or a pack of such
 // numbers.
 #include "kernels/base/choices.hpp"
 #include "kernels/flow/equilibrium.hpp"
-#include "kernels/launch/eight_lanes.hpp"
+#include "kernels/packs/pack.hpp"
 
 namespace vug {
 

@@ -4,32 +4,30 @@
 #include "kernels/heat/heat_kernels.hpp"
 #include "kernels/launch/launch.hpp"
 
-#include <type_traits>
-
 namespace vug {
 
-/// Eight neighbours at a time: in rock two or three of them are fluid, but what is dense is read and written in whole
-/// registers. The others come out as they were: nothing moves there.
+/// A pack of neighbours at a time: in rock two or three of them are fluid, but what is dense is read and written in
+/// whole registers. The others come out as they were: nothing moves there.
 template <class T, class Set>
-struct ConvectEights {
+struct ConvectRows {
   Advect<T, Set> advect;
   IndexList index;
   FluidRows rows;
   ScalarField<double> created;
 
   struct Row {
-    const ConvectEights& all;
+    const ConvectRows& all;
     Advect<T, Set> local;
     int y, k, last;
-    double sum[eight_lanes] = {};
+    double sum[pack_size] = {};
 
     KOKKOS_FORCEINLINE_FUNCTION void up_to(int end) {
-      for (; k < last && all.rows.eights(k).node < end; ++k) {
-        const WetEight& eight = all.rows.eights(k);
-        if (eight.fluid >= 0) [[likely]]
-          convect(local, eight, sum);
+      for (; k < last && all.rows.packs(k).node < end; ++k) {
+        const WetPack& pack = all.rows.packs(k);
+        if (pack.fluid >= 0) [[likely]]
+          convect(local, pack, sum);
         else
-          one_by_one(local, all.index, eight, sum);
+          one_by_one(local, all.index, pack, sum);
       }
     }
     KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum_of_lanes(sum); }
@@ -37,141 +35,38 @@ struct ConvectEights {
   KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const { return {*this, advect, y, rows.first(y), rows.first(y + 1)}; }
 
  private:
-  using E = Eight<T>;
-  using Lane = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;  // else vectors of half the length
-
   KOKKOS_FORCEINLINE_FUNCTION static void one_by_one(const Advect<T, Set>& at, const IndexList& index,
-                                                     const WetEight& eight, double (&sum)[eight_lanes]) {
-    for (int l = 0; l < eight_lanes; ++l)
-      if (eight.wet >> l & 1) sum[l] += at(index(eight.node + l));
+                                                     const WetPack& pack, double (&sum)[pack_size]) {
+    for (int l = 0; l < pack_size; ++l)
+      if (pack.wet >> l & 1) sum[l] += at(index(pack.node + l));
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION static void convect(const Advect<T, Set>& at, const WetEight& eight,
-                                                  double (&sum)[eight_lanes]) {
-    alignas(64) T lagged[eight_lanes], ux[eight_lanes], uy[eight_lanes];
-    alignas(64) Lane walls[eight_lanes];
-    const int fluid = eight.fluid;
-    const unsigned listed = (1u << Kokkos::Experimental::popcount_builtin(unsigned(eight.wet))) - 1;
-    follow(at, fluid, listed, lagged);
-    E::store(lagged, E::spread(eight.wet, E::load(lagged)));
-    E::store(ux, E::spread(eight.wet, E::load(&at.u.u(fluid, 0), listed)));
-    E::store(uy, E::spread(eight.wet, E::load(&at.u.u(fluid, 1), listed)));
-    VUG_VECTORISE
-    for (int l = 0; l < eight_lanes; ++l) walls[l] = eight.closed[l];
-    T* const g = &at.g(eight.node);
-    VUG_VECTORISE
-    for (int l = 0; l < eight_lanes; ++l) {
-      const T conducted = sum_of_populations<Set, T>(g + l, at.plane);
-      const T added = at.law.added(conducted, lagged[l]), temperature = conducted + added;
-      T rest = added;
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) {
-        const T change = T(Set::w(q)) * at.law.change(q, temperature, added, at.u.steps * ux[l], at.u.steps * uy[l],
-                                                      walls[l] >> (q - 1) & 1);
-        g[q * at.plane + l] += change;
-        rest -= change;
-      }
-      g[l] += rest;
-      sum[l] += static_cast<double>(added);
+  KOKKOS_FORCEINLINE_FUNCTION static void convect(const Advect<T, Set>& at, const WetPack& pack,
+                                                  double (&sum)[pack_size]) {
+    using P = PackOf<T>;
+    const int fluid = pack.fluid;
+    const std::uint32_t wet = pack.wet, listed = P::first(wet);
+    alignas(64) T lagged[pack_size];
+    P::store(lagged, at.law.follow(P::load(&at.lagged(fluid), listed), P::load(&at.defect(fluid), listed)));
+    P::store(&at.lagged(fluid), listed, P::load(lagged));
+    const Pack<T> ux = at.u.steps * P::spread(wet, &at.u.u(fluid, 0)),
+                  uy = at.u.steps * P::spread(wet, &at.u.u(fluid, 1));
+
+    T* const g = &at.g(pack.node);
+    Pack<T> conducted = P::load(g);
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) conducted += P::load(g + q * at.plane);
+    const Pack<T> added = at.law.added(conducted, P::spread(wet, lagged)), temperature = conducted + added;
+    Pack<T> rest = added;
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const Pack<T> carried = P::blend(pack.closed[q - 1], at.law.carried(q, temperature, ux, uy), Pack<T>{});
+      const Pack<T> change = T(Set::w(q)) * at.law.change(added, carried);
+      P::store(g + q * at.plane, P::load(g + q * at.plane) + change);
+      rest -= change;
     }
-  }
-
-  /// Lets the defect of the `listed` nodes from `fluid` on lag, which `lagged` then holds.
-  KOKKOS_FORCEINLINE_FUNCTION static void follow(const Advect<T, Set>& at, int fluid, unsigned listed,
-                                                 T (&lagged)[eight_lanes]) {
-    alignas(64) T defect[eight_lanes];
-    E::store(lagged, E::load(&at.lagged(fluid), listed));
-    E::store(defect, E::load(&at.defect(fluid), listed));
-    VUG_VECTORISE
-    for (int l = 0; l < eight_lanes; ++l) lagged[l] = at.law.follow(lagged[l], defect[l]);
-    E::store(&at.lagged(fluid), listed, E::load(lagged));
-  }
-};
-
-/// Node by node: what lies scattered is brought together for some of them, so that their law runs on vectors.
-template <class T, class Set>
-struct ConvectScattered {
-  Advect<T, Set> advect;
-  FluidRows rows;
-  ScalarField<double> created;
-
-  static constexpr int some = 64, lanes = 16;
-
-  /// The state of some nodes and what is added to it.
-  struct Staged {
-    alignas(64) T theta[some], ux[some], uy[some], lagged[some], defect[some], added[some], rest[some];
-    alignas(64) T change[Set::Q][some];
-    alignas(64) int node[some], walls[some];
-  };
-
-  struct Row {
-    const ConvectScattered& all;
-    Advect<T, Set> local;
-    int y, k, last;
-    double sum = 0;
-    Staged staged{};
-
-    KOKKOS_FORCEINLINE_FUNCTION void up_to(int end) {
-      while (k < last) {
-        const int* const fluid = &all.rows.fluid(k);
-        const int count = gather(local, fluid, last - k < some ? last - k : some, end, staged);
-        if (count == 0) return;
-        convect(local.law, (count + lanes - 1) / lanes * lanes, staged);
-        sum = scatter(local, fluid, count, staged, sum);
-        k += count;
-      }
-    }
-    KOKKOS_FORCEINLINE_FUNCTION void end() { all.created(y) += sum; }
-  };
-  KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const { return {*this, advect, y, rows.first(y), rows.first(y + 1)}; }
-
- private:
-  /// At most that many, before node `end`; returns how many.
-  KOKKOS_FORCEINLINE_FUNCTION static int gather(const Advect<T, Set>& at, const int* fluid, int most, int end,
-                                                Staged& s) {
-    int k = 0;
-    for (; k < most && at.node(fluid[k]) < end; ++k) {
-      const int i = fluid[k];
-      s.node[k] = at.node(i);
-      s.walls[k] = static_cast<int>(at.walls(i));
-      s.ux[k] = at.u(i, 0);
-      s.uy[k] = at.u(i, 1);
-      s.lagged[k] = at.lagged(i);
-      s.defect[k] = at.defect(i);
-      s.theta[k] = sum_of_populations<Set, T>(&at.g(s.node[k]), at.plane);
-    }
-    return k;
-  }
-
-  /// In whole vectors: what lies behind the last node is an older one's and goes nowhere.
-  KOKKOS_FORCEINLINE_FUNCTION static void convect(const Convection<T, Set>& law, int count, Staged& s) {
-    VUG_VECTORISE
-    for (int k = 0; k < count; ++k) {
-      s.lagged[k] = law.follow(s.lagged[k], s.defect[k]);
-      s.added[k] = law.added(s.theta[k], s.lagged[k]);
-      s.theta[k] += s.added[k];
-      T rest = s.added[k];
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) {
-        s.change[q][k] = law.change(q, s.theta[k], s.added[k], s.ux[k], s.uy[k], s.walls[k] >> q & 1);
-        rest -= T(Set::w(q)) * s.change[q][k];
-      }
-      s.rest[k] = rest;
-    }
-  }
-
-  /// Adds what the advective form adds to `sum`, in the order of the nodes.
-  KOKKOS_FORCEINLINE_FUNCTION static double scatter(const Advect<T, Set>& at, const int* fluid, int count,
-                                                    const Staged& s, double sum) {
-    for (int k = 0; k < count; ++k) {
-      T* const g = &at.g(s.node[k]);
-      g[0] += s.rest[k];
-      VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) g[q * at.plane] += T(Set::w(q)) * s.change[q][k];
-      at.lagged(fluid[k]) = s.lagged[k];
-      sum += static_cast<double>(s.added[k]);
-    }
-    return sum;
+    P::store(g, P::load(g) + rest);
+    P::add_to(sum, added);
   }
 };
 
@@ -211,14 +106,10 @@ struct ThenTemperatures {
   }
 };
 
-/// The form that this host is made for.
 template <class Set, class T>
-auto convect_rows(const FluidNodes& nodes, const FluidRows& rows, const Advect<T, Set>& advect,
-                  const ScalarField<double>& created) {
-  if constexpr (has_eight_lanes)
-    return ConvectEights<T, Set>{advect, nodes.index, rows, created};
-  else
-    return ConvectScattered<T, Set>{advect, rows, created};
+ConvectRows<T, Set> convect_rows(const FluidNodes& nodes, const FluidRows& rows, const Advect<T, Set>& advect,
+                                 const ScalarField<double>& created) {
+  return {advect, nodes.index, rows, created};
 }
 
 }  // namespace vug

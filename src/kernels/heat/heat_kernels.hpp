@@ -149,31 +149,34 @@ Conduct<T, Set, Matter> conduct_body(const HeatFields<T>& fields, const Matter& 
 /// wall. The advective form (advective_form.hpp) takes T e' from the
 /// population at rest before the collision, e' being what streaming has added to a uniform temperature: the carried
 /// part builds up over the relaxation time, so e' lags behind e in the same way, e' = (1 - s) e' + s e. A uniform
-/// temperature then stays uniform to round-off in any flow, steady or not.
+/// temperature then stays uniform to round-off in any flow, steady or not. V is T or a pack of such numbers.
 template <class T, class Set>
 struct Convection {
   T rate;  ///< s of the fluid
 
   /// e' after a step with the defect e.
-  KOKKOS_FORCEINLINE_FUNCTION T follow(T lagged, T defect) const { return lagged + rate * (defect - lagged); }
-
-  /// What is added to the temperature, -T e' / (1 + e').
-  KOKKOS_FORCEINLINE_FUNCTION static T added(T temperature, T lagged) { return -temperature * lagged / (1 + lagged); }
-
-  /// What is added to population q, over w_q, at the temperature with `added`; `walled` if nothing is carried along q.
-  KOKKOS_FORCEINLINE_FUNCTION T change(int q, T temperature, T added, T ux, T uy, bool walled) const {
-    const T along = walled ? T(0) : temperature * carried(q, ux, uy);
-    return (2 - rate) * added + along;
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V follow(const V& lagged, const V& defect) const {
+    return lagged + rate * (defect - lagged);
   }
-
- private:
-  /// Carried along direction q, over w_q T.
-  KOKKOS_FORCEINLINE_FUNCTION T carried(int q, T ux, T uy) const {
-    const T odd = 3 * along(q, ux, uy);
+  /// What is added to the temperature, -T e' / (1 + e').
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V added(const V& temperature, const V& lagged) {
+    return -temperature * lagged / (T(1) + lagged);
+  }
+  /// What the flow carries along direction q, over w_q, at the temperature with what is added.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V carried(int q, const V& temperature, const V& ux, const V& uy) const {
+    const V odd = T(3) * along(q, ux, uy);
     if constexpr (Set::Q == D2Q5::Q)
-      return rate * odd;
+      return temperature * (rate * odd);
     else
-      return rate * odd + (2 - rate) * (scalar_equilibrium<Set, T>(q, ux, uy) - 1 - odd);
+      return temperature * (rate * odd + (2 - rate) * (scalar_equilibrium<Set, T>(q, ux, uy) - T(1) - odd));
+  }
+  /// What is added to population q, over w_q; nothing is carried towards walls.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V change(const V& added, const V& carried) const {
+    return (2 - rate) * added + carried;
   }
 };
 
@@ -203,7 +206,8 @@ struct Advect {
     T rest = added;
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      const T change = T(Set::w(q)) * law.change(q, temperature, added, u(i, 0), u(i, 1), walled >> q & 1u);
+      const T carried = walled >> q & 1u ? T(0) : law.carried(q, temperature, u(i, 0), u(i, 1));
+      const T change = T(Set::w(q)) * law.change(added, carried);
       g(q * plane + n) += change;
       rest -= change;
     }

@@ -1,19 +1,20 @@
 #pragma once
-// Eight fluid nodes at a time on hosts with AVX-512. Walls apart, the slots from which eight consecutive nodes pull one
-// direction lie within two runs of eight, almost always (99.9 % in rock of three-node pathways): two loads and a
-// permutation of registers then take the place of eight loads, a permutation and masked stores that of eight stores.
-// The processor's own gathers and scatters are no faster than single loads and stores.
+// Packs of consecutive fluid nodes: how a host gathers and scatters what the table of sources says. Walls apart, the
+// slots from which eight nodes pull one direction lie within two runs of eight, almost always (99.9 % in rock of
+// three-node pathways): where the processor permutes registers and stores under masks (AVX-512), two loads and a
+// permutation take the place of eight loads, a permutation and masked stores that of eight stores. Its own gathers and
+// scatters are no faster than single loads and stores, which are what the others do.
 #include "kernels/base/unroll.hpp"
 #include "kernels/base/velocity_set.hpp"
-#include "kernels/launch/eight_lanes.hpp"
 #include "kernels/launch/prefetch.hpp"
+#include "kernels/packs/pack.hpp"
 
 #include <cstdint>
 
 namespace vug {
 
-inline constexpr bool has_source_windows = has_eight_lanes;
-inline constexpr int nodes_per_window = eight_lanes;
+inline constexpr bool has_source_windows = runs_on_host && packs_permute;
+inline constexpr int nodes_per_window = pack_size;
 
 /// Where eight consecutive nodes, the first a multiple of eight, pull one direction from: FluidNodes::source of them
 /// once more, in 24 bytes instead of 32. Numbers 0 to 7 are the slots from `near` on, 8 to 15 those from `far` on.
@@ -66,30 +67,29 @@ KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, 
   return aligned.is_irregular() ? source_window(source, plane, capacity, 1) : aligned;
 }
 
-/// Populations of eight consecutive nodes over a velocity set, and how they are fetched and put back.
-template <class T, class Set>
-struct EightFromHome {
+/// Populations of eight consecutive nodes over a velocity set, and how they are fetched and put back: by windows, or
+/// one by one.
+template <class T, class Set, bool by_windows = has_source_windows>
+struct SourcePacks {
   const SourceWindow* windows;  ///< (eight nodes, direction - 1)
-  const int* source;            ///< FluidNodes::source, where a window does not do
+  const int* source;            ///< FluidNodes::source
   int capacity;
 
-  using E = Eight<T>;
-  using Register = typename E::Register;
+  using P = PackOf<T>;
 
   /// What arrives at nodes i .. i + 7, i a multiple of eight.
-  void pull(const T* f, int i, Register (&g)[Set::Q]) const {
-    const SourceWindow* const window = windows + i;
-    announce(window + windows_ahead);
-    g[0] = E::load(f + i);
+  void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
+    if constexpr (by_windows) announce(windows + i + windows_ahead);
+    g[0] = P::load(f + i);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      const SourceWindow& w = window[q - 1];
-      if (w.is_irregular()) [[unlikely]] {
-        g[q] = one_by_one(f, source + q * capacity + i);
-        continue;
-      }
-      const Register pulled = E::pick(w.from, E::load(f + w.near), E::load(f + w.far));
-      g[q] = E::blend(w.bounced, pulled, E::load(f + Set::opposite(q) * capacity + i));
+      if constexpr (by_windows)
+        if (const SourceWindow& w = windows[i + q - 1]; !w.is_irregular()) [[likely]] {
+          const Pack<T> pulled = P::pick(w.from, P::load(f + w.near), P::load(f + w.far));
+          g[q] = P::blend(w.bounced, pulled, P::load(f + Set::opposite(q) * capacity + i));
+          continue;
+        }
+      g[q] = P::gather(f, source + q * capacity + i);
     }
   }
 
@@ -97,42 +97,42 @@ struct EightFromHome {
   /// a side that of the node itself. Of directions other than those that `matters` says true of, nothing.
   template <int some, class Matters>
   void upstream(const T* field, int i, T (&value)[Set::Q][some], int at, const Matters& matters) const {
-    const Register own = E::load(field + i);
-    E::store(value[0] + at, own);
+    const Pack<T> own = P::load(field + i);
+    P::store(value[0] + at, own);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       if (!matters(q)) continue;
-      const SourceWindow& w = windows[i + q - 1];
-      const auto plane = static_cast<std::uint32_t>(q * capacity);
-      if (w.is_irregular()) [[unlikely]] {
-        for (int l = 0; l < nodes_per_window; ++l) {
-          const int from = source[q * capacity + i + l] - q * capacity;
-          value[q][at + l] = field[from >= 0 && from < capacity ? from : i + l];
+      const int plane = q * capacity;
+      if constexpr (by_windows)
+        if (const SourceWindow& w = windows[i + q - 1]; !w.is_irregular()) [[likely]] {
+          const T* const run = field - plane;
+          const Pack<T> there = P::pick(w.from, P::load(run + w.near), P::load(run + w.far));
+          P::store(value[q] + at, P::blend(w.bounced, there, own));
+          continue;
         }
-        continue;
+      for (int l = 0; l < pack_size; ++l) {
+        const int from = source[plane + i + l] - plane;
+        value[q][at + l] = field[from >= 0 && from < capacity ? from : i + l];
       }
-      const Register there = E::pick(w.from, E::load(field + (w.near - plane)), E::load(field + (w.far - plane)));
-      E::store(value[q] + at, E::blend(w.bounced, there, own));
     }
   }
 
   /// Leaves what goes out against direction q where what came in along q was. Stores without a lane cost less than
   /// branches that the processor guesses wrong.
-  void push(T* f, int i, const Register (&g)[Set::Q]) const {
-    const SourceWindow* const window = windows + i;
-    E::store(f + i, g[0]);
+  void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
+    P::store(f + i, g[0]);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      const SourceWindow& w = window[q - 1];
       const int opposite = Set::opposite(q);
-      const Register out = g[opposite];
-      if (w.is_irregular()) [[unlikely]] {
-        one_by_one(f, source + q * capacity + i, out);
-        continue;
-      }
-      E::store(f + w.near, w.owned_near, E::pick(w.to_near, out));
-      E::store(f + w.far, w.owned_far, E::pick(w.to_far, out));
-      E::store(f + opposite * capacity + i, w.bounced, out);
+      const Pack<T> out = g[opposite];
+      if constexpr (by_windows)
+        if (const SourceWindow& w = windows[i + q - 1]; !w.is_irregular()) [[likely]] {
+          P::store(f + w.near, w.owned_near, P::pick(w.to_near, out));
+          P::store(f + w.far, w.owned_far, P::pick(w.to_far, out));
+          P::store(f + opposite * capacity + i, w.bounced, out);
+          continue;
+        }
+      P::scatter(f, source + q * capacity + i, out);
     }
   }
 
@@ -144,16 +144,6 @@ struct EightFromHome {
     constexpr int line = 64, bytes = (Set::Q - 1) * static_cast<int>(sizeof(SourceWindow));
     VUG_UNROLL
     for (int b = 0; b < bytes; b += line) prefetch(reinterpret_cast<const char*>(later) + b);
-  }
-  static Register one_by_one(const T* f, const int* slot) {
-    alignas(64) T lanes[nodes_per_window];
-    for (int l = 0; l < nodes_per_window; ++l) lanes[l] = f[slot[l]];
-    return E::load(lanes);
-  }
-  static void one_by_one(T* f, const int* slot, Register out) {
-    alignas(64) T lanes[nodes_per_window];
-    E::store(lanes, out);
-    for (int l = 0; l < nodes_per_window; ++l) f[slot[l]] = lanes[l];
   }
 };
 

@@ -38,31 +38,38 @@ struct InPlaceFromTurned {
   KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
 };
 
-/// Eight consecutive nodes of populations that are turned: as EightFromHome.
+/// A pack of consecutive nodes of populations that are turned: as SourcePacks.
 template <class T, class Set>
-struct EightFromTurned {
+struct PacksFromTurned {
   int capacity;
-  using E = Eight<T>;
-  using Register = typename E::Register;
 
-  void pull(const T* f, int i, Register (&g)[Set::Q]) const {
-    g[0] = E::load(f + i);
+  void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
     VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) g[q] = E::load(f + Set::opposite(q) * capacity + i);
+    for (int q = 0; q < Set::Q; ++q) g[q] = PackOf<T>::load(f + Set::opposite(q) * capacity + i);
   }
-  void push(T* f, int i, const Register (&g)[Set::Q]) const {
+  void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
     VUG_UNROLL
-    for (int q = 0; q < Set::Q; ++q) E::store(f + q * capacity + i, g[q]);
+    for (int q = 0; q < Set::Q; ++q) PackOf<T>::store(f + q * capacity + i, g[q]);
   }
 };
 
+/// The same from one lattice to the other: pulls as from home, pushes as from turned.
 template <class T, class Set>
-EightFromHome<T, Set> eight_nodes(const InPlaceFromHome<Set>& slots, const FluidNodes& nodes) {
+struct PacksOfTwoLattices : SourcePacks<T, Set> {
+  void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const { PacksFromTurned<T, Set>{this->capacity}.push(f, i, g); }
+};
+
+template <class T, class Set>
+SourcePacks<T, Set> packs_of(const InPlaceFromHome<Set>& slots, const FluidNodes& nodes) {
   return {nodes.windows.data(), slots.source.data(), slots.capacity};
 }
 template <class T, class Set>
-EightFromTurned<T, Set> eight_nodes(const InPlaceFromTurned<Set>& slots, const FluidNodes&) {
+PacksFromTurned<T, Set> packs_of(const InPlaceFromTurned<Set>& slots, const FluidNodes&) {
   return {slots.capacity};
+}
+template <class T, class Set>
+PacksOfTwoLattices<T, Set> packs_of(const TwoLattices<Set>& slots, const FluidNodes& nodes) {
+  return {{nodes.windows.data(), slots.source.data(), slots.capacity}};
 }
 
 /// Sum of the slots of node i in double: what it holds, or, turned, what is about to arrive there.

@@ -58,23 +58,23 @@ struct AdvectiveDefect {
   }
 };
 
-/// A block of nodes: what lies scattered is brought together, eight nodes at a time, for so many that their law runs on
-/// vectors.
+/// A block of nodes on a host: what lies scattered is brought together, a pack at a time, for so many nodes that their
+/// law runs on vectors.
 template <class Set, class T>
-struct EightDefects {
+struct DefectsOfBlock {
   using Defect = AdvectiveDefect<Set, T>;
   Defect defect;
   Kokkos::View<const SourceWindow*> windows;
   void operator()(int first, int last) const {
     const Defect local = defect;
-    const EightFromHome<T, Set> eight{windows.data(), local.source.data(), local.capacity};
+    const SourcePacks<T, Set> packs{windows.data(), local.source.data(), local.capacity};
     constexpr int some = shortest_block;
     int i = first;
     for (; i + some <= last; i += some) {
       alignas(64) T ux[Set::Q][some], uy[Set::Q][some];
-      for (int l = 0; l < some; l += nodes_per_window) {
-        eight.upstream(&local.u.u(0, 0), i + l, ux, l, [](int q) { return Defect::matters(q, 0); });
-        eight.upstream(&local.u.u(0, 1), i + l, uy, l, [](int q) { return Defect::matters(q, 1); });
+      for (int l = 0; l < some; l += pack_size) {
+        packs.upstream(&local.u.u(0, 0), i + l, ux, l, [](int q) { return Defect::matters(q, 0); });
+        packs.upstream(&local.u.u(0, 1), i + l, uy, l, [](int q) { return Defect::matters(q, 1); });
       }
       VUG_VECTORISE
       for (int l = 0; l < some; ++l) {
@@ -97,8 +97,8 @@ void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type
   const char* label = "vug::advective_form::defect";
   const AdvectiveDefect<Set, T> body{
       nodes.capacity, nodes.source, nodes.solid_links, nodes.side_links, nodes.open_links, u, e, even_weight};
-  if constexpr (has_source_windows)
-    for_each_block(exec, label, nodes.share(), EightDefects<Set, T>{body, nodes.windows}, block_of_list(nodes.count));
+  if constexpr (runs_on_host)
+    for_each_block(exec, label, nodes.share(), DefectsOfBlock<Set, T>{body, nodes.windows}, block_of_list(nodes.count));
   else
     for_each_node(exec, label, nodes.share(), body);
 }

@@ -14,7 +14,7 @@ namespace vug {
 /// The even part of the equilibrium, which D2Q9 has, is multiplied by `even_weight`: a scheme whose even and odd parts
 /// build up at different rates (heat.hpp) has another defect of its own.
 /// `u` is the displacement that the populations were last collided with. e: (fluid).
-/// Sums to zero over a closed domain. Bytes per node (D2Q5, double): 16 + 10 + 6 read, 8 written, by eights.
+/// Sums to zero over a closed domain. Bytes per node (D2Q5, double): 16 + 10 + 6 read, 8 written, by windows.
 template <class Set, class T>
 void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
                       const ScalarField<T>& e, T even_weight = 1);

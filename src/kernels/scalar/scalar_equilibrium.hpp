@@ -7,8 +7,8 @@
 namespace vug {
 
 /// h_i^eq / (w_i C) for fluid velocity (ux, uy) in lattice units: the paper's quadratic form (Eq. 15 without the
-/// gradient term) on D2Q9, the linear form on D2Q5, whose five velocities carry no second-order term. V is T or a
-/// register of such numbers.
+/// gradient term) on D2Q9, the linear form on D2Q5, whose five velocities carry no second-order term. V is T or a pack
+/// of such numbers.
 template <class Set, class T, class V>
 KOKKOS_FORCEINLINE_FUNCTION V scalar_equilibrium(int q, const V& ux, const V& uy) {
   const V cu = along(q, ux, uy);

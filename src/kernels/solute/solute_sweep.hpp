@@ -1,5 +1,5 @@
 #pragma once
-// The sweep of the lattice kinetic scheme, node by node and by eights, and how a host runs a block of it.
+// The sweep of the lattice kinetic scheme, of a node or of a pack, and how a host runs a block of it.
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/streaming.hpp"
@@ -31,7 +31,7 @@ struct AdvectiveForm {
   Kokkos::View<const T*> e;
 };
 
-/// The collision of one node, or of eight: with C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 -
+/// The collision of one node, or of a pack: with C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 -
 /// 3/2 u^2]):
 ///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
 /// which is Eqs. 14, 15 and 18 solved for the gradient, 3 (J - C u)/(tau_B - tau_h). Conserves sum h.
@@ -62,7 +62,7 @@ struct SoluteCollision {
 };
 
 /// Pull, collide, store, in place. With the advective form it returns what it adds to sum h, -C e with C (1 + e) = sum
-/// of the pulled populations. Bytes per node, size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by eights
+/// of the pulled populations. Bytes per node, size of T = s: 2 Q s + s, in every other step 4 (Q - 1) (by windows
 /// 3 (Q - 1)), + 2 s with advection, + s with the advective form.
 template <class T, class Set, class Slots, class Flow>
 struct SoluteSweep {
@@ -86,8 +86,8 @@ struct SoluteSweep {
     return added;
   }
 
-  /// Concentration and collision of the populations that have arrived, of one node or of eight neighbours; returns what
-  /// is added.
+  /// Concentration and collision of the populations that have arrived, of one node or of a pack of neighbours; returns
+  /// what is added.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION V finish(int i, V (&g)[Set::Q]) const {
     V c = g[0], flux_x{}, flux_y{}, added{};
@@ -119,21 +119,21 @@ struct SoluteSweep {
   }
 };
 
-/// A block of nodes by eights that stay in registers. What they add is summed as add_per_block does.
-template <class T, class Sweep, class EightNodes>
-struct EightSweeps {
+/// A block of nodes on a host, by packs that stay in registers. What they add is summed as add_per_block does.
+template <class T, class Sweep, class NodePacks>
+struct SweepPacks {
   Sweep sweep;
-  EightNodes eight;
+  NodePacks packs;
   ScalarField<double> correction;
 
   void operator()(int first, int last) const {
     const Sweep local = sweep;
-    const EightNodes nodes = eight;
+    const NodePacks nodes = packs;
     constexpr int several = 4;
-    alignas(64) double sum[eight_lanes] = {};
+    alignas(64) double sum[pack_size] = {};
     int i = first;
-    for (; i + several * eight_lanes <= last; i += several * eight_lanes) by_eights<several>(local, nodes, i, sum);
-    for (; i + eight_lanes <= last; i += eight_lanes) by_eights<1>(local, nodes, i, sum);
+    for (; i + several * pack_size <= last; i += several * pack_size) by_packs<several>(local, nodes, i, sum);
+    for (; i + pack_size <= last; i += pack_size) by_packs<1>(local, nodes, i, sum);
     for (int l = 0; i < last; ++i, ++l) sum[l] += static_cast<double>(local(i));
     if constexpr (Sweep::adds) correction(first / nodes_per_block) += sum_of_lanes(sum);
   }
@@ -141,17 +141,16 @@ struct EightSweeps {
  private:
   /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
   template <int count>
-  KOKKOS_FORCEINLINE_FUNCTION static void by_eights(const Sweep& local, const EightNodes& nodes, int first,
-                                                    double (&sum)[eight_lanes]) {
-    using E = Eight<T>;
-    typename E::Register g[count][Sweep::Q];
+  KOKKOS_FORCEINLINE_FUNCTION static void by_packs(const Sweep& local, const NodePacks& nodes, int first,
+                                                   double (&sum)[pack_size]) {
+    Pack<T> g[count][Sweep::Q];
     T* const h = local.h.data();
-    for (int k = 0; k < count; ++k) nodes.pull(h, first + k * eight_lanes, g[k]);
+    for (int k = 0; k < count; ++k) nodes.pull(h, first + k * pack_size, g[k]);
     for (int k = 0; k < count; ++k) {
-      const typename E::Register added = local.finish(first + k * eight_lanes, g[k]);
-      if constexpr (Sweep::adds) E::add_to(sum, added);
+      const Pack<T> added = local.finish(first + k * pack_size, g[k]);
+      if constexpr (Sweep::adds) PackOf<T>::add_to(sum, added);
     }
-    for (int k = 0; k < count; ++k) nodes.push(h, first + k * eight_lanes, g[k]);
+    for (int k = 0; k < count; ++k) nodes.push(h, first + k * pack_size, g[k]);
   }
 };
 
@@ -175,15 +174,8 @@ SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SolutePa
 template <class T, class Set, class Slots, class Flow>
 auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Flow>& sweep,
                     const ScalarField<double>& correction) {
-  using Sweep = SoluteSweep<T, Set, Slots, Flow>;
-  if constexpr (has_eight_lanes) {
-    const auto eight = eight_nodes<T>(sweep.slots, nodes);
-    return EightSweeps<T, Sweep, std::decay_t<decltype(eight)>>{sweep, eight, correction};
-  } else if constexpr (Flow::advective_form) {
-    return detail::BlockSum<Sweep>{sweep, correction};
-  } else {
-    return detail::NodeLoop<Sweep>{sweep};
-  }
+  const auto packs = packs_of<T>(sweep.slots, nodes);
+  return SweepPacks<T, SoluteSweep<T, Set, Slots, Flow>, std::decay_t<decltype(packs)>>{sweep, packs, correction};
 }
 
 /// Nodes of such a block: where sums are taken, those of add_per_block.

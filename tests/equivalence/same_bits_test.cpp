@@ -1,0 +1,122 @@
+// The same bits in every build, whatever registers its processor has: digests of fields after some steps, recorded.
+#include "kernels/flow/flow.hpp"
+#include "kernels/reaction/reacting_solutes.hpp"
+#include "kernels/scalar/advective_form.hpp"
+#include "support/flow_setup.hpp"
+#include "support/heat_box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+namespace vug {
+namespace {
+
+/// FNV-1a of the first `count` entries' bytes.
+template <class Field>
+std::uint64_t digest(const Field& field) {
+  const auto host = test::host_copy(field);
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t i = 0; i < host.span(); ++i) {
+    unsigned char bytes[sizeof(*host.data())];
+    std::memcpy(bytes, host.data() + i, sizeof bytes);
+    for (const unsigned char b : bytes) hash = (hash ^ b) * 0x100000001b3;
+  }
+  return hash;
+}
+
+/// Of +-1, by integers only: the library's functions differ from system to system.
+double noise(int x, int y) {
+  std::uint32_t h = static_cast<std::uint32_t>(x) * 2654435761u ^ static_cast<std::uint32_t>(y) * 2246822519u;
+  h = (h ^ h >> 15) * 2246822519u;
+  return static_cast<double>((h ^ h >> 13) % 2001) / 1000.0 - 1.0;
+}
+
+/// Pathways of three nodes among loose ones.
+bool is_rock(int x, int y) {
+  return (x + y) % 17 > 2 && (x - 2 * y + 200) % 23 > 2 && noise(x, y) < 0.8;
+}
+
+constexpr int nx = 121, ny = 83;
+
+template <class T>
+std::uint64_t flow_digest(Collision collision, Streaming streaming, double limit) {
+  const Lattice lattice(nx, ny);
+  test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false}, collision, 0.7);
+  flow.fields = make_flow_fields<T>(flow.exec, flow.nodes, streaming);
+  flow.set([](int x, int y) {
+    return Macroscopic<double>{0.01 * noise(x, y), 0.03 * noise(y, x), 0.02 * noise(x, 3)};
+  });
+  flow.step.body_force = {T(1e-4), T(-2e-5)};
+  flow.step.speed_limit = T(limit);
+  for (int t = 0; t < 11; ++t) flow.sweep();
+  EXPECT_EQ(sum_in_order(flow.step.limited) > 0, limit > 0);
+  return digest(flow.fields.f) ^ 3 * digest(flow.fields.u);
+}
+
+template <class T, class Set>
+std::uint64_t solute_digest(bool advective) {
+  const Lattice lattice(nx, ny);
+  test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false});
+  flow.set([](int x, int y) { return Macroscopic<double>{0, 0.03 * noise(y, x), 0.02 * noise(x, 3)}; });
+  SoluteFields<T> s = make_solute_fields<T, Set>(flow.exec, flow.nodes, 0.3);
+  const ScalarField<T> e("e", flow.nodes.capacity);
+  const ScalarField<double> correction("correction", block_count(flow.nodes.count));
+  advective_defect<Set>(flow.exec, flow.nodes, flow.fields.u, e);
+  const SoluteParameters parameters = solute_parameters(0.05);
+  for (int t = 0; t < 11; ++t)
+    if (advective)
+      advance_solute<Set>(flow.exec, flow.nodes, parameters, flow.fields.u, e, s, correction);
+    else
+      advance_solute<Set>(flow.exec, flow.nodes, parameters, flow.fields.u, s);
+  flow.exec.fence();
+  return digest(s.h) ^ 3 * digest(s.C) ^ 5 * digest(e);
+}
+
+template <class T>
+std::uint64_t heat_digest(ScalarVelocitySet set) {
+  test::HeatBox<T> box(nx, ny, {0.056, 0.14, 0.625, set}, is_rock, noise, {true, true});
+  box.flow([](int x, int y) { return std::array<double, 2>{0.03 * noise(y, x), 0.02 * noise(x, 3)}; });
+  box.run(11);
+  std::uint64_t hash = 5 * digest(box.lagged);  // of populations those inside the lattice
+  const auto g = test::host_copy(box.fields.g);
+  const ScalarField<T> inside("inside", std::size_t(box.directions()) * nx * ny);
+  const auto host = Kokkos::create_mirror_view(inside);
+  int k = 0;
+  for (int q = 0; q < box.directions(); ++q)
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x) host(k++) = g(q * box.lattice.size() + box.lattice.node(x, y));
+  Kokkos::deep_copy(inside, host);
+  return hash ^ digest(inside);
+}
+
+TEST(SameBits, InEveryBuild) {
+  if constexpr (!shares_host_memory) GTEST_SKIP() << "a GPU fuses multiplications and additions";
+  struct Recorded {
+    std::uint64_t found, expected;
+  };
+  const Recorded all[] = {
+      {flow_digest<double>(Collision::trt, Streaming::in_place, 0), 0x15e3a884984b999a},
+      {flow_digest<double>(Collision::trt, Streaming::in_place, 0.02), 0xe0f4eeb5d4144c64},
+      {flow_digest<double>(Collision::trt, Streaming::two_lattices, 0), 0x7ae11e5466df79f2},
+      {flow_digest<double>(Collision::lallemand_luo, Streaming::in_place, 0), 0x6db1a618704fa75d},
+      {flow_digest<double>(Collision::regularised, Streaming::in_place, 0), 0xb8ec9f2ecda90791},
+      {flow_digest<float>(Collision::trt, Streaming::in_place, 0.02), 0x3e025eb58ec3b98},
+      {flow_digest<float>(Collision::regularised, Streaming::two_lattices, 0.02), 0xa807e607923b56f9},
+      {solute_digest<double, D2Q5>(false), 0x7d94a54f923a9980},
+      {solute_digest<double, D2Q5>(true), 0xf14d3d8776d0cf20},
+      {solute_digest<double, D2Q9>(true), 0x10bddcfa26cd15ff},
+      {solute_digest<float, D2Q5>(true), 0x611b72787a9803eb},
+      {solute_digest<float, D2Q9>(true), 0x1deda5aeeaea64b2},
+      {heat_digest<double>(ScalarVelocitySet::d2q5), 0xcb5f54e930ed3633},
+      {heat_digest<double>(ScalarVelocitySet::d2q9), 0xd2e7e5ba11942727},
+      {heat_digest<float>(ScalarVelocitySet::d2q5), 0xfd5186d33e1371f4},
+      {heat_digest<float>(ScalarVelocitySet::d2q9), 0x65a0f09299a378c9},
+  };
+  int k = 0;
+  for (const Recorded& r : all) EXPECT_EQ(r.found, r.expected) << "entry " << k++;
+}
+
+}  // namespace
+}  // namespace vug
