@@ -96,9 +96,9 @@ auto heat_collision(double diffusivity, const Vector2& u) {
     Conduction<double, Set>{rates}(g, arrived, 0, nothing);
     double temperature = 0;
     for (const double part : g) temperature += part;
+    const Convection<double, Set> law{rates.fluid};
     for (int q = 1; q < Set::Q; ++q) {
-      const double change =
-          Set::w(q) * Convection<double, Set>{rates.fluid}.change(q, temperature, 0, u[0], u[1], false);
+      const double change = Set::w(q) * law.change(0.0, law.carried(q, temperature, u[0], u[1]));
       g[q] += change;
       g[0] -= change;
     }
