@@ -16,11 +16,15 @@ struct PackOf<double> : PortablePack<double, 64> {
   static void store(double* p, std::uint32_t lanes, const Pack& v) { _mm512_mask_storeu_pd(p, mask(lanes), v); }
   static void add_to(double (&sums)[pack_size], const Pack& v) { store(sums, load(sums) + v); }
   static bool any_above(const Pack& a, const Pack& b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ) != 0; }
-  static Pack blend(std::uint32_t lanes, const Pack& a, const Pack& b) { return _mm512_mask_blend_pd(mask(lanes), a, b); }
+  static Pack blend(std::uint32_t lanes, const Pack& a, const Pack& b) {
+    return _mm512_mask_blend_pd(mask(lanes), a, b);
+  }
   static Pack spread(std::uint32_t lanes, const double* p) {
     return _mm512_maskz_expand_pd(mask(lanes), load(p, first(lanes)));
   }
-  static Pack pick(std::uint32_t order, const Pack& a, const Pack& b) { return _mm512_permutex2var_pd(a, fields(order, 4), b); }
+  static Pack pick(std::uint32_t order, const Pack& a, const Pack& b) {
+    return _mm512_permutex2var_pd(a, fields(order, 4), b);
+  }
   static Pack pick(std::uint32_t order, const Pack& a) { return _mm512_maskz_permutexvar_pd(all, fields(order, 3), a); }
 
  private:
@@ -43,11 +47,15 @@ struct PackOf<float> : PortablePack<float, 32> {
     PackOf<double>::add_to(sums, __builtin_convertvector(v, PackOf<double>::Pack));
   }
   static bool any_above(const Pack& a, const Pack& b) { return _mm256_cmp_ps_mask(a, b, _CMP_GT_OQ) != 0; }
-  static Pack blend(std::uint32_t lanes, const Pack& a, const Pack& b) { return _mm256_mask_blend_ps(mask(lanes), a, b); }
+  static Pack blend(std::uint32_t lanes, const Pack& a, const Pack& b) {
+    return _mm256_mask_blend_ps(mask(lanes), a, b);
+  }
   static Pack spread(std::uint32_t lanes, const float* p) {
     return _mm256_maskz_expand_ps(mask(lanes), load(p, first(lanes)));
   }
-  static Pack pick(std::uint32_t order, const Pack& a, const Pack& b) { return _mm256_permutex2var_ps(a, fields(order, 4), b); }
+  static Pack pick(std::uint32_t order, const Pack& a, const Pack& b) {
+    return _mm256_permutex2var_ps(a, fields(order, 4), b);
+  }
   static Pack pick(std::uint32_t order, const Pack& a) { return _mm256_permutevar8x32_ps(a, fields(order, 3)); }
 
  private:
