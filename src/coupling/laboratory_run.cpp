@@ -1,21 +1,16 @@
 #include "coupling/laboratory_run.hpp"
 
-#include "coupling/memory_need.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
+#include "coupling/specimen.hpp"
 #include "io/history_writer.hpp"
-#include "io/mesh_reader.hpp"
 #include "io/require_fields.hpp"
-#include "io/rock_generator.hpp"
-#include "io/rock_regions.hpp"
 #include "io/run_folder.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/free_memory.hpp"
 #include "kernels/host/interruption.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ostream>
@@ -206,66 +201,7 @@ std::string fit(const Scene& scene, const LaboratoryOptions& options, const Asse
       *options.fit_strength / 1e6, found.rounds);
 }
 
-Assembly triangles_of_specimen(const Scene& scene) {
-  const LaboratorySection& laboratory = *scene.laboratory;
-  if (scene.rock->mesh) return read_mesh(*scene.rock->mesh);
-  const bool disc = laboratory.test == LaboratoryTest::brazilian;
-  const double area = disc ? laboratory.diameter * laboratory.diameter : laboratory.size[0] * laboratory.size[1];
-  require_memory(bytes_of_triangles(*scene.rock, area), scene.path + ": the specimen");
-  if (disc) return generate_disc(laboratory.diameter, laboratory.flat_width, *scene.rock);
-  return generate_rock(laboratory.size[0], laboratory.size[1], *scene.rock);
-}
-
 }  // namespace
-
-Assembly build_specimen(const Scene& scene) {
-  Assembly specimen = triangles_of_specimen(scene);
-  assign_regions(scene.mechanics->regions, scene.minerals, scene.path, specimen);
-  return specimen;
-}
-
-double longest_test(const Scene& scene, const Assembly& specimen) {
-  const LaboratorySection& laboratory = *scene.laboratory;
-  if (laboratory.test == LaboratoryTest::heating || laboratory.test == LaboratoryTest::quench)
-    return laboratory.duration;
-  const auto [low, high] = std::minmax_element(specimen.vertices.begin(), specimen.vertices.end(),
-                                               [](const auto& a, const auto& b) { return a[1] < b[1]; });
-  return laboratory.largest_strain * ((*high)[1] - (*low)[1]) / platen_speed(laboratory);
-}
-
-PlatenTest platen_test(const Scene& scene) {
-  const LaboratorySection& laboratory = *scene.laboratory;
-  PlatenTest test;
-  test.speed = platen_speed(laboratory);
-  if (laboratory.test == LaboratoryTest::tension) test.speed = -test.speed;
-  if (laboratory.test == LaboratoryTest::brazilian) test.specimen = Specimen::disc;
-  test.largest_strain = laboratory.largest_strain;
-  test.sample_strain = laboratory.sample_strain;
-  test.step_fraction = scene.mechanics->critical_fraction;
-  test.confinement = laboratory.confinement;
-  test.flanks = laboratory.flanks;
-  test.confining_time = scene.mechanics->preload_time;
-  test.confining_damping = scene.mechanics->preload_damping;
-  test.chemical_damage = laboratory.chemical_damage;
-  if (laboratory.test == LaboratoryTest::heating) {
-    test.speed = 0;
-    test.heating_rate = laboratory.temperature_change / laboratory.duration;
-    test.largest_strain = scene.mechanics->parameters.thermal_expansion * laboratory.temperature_change;
-  }
-  return test;
-}
-
-QuenchTest quench_test(const Scene& scene) {
-  QuenchTest test;
-  test.drop = scene.laboratory->temperature_change;
-  test.samples = scene.laboratory->samples;
-  test.final_length = scene.laboratory->diffusion_length;
-  test.biot = scene.laboratory->biot;
-  test.duration = scene.laboratory->duration;
-  test.chemical_damage = scene.laboratory->chemical_damage;
-  test.step_fraction = scene.mechanics->critical_fraction;
-  return test;
-}
 
 std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options) {
   const std::string directory = run_directory(scene, options.directory);

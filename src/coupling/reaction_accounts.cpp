@@ -1,6 +1,6 @@
 // What the reactions tell: limits, balances of acid, product and rock, all of it and mineral by mineral.
-#include "coupling/gas_constant.hpp"
 #include "coupling/reaction_module.hpp"
+#include "kernels/base/gas_constant.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/mineral_sums.hpp"
 #include "kernels/reaction/surface_normal.hpp"

@@ -1,10 +1,10 @@
 #include "coupling/reaction_module.hpp"
 
 #include "coupling/face_temperature.hpp"
-#include "coupling/gas_constant.hpp"
 #include "coupling/minerals.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
+#include "kernels/base/gas_constant.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/mineral_sums.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"

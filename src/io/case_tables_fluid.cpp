@@ -1,6 +1,7 @@
 // [flow], [heat], [solute], [reaction]: what fills the pores and what it does to their walls.
 #include "io/detail/case_tables.hpp"
 #include "io/detail/nearest_name.hpp"
+#include "kernels/base/gas_constant.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +55,6 @@ double FlowSection::viscosity_at(double temperature) const {
     }
     return TimeTable(at, value).at(temperature);
   }
-  constexpr double gas_constant = 8.314462618;  // J/(mol K)
   return viscosity *
          std::exp(viscosity_activation_energy / gas_constant * (1 / temperature - 1 / reference_temperature));
 }

@@ -1,7 +1,7 @@
 // Births of fluid nodes on lattices small enough to follow by hand.
 #include "kernels/reaction/dissolution.hpp"
 
-#include "../reference/reactive_box.hpp"
+#include "../reference/drawn_box.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "support/dress_one.hpp"
 
@@ -17,23 +17,10 @@
 namespace vug {
 namespace {
 
-using reference::ReactiveBox;
+using reference::Box;
+using reference::box_of;
+using reference::V;
 using test::host_copy;
-using Box = ReactiveBox<D2Q5, double>;
-
-/// Rows of '.', fluid, and '#', solid; the first row is the top.
-Box box_of(const std::vector<std::string>& rows, double C0 = 0) {
-  const int ny = static_cast<int>(rows.size()), nx = static_cast<int>(rows[0].size());
-  Box box(
-      nx, ny, [&](int x, int y) { return rows[ny - 1 - y][x] == '#'; }, solute_parameters(0.1), C0);
-  box.wall.molar_volume = 1;
-  return box;
-}
-
-double& V(Box& box, int x, int y) {
-  return box.V(box.lattice.node(x, y));
-}
-
 void set_concentration(Box& box, int x, int y, double C) {
   const int i = box.nodes.index(box.lattice.node(x, y));
   for (int q = 0; q < 5; ++q) box.acid.h(q * box.nodes.capacity + i) = D2Q5::w(q) * C;
@@ -177,76 +164,6 @@ TEST(Births, ASolidThatVanishesAltogetherLeavesOnlyFluid) {
   EXPECT_EQ(box.solid_total(), 0);
   EXPECT_NEAR(box.acid_total(), start + sum_in_order(box.lost), 1e-13);
   EXPECT_LT(sum_in_order(box.lost), 0);
-}
-
-TEST(SurfaceNormal, PointsFromTheSolidIntoTheFluid) {
-  const std::array<std::pair<std::vector<std::string>, std::array<double, 2>>, 4> walls{{
-      {{".....", ".....", "#####", "#####", "#####"}, {0, 1}},
-      {{"#####", "#####", "#####", ".....", "....."}, {0, -1}},
-      {{"###..", "###..", "###..", "###..", "###.."}, {1, 0}},
-      {{"..###", "..###", "..###", "..###", "..###"}, {-1, 0}},
-  }};
-  for (const auto& [rows, direction] : walls) {
-    Box box = box_of(rows);
-    VectorField<double> normal;
-    find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, normal);
-    for (int s = 0; s < box.surface.count; ++s)
-      for (int axis = 0; axis < 2; ++axis) EXPECT_NEAR(normal(s, axis), direction[axis], 1e-15);
-    EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 5, 1e-14);
-  }
-}
-
-/// Rock whose opened pathways have handed their solid to the nodes beside them is as flat as any.
-TEST(SurfaceNormal, DoesNotSeeWhereSolidOfOpenedPathwaysHasGone) {
-  for (const int slope : {0, 1, 2}) {  // a wall that rises by `slope` nodes in 2
-    constexpr int nx = 40, ny = 60;
-    Box box(
-        nx, ny, [&](int x, int y) { return 2 * y < slope * x + 20; }, solute_parameters(0.1));
-    VectorField<double> uncracked, cracked;
-    find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, uncracked);
-    const double area = surface_area<D2Q5>(box.exec, box.nodes, box.surface, uncracked);
-    for (int y = 0; y < ny; ++y)
-      for (int x = 0; x < nx; ++x)
-        if (V(box, x, y) > 0 && (x / 7 + y / 5) % 2) V(box, x, y) = 1.5;  // one triangle, and its neighbour with 1
-    find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, cracked);
-    for (int s = 0; s < box.surface.count; ++s)
-      for (int axis = 0; axis < 2; ++axis) ASSERT_EQ(cracked(s, axis), uncracked(s, axis)) << slope << " " << s;
-    EXPECT_EQ(surface_area<D2Q5>(box.exec, box.nodes, box.surface, cracked), area);
-    double length = 0;  // between columns 6 and 34, away from the sides
-    for (int s = 0; s < box.surface.count; ++s)
-      for (int q = 1; q < D2Q5::Q; ++q) {
-        const int n = box.surface.node(s), x = box.lattice.x(n);
-        if (x < 6 || x >= 34 || box.nodes.index(n + box.lattice.offset(q)) < 0) continue;
-        length += link_area_share(cracked(s, 0), cracked(s, 1), D2Q9::c(q, 0), D2Q9::c(q, 1));
-      }
-    EXPECT_NEAR(length / (28 * std::hypot(1.0, 0.5 * slope)), 1, slope == 1 ? 5e-3 : 1e-14)
-        << slope;  // uncracked likewise
-    // half dissolved it is what rock of one cell is, half dissolved
-    VectorField<double> half, half_cracked;
-    for (const double of_node : {1.0, 1.5}) {
-      for (int s = 0; s < box.surface.count; ++s)
-        box.V(box.surface.node(s)) = box.dissolved(box.surface.node(s)) = of_node / 2;
-      find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, of_node == 1 ? half : half_cracked);
-    }
-    for (int s = 0; s < box.surface.count; ++s)
-      for (int axis = 0; axis < 2; ++axis) ASSERT_NEAR(half_cracked(s, axis), half(s, axis), 1e-14);
-  }
-}
-
-TEST(SurfaceNormal, IsUndefinedForAWallOfOnePixelHoweverItsVolumeVaries) {
-  Box box = box_of({"..#..", "..#..", "..#..", "..#..", "..#.."});
-  for (int y = 0; y < 5; ++y) V(box, 2, y) = 0.5 + 0.1 * y;
-  VectorField<double> normal;
-  find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, normal);
-  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 10 * 3.14159265358979 / 4, 1e-14);
-}
-
-TEST(SurfaceNormal, IsUndefinedForALonePixelWhichCountsAsADisc) {
-  Box box = box_of({".....", ".....", "..#..", ".....", "....."});
-  VectorField<double> normal;
-  find_normals(box.exec, box.nodes, box.surface, box.V, box.dissolved, normal);
-  EXPECT_EQ(normal(0, 0), 0);
-  EXPECT_NEAR(surface_area<D2Q5>(box.exec, box.nodes, box.surface, normal), 3.14159265358979, 1e-14);
 }
 
 TEST(SoluteBoundary, GivenConcentrationIsHeldHalfWay) {

@@ -1,69 +1,22 @@
-#include "io/image_reader.hpp"
-
-#include "io/detail/image_rows.hpp"
-#include "kernels/base/require.hpp"
-#include "temporary_folder.hpp"
+#include "unit/image_setup.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <random>
 #include <tiffio.h>
 
 namespace vug {
 namespace {
 
+using test::image;
+using test::lattice;
+using test::make;
+using test::make_png;
+using test::refusal;
+using test::solid_of;
+using test::values_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-// Pictures from Python's own zlib, Pillow and numpy: encoders that share nothing with the readers.
-int make(const std::string& script, const std::string& path, const std::string& kind) {
-  const auto command =
-      std::string(VUG_PYTHON) + " " + VUG_SOURCE_DIR + "/tests/unit/" + script + " " + path + " " + kind;
-  return std::system(command.c_str());
-}
-int make_png(const std::string& path, const std::string& kind) {
-  return make("make_png.py", path, kind);
-}
-
-ImageSection image(const std::string& path) {
-  ImageSection image;
-  image.file = path;
-  return image;
-}
-
-LatticeSection lattice(int nx, int ny, double spacing = 1e-6) {
-  LatticeSection lattice;
-  lattice.nx = nx;
-  lattice.ny = ny;
-  lattice.spacing = spacing;
-  return lattice;
-}
-
-std::vector<double> values_of(const ImageSection& image) {
-  const auto rows = detail::open_image(image);
-  std::vector<double> values;
-  std::vector<double> row(static_cast<std::size_t>(rows->header.width));
-  for (int y = 0; y < rows->header.height; ++y) {
-    rows->read(y, 0, row);
-    values.insert(values.end(), row.begin(), row.end());
-  }
-  return values;
-}
-
-std::vector<bool> solid_of(const ImageSection& image, int nx, int ny) {
-  return read_solid_image(image, lattice(nx, ny)).solid;
-}
-
-std::string refusal(const ImageSection& image, const LatticeSection& lattice) {
-  try {
-    read_solid_image(image, lattice);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 // make_png.py draws 3 x 2 pixels: 0, 0.2, 0.4 above 0.6, 0.8, 1.
 TEST(ImageReader, ReadsEveryKindOfPngAsItIsStored) {
@@ -283,91 +236,6 @@ TEST(ImageReader, CoarsensByMajorityOrMean) {
   EXPECT_THAT(solid_of(picture, 2, 1), ElementsAre(true, false));
   picture.threshold = 0.2;
   EXPECT_THAT(solid_of(picture, 2, 1), ElementsAre(false, false));
-}
-
-TEST(ImageReader, HoldsThePixelSizeAgainstTheLattice) {
-  const test::TemporaryFolder folder;
-  for (const auto& [kind, ending, size] : {std::tuple{"inch", "tif", 1e-6},
-                                           {"imagej", "tif", 0.5e-6},
-                                           {"nrrd_raw", "nrrd", 5e-6},
-                                           {"nrrd_gzip", "nrrd", 5e-6}}) {
-    auto picture = image(folder / (std::string("a.") + ending));
-    ASSERT_EQ(make("make_image.py", picture.file, kind), 0);
-    EXPECT_EQ(refusal(picture, lattice(4, 3, size)), "accepted") << kind;
-    EXPECT_THAT(refusal(picture, lattice(4, 3, 1.01 * size)), HasSubstr("the file says pixels of")) << kind;
-    picture.pixel_size = 3e-6;
-    EXPECT_EQ(refusal(picture, lattice(4, 3, 3e-6)), "accepted") << kind;
-    EXPECT_THAT(refusal(picture, lattice(4, 3, size)), HasSubstr("geometry.pixel_size says pixels of 3e-06")) << kind;
-  }
-  ASSERT_EQ(make("make_image.py", folder / "b.tif", "oblong"), 0);
-  EXPECT_THAT(refusal(image(folder / "b.tif"), lattice(4, 3)), HasSubstr("must be square"));
-}
-
-TEST(ImageReader, RefusesValuesThatAreNotWhatTheySeem) {
-  const test::TemporaryFolder folder;
-  auto picture = image(folder / "a.tif");
-  ASSERT_EQ(make("make_image.py", picture.file, "dark"), 0);
-  EXPECT_THAT(refusal(picture, lattice(4, 3)), HasSubstr("values of 8 bits in a wider type"));
-  picture.grey_range = {0, 255};
-  EXPECT_EQ(refusal(picture, lattice(4, 3)), "accepted");
-  auto raw = image(folder / "a.raw");
-  raw.raw_size = {4, 3};
-  ASSERT_EQ(make("make_image.py", raw.file, "raw_i2"), 0);
-  EXPECT_THAT(refusal(raw, lattice(4, 3)), HasSubstr("has 24 bytes, a raw image of 4 x 3 pixels of uint8 has 12"));
-  raw.raw_type = SampleType::int16;
-  raw.raw_big_endian = true;
-  EXPECT_EQ(values_of(raw)[11], 11);
-  ASSERT_EQ(make("make_image.py", raw.file, "raw_nan"), 0);
-  raw.raw_type = SampleType::float32;
-  raw.raw_big_endian = false;
-  raw.grey_range = {0, 11};
-  EXPECT_THAT(refusal(raw, lattice(4, 3)), HasSubstr("column 2, row 1 is nan"));
-  for (const auto& [kind, ending, why] : {std::tuple{"npy_fortran", "npy", "Fortran order"},
-                                          {"npy_c16", "npy", "'<c16'"},
-                                          {"nrrd_bzip2", "nrrd", "\"bzip2\""}}) {
-    const auto path = folder / (std::string("b.") + ending);
-    ASSERT_EQ(make("make_image.py", path, kind), 0);
-    EXPECT_THAT(refusal(image(path), lattice(4, 3)), HasSubstr(why)) << kind;
-  }
-}
-
-TEST(ImageReader, NamesBothSizesWhenTheyDiffer) {
-  const test::TemporaryFolder folder;
-  ASSERT_EQ(make_png(folder / "a.png", "grey8"), 0);
-  EXPECT_THAT(refusal(image(folder / "a.png"), lattice(400, 280)),
-              ::testing::AllOf(HasSubstr("3 x 2 pixels"), HasSubstr("400 x 280 nodes")));
-}
-
-TEST(ImageReader, RefusesDamageAsInput) {
-  const test::TemporaryFolder folder;
-  const std::vector<std::array<std::string, 4>> kinds = {{"make_png.py", "rgba8", "a.png", "12"},
-                                                         {"make_image.py", "pillow_u2_tiff_lzw", "a.tif", ""},
-                                                         {"make_image.py", "little", "b.tif", ""},
-                                                         {"make_image.py", "nrrd_gzip", "a.nrrd", "12"},
-                                                         {"make_image.py", "npy_u1", "a.npy", "0"}};
-  for (const auto& [script, kind, name, tail] : kinds) {
-    const auto path = folder / name;
-    ASSERT_EQ(make(script, path, kind), 0);
-    const auto whole = test::contents(path);
-    const auto read = [&] { values_of(image(path)); };
-    if (!tail.empty()) {  // what may be cut off: an empty end chunk, a checksum
-      for (std::size_t length = 0; length + std::stoul(tail) < whole.size(); ++length) {
-        test::write_text(path, whole.substr(0, length));
-        EXPECT_THROW(read(), InputError) << name << ' ' << length;
-      }
-    }
-    std::mt19937 random(1);
-    for (int i = 0; i < 300; ++i) {
-      auto damaged = whole;
-      damaged[random() % whole.size()] = static_cast<char>(random() % 256);
-      test::write_text(path, damaged);
-      try {
-        read_solid_image(image(path), lattice(4, 3));
-      } catch (const InputError&) {
-      }
-    }
-  }
-  EXPECT_THROW(values_of(image(folder / "missing.png")), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+// What the sides and openings of the flow say, on which links and at which time.
+#include "coupling/flow_module.hpp"
+#include "coupling/velocity_profile.hpp"
+#include "kernels/flow/open_boundary.hpp"
+#include "kernels/nodes/mirror_links.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+/// Who has the link out of a corner: a side with a given velocity, so that all of its fluid enters; then a wall, which
+/// may slide; a pressure and an outflow last.
+SideOrder corner_order(const std::vector<StretchLinks>& boundaries) {
+  const auto rank = [&](Side side) {
+    for (const StretchLinks& boundary : boundaries)
+      if (!boundary.stretch.opening && boundary.stretch.name == name_of(side)) {
+        const FlowBoundaryKind kind = boundary.stretch.conditions.flow.kind;
+        return kind == FlowBoundaryKind::velocity ? 0 : is_open(boundary.stretch.conditions.flow) ? 2 : 1;
+      }
+    return 1;
+  };
+  SideOrder order = all_sides;
+  std::stable_sort(order.begin(), order.end(), [&](Side a, Side b) { return rank(a) < rank(b); });
+  return order;
+}
+
+}  // namespace
+
+template <class T>
+void FlowModule<T>::find_boundaries(const Exec& exec) {
+  const FluidNodes& fluid = geometry_.fluid;
+  const SideOrder order = corner_order(boundaries_);
+  for (StretchLinks& boundary : boundaries_) {
+    const FlowBoundary& flow = boundary.stretch.conditions.flow;
+    boundary.find(exec, fluid, D2Q9::Q);
+    if (is_open(flow)) mark_open(exec, fluid, boundary.links);  // in the order of the solutes
+    if (!boundary.stretch.opening) boundary.find(exec, fluid, D2Q9::Q, order);
+    const bool outflow = flow.kind == FlowBoundaryKind::outflow;
+    if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
+      boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
+    boundary.share = shares_at_links(exec, fluid, boundary, geometry_.spacing);
+    if (flow.has_rate()) boundary.inflow = inflow_per_speed(boundary);
+    if (outflow || flow.kind == FlowBoundaryKind::pressure)
+      boundary.mirror = find_mirror_links(exec, fluid, boundary.links);
+    if (outflow) fit_to_links(exec, boundary.links, boundary.outflow);
+  }
+  Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
+}
+
+template <class T>
+double FlowModule<T>::given_speed(const StretchLinks& boundary, double time) const {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  if (!flow.has_rate()) return flow.risen(time) * flow.speed.at(time) / units_.velocity();
+  const double rate = flow.risen(time) * flow.rate(section_.density, time) / units_.diffusivity();
+  return boundary.inflow > 0 ? rate / boundary.inflow : 0;
+}
+
+template <class T>
+std::array<double, 2> FlowModule<T>::given_velocity(const StretchLinks& boundary, double time) const {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  const int outward = static_cast<int>(boundary.stretch.side);
+  if (flow.has_rate()) {
+    const double speed = given_speed(boundary, time);
+    return {-D2Q9::c(outward, 0) * speed, -D2Q9::c(outward, 1) * speed};
+  }
+  const auto component = [&](int axis) { return flow.risen(time) * flow.velocity[axis].at(time) / units_.velocity(); };
+  return {component(0), component(1)};
+}
+
+template <class T>
+FlowCondition FlowModule<T>::condition(const StretchLinks& boundary, double time,
+                                       const ScalarField<double>& gain) const {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  switch (flow.kind) {
+    case FlowBoundaryKind::pressure: {
+      const double start = section_.initial_pressure;
+      const double pressure = start + flow.risen(time) * (flow.pressure.at(time) - start);
+      return pressure_condition(boundary.links, boundary.mirror, units_.lattice_pressure(pressure), gain);
+    }
+    case FlowBoundaryKind::velocity:
+      if (boundary.stretch.opening)
+        return normal_speed_condition(boundary.links, boundary.area, given_speed(boundary, time), gain);
+      return velocity_condition(boundary.links, given_velocity(boundary, time), boundary.share, gain);
+    case FlowBoundaryKind::outflow:
+      return outflow_condition(boundary.links, boundary.mirror, boundary.outflow, gain);
+    case FlowBoundaryKind::wall:
+      if (flow.peak_speed() == 0) return {};
+      return velocity_condition(boundary.links, given_velocity(boundary, time), {}, gain);
+    case FlowBoundaryKind::periodic:
+      break;
+  }
+  return {};
+}
+
+#define VUG_INSTANTIATE(T)                                   \
+  template void FlowModule<T>::find_boundaries(const Exec&); \
+  template FlowCondition FlowModule<T>::condition(const StretchLinks&, double, const ScalarField<double>&) const
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

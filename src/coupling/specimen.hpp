@@ -1,0 +1,19 @@
+#pragma once
+// What a case with a [laboratory] tests, and how.
+#include "dem/laboratory.hpp"
+#include "dem/quench.hpp"
+#include "io/scene.hpp"
+
+namespace vug {
+
+/// The specimen of a case: generated, or read from its mesh.
+Assembly build_specimen(const Scene& scene);
+
+/// How long the mechanics of a test takes at most, s.
+double longest_test(const Scene& scene, const Assembly& specimen);
+
+/// The loading test of a case; not for a quench.
+PlatenTest platen_test(const Scene& scene);
+QuenchTest quench_test(const Scene& scene);
+
+}  // namespace vug
