@@ -99,5 +99,20 @@ TEST(AdvectiveForm, UniformConcentrationStaysUniformInADivergentField) {
   EXPECT_LT(corrected, 0.02);
 }
 
+TEST(AdvectiveForm, BooksWhatRoundingLetsInInSinglePrecision) {
+  // 2e-9 of C is lost in a population of C/3, whose last digit is 3e-8: nothing comes in, and nothing may be booked
+  const int n = 30;
+  ReactiveBox<D2Q5, float> box(n, n, [](int, int) { return false; }, solute_parameters(0.02), 1.0, {true, true});
+  const VectorField<float> u("u", box.nodes.capacity);
+  const ScalarField<float> e("e", box.nodes.capacity);
+  const ScalarField<double> booked("booked", block_count(box.nodes.count));
+  for (const float little : {2e-9f, 2e-5f}) {
+    Kokkos::deep_copy(e, little);
+    Kokkos::deep_copy(booked, 0);
+    advance_solute<D2Q5>(box.exec, box.nodes, box.parameters, u, e, box.acid, booked);
+    EXPECT_EQ(sum_in_order(booked) == 0, little < 1e-8f);
+  }
+}
+
 }  // namespace
 }  // namespace vug

@@ -99,8 +99,9 @@ struct SoluteSweep {
     }
     if constexpr (Flow::advective_form) {
       const V e = fetch<V>(&flow.e(i));
-      added = -c * e / (T(1) + e);
-      g[0] += added;
+      const V before = g[0];
+      g[0] -= c * e / (T(1) + e);
+      added = g[0] - before;  // what rounding has let in
       c += added;
     }
     put(&C(i), c);
