@@ -76,6 +76,7 @@ struct SolidVolume {
 /// At the middle of a link.
 struct FaceTemperature {
   ScalarField<double> T;
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int, int) const {}
   KOKKOS_FUNCTION double operator()(int solid, int fluid) const { return 0.5 * (T(solid) + T(fluid)); }
 };
 

@@ -1,6 +1,8 @@
 // The same bits in every build, whatever registers its processor has: digests of fields after some steps, recorded.
 #include "kernels/flow/flow.hpp"
 #include "kernels/reaction/reacting_solutes.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
+#include "kernels/reaction/surface_normal.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "support/flow_setup.hpp"
 #include "support/heat_box.hpp"
@@ -91,6 +93,43 @@ std::uint64_t heat_digest(ScalarVelocitySet set) {
   return hash ^ digest(inside);
 }
 
+/// The mean of two nodes.
+struct FaceBetween {
+  ScalarField<double> kelvin;
+  KOKKOS_FUNCTION void announce(int, int) const {}
+  KOKKOS_FUNCTION double operator()(int solid, int fluid) const { return 0.5 * (kelvin(solid) + kelvin(fluid)); }
+};
+
+/// Normals of a rock that has dissolved in part and been handed solid here and there, and what its links conduct.
+template <class T>
+std::uint64_t rates_digest(double inverse_equilibrium) {
+  const Lattice lattice(nx, ny);
+  test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false});
+  const ScalarField<double> volume("volume", lattice.size()), dissolved("dissolved", lattice.size()),
+      kelvin("kelvin", lattice.size());
+  for (int y = 0; y < ny; ++y)
+    for (int x = 0; x < nx; ++x) {
+      const int n = lattice.node(x, y);
+      kelvin(n) = 400 + 140 * noise(x, y);
+      dissolved(n) = is_rock(x, y) ? 0.4 * (1 + noise(x, 2 * y)) : 0;
+      volume(n) = is_rock(x, y) ? 1 - dissolved(n) + (noise(y, x) > 0.9 ? 0.3 : 0) : 0;
+    }
+  Surface surface;
+  find_surface(flow.exec, flow.nodes, test::shape(lattice, is_rock), surface);
+  VectorField<double> normal;
+  find_normals(flow.exec, flow.nodes, surface, volume, dissolved, normal);
+  ReactiveWall wall;
+  wall.inverse_equilibrium = inverse_equilibrium;
+  ReactiveLinks<T> links;
+  find_reactive_links<D2Q5>(flow.exec, flow.nodes, surface, wall.law, links);
+  for (const double k0 : {1e-4, 3e-4}) {
+    const ArrheniusRate<FaceBetween> rate{k0, 7553, 330, {kelvin}};
+    set_conductances<D2Q5>(flow.exec, flow.nodes, surface, wall, rate, normal, links, k0 > 2e-4 ? 0.3 : 0);
+  }
+  flow.exec.fence();
+  return digest(normal) ^ 3 * digest(links.conductance) ^ 5 * digest(links.rate);
+}
+
 TEST(SameBits, InEveryBuild) {
   if constexpr (!shares_host_memory) GTEST_SKIP() << "a GPU fuses multiplications and additions";
   struct Recorded {
@@ -113,6 +152,8 @@ TEST(SameBits, InEveryBuild) {
       {heat_digest<double>(ScalarVelocitySet::d2q9), 0xd2e7e5ba11942727},
       {heat_digest<float>(ScalarVelocitySet::d2q5), 0xfd5186d33e1371f4},
       {heat_digest<float>(ScalarVelocitySet::d2q9), 0x65a0f09299a378c9},
+      {rates_digest<double>(1e-3), 0xcd9200d5a237679c},
+      {rates_digest<float>(0.2), 0x9dd9f8b658079f87},
   };
   int k = 0;
   for (const Recorded& r : all) EXPECT_EQ(r.found, r.expected) << "entry " << k++;

@@ -206,6 +206,7 @@ TEST(ReactiveWall, ProductAppearsAsAcidDisappears) {
 
 struct WarmToTheRight {
   Lattice lattice;
+  KOKKOS_FUNCTION void announce(int, int) const {}
   KOKKOS_FUNCTION double operator()(int solid, int fluid) const {
     return 300 + 5.0 * (lattice.x(solid) + lattice.x(fluid));
   }

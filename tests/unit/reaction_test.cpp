@@ -3,10 +3,28 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug {
 namespace {
+
+TEST(Exponential, IsThatOfTheLibraryOverItsWholeRange) {
+  // steps that no power of two divides, so that all parts of the range of the series are met at all powers
+  double worst = 0;
+  for (double x = least_exponent; x <= largest_exponent; x += 0.00173) {
+    const long double exact = std::exp(static_cast<long double>(x));
+    worst = std::max(worst, static_cast<double>(std::abs(exponential(x) / exact - 1)));
+  }
+  for (double x = 1e-20; x < 1; x *= 1.07)
+    for (const double y : {x, -x})
+      worst =
+          std::max(worst, static_cast<double>(std::abs(exponential(y) / std::exp(static_cast<long double>(y)) - 1)));
+  EXPECT_LT(worst, 2.2e-16);
+  EXPECT_EQ(exponential(0), 1);
+  EXPECT_EQ(exponential(-1e9), exponential(least_exponent));
+  EXPECT_EQ(exponential(1e300), exponential(largest_exponent));
+}
 
 TEST(Arrhenius, MatchesTheTableOfRateRatios) {
   // k/k0 for Ea = 62.8 kJ/mol, evaluated independently to four digits

@@ -3,6 +3,7 @@
 // Lattice units; q = 1/K_eq (0 = irreversible); every form keeps its digits for rate constants from 1e-30 to 1e30 in
 // float as well as in double.
 #include "kernels/base/base.hpp"
+#include "kernels/base/exponential.hpp"
 
 namespace vug {
 
@@ -16,13 +17,14 @@ template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real arrhenius(Real k0, Real activation_temperature, Real temperature, Real reference) {
   const Real least = Real(coldest_reaction), most = Real(hottest_reaction);
   const Real t = temperature < least ? least : temperature > most ? most : temperature;
-  return k0 * Kokkos::exp(activation_temperature * (t - reference) / (t * reference));
+  return k0 * Real(exponential(static_cast<double>(activation_temperature * (t - reference) / (t * reference))));
 }
 
-/// k/(1 + k b) without overflow for large k.
+/// k/(1 + k b) without overflow for large k, where it is 1/b to the last digit.
 template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real saturating_rate(Real k, Real b) {
-  return k < Real(1) ? k / (Real(1) + k * b) : Real(1) / (Real(1) / k + b);
+  const Real large = Real(1e20), bounded = k < large ? k : large;
+  return bounded / (Real(1) + bounded * b);
 }
 
 /// What a link conducts by the closed form of Eq. 7: from a = A/w, the outgoing populations over the weight,

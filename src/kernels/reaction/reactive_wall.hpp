@@ -73,11 +73,14 @@ template <class Set, class T>
 void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
                          ReactiveLinks<T>& links, const Kokkos::View<const std::uint8_t*>& mineral = {});
 
-/// Rate policies: operator()(dense solid node, dense fluid node) gives the rate constant at their common face, in
-/// lattice units. This one is the same everywhere.
+/// Rate policies: kelvin(dense solid node, dense fluid node) is the temperature of their common face, which takes
+/// looking up, and at(dense solid node, kelvin) the rate constant there, in lattice units, which takes computing. This
+/// one is the same everywhere.
 struct UniformRate {
   double k = 0;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int, int) const { return k; }
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int, int) const {}
+  KOKKOS_FORCEINLINE_FUNCTION double kelvin(int, int) const { return 0; }
+  KOKKOS_FORCEINLINE_FUNCTION double at(int, double) const { return k; }
 };
 
 /// Rate constant after Arrhenius (Eq. 8) at the temperature `temperature(solid, fluid)`, in K, of the face.
@@ -87,8 +90,10 @@ struct ArrheniusRate {
   double activation_temperature = 0;  ///< Ea/R in K
   double reference_temperature = 0;   ///< K
   FaceTemperature temperature;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
-    return arrhenius<double>(k0, activation_temperature, temperature(solid, fluid), reference_temperature);
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int solid, int fluid) const { temperature.announce(solid, fluid); }
+  KOKKOS_FORCEINLINE_FUNCTION double kelvin(int solid, int fluid) const { return temperature(solid, fluid); }
+  KOKKOS_FORCEINLINE_FUNCTION double at(int, double kelvin) const {
+    return arrhenius<double>(k0, activation_temperature, kelvin, reference_temperature);
   }
 };
 
@@ -98,16 +103,18 @@ struct MineralArrhenius {
   MineralRates minerals;
   double reference_temperature = 0;  ///< K
   FaceTemperature temperature;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid, int fluid) const {
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int solid, int fluid) const { temperature.announce(solid, fluid); }
+  KOKKOS_FORCEINLINE_FUNCTION double kelvin(int solid, int fluid) const { return temperature(solid, fluid); }
+  KOKKOS_FORCEINLINE_FUNCTION double at(int solid, double kelvin) const {
     const MineralRate& mineral = minerals.at(solid);
-    return arrhenius<double>(mineral.k0, mineral.activation_temperature, temperature(solid, fluid),
-                             reference_temperature);
+    return arrhenius<double>(mineral.k0, mineral.activation_temperature, kelvin, reference_temperature);
   }
 };
 
 /// The same temperature everywhere, K.
 struct UniformTemperature {
   double kelvin = 0;
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int, int) const {}
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int, int) const { return kelvin; }
 };
 

@@ -33,20 +33,51 @@ struct SetConductance {
   int capacity;
   ReactiveLinks<T> links;
 
-  KOKKOS_FUNCTION void operator()(int l) const {
-    const int s = links.root(l) / 8, along = links.root(l) % 8 + 1;
-    const int fluid = links.slot(l) - Set::opposite(along) * capacity;
-    const T now = T(rate(surface(s), fluid_node(fluid)) * area.share(s, along));
+  /// The nodes at both ends of a link.
+  KOKKOS_FORCEINLINE_FUNCTION int solid(int l) const { return surface(links.root(l) / 8); }
+  KOKKOS_FORCEINLINE_FUNCTION int fluid(int l) const {
+    return fluid_node(links.slot(l) - Set::opposite(links.root(l) % 8 + 1) * capacity);
+  }
+  /// What is looked up here and there: share of true area; temperature of the face, by `rate`.
+  KOKKOS_FORCEINLINE_FUNCTION double share(int l) const { return area.share(links.root(l) / 8, links.root(l) % 8 + 1); }
+  /// What is computed from it.
+  KOKKOS_FORCEINLINE_FUNCTION void set(int l, double kelvin, double share) const {
+    const T now = T(rate.at(solid(l), kelvin) * share);
     const T led = now + ahead * (now - links.rate(l));
     const T k = led < now / 2 ? now / 2 : led > 2 * now ? 2 * now : led;
     links.rate(l) = now;
-    if (!constants.first_order(surface(s))) {
+    if (!constants.first_order(solid(l))) {
       links.conductance(l) = k;
       return;
     }
-    const T q = constants.equilibrium(surface(s));
+    const T q = constants.equilibrium(solid(l));
     links.conductance(l) =
         law == ReactiveWallLaw::kinetic ? kinetic_conductance(k, q) : paper_conductance(k, q, D1, D2);
+  }
+  KOKKOS_FUNCTION void operator()(int l) const { set(l, rate.kelvin(solid(l), fluid(l)), share(l)); }
+};
+
+/// A block of links on a host: all is looked up first, one by one, so that what is computed from it vectorises.
+template <class Body>
+struct SetConductancesOfBlock {
+  Body body;
+  KOKKOS_FUNCTION void operator()(int first, int last) const {
+    const Body local = body;
+    int solid[nodes_per_block], fluid[nodes_per_block];
+    double kelvin[nodes_per_block], share[nodes_per_block];
+    const int count = last - first;
+    for (int i = 0; i < count; ++i) {
+      solid[i] = local.solid(first + i);
+      fluid[i] = local.fluid(first + i);
+      local.rate.announce(solid[i], fluid[i]);
+      local.area.announce(local.links.root(first + i) / 8);
+    }
+    for (int i = 0; i < count; ++i) {
+      kelvin[i] = local.rate.kelvin(solid[i], fluid[i]);
+      share[i] = local.share(first + i);
+    }
+    VUG_VECTORISE
+    for (int i = 0; i < count; ++i) local.set(first + i, kelvin[i], share[i]);
   }
 };
 
@@ -57,9 +88,13 @@ void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& 
   const auto launch = [&](const auto& constants) {
     with_link_area(normal, [&](const auto& area) {
       using Body = SetConductance<T, Set, std::decay_t<decltype(constants)>, Rate, std::decay_t<decltype(area)>>;
-      for_each_node(exec, "vug::reactive_wall::conductances", links.share(),
-                    Body{wall.law, constants, T(wall.D_reactant), T(wall.D_product), T(ahead), rate, area, surface.node,
-                         nodes.node, nodes.capacity, links});
+      const Body body{wall.law, constants,    T(wall.D_reactant), T(wall.D_product), T(ahead), rate,
+                      area,     surface.node, nodes.node,         nodes.capacity,    links};
+      const char* label = "vug::reactive_wall::conductances";
+      if constexpr (runs_on_host)
+        for_each_block(exec, label, links.share(), SetConductancesOfBlock<Body>{body}, block_of_list(links.count));
+      else
+        for_each_node(exec, label, links.share(), body);
     });
   };
   if (wall.minerals.given())

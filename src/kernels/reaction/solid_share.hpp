@@ -4,10 +4,13 @@
 
 namespace vug {
 
+/// A node with more solid than this was given more than its own cell; what rounding adds to one is far less.
+inline constexpr double own_cell = 1 + 1e-9;
+
 /// Cells' worth of solid that a node was given: what is left and what has dissolved of it, at least its own cell.
 KOKKOS_FORCEINLINE_FUNCTION double solid_given(double V, double dissolved) {
   const double given = V + dissolved;
-  return given > 1 ? given : 1.0;
+  return given > own_cell ? given : 1.0;
 }
 
 /// Share of a node's own solid that is left: 1 in rock that nothing has dissolved, also where V is more than a cell
