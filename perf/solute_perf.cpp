@@ -91,10 +91,11 @@ struct WallSetting : SoluteSetting<T, Set> {
   ReactiveWall wall;
   ReactiveLinks<T> links;
   ArrheniusRate<FaceTemperature> rate{1e-9, 7553, 273.15, {temperature}};
-  ReactionLedger ledger{V,
-                        ScalarField<double>("dissolved", lattice.size()),
-                        ScalarField<double>("consumed", block_count(lattice.size())),
-                        {}};
+  ReactionLedger ledger{.V = V,
+                        .dissolved = ScalarField<double>("dissolved", lattice.size()),
+                        .consumed = ScalarField<double>("consumed", block_count(lattice.size())),
+                        .released = {},
+                        .acid = {}};
 
   explicit WallSetting(const Geometry& geometry) : Base(geometry) {
     for_each_node(exec, "vug::perf::volume", lattice.size(), SolidVolume{this->type, V});

@@ -18,26 +18,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-TEST(NextFactor, KeepsWhatWasSeenBelowTheToleranceAndAtMostDoubles) {
-  EXPECT_EQ(next_factor(8, 0, 1e-2), 16);        // nothing is wrong
-  EXPECT_EQ(next_factor(8, 1e-2, 1e-2), 6);      // of the error allowed three quarters are used
-  EXPECT_EQ(next_factor(8, 0.75e-2, 1e-2), 8);   // just right
-  EXPECT_EQ(next_factor(8, 1e-3, 1e-2), 16);     // at most doubles
-  EXPECT_EQ(next_factor(8, 1, 1e-2), 1);         // never slower than the fluid
-  EXPECT_EQ(next_factor(8, INFINITY, 1e-2), 1);  // nothing is known
-  EXPECT_EQ(next_factor(8e5, 0, 1e-2), largest_factor);
-}
-
-TEST(ScheduleOfAgeingRock, IsDueWhenTheTimePassesAMultiple) {
-  const Schedule by_steps(3, 0), by_time(1, 0.5);
-  EXPECT_TRUE(by_steps.due({2, 0.1}, {3, 0.1}));
-  EXPECT_FALSE(by_steps.due({3, 0.1}, {4, 0.1}));
-  EXPECT_FALSE(by_time.due({4, 0.1, 0}, {5, 0.1, -0.01}));
-  EXPECT_TRUE(by_time.due({4, 0.1, 0}, {5, 0.1, 0}));  // 0.1 5 is not quite 0.5
-  EXPECT_TRUE(by_time.due({4, 0.1, 0}, {5, 0.1, 7}));
-  EXPECT_FALSE(by_time.due({5, 0.1, 0}, {6, 0.1, 0}));
-}
-
 /// Still acid between a reservoir and a wall that it dissolves as fast as it gets there.
 const std::string wall = R"(
 [lattice]

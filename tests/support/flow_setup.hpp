@@ -5,6 +5,7 @@
 #include "kernels/nodes/mirror_links.hpp"
 #include "support/host_copy.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -78,12 +79,13 @@ struct Flow {
     set_equilibrium(exec, nodes, rho, fields);
   }
 
-  /// Moments of the last sweep at node (x, y).
+  /// Moments of the last sweep at fluid node (x, y); throws where there is rock.
   Macroscopic<double> at(int x, int y) const {
     const auto index = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.index);
     const auto rho = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, densities(exec, nodes, fields));
     const auto u = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fields.u);
     const int i = index(lattice.node(x, y));
+    if (i < 0) throw std::out_of_range("Flow::at: there is rock");
     return {rho(i), u(i, 0), u(i, 1)};
   }
 

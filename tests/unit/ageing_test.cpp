@@ -1,0 +1,90 @@
+// How fast the rock may age beside the fluid (accuracy.dissolution_tolerance), number by number; runs are in
+// scenes/slow_scenes_test.cpp.
+#include "coupling/ageing.hpp"
+
+#include "coupling/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug {
+namespace {
+
+TEST(NextFactor, KeepsWhatWasSeenBelowTheToleranceAndAtMostDoubles) {
+  EXPECT_EQ(next_factor(8, 0, 1e-2), 16);        // nothing is wrong
+  EXPECT_EQ(next_factor(8, 1e-2, 1e-2), 6);      // of the error allowed three quarters are used
+  EXPECT_EQ(next_factor(8, 0.75e-2, 1e-2), 8);   // just right
+  EXPECT_EQ(next_factor(8, 1e-3, 1e-2), 16);     // at most doubles
+  EXPECT_EQ(next_factor(8, 1, 1e-2), 1);         // never slower than the fluid
+  EXPECT_EQ(next_factor(8, INFINITY, 1e-2), 1);  // nothing is known
+  EXPECT_EQ(next_factor(8e5, 0, 1e-2), largest_factor);
+}
+
+TEST(ScheduleOfAgeingRock, IsDueWhenTheTimePassesAMultiple) {
+  const Schedule by_steps(3, 0), by_time(1, 0.5);
+  EXPECT_TRUE(by_steps.due({2, 0.1}, {3, 0.1}));
+  EXPECT_FALSE(by_steps.due({3, 0.1}, {4, 0.1}));
+  EXPECT_FALSE(by_time.due({4, 0.1, 0}, {5, 0.1, -0.01}));
+  EXPECT_TRUE(by_time.due({4, 0.1, 0}, {5, 0.1, 0}));  // 0.1 5 is not quite 0.5
+  EXPECT_TRUE(by_time.due({4, 0.1, 0}, {5, 0.1, 7}));
+  EXPECT_FALSE(by_time.due({5, 0.1, 0}, {6, 0.1, 0}));
+}
+
+/// With looks of our own making.
+class Pace : public Ageing {
+ public:
+  explicit Pace(double tolerance) : Ageing(tolerance) {}
+  using Ageing::Look;
+  using Ageing::take_in;
+  void step(const Exec&, const Clock&) override {}
+};
+
+TEST(Ageing, PaceAndBoundFollowEveryLook) {
+  Pace pace(1e-2);
+  EXPECT_EQ(pace.factor(), 1);
+  EXPECT_EQ(pace.error(), 0);  // nothing has dissolved
+
+  // {dissolved, off the steady state, loss of a wall node, share of its age, still, steps}
+  pace.take_in({2, 2e-3, 1e-3, 1e-3, true, 10});
+  EXPECT_DOUBLE_EQ(pace.factor(), 2);  // at most doubles
+  EXPECT_EQ(pace.error(), 0);          // the rock had not aged faster yet
+  EXPECT_DOUBLE_EQ(pace.residual(), 2e-3);
+
+  pace.take_in({1, 5e-3, 1e-3, 1e-3, true, 10});
+  EXPECT_DOUBLE_EQ(pace.factor(), 3);  // 0.75 of the tolerance over what was seen
+  EXPECT_DOUBLE_EQ(pace.error(),
+                   0.5 * 5e-3 * 1 / 3);  // at the factor 2 half of what dissolved is more than was paid for
+
+  pace.take_in({1, 1e-3, 1e-2, 2e-3, true, 10});  // a wall node is the first to complain
+  EXPECT_DOUBLE_EQ(pace.factor(), 2.25);
+  pace.take_in({1, 1e-3, 2e-3, 1.5e-2, true, 10});  // the age of the rock is
+  EXPECT_DOUBLE_EQ(pace.factor(), 1.125);
+  EXPECT_EQ(pace.waits(), 0);
+  EXPECT_DOUBLE_EQ(pace.largest(), 3);
+
+  const double before = pace.error() * 5;
+  pace.take_in({1, 7, 0, 0, true, 10});  // acid breaks through: no more than all of it can be wrong
+  EXPECT_EQ(pace.factor(), 1);
+  EXPECT_EQ(pace.waits(), 1);
+  EXPECT_DOUBLE_EQ(pace.error() * 6, before + (1 - 1 / 1.125));
+
+  EXPECT_EQ(pace.waiting_steps(), 10);  // those of the first look
+  pace.take_in({1, 0, 0, 0, false, 10});
+  EXPECT_EQ(pace.factor(), 1) << "the flow moves";
+  EXPECT_EQ(pace.waits(), 1) << "it waits already";
+  EXPECT_EQ(pace.waiting_steps(), 20);
+}
+
+TEST(Ageing, WhereNothingReactsYetTheBoundStaysFinite) {
+  Pace pace(1e-2);
+  pace.take_in({1, 0, 0, 0, true, 1});
+  pace.take_in({0, INFINITY, 0, 0, true, 1});  // nothing has dissolved though there is a wall
+  EXPECT_EQ(pace.factor(), 1);
+  EXPECT_EQ(pace.error(), 0);
+  pace.take_in({0, 0, 0, 0, true, 1});
+  EXPECT_EQ(pace.factor(), 2);
+}
+
+}  // namespace
+}  // namespace vug
