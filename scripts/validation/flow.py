@@ -152,11 +152,11 @@ def open_channel(records, figures):
     names = ["trt"] + sorted({row["collision"] for row in mirror} - {"trt"})
     rows = [line(name, [row for row in mirror if row["collision"] == name]) for name in names]
     rows.append(line("trt, each link its own image", itself))
-    echoes = ", ".join(f"{100 * row['echo']:.2f} % at {row['speed']:g} U" for row in sorted(vortex, key=lambda row: row["speed"]))
+    echoes = ", ".join(f"{100 * row['echo']:.3f} % at {row['speed']:g} U" for row in sorted(vortex, key=lambda row: row["speed"]))
     return section(
         "Channels between open sides",
         "PressureDrivenChannel, Outflow.DevelopedProfileLeavesUnchangedInEveryDirectionAndCollision, "
-        "Outflow.AVortexLeavesWithoutAnEcho",
+        "Outflow.AVortexLeavesWithoutAnEcho, Outflow.AVortexLeavesAlikeThroughEverySideAndAnywhereOnIt",
         "A channel of length 4 H between two pressures, creeping: flow rate (sum over the cells of a section) against "
         "G H³/(12 ν), with the gradient G over the whole length from side to side. Second order in every collision, and "
         "none of it from the sides: the slip of the walls and the sum together are (8 Λ - 1)/n², with Λ the product of the "
@@ -169,7 +169,7 @@ def open_channel(records, figures):
         "Outflow: behind an inlet with plug flow the developed profile leaves unchanged to "
         f"{largest(profile):.0e} of the mean, with the pressure at its reference on the side. Of the energy of a vortex "
         "that a flow U carries out comes back, by the largest speed in the vortex: "
-        f"{echoes}; it grows with the square of the speed, as the pressure in the core.",
+        f"{echoes} (0.09, 0.55 and 2.4 % without the pressure along the side that carries it out).",
         table(["collision"] + [f"{n} cells" for n in widths], rows))
 
 

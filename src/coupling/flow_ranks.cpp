@@ -25,7 +25,11 @@ void FlowModule<T>::find_halos() {
   for (const StretchLinks& boundary : boundaries_)
     for (int link = 0; is_dressed(boundary.stretch.conditions.flow) && link < boundary.links.count; ++link) {
       nodes.push_back(boundary.links.fluid(link));
-      slots.push_back(boundary.links.direction(link) * fluid.capacity + nodes.back());
+      const int out = boundary.links.direction(link) * fluid.capacity;
+      slots.push_back(out + nodes.back());
+      if (boundary.outflow.along.extent(0) == 0) continue;
+      const int behind = fluid.source(slots.back()) - out;  // not a node beside rock
+      if (behind >= 0 && behind < fluid.count) nodes.push_back(behind);
     }
   populations_ = split.populations(fluid, D2Q9::Q);
   dressed_ = split.slots(fluid, slots);

@@ -1,5 +1,6 @@
 #include "kernels/flow/open_boundary.hpp"
 
+#include "kernels/flow/outflow.hpp"
 #include "kernels/launch/launch_lists.hpp"
 
 #include <algorithm>
@@ -12,15 +13,15 @@ template <class T>
 struct PressureRule {
   static constexpr bool slides = false;
   T value;  ///< 3 p
-  KOKKOS_FORCEINLINE_FUNCTION T density() const { return value; }
+  KOKKOS_FORCEINLINE_FUNCTION T density(int) const { return value; }
 };
 
-/// Density of the step; the nodes' velocity along the surface.
+/// Density of the step, on a side with what varies along it; the nodes' velocity along the surface.
 template <class T>
 struct OutflowRule {
   static constexpr bool slides = true;
-  const double* level;
-  KOKKOS_FORCEINLINE_FUNCTION T density() const { return T(level[1]); }
+  const double *level, *along;
+  KOKKOS_FORCEINLINE_FUNCTION T density(int link) const { return T(along ? level[1] + along[link] : level[1]); }
 };
 
 /// Dresses each pair of links that are images of each other by a rule, from the first of them, and books the change of
@@ -46,10 +47,11 @@ struct DressMirrored {
   /// velocity along the surface turned round with the image unless fluid may slide.
   KOKKOS_FORCEINLINE_FUNCTION T returned(int image, int link) const {
     const int i = links.fluid[image], q = links.direction[image];
-    return even(q, i) + even(Rule::slides ? links.direction[link] : q, i) - f(q * capacity + i);
+    const T rho = rule.density(image);
+    return even(q, i, rho) + even(Rule::slides ? links.direction[link] : q, i, rho) - f(q * capacity + i);
   }
-  KOKKOS_FORCEINLINE_FUNCTION T even(int q, int i) const {
-    const T rho = rule.density(), ux = u(i, 0), uy = u(i, 1);
+  KOKKOS_FORCEINLINE_FUNCTION T even(int q, int i, T rho) const {
+    const T ux = u(i, 0), uy = u(i, 1);
     return T(0.5) * (equilibrium(q, rho, ux, uy) + equilibrium(D2Q9::opposite(q), rho, ux, uy));
   }
   /// 6 w t.u with the mean velocity of both nodes and the part t of the direction that lies in the surface.
@@ -136,7 +138,7 @@ struct DressFlow {
     if (c.kind == Kind::pressure)
       run(DressMirrored<T, PressureRule<T>>{c, f, u, capacity, {T(3 * c.value[0])}});
     else if (c.kind == Kind::outflow)
-      run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c.level}});
+      run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c.level, c.along}});
     else if (c.kind == Kind::velocity)
       run(DressLinks<T, VelocityRule<T>>{c, f, capacity, {x, y}});
     else if (c.kind == Kind::velocity_profile)
@@ -167,8 +169,18 @@ FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarFie
 
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain) {
-  return {Kind::outflow, links.count, links.fluid.data(), links.direction.data(), gain.data(),       mirror.data(),
-          nullptr,       {0, 0},      state.faces,        state.speed.data(),     state.level.data()};
+  return {Kind::outflow,
+          links.count,
+          links.fluid.data(),
+          links.direction.data(),
+          gain.data(),
+          mirror.data(),
+          nullptr,
+          {0, 0},
+          state.faces,
+          state.speed.data(),
+          state.level.data(),
+          state.along.extent(0) ? state.along.data() : nullptr};
 }
 
 struct IsFace {
@@ -176,64 +188,15 @@ struct IsFace {
   KOKKOS_FUNCTION void operator()(int link, int& faces) const { faces += direction(link) < D2Q5::Q; }
 };
 
-void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowState& state) {
+void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowPlace place, OutflowState& state) {
   int faces = 0;
   Kokkos::parallel_reduce("vug::open_boundary::faces", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
                           IsFace{links.direction}, faces);
   state.faces = faces;
   state.speed = ScalarField<double>("vug::open_boundary::speed", block_count(links.count));
   Kokkos::resize(exec, state.level, 2);
+  state.along = ScalarField<double>("vug::open_boundary::along", place == OutflowPlace::side ? links.count : 0);
 }
-
-/// Outward speed through a face.
-template <class T>
-struct OutwardSpeed {
-  FlowCondition links;
-  VectorField<T> u;
-  KOKKOS_FUNCTION double operator()(int link) const {
-    const int i = links.fluid[link], q = links.direction[link];
-    return q < D2Q5::Q ? D2Q9::c(q, 0) * double(u(i, 0)) + D2Q9::c(q, 1) * double(u(i, 1)) : 0;
-  }
-};
-
-/// Of all links of each outflow.
-template <class T>
-struct OutwardSpeeds {
-  using Entry = FlowCondition;
-  VectorField<T> u;
-  static int count(const FlowCondition& c) { return c.faces > 0 ? c.count : 0; }
-  template <class Run>
-  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    run(OutwardSpeed<T>{c, u});
-  }
-};
-
-/// rho' = 3 c_s (U - U_0), then U_0 += share (U - U_0), with the mean speed U whose sums it clears.
-struct SetOutflowLevel {
-  FlowCondition links;
-  double share;
-  KOKKOS_FUNCTION void operator()(int) const {
-    double sum = 0;
-    for (int block = 0; block < block_count(links.count); ++block) {
-      sum += links.total[block];
-      links.total[block] = 0;
-    }
-    const double change = sum / links.faces - links.level[0];
-    links.level[1] = 3 * Kokkos::sqrt(c_s2) * change;
-    links.level[0] += share * change;
-  }
-};
-
-/// Of each outflow.
-struct SetOutflowLevels {
-  using Entry = FlowCondition;
-  double share;
-  static int count(const FlowCondition& c) { return c.faces > 0 ? 1 : 0; }
-  template <class Run>
-  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    run(SetOutflowLevel{c, share});
-  }
-};
 
 template <class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondition> conditions,
@@ -241,6 +204,8 @@ void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondit
   const double crossing = std::max(nodes.lattice.nx, nodes.lattice.ny) / std::sqrt(c_s2);
   add_per_block_of_lists(exec, "vug::open_boundary::outward_speed", conditions, OutwardSpeeds<T>{fields.u});
   for_each_of_lists(exec, "vug::open_boundary::outflow_level", conditions, SetOutflowLevels{1 / (4 * crossing)});
+  for_each_of_lists(exec, "vug::open_boundary::pressure_along", conditions,
+                    PressuresAlong<T>{fields.u, nodes.source.data(), nodes.count, nodes.capacity});
   for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
 }
 

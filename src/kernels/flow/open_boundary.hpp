@@ -20,7 +20,7 @@ struct FlowCondition {
   const int* mirror = nullptr;              ///< (link) of pressures and outflows
   const double* part = nullptr;             ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
-  double faces = 0, *total = nullptr, *level = nullptr;  ///< those of an OutflowState
+  double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< those of an OutflowState
 };
 
 /// Pressure p (gauge, lattice units) and no velocity along the surface: what comes in along a link is
@@ -50,16 +50,19 @@ struct OutflowState {
   /// 0: mean outward speed, forgotten over the time that sound takes to cross the lattice four times;
   /// 1: rho' at the surface in this step. At rest: zeros.
   ScalarField<double> level;
+  ScalarField<double> along;  ///< (link) room for what rho' differs from that; empty in an opening
 };
 
-/// Room and faces for `links`; keeps the level that is there.
-void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowState& state);
+enum class OutflowPlace { side, opening };
 
-/// Outflow: the pressure rule with the velocity along the surface that the nodes have (no gradient) and, all over the
-/// surface, the reference pressure plus c_s times what the mean outward speed has changed by of late: sound that
-/// arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), the mean
-/// pressure returns to the reference. Only the mean: a vortex, which carries no fluid on the whole, meets a constant
-/// pressure.
+/// Room and faces for `links`; keeps the level that is there.
+void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowPlace place, OutflowState& state);
+
+/// Outflow: the pressure rule with the velocity along the surface that the nodes have (no gradient) and two things
+/// beside the reference pressure. All over the surface, c_s times what the mean outward speed has changed by of late:
+/// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), the
+/// mean pressure returns to the reference. Along a side, the pressure under which a vortex is carried out as it is
+/// (PressureAlong in outflow.hpp), with no mean; an opening has none.
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 
