@@ -74,9 +74,28 @@ def nine_panels(snapshots, folder):
                     figure.colorbar(image, ax=axes, label=unit, shrink=0.8)
         if unit and limits:
             figure.colorbar(image, ax=grid, label=unit, shrink=0.6)
-        figure.suptitle(title if unit else "fractures: failed bonds red, damaged blue, from the start black")
+        figure.suptitle(title if unit else "failed bonds red, damaged blue, from the start black", fontsize=11)
         figure.savefig(folder / f"{name}.png", dpi=110)
         plt.close(figure)
+
+
+def closer_look(snapshots, folder, reach=0.025):
+    """Reactant and fractures within `reach` (m) of the hole, snapshots as above; what fine lattices hide in Fig. 8."""
+    columns = min(3, len(snapshots))
+    rows = -(-len(snapshots) // columns)
+    figure, grid = plt.subplots(rows, columns, squeeze=False, constrained_layout=True, figsize=(1.2 + 4.4 * columns, 4.2 * rows))
+    for axes in grid.flat:
+        axes.set_axis_off()
+    for axes, ((p, da), snapshot) in zip(grid.flat, sorted(snapshots.items(), key=lambda item: (item[0][1], item[0][0]))):
+        image = draw(axes, snapshot, concentration, (0, 3), True)
+        middle = CM * sum(snapshot.extent[2:]) / 2
+        axes.set_xlim(0, CM * reach)
+        axes.set_ylim(middle - CM * reach / 2, middle + CM * reach / 2)
+        axes.set_title(f"{p} MPa, Da = {da:g}, t = {snapshot.time:.3g} s", fontsize=10)
+    figure.colorbar(image, ax=grid, label="reactant L1 / (mol/L)", shrink=0.6)
+    figure.suptitle("at the hole: failed bonds red, damaged blue, from the start black", fontsize=10)
+    figure.savefig(folder / "closer_look.png", dpi=110)
+    plt.close(figure)
 
 
 def reactive_area(curves, folder):
@@ -98,6 +117,8 @@ def reactive_area(curves, folder):
 def evolution(snapshots, folder, name):
     """Fig. 13: reactant and fractures of one condition as it goes on."""
     figure, grid = plt.subplots(-(-len(snapshots) // 2), 2, squeeze=False, constrained_layout=True, figsize=(9.6, 6.4))
+    for axes in grid.flat[len(snapshots):]:
+        axes.set_axis_off()
     for axes, snapshot in zip(grid.flat, snapshots):
         image = draw(axes, snapshot, concentration, (0, 3), True)
         axes.set_title(f"t = {snapshot.time:.3g} s", fontsize=10)
