@@ -53,13 +53,16 @@ void expect_as_the_table() {
       }
       Pack<T> g[Set::Q];
       packs.pull(f.data(), i, g);
-      T upstream[Set::Q][pack_size];
-      packs.upstream(f.data(), i, upstream, 0, [](int) { return true; });
+      T upstream[2][Set::Q][pack_size];  // of two fields, the second without direction 3
+      for (T& left : upstream[1][3]) left = T(-1);
+      packs.upstream({f.data(), f.data() + 1}, i, upstream, 0, [](int q, int field) { return field == 0 || q != 3; });
       for (int q = 0; q < Set::Q; ++q)
         for (int l = 0; l < pack_size; ++l) {
           const int slot = nodes.source(q * nodes.capacity + i + l), from = slot - q * nodes.capacity;
           ASSERT_EQ(g[q][l], f[slot]) << "direction " << q << ", node " << i + l;
-          ASSERT_EQ(upstream[q][l], f[from >= 0 && from < nodes.capacity ? from : i + l]) << q << ' ' << i + l;
+          const int there = from >= 0 && from < nodes.capacity ? from : i + l;
+          ASSERT_EQ(upstream[0][q][l], f[there]) << q << ' ' << i + l;
+          ASSERT_EQ(upstream[1][q][l], q == 3 ? T(-1) : f[there + 1]) << q << ' ' << i + l;
           expected[nodes.source(Set::opposite(q) * nodes.capacity + i + l)] = f[slot];
         }
       packs.push(turned.data(), i, g);

@@ -9,6 +9,7 @@
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/packs/pack.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace vug {
@@ -93,27 +94,32 @@ struct SourcePacks {
     }
   }
 
-  /// `field` (fluid) at the nodes that the directions of i .. i + 7 come from, into `value` from `at` on; at a wall or
-  /// a side that of the node itself. Of directions other than those that `matters` says true of, nothing.
+  /// Two fields (fluid) at the nodes that the directions of i .. i + 7 come from, into value[field][q] from `at` on; at
+  /// a wall or a side those of the node itself. Where `matters(q, field)` is not true, nothing.
   template <int some, class Matters>
-  void upstream(const T* field, int i, T (&value)[Set::Q][some], int at, const Matters& matters) const {
-    const Pack<T> own = P::load(field + i);
-    P::store(value[0] + at, own);
+  void upstream(const std::array<const T*, 2>& fields, int i, T (&value)[2][Set::Q][some], int at,
+                const Matters& matters) const {
+    for (int n = 0; n < 2; ++n) P::store(value[n][0] + at, P::load(fields[n] + i));
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      if (!matters(q)) continue;
       const int plane = q * capacity;
       if constexpr (by_windows)
         if (const SourceWindow& w = windows[i + q - 1]; !w.is_irregular()) [[likely]] {
-          const T* const run = field - plane;
-          const Pack<T> there = P::pick(w.from, P::load(run + w.near), P::load(run + w.far));
-          P::store(value[q] + at, P::blend(w.bounced, there, own));
+          for (int n = 0; n < 2; ++n) {
+            if (!matters(q, n)) continue;
+            const T* const run = fields[n] - plane;
+            const Pack<T> there = P::pick(w.from, P::load(run + w.near), P::load(run + w.far));
+            P::store(value[n][q] + at, P::blend(w.bounced, there, P::load(fields[n] + i)));
+          }
           continue;
         }
+      int node[pack_size];
       for (int l = 0; l < pack_size; ++l) {
         const int from = source[plane + i + l] - plane;
-        value[q][at + l] = field[from >= 0 && from < capacity ? from : i + l];
+        node[l] = static_cast<unsigned>(from) < static_cast<unsigned>(capacity) ? from : i + l;
       }
+      for (int n = 0; n < 2; ++n)
+        if (matters(q, n)) P::store(value[n][q] + at, P::gather(fields[n], node));
     }
   }
 

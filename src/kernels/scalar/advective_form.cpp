@@ -71,18 +71,16 @@ struct DefectsOfBlock {
     constexpr int some = shortest_block;
     int i = first;
     for (; i + some <= last; i += some) {
-      alignas(64) T ux[Set::Q][some], uy[Set::Q][some];
-      for (int l = 0; l < some; l += pack_size) {
-        packs.upstream(&local.u.u(0, 0), i + l, ux, l, [](int q) { return Defect::matters(q, 0); });
-        packs.upstream(&local.u.u(0, 1), i + l, uy, l, [](int q) { return Defect::matters(q, 1); });
-      }
+      alignas(64) T u[2][Set::Q][some];
+      for (int l = 0; l < some; l += pack_size)
+        packs.upstream({&local.u.u(0, 0), &local.u.u(0, 1)}, i + l, u, l, Defect::matters);
       VUG_VECTORISE
       for (int l = 0; l < some; ++l) {
         T own_x[Set::Q], own_y[Set::Q];
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) {
-          own_x[q] = Defect::matters(q, 0) ? local.u.steps * ux[q][l] : T(0);
-          own_y[q] = Defect::matters(q, 1) ? local.u.steps * uy[q][l] : T(0);
+          own_x[q] = Defect::matters(q, 0) ? local.u.steps * u[0][q][l] : T(0);
+          own_y[q] = Defect::matters(q, 1) ? local.u.steps * u[1][q][l] : T(0);
         }
         local.finish(i + l, own_x, own_y);
       }
