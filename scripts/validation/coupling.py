@@ -131,9 +131,9 @@ def cracked_slab(records, _):
         "A front of acid in cracked rock", "CrackedSlab",
         "A slab of 60 x 24 cells that acid dissolves from one side, with two bonds of three open as pathways of three cells; "
         "the solid of the opened cells is still there, in the nodes beside them, never more than two cells' worth in one. "
-        "Times over those of the same rock uncracked: until half of the slab's solid is gone, and until 1 % is left of its "
-        "first half (no stones stay behind). Where diffusion decides, k h/D = 100 with h the cell, cracks must not matter. "
-        "Where the reaction decides, they do: the walls of open pathways are reactive surface.",
+        "Times over those of the same rock uncracked, means of five rocks: until half of the slab's solid is gone, and until 1 % is left of its "
+        "first half (no stones stay behind). Where diffusion decides, k h/D = 100 with h the cell, cracks must not matter, "
+        "but for acid that goes ahead in those that are open before it comes. Where the reaction decides, they do: the walls of open pathways are reactive surface.",
         table(["k h/D", "cracks", "half gone", "first half gone", "most in a node, cells"],
               [[f"{r['k']:g}", r["cracks"], f"{r['half']:.3f}", f"{r['passed']:.3f}", f"{r['most']:.2f}"] for r in rows]))
 

@@ -44,8 +44,7 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
     if (flow.has_rate()) boundary.inflow = inflow_per_speed(boundary);
     if (outflow || flow.kind == FlowBoundaryKind::pressure)
       boundary.mirror = find_mirror_links(exec, fluid, boundary.links);
-    const OutflowPlace place = boundary.stretch.opening ? OutflowPlace::opening : OutflowPlace::side;
-    if (outflow) fit_to_links(exec, boundary.links, place, boundary.outflow);
+    if (outflow) fit_to_links(exec, fluid, boundary.links, boundary.outflow);
   }
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }

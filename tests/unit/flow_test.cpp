@@ -151,7 +151,7 @@ TEST(OpenBoundaries, MassInTheBoxIsWhatTheyBooked) {
   const IndexList left_mirror = flow.mirror(left), right_mirror = flow.mirror(right);
   const ScalarField<double> gain_right("gain", 100), gain_top("gain", 100);
   OutflowState outflow;
-  fit_to_links(flow.exec, right, OutflowPlace::side, outflow);
+  fit_to_links(flow.exec, flow.nodes, right, outflow);
   for (int t = 0; t < 200; ++t) {
     dress_pressure(flow.exec, flow.nodes, left, left_mirror, 0.01, flow.fields, flow.gain);
     dress_outflow(flow.exec, flow.nodes, right, right_mirror, outflow, flow.fields, gain_right);
@@ -176,7 +176,7 @@ TEST(OutflowBoundary, PassesUniformFlowUnchangedWhateverItsDirection) {
   const BoundaryLinks left = flow.side(Side::left), right = flow.side(Side::right);
   const IndexList mirror = flow.mirror(right);
   OutflowState outflow;
-  fit_to_links(flow.exec, right, OutflowPlace::side, outflow);
+  fit_to_links(flow.exec, flow.nodes, right, outflow);
   Kokkos::deep_copy(Kokkos::subview(outflow.level, 0), 0.05);  // it has flowed so for long
   for (int t = 0; t < 100; ++t) {
     dress_velocity(flow.exec, flow.nodes, left, {0.05, 0.02}, flow.fields, flow.gain);

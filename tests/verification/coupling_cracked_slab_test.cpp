@@ -5,6 +5,7 @@
 #include "support/host_copy.hpp"
 #include "support/record.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,6 +29,7 @@ steps = 1
 type = "rock"
 [rock]
 element_size = 2.7e-3
+seed = {}
 porosity = 0
 [rock.hole]
 from = [0, 0]
@@ -50,8 +52,8 @@ struct Front {
 };
 
 /// Acid of concentration 1 at x = 0, of diffusivity 1, that reacts at rate k (lattice units).
-Front dissolve_slab(Cracks cracks, double k) {
-  const Scene scene = parse_scene(slab_case, "case.toml");
+Front dissolve_slab(Cracks cracks, double k, int seed) {
+  const Scene scene = parse_scene(fmt::format(fmt::runtime(slab_case), seed), "case.toml");
   const int nx = scene.lattice.nx, ny = scene.lattice.ny;
   const Lattice lattice(nx, ny);
   const Rock rock = build_rock(scene, lattice);
@@ -117,30 +119,38 @@ const char* name_of(Cracks cracks) {
   return cracks == Cracks::all_at_the_start ? "at the start" : "as the front comes";
 }
 
-/// Against the uncracked slab, times over its own.
-Front compare(Cracks cracks, double k, const Front& whole) {
-  const Front front = dissolve_slab(cracks, k);
-  const Front ratio{front.half_time / whole.half_time, front.passed / whole.passed, front.most};
-  std::printf(
-      "    k = %g, cracks %s: half gone after %.0f steps (uncracked %.0f), first half after %.0f (%.0f), most %.3f\n",
-      k, name_of(cracks), front.half_time, whole.half_time, front.passed, whole.passed, front.most);
-  EXPECT_GT(front.most, 1.5);
-  EXPECT_LE(front.most, most_solid * (1 + 1e-12));
-  test::record("cracked_slab", {{"k", k},
-                                {"cracks", name_of(cracks)},
-                                {"half", ratio.half_time},
-                                {"passed", ratio.passed},
-                                {"most", ratio.most}});
-  return ratio;
+/// Against the uncracked slab, times over its own: means of five rocks.
+Front compare(Cracks cracks, double k) {
+  constexpr int rocks = 5;
+  Front mean;
+  for (int seed = 1; seed <= rocks; ++seed) {
+    const Front whole = dissolve_slab(Cracks::none, k, seed), front = dissolve_slab(cracks, k, seed);
+    std::printf(
+        "    k = %g, cracks %s: half gone after %.0f steps (uncracked %.0f), first half after %.0f (%.0f), most %.3f\n",
+        k, name_of(cracks), front.half_time, whole.half_time, front.passed, whole.passed, front.most);
+    mean.half_time += front.half_time / whole.half_time / rocks;
+    mean.passed += front.passed / whole.passed / rocks;
+    mean.most = std::max(mean.most, front.most);
+  }
+  EXPECT_GT(mean.most, 1.5);
+  EXPECT_LE(mean.most, most_solid * (1 + 1e-12));
+  test::record(
+      "cracked_slab",
+      {{"k", k}, {"cracks", name_of(cracks)}, {"half", mean.half_time}, {"passed", mean.passed}, {"most", mean.most}});
+  return mean;
 }
 
 TEST(CrackedSlab, DissolvesAsFastAsTheSameRockUncracked) {
   if constexpr (!shares_host_memory) GTEST_SKIP() << "reads views on the host";
-  const Front whole = dissolve_slab(Cracks::none, 100);
   for (const Cracks cracks : {Cracks::all_at_the_start, Cracks::as_the_front_comes}) {
-    const Front ratio = compare(cracks, 100, whole);
-    EXPECT_NEAR(ratio.half_time, 1, 0.05);
+    const Front ratio = compare(cracks, 100);
     EXPECT_NEAR(ratio.passed, 1, 0.05);
+    if (cracks == Cracks::as_the_front_comes)
+      EXPECT_NEAR(ratio.half_time, 1, 0.05);
+    else {  // acid goes ahead in cracks that are open before it comes: from rock to rock 0 to 14 % faster
+      EXPECT_LT(ratio.half_time, 1);
+      EXPECT_GT(ratio.half_time, 0.9);
+    }
   }
 }
 
@@ -149,9 +159,8 @@ TEST(CrackedSlab, DissolvesFasterWhereTheReactionIsSlow) {
   if constexpr (!shares_host_memory) GTEST_SKIP() << "reads views on the host";
   double last = 1;
   for (const double k : {0.1, 0.01}) {
-    const Front whole = dissolve_slab(Cracks::none, k);
-    const Front at_once = compare(Cracks::all_at_the_start, k, whole);
-    const Front with_front = compare(Cracks::as_the_front_comes, k, whole);
+    const Front at_once = compare(Cracks::all_at_the_start, k);
+    const Front with_front = compare(Cracks::as_the_front_comes, k);
     EXPECT_LT(at_once.half_time, with_front.half_time);
     EXPECT_LT(with_front.half_time, last);
     last = at_once.half_time;

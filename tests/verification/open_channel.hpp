@@ -37,7 +37,7 @@ struct Channel {
         out(side(outlet)),
         in_mirror(flow.mirror(in)),
         out_mirror(flow.mirror(out)) {
-    fit_to_links(flow.exec, out, OutflowPlace::side, outflow);
+    fit_to_links(flow.exec, flow.nodes, out, outflow);
   }
   Side inlet() const { return static_cast<Side>(D2Q9::opposite(static_cast<int>(outlet))); }
   /// The links out of corners belong to the walls, or to the inlet if it is `fed`: as in a case.

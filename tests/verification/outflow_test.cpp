@@ -72,7 +72,7 @@ struct CarryingFlow {
         in(flow.side(static_cast<Side>(D2Q9::opposite(static_cast<int>(outlet))))),
         out(flow.side(outlet)),
         mirror(flow.mirror(out)) {
-    fit_to_links(flow.exec, out, OutflowPlace::side, state);
+    fit_to_links(flow.exec, flow.nodes, out, state);
     Kokkos::deep_copy(Kokkos::subview(state.level, 0), U);
   }
   bool upright() const { return outlet == Side::top || outlet == Side::bottom; }
@@ -165,15 +165,19 @@ TEST(Outflow, HasInEveryPieceOfItsOwnThePressureOfTheLaw) {
   flow.set([&](int x, int y) { return Macroscopic<double>{0, U + a * offset(y), b + c * (x - (nx - 1))}; });
   const BoundaryLinks out = flow.side(Side::right);
   OutflowState state;
-  fit_to_links(flow.exec, out, OutflowPlace::side, state);
+  fit_to_links(flow.exec, flow.nodes, out, state);
   dress_outflow(flow.exec, flow.nodes, out, flow.mirror(out), state, flow.fields, flow.gain);
   const auto along = test::host_copy(state.along);
+  const auto face = test::host_copy(state.face);
   const auto fluid = test::host_copy(out.fluid), node = test::host_copy(flow.nodes.node);
+  const auto direction = test::host_copy(out.direction);
   for (int link = 0; link < out.count; ++link) {
+    ASSERT_EQ(fluid(face(link)), fluid(link));
+    ASSERT_EQ(direction(face(link)), 1);
     const int y = lattice.y(node(fluid(link))), n = y < 10 ? 10 : 27;
     const double squares = (n * n - 1) / 12.0;  // mean of (y - centre)^2
     const double share = U * U / (U * U + a * a * squares + b * b);
-    EXPECT_NEAR(along(link), 3 * share * -a * c * (offset(y) * offset(y) - squares) / 2, 1e-15) << y;
+    EXPECT_NEAR(along(face(link)), 3 * share * -a * c * (offset(y) * offset(y) - squares) / 2, 1e-15) << y;
   }
 }
 
@@ -198,7 +202,7 @@ TEST(Outflow, SoundLeavesAndThePressureReturnsToItsReference) {
   const BoundaryLinks in = flow.side(Side::left), out = flow.side(Side::right);
   const IndexList mirror = flow.mirror(out);
   OutflowState state;
-  fit_to_links(flow.exec, out, OutflowPlace::side, state);
+  fit_to_links(flow.exec, flow.nodes, out, state);
   const auto run = [&](int steps) {
     for (int t = 0; t < steps; ++t) {
       dress_velocity(flow.exec, flow.nodes, in, {U, 0}, flow.fields, flow.gain);

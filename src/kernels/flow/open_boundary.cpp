@@ -16,12 +16,15 @@ struct PressureRule {
   KOKKOS_FORCEINLINE_FUNCTION T density(int) const { return value; }
 };
 
-/// Density of the step, on a side with what varies along it; the nodes' velocity along the surface.
+/// Density of the step, with what varies along the surface; the nodes' velocity along it.
 template <class T>
 struct OutflowRule {
   static constexpr bool slides = true;
-  const double *level, *along;
-  KOKKOS_FORCEINLINE_FUNCTION T density(int link) const { return T(along ? level[1] + along[link] : level[1]); }
+  FlowCondition links;
+  KOKKOS_FORCEINLINE_FUNCTION T density(int link) const {
+    const int face = links.face[link];
+    return T(face < 0 ? links.level[1] : links.level[1] + links.along[face]);
+  }
 };
 
 /// Dresses each pair of links that are images of each other by a rule, from the first of them, and books the change of
@@ -138,7 +141,7 @@ struct DressFlow {
     if (c.kind == Kind::pressure)
       run(DressMirrored<T, PressureRule<T>>{c, f, u, capacity, {T(3 * c.value[0])}});
     else if (c.kind == Kind::outflow)
-      run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c.level, c.along}});
+      run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c}});
     else if (c.kind == Kind::velocity)
       run(DressLinks<T, VelocityRule<T>>{c, f, capacity, {x, y}});
     else if (c.kind == Kind::velocity_profile)
@@ -180,22 +183,22 @@ FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mir
           state.faces,
           state.speed.data(),
           state.level.data(),
-          state.along.extent(0) ? state.along.data() : nullptr};
+          state.along.data(),
+          state.next.data(),
+          state.previous.data(),
+          state.face.data()};
 }
 
-struct IsFace {
-  Kokkos::View<const std::uint8_t*> direction;
-  KOKKOS_FUNCTION void operator()(int link, int& faces) const { faces += direction(link) < D2Q5::Q; }
-};
-
-void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowPlace place, OutflowState& state) {
-  int faces = 0;
-  Kokkos::parallel_reduce("vug::open_boundary::faces", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
-                          IsFace{links.direction}, faces);
-  state.faces = faces;
+void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, OutflowState& state) {
   state.speed = ScalarField<double>("vug::open_boundary::speed", block_count(links.count));
   Kokkos::resize(exec, state.level, 2);
-  state.along = ScalarField<double>("vug::open_boundary::along", place == OutflowPlace::side ? links.count : 0);
+  state.along = ScalarField<double>("vug::open_boundary::along", links.count);
+  for (IndexList* list : {&state.next, &state.previous, &state.face})
+    *list = IndexList("vug::open_boundary::pieces", links.count);
+  int faces = 0;
+  Kokkos::parallel_reduce("vug::open_boundary::faces", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
+                          FindPieces{links, Upstream(nodes), state.next, state.previous, state.face}, faces);
+  state.faces = faces;
 }
 
 template <class T>
@@ -205,7 +208,7 @@ void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondit
   add_per_block_of_lists(exec, "vug::open_boundary::outward_speed", conditions, OutwardSpeeds<T>{fields.u});
   for_each_of_lists(exec, "vug::open_boundary::outflow_level", conditions, SetOutflowLevels{1 / (4 * crossing)});
   for_each_of_lists(exec, "vug::open_boundary::pressure_along", conditions,
-                    PressuresAlong<T>{fields.u, nodes.source.data(), nodes.count, nodes.capacity});
+                    PressuresAlong<T>{fields.u, Upstream(nodes)});
   for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
 }
 

@@ -21,6 +21,7 @@ struct FlowCondition {
   const double* part = nullptr;             ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
   double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< those of an OutflowState
+  const int *next = nullptr, *previous = nullptr, *face = nullptr;         ///< likewise
 };
 
 /// Pressure p (gauge, lattice units) and no velocity along the surface: what comes in along a link is
@@ -50,19 +51,19 @@ struct OutflowState {
   /// 0: mean outward speed, forgotten over the time that sound takes to cross the lattice four times;
   /// 1: rho' at the surface in this step. At rest: zeros.
   ScalarField<double> level;
-  ScalarField<double> along;  ///< (link) room for what rho' differs from that; empty in an opening
+  ScalarField<double> along;  ///< (link) of straight links, room for what rho' differs from that along the surface
+  IndexList next, previous;   ///< (link) of straight links, those beside it on the same straight piece; -1: its ends
+  IndexList face;             ///< (link) straight link of its node, which is the link itself; -1: none
 };
 
-enum class OutflowPlace { side, opening };
-
-/// Room and faces for `links`; keeps the level that is there.
-void fit_to_links(const Exec& exec, const BoundaryLinks& links, OutflowPlace place, OutflowState& state);
+/// Room for `links` and how they lie; keeps the level that is there.
+void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, OutflowState& state);
 
 /// Outflow: the pressure rule with the velocity along the surface that the nodes have (no gradient) and two things
 /// beside the reference pressure. All over the surface, c_s times what the mean outward speed has changed by of late:
 /// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), the
-/// mean pressure returns to the reference. Along a side, the pressure under which a vortex is carried out as it is
-/// (PressureAlong in outflow.hpp), with no mean; an opening has none.
+/// mean pressure returns to the reference. Along each straight piece, the pressure under which a vortex is carried
+/// out as it is (PressureAlong in outflow.hpp), with no mean.
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 

@@ -56,15 +56,62 @@ struct SetOutflowLevels {
   }
 };
 
+/// Fluid nodes that directions come from.
+struct Upstream {
+  const int* source;
+  int count, capacity;
+  explicit Upstream(const FluidNodes& nodes)
+      : source(nodes.source.data()), count(nodes.count), capacity(nodes.capacity) {}
+  /// -1 for none.
+  KOKKOS_FORCEINLINE_FUNCTION int operator()(int q, int i) const {
+    const int from = source[q * capacity + i] - q * capacity;
+    return from >= 0 && from < count ? from : -1;
+  }
+};
+
+/// Along a face, towards higher coordinates.
+KOKKOS_FORCEINLINE_FUNCTION constexpr int upwards(int face) {
+  return D2Q9::c(face, 0) != 0 ? 2 : 1;
+}
+
+/// How the links of an outflow lie; counts the straight ones. Around a joined side the last face has no next.
+struct FindPieces {
+  BoundaryLinks links;
+  Upstream upstream;
+  IndexList next, previous, face;
+
+  KOKKOS_FUNCTION void operator()(int link, int& faces) const {
+    const int q = links.direction(link), i = links.fluid(link);
+    next(link) = previous(link) = face(link) = -1;
+    if (q < D2Q5::Q) {
+      const int above = beside(link, upwards(q)), below = beside(link, D2Q9::opposite(upwards(q)));
+      if (above > link) next(link) = above;
+      if (below < link) previous(link) = below;
+      face(link) = link;
+      ++faces;
+      return;
+    }
+    const int along_x = D2Q9::c(q, 0) > 0 ? 1 : 3, along_y = D2Q9::c(q, 1) > 0 ? 2 : 4;
+    const int of_x = links.find(link, i, along_x);
+    face(link) = of_x >= 0 ? of_x : links.find(link, i, along_y);
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION int beside(int face, int towards) const {
+    const int neighbour = upstream(D2Q9::opposite(towards), links.fluid(face));
+    return neighbour < 0 ? -1 : links.find(face, neighbour, links.direction(face));
+  }
+};
+
 /// Share of the pressure along an outflow that a vortex gets which the mean outward speed U carries: U^2 / (U^2 + k), k
 /// the mean square of what the velocities differ from U. What is faster than the flow is not carried out by it.
 KOKKOS_INLINE_FUNCTION double carried_share(double U, double fluctuation) {
   return U > 0 ? U * U / (U * U + fluctuation) : 0;
 }
 
-/// Pressure along a piece of a side without gaps: with the velocity u outwards, v along it and U the mean of u,
+/// Pressure along a straight piece of an outflow: with the velocity u outwards, v along it and U the mean of u,
 ///   dp/ds = -(v dv/ds + (u - U) dv/dn),   mean over the piece 0,
-/// the momentum along the side of a flow whose v is carried out at U, dv/dt + U dv/dn = 0 (a convective outflow after
+/// the momentum along the piece of a flow whose v is carried out at U, dv/dt + U dv/dn = 0 (a convective outflow after
 /// Orlanski 1976, put into the pressure); carried_share of it. Zero for a flow straight out. dv/dn between the node and
 /// the one behind it, 0 beside rock. On a joined side the ends meet: what the integral around it leaves is spread
 /// evenly.
@@ -72,50 +119,42 @@ template <class T>
 struct PressureAlong {
   FlowCondition links;
   VectorField<T> u;
-  const int* source;
-  int nodes, capacity;
+  Upstream upstream;
 
-  /// Sets along(link) of the piece that begins at this link, in order of the links; nothing at any other.
+  /// Sets along(face) of the piece that begins at this link; nothing at any other.
   KOKKOS_FUNCTION void operator()(int first) const {
-    if (first > 0 && goes_on(first)) return;
-    int end = first, faces = 0;
+    if (links.face[first] != first || links.previous[first] >= 0) return;
+    const int q = links.direction[first];
+    int faces = 0, last = first;
     double speed = 0, square = 0;
-    do {
-      if (is_face(end)) {
-        const Velocity here = velocity(links.direction[end], links.fluid[end]);
-        speed += here.out;
-        square += here.out * here.out + here.along * here.along;
-        ++faces;
-      }
-      ++end;
-    } while (end < links.count && goes_on(end));
+    for (int face = first; face >= 0; face = links.next[face]) {
+      const Velocity here = velocity(q, links.fluid[face]);
+      speed += here.out;
+      square += here.out * here.out + here.along * here.along;
+      last = face;
+      ++faces;
+    }
     const double mean = speed / faces, U = Kokkos::max(mean, 0.0);
-    const double share = 3 * carried_share(U, square / faces - mean * mean);
 
     double integral = 0, slope = 0, sum = 0, first_slope = 0;
-    for (int link = first; link < end; ++link) {
-      if (!is_face(link)) continue;
-      const int q = links.direction[link], i = links.fluid[link], behind = upstream(q, i);
+    for (int face = first; face >= 0; face = links.next[face]) {
+      const int i = links.fluid[face], behind = upstream(q, i);
       const Velocity here = velocity(q, i);
       const double next = behind < 0 ? 0 : (here.out - U) * (here.along - velocity(q, behind).along);
-      if (link == first)
+      if (face == first)
         first_slope = next;
       else
         integral -= 0.5 * (slope + next);
       slope = next;
-      links.along[link] = integral - 0.5 * here.along * here.along;
-      sum += links.along[link];
+      links.along[face] = integral - 0.5 * here.along * here.along;
+      sum += links.along[face];
     }
-    const bool joined = upstream(upwards(first), links.fluid[first]) == links.fluid[end - 1];
+    const bool joined = faces > 1 && upstream(upwards(q), links.fluid[first]) == links.fluid[last];
     const double step = joined ? (integral - 0.5 * (slope + first_slope)) / faces : 0;
-    double there = 0, level = sum / faces - 0.5 * (faces - 1) * step;
-    for (int link = first; link < end; ++link) {
-      if (is_face(link)) {
-        there = share * (links.along[link] - level);
-        level += step;
-      }
-      links.along[link] = there;  // the diagonal links of a node come after its face
-    }
+    const double share = 3 * carried_share(U, square / faces - mean * mean);
+    double level = sum / faces - 0.5 * (faces - 1) * step;
+    for (int face = first; face >= 0; face = links.next[face], level += step)
+      links.along[face] = share * (links.along[face] - level);
   }
 
  private:
@@ -126,32 +165,18 @@ struct PressureAlong {
     const int axis = D2Q9::c(q, 0) != 0 ? 0 : 1;
     return {D2Q9::c(q, axis) * double(u(i, axis)), double(u(i, 1 - axis))};
   }
-  KOKKOS_FORCEINLINE_FUNCTION bool is_face(int link) const { return links.direction[link] < D2Q5::Q; }
-  /// Along the side of a face, towards higher coordinates.
-  KOKKOS_FORCEINLINE_FUNCTION int upwards(int face) const { return D2Q9::c(links.direction[face], 0) != 0 ? 2 : 1; }
-  /// Whether a link belongs to the node of the link before it, or to its neighbour.
-  KOKKOS_FORCEINLINE_FUNCTION bool goes_on(int link) const {
-    const int before = links.fluid[link - 1], i = links.fluid[link];
-    return i == before || upstream(upwards(link), i) == before;
-  }
-  /// Fluid node that direction q comes from, -1 for none.
-  KOKKOS_FORCEINLINE_FUNCTION int upstream(int q, int i) const {
-    const int from = source[q * capacity + i] - q * capacity;
-    return from >= 0 && from < nodes ? from : -1;
-  }
 };
 
-/// Of each outflow through a side.
+/// Of each outflow.
 template <class T>
 struct PressuresAlong {
   using Entry = FlowCondition;
   VectorField<T> u;
-  const int* source;
-  int nodes, capacity;
-  static int count(const FlowCondition& c) { return c.faces > 0 && c.along ? c.count : 0; }
+  Upstream upstream;
+  static int count(const FlowCondition& c) { return c.faces > 0 ? c.count : 0; }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    run(PressureAlong<T>{c, u, source, nodes, capacity});
+    run(PressureAlong<T>{c, u, upstream});
   }
 };
 

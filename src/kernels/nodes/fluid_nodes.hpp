@@ -91,6 +91,15 @@ struct BoundaryLinks {
   int count = 0;
   IndexList fluid;                        ///< (link) fluid index
   Kokkos::View<std::uint8_t*> direction;  ///< (link) outward direction q whose slot is dressed
+
+  /// The link of node i in direction q, -1 where it is not in the list. Nodes that lie close to that of link `from` are
+  /// close to it in the list.
+  KOKKOS_FUNCTION int find(int from, int i, int q) const {
+    for (int away = 0; away < count; ++away)
+      for (const int link : {from - away, from + away})
+        if (link >= 0 && link < count && fluid(link) == i && direction(link) == q) return link;
+    return -1;
+  }
 };
 
 /// Links that leave the lattice through `side` from nodes whose coordinate along it lies in [first, last], in order

@@ -8,36 +8,28 @@ namespace vug {
 struct FindMirrorLink {
   Lattice lattice;
   bool periodic_x, periodic_y;
-  int count;
   bool staircase;
-  IndexList fluid, node, index, mirror;
-  Kokkos::View<const std::uint8_t*> direction;
+  BoundaryLinks links;
+  IndexList node, index, mirror;
   Kokkos::View<const std::uint16_t*> solid_links, side_links;
 
   KOKKOS_FUNCTION void operator()(int link) const {
-    mirror(link) = staircase || direction(link) < D2Q5::Q ? link : image_of_diagonal(link);
+    mirror(link) = staircase || links.direction(link) < D2Q5::Q ? link : image_of_diagonal(link);
   }
 
  private:
-  /// The link of node i in direction q, -1 where it is not in the list. Links that lie close are close in the list.
-  KOKKOS_FUNCTION int find(int from, int i, int q) const {
-    for (int away = 1; away < count; ++away)
-      for (const int link : {from - away, from + away})
-        if (link >= 0 && link < count && fluid(link) == i && direction(link) == q) return link;
-    return -1;
-  }
   KOKKOS_FUNCTION bool leaves(int i, int q) const { return (side_links(i) >> q & 1U) != 0; }
   KOKKOS_FUNCTION bool is_fluid(int i, int q) const { return ((side_links(i) | solid_links(i)) >> q & 1U) == 0; }
 
   KOKKOS_FUNCTION int image_of_diagonal(int link) const {
-    const int i = fluid(link), q = direction(link);
+    const int i = links.fluid(link), q = links.direction(link);
     const int along_x = D2Q9::c(q, 0) > 0 ? 1 : 3, along_y = D2Q9::c(q, 1) > 0 ? 2 : 4;
-    const bool x_open = leaves(i, along_x) && find(link, i, along_x) >= 0;
-    const bool y_open = leaves(i, along_y) && find(link, i, along_y) >= 0;
+    const bool x_open = leaves(i, along_x) && links.find(link, i, along_x) >= 0;
+    const bool y_open = leaves(i, along_y) && links.find(link, i, along_y) >= 0;
     if (x_open && y_open) return link;
     const int turned = 13 - q;  // its component along y reversed
-    if (x_open && is_fluid(i, along_y)) return find(link, beside(i, along_y), turned);
-    if (y_open && is_fluid(i, along_x)) return find(link, beside(i, along_x), D2Q9::opposite(turned));
+    if (x_open && is_fluid(i, along_y)) return links.find(link, beside(i, along_y), turned);
+    if (y_open && is_fluid(i, along_x)) return links.find(link, beside(i, along_x), D2Q9::opposite(turned));
     return is_fluid(i, along_x) && is_fluid(i, along_y) ? link : -1;
   }
   KOKKOS_FUNCTION int beside(int i, int q) const {
@@ -69,8 +61,8 @@ IndexList find_mirror_links(const Exec& exec, const FluidNodes& nodes, const Bou
   const bool staircase = steps > corners_of_rectangle * links_of_corner;
   const IndexList mirror("vug::mirror_links::mirror", links.count);
   for_each_node(exec, "vug::mirror_links::find", links.count,
-                FindMirrorLink{nodes.lattice, nodes.periodic[0], nodes.periodic[1], links.count, staircase, links.fluid,
-                               nodes.node, nodes.index, mirror, links.direction, nodes.solid_links, nodes.side_links});
+                FindMirrorLink{nodes.lattice, nodes.periodic[0], nodes.periodic[1], staircase, links, nodes.node,
+                               nodes.index, mirror, nodes.solid_links, nodes.side_links});
   return mirror;
 }
 
