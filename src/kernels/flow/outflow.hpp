@@ -97,9 +97,9 @@ struct FindPieces {
   }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION int beside(int face, int towards) const {
-    const int neighbour = upstream(D2Q9::opposite(towards), links.fluid(face));
-    return neighbour < 0 ? -1 : links.find(face, neighbour, links.direction(face));
+  KOKKOS_FORCEINLINE_FUNCTION int beside(int link, int towards) const {
+    const int neighbour = upstream(D2Q9::opposite(towards), links.fluid(link));
+    return neighbour < 0 ? -1 : links.find(link, neighbour, links.direction(link));
   }
 };
 
