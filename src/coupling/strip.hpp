@@ -22,9 +22,9 @@ struct StripNode {
 /// The nodes that a pathway of `aperture` >= 1 cells along the segment a-b (m) opens, in order of node. From an
 /// aperture of 1 on these are the cells that the segment passes through; then the next node across it opens column by
 /// column, from the middle of the segment to its ends, at the aperture whose slot conducts as well as the columns in
-/// series, with what the ends of their run cost. So w cells along an axis are w rows wherever the line lies (of two as near to it the lower or left first),
-/// every strip is one piece across faces of cells, and the conductivity hardly depends on the direction
-/// (docs/model.md). Ends are round: strips that share an end meet there.
+/// series, with what the ends of their run cost. So w cells along an axis are w rows wherever the line lies (of two as
+/// near to it the lower or left first), every strip is one piece across faces of cells, and the conductivity hardly
+/// depends on the direction (docs/model.md). Ends are round: strips that share an end meet there.
 std::vector<StripNode> strip_nodes(const std::array<double, 2>& a, const std::array<double, 2>& b, double aperture,
                                    const Lattice& lattice, double spacing);
 
