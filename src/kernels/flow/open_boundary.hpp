@@ -67,7 +67,7 @@ void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 
-/// Dresses the links of all stretches, no link of which is in two: one launch, and two more where there are outflows.
+/// Dresses the links of all stretches, no link of which is in two: one launch, and three more where there are outflows.
 template <class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondition> conditions,
            const FlowFields<T>& fields);

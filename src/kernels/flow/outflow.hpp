@@ -1,5 +1,5 @@
 #pragma once
-// The density that an outflow prescribes: a level all over it, through which sound leaves, and along a side what
+// The density that an outflow prescribes: a level all over it, through which sound leaves, and along it what
 // carries vortices out. open_boundary.hpp has what an outflow is, open_boundary.cpp applies it.
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/launch/launch.hpp"
