@@ -22,6 +22,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # false alarms on std::string and on the intrinsics of AVX-512 (GCC bugs 105651 and 105593)
   target_compile_options(vug_options INTERFACE -Wno-restrict -Wno-maybe-uninitialized)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # packs wider than this processor's registers are handed over in memory: true, and nobody else's code calls ours
+  target_compile_options(vug_options INTERFACE -Wno-psabi)
+endif()
 if(VUG_BACKEND STREQUAL "CUDA")
   # nvcc's own front end repeats host warnings for code that Kokkos generates
   target_compile_options(vug_options INTERFACE -Wno-shadow -Wno-unused-parameter -Wno-unknown-pragmas)
