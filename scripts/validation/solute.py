@@ -29,6 +29,19 @@ def carried_wave(records, figures):
         table(["set", "Pe", "error at 64 nodes", "order"], cells), "carried_wave.png")
 
 
+def face_exchange(records, figures):
+    rows = records["face_exchange"]
+    if not rows:
+        return None
+    cells = [[f"{r['D']:.0e}", f"{100 * r['without']:+.2f} %", f"{100 * r['with']:+.4f} %", f"{100 * r['reaction']:+.2f} %"] for r in rows]
+    return section(
+        "Acid between reacting discs", "FaceExchange.KeepsWhatTheAdvectiveFormCreates, LeavesWhatIsUniform",
+        "Steady flow between three discs of four cells radius that react at once: the share of the reaction that the advective form "
+        "creates (+) or takes (-), with nodes that exchange it through their faces (`solute.face_exchange`), and what the reaction becomes. "
+        "Acid that is uniform and does not react stays uniform while waves of pressure cross the channel.",
+        table(["diffusivity", "created", "with the exchange", "reaction"], cells))
+
+
 def eq28(records, figures):
     errors, wall, profile = (records[f"solute_eq28{name}"] for name in ("", "_wall", "_profile"))
     smooth, reversible = records["solute_corner_free"], records["solute_reversible"]
@@ -171,4 +184,4 @@ def minerals(records, figures):
         table(["what", "", "error"], rows))
 
 
-entries = [carried_wave, eq28, stefan, receding_wall, shrinking_disc, minerals]
+entries = [carried_wave, face_exchange, eq28, stefan, receding_wall, shrinking_disc, minerals]

@@ -5,6 +5,7 @@
 #include "coupling/sum_state.hpp"
 #include "kernels/base/gas_constant.hpp"
 #include "kernels/base/require.hpp"
+#include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/scalar/advective_form.hpp"
@@ -83,6 +84,22 @@ const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int dir
 }
 
 template <class T>
+const VectorField<T>& FlowModule<T>::face_excess(const Exec& exec, int interval) {
+  excess_ = VectorField<T>(Kokkos::view_alloc(exec, "vug::flow::excess"), geometry_.fluid.capacity);
+  excess_interval_ = interval;
+  find_halos();
+  return excess_;
+}
+
+template <class T>
+void FlowModule<T>::find_excess(const Exec& exec) const {
+  return_populations(exec);
+  around_.exchange<T, 1>(exec, {fields_.f});
+  vug::face_excess(exec, geometry_.fluid, fields_, excess_);
+  velocities_.exchange<T, 2>(exec, components(excess_));
+}
+
+template <class T>
 void FlowModule<T>::fit_carrier(const Exec& exec, Carrier<T>& carrier) {
   carrier.u = fields_.u;
   Kokkos::resize(exec, carrier.e, geometry_.fluid.capacity);
@@ -124,6 +141,7 @@ void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
     if (geometry_.slits.count > 0) drag_in_slits(exec, fluid, geometry_.slits, viscosity(), step_, fields_);
     velocities_.exchange<T, 2>(exec, components(fields_.u));
   }
+  if (excess_.extent(0) > 0 && clock.every(excess_interval_)) find_excess(exec);
 }
 
 template <class T>
@@ -149,6 +167,7 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   initialise_births(exec, fluid, births.first, births.last, fields_);
   born_mass_ += mass() - before;
   for (Carrier<T>& carrier : carriers_) fit_carrier(exec, carrier);
+  if (excess_.extent(0) > 0) Kokkos::resize(exec, excess_, geometry_.fluid.capacity);
   if (step_.spread.extent(0) > 0) Kokkos::resize(exec, step_.spread, geometry_.fluid.capacity);
   find_boundaries(exec);
   find_halos();

@@ -48,6 +48,9 @@ class FlowModule final : public Module {
   /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities, the even
   /// part of the defect weighed (advective_form.hpp). Asked for at set-up; the reference stays valid.
   const Carrier<T>& carrier(const Exec& exec, int interval, int directions, T even_weight = 1);
+  /// (fluid, axis) How much less flows through faces than mean velocities say (flow/face_flow.hpp), after the last of
+  /// every `interval` lattice steps. Asked for at set-up, by one; the reference stays valid.
+  const VectorField<T>& face_excess(const Exec& exec, int interval);
 
  private:
   double largest_pressure() const;
@@ -69,6 +72,7 @@ class FlowModule final : public Module {
   /// What a boundary says at a time (s); gain(link) += what enters.
   FlowCondition condition(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
+  void find_excess(const Exec& exec) const;
 
   FlowSection section_;
   LatticeUnits units_;
@@ -82,11 +86,13 @@ class FlowModule final : public Module {
   std::vector<FlowCondition> conditions_;  ///< those of boundaries_ in this step
   FlowFields<T> fields_;
   FlowStep<T> step_;
+  VectorField<T> excess_;  ///< empty: nobody has asked for it
+  int excess_interval_ = 1;
   std::deque<Carrier<T>> carriers_;
   SteadyFlow<T> steady_;
   /// What other ranks compute: populations that our sweep pulls; those that leave through sides and openings, which
   /// every rank dresses alike; velocities that carry, or that sides need; those of nodes in our rows.
-  Halo populations_, dressed_, velocities_, in_rows_;
+  Halo populations_, dressed_, velocities_, in_rows_, around_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;
   std::int64_t slit_changes_ = 0;  ///< those of the geometry that this flow has seen

@@ -35,6 +35,7 @@ void FlowModule<T>::find_halos() {
   dressed_ = split.slots(fluid, slots);
   velocities_ = split.around(fluid, nodes);
   in_rows_ = split.in_rows(fluid);
+  if (excess_.extent(0) > 0) around_ = split.populations_around(fluid);
 }
 
 template <class T>

@@ -8,6 +8,7 @@
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/dissolution.hpp"
 #include "kernels/scalar/advective_form.hpp"
+#include "kernels/solute/face_exchange.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
 #include <fmt/format.h>
@@ -36,6 +37,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
       interval_(scene.accuracy.solute_interval),
       fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean),
       fastest_(flow ? flow->largest_speed() : 0) {
+  if (flow && section_.face_exchange) excess_ = &flow->face_excess(exec, interval_);
   for (const Species& section : section_.species) {
     SpeciesState<T> state;
     state.section = section;
@@ -85,6 +87,7 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
     Kokkos::resize(exec, s.created, blocks);
   }
   populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
+  if (excess_) neighbours_ = geometry_.split.around(geometry_.fluid, {});
 }
 
 template <class T, class Set>
@@ -148,13 +151,7 @@ void SoluteModule<T, Set>::step_pairs(const Exec& exec, const SoluteCarrier<T>& 
 template <class T, class Set>
 void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (!due(clock)) return;
-  SoluteCarrier<T> carrier;
-  if (carrier_) carrier.displacement = carrier_->displacement();
-  if (carrier_ && section_.advective_form) carrier.defect = carrier_->e;
   const FluidNodes& fluid = geometry_.fluid;
-  const bool one_pair = reacting_.size() == 1, many_pairs = reacting_.size() > 1;
-  const ReactingSpecies<T> none, &pair = one_pair ? reacting_[0] : none;
-  const auto& [wall, links, reactant, product] = pair;
   conditions_.clear();
   for (const SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
@@ -162,6 +159,23 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
       conditions_.push_back(condition(s, boundary, clock.time(), boundary.gain.recent()));
   }
   dress<Set, T>(exec, fluid, conditions_, narrow_);
+  sweep(exec);
+  if (excess_)
+    for (const SpeciesState<T>& s : species_) {
+      neighbours_.template exchange<T, 1>(exec, {s.fields.C});
+      exchange_at_faces(exec, fluid, *excess_, interval_, s.fields, s.correction.recent());
+    }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::sweep(const Exec& exec) {
+  SoluteCarrier<T> carrier;
+  if (carrier_) carrier.displacement = carrier_->displacement();
+  if (carrier_ && section_.advective_form) carrier.defect = carrier_->e;
+  const FluidNodes& fluid = geometry_.fluid;
+  const bool one_pair = reacting_.size() == 1, many_pairs = reacting_.size() > 1;
+  const ReactingSpecies<T> none, &pair = one_pair ? reacting_[0] : none;
+  const auto& [wall, links, reactant, product] = pair;
   for (SpeciesState<T>& s : species_) {
     exchange(exec, s.fields);
     if (!many_pairs && &s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());

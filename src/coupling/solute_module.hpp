@@ -65,6 +65,8 @@ class SoluteModule final : public Module {
 
  private:
   void find_boundaries(const Exec& exec);
+  /// Sweeps of all species, and their reaction.
+  void sweep(const Exec& exec);
   /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.
   void step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier);
   /// Of all ranks' nodes.
@@ -80,14 +82,16 @@ class SoluteModule final : public Module {
   SoluteSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
-  const Carrier<T>* carrier_;  ///< null: the fluid is at rest
-  int interval_;               ///< lattice steps per step
+  const Carrier<T>* carrier_;               ///< null: the fluid is at rest
+  const VectorField<T>* excess_ = nullptr;  ///< what faces exchange (solute/face_exchange.hpp); null: nothing
+  int interval_;                            ///< lattice steps per step
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
   std::vector<SoluteCondition<T>> conditions_;  ///< at the boundaries of all species in this step
   bool narrow_ = false;                         ///< see is_narrow; of links of an outflow
   Halo populations_;                            ///< of other ranks' nodes that our sweeps pull
+  Halo neighbours_;                             ///< of our nodes, which faces exchange with
   std::vector<ReactingSpecies<T>> reacting_;
 };
 

@@ -64,6 +64,14 @@ void Split::mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const 
     if (rows_.part_of(nodes.lattice.y(nodes.node(i))) == ranks_.rank()) needed[i] = true;
 }
 
+void Split::mark_neighbours(const FluidNodes& nodes, std::vector<bool>& needed) const {
+  for (int i = 0; i < nodes.count; ++i)
+    for (int q = 1; is_ours(i) && q < D2Q9::Q; ++q) {
+      const int from = nodes.source(q * nodes.capacity + i) - q * nodes.capacity;
+      if (from >= 0 && from < nodes.count) needed[from] = true;
+    }
+}
+
 Halo Split::in_rows(const FluidNodes& nodes) const {
   if (alone()) return {};
   std::vector<bool> needed(nodes.count, false);
@@ -76,12 +84,18 @@ Halo Split::around(const FluidNodes& nodes, const std::vector<int>& more) const 
   std::vector<bool> needed(nodes.count, false);
   mark_rows(nodes, needed);
   for (const int i : more) needed[i] = true;
-  for (int i = 0; i < nodes.count; ++i)
-    for (int q = 1; is_ours(i) && q < D2Q9::Q; ++q) {
-      const int from = nodes.source(q * nodes.capacity + i) - q * nodes.capacity;
-      if (from >= 0 && from < nodes.count) needed[from] = true;
-    }
+  mark_neighbours(nodes, needed);
   return marked(nodes, needed);
+}
+
+Halo Split::populations_around(const FluidNodes& nodes) const {
+  if (alone()) return {};
+  std::vector<bool> needed(nodes.count, false);
+  mark_neighbours(nodes, needed);
+  std::vector<int> all;
+  for (int i = 0; i < nodes.count; ++i)
+    for (int q = 1; needed[i] && q < D2Q9::Q; ++q) all.push_back(q * nodes.capacity + i);
+  return slots(nodes, all);
 }
 
 Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const {

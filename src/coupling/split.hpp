@@ -44,6 +44,8 @@ class Split {
   Halo in_rows(const FluidNodes& nodes) const;
   /// These, the neighbours of our own, and `more`.
   Halo around(const FluidNodes& nodes, const std::vector<int>& more) const;
+  /// All populations of the neighbours of our own fluid nodes.
+  Halo populations_around(const FluidNodes& nodes) const;
   /// Of dense populations what `rows` of ours pull from those of others, and all of `nodes`, which every rank reads.
   Halo dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const;
 
@@ -81,6 +83,7 @@ class Split {
   bool is_ours(int fluid) const { return owner_of(fluid) == ranks_.rank(); }
   Halo marked(const FluidNodes& nodes, const std::vector<bool>& needed) const;
   void mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const;
+  void mark_neighbours(const FluidNodes& nodes, std::vector<bool>& needed) const;
 
   Ranks ranks_;
   Partition rows_;

@@ -128,6 +128,9 @@ SoluteSection read_solute(const TomlCursor& table) {
                {{"d2q5", ScalarVelocitySet::d2q5}, {"d2q9", ScalarVelocitySet::d2q9}});
   table.read("relaxation_time", solute.relaxation_time, unit::none, {.low = 0.5, .high = 100, .low_open = true});
   table.read("advective_form", solute.advective_form);
+  table.read("face_exchange", solute.face_exchange);
+  if (solute.face_exchange && (!solute.advective_form || solute.velocity_set != ScalarVelocitySet::d2q5))
+    table.fail("face_exchange", "belongs to the advective form on d2q5 (solute.advective_form, solute.velocity_set)");
   constexpr std::size_t most = 64;  // every species is a lattice field of its own
   for (const TomlCursor& element : table.tables("species")) {
     if (solute.species.size() == most)

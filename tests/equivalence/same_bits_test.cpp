@@ -1,9 +1,11 @@
 // The same bits in every build, whatever registers its processor has: digests of fields after some steps, recorded.
+#include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/reaction/reacting_solutes.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/surface_normal.hpp"
 #include "kernels/scalar/advective_form.hpp"
+#include "kernels/solute/face_exchange.hpp"
 #include "support/flow_setup.hpp"
 #include "support/heat_box.hpp"
 
@@ -74,6 +76,24 @@ std::uint64_t solute_digest(bool advective) {
       advance_solute<Set>(flow.exec, flow.nodes, parameters, flow.fields.u, s);
   flow.exec.fence();
   return digest(s.h) ^ 3 * digest(s.C) ^ 5 * digest(e);
+}
+
+template <class T>
+std::uint64_t faces_digest() {
+  const Lattice lattice(nx, ny);
+  test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false});
+  flow.set([](int x, int y) { return Macroscopic<double>{0, 0.03 * noise(y, x), 0.02 * noise(x, 3)}; });
+  SoluteFields<T> s = make_solute_fields<T, D2Q5>(flow.exec, flow.nodes, 0.3);
+  const VectorField<T> excess("excess", flow.nodes.capacity);
+  const ScalarField<double> correction("correction", block_count(flow.nodes.count));
+  for (int t = 0; t < 5; ++t) {
+    flow.sweep();
+    face_excess(flow.exec, flow.nodes, flow.fields, excess);
+    advance_solute<D2Q5>(flow.exec, flow.nodes, solute_parameters(0.05), flow.fields.u, s);
+    exchange_at_faces(flow.exec, flow.nodes, excess, 2, s, correction);
+  }
+  flow.exec.fence();
+  return digest(excess) ^ 3 * digest(s.h) ^ 5 * digest(correction);
 }
 
 template <class T>
@@ -152,6 +172,8 @@ TEST(SameBits, InEveryBuild) {
       {heat_digest<double>(ScalarVelocitySet::d2q9), 0xd2e7e5ba11942727},
       {heat_digest<float>(ScalarVelocitySet::d2q5), 0xfd5186d33e1371f4},
       {heat_digest<float>(ScalarVelocitySet::d2q9), 0x65a0f09299a378c9},
+      {faces_digest<double>(), 0xd48347f5199965c9},
+      {faces_digest<float>(), 0x1c6220c8db21f52f},
       {rates_digest<double>(1e-3), 0xcd9200d5a237679c},
       {rates_digest<float>(0.2), 0x9dd9f8b658079f87},
   };

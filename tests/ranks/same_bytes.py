@@ -30,6 +30,7 @@ CASES = {  # case, steps, keys, output at every tenth step
                           "accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"], ROCK_OFTEN),
     "slits": (COUPLED + "small_rock.toml", 120,
               FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5"], ROCK_OFTEN),
+    "faces": (COUPLED + "small_rock.toml", 120, FINE + ["solute.face_exchange=true"], ROCK_OFTEN),
     "d2q9": (COUPLED + "small_rock.toml", 120, FINE + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"],
              ROCK_OFTEN),
     "sleep": (COUPLED + "small_rock.toml", 120,

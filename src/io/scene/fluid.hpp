@@ -52,6 +52,7 @@ struct SoluteSection {
   /// tau_h of the lattice kinetic scheme; absent: chosen so that Lambda = 1/4
   std::optional<double> relaxation_time;
   bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
+  bool face_exchange = false;  ///< and the solute conserved: neighbours exchange what the advective form creates
 };
 
 }  // namespace vug

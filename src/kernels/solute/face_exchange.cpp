@@ -1,0 +1,43 @@
+#include "kernels/solute/face_exchange.hpp"
+
+#include "kernels/launch/launch.hpp"
+
+namespace vug {
+
+template <class T>
+struct FaceExchange {
+  Kokkos::View<const int*> source;
+  int capacity;
+  Kokkos::View<const T* [2], Kokkos::LayoutLeft> excess;
+  T half;  ///< the steps of the flow in one of the species
+  Kokkos::View<const T*> C;
+  ScalarField<T> h;
+
+  KOKKOS_FUNCTION double operator()(int i) const {
+    T sum = 0;
+    VUG_UNROLL
+    for (int q = 1; q < D2Q5::Q; ++q) {
+      const int slot = D2Q5::opposite(q) * capacity, node = source(slot + i) - slot;
+      const int next = node >= 0 && node < capacity ? node : i;  // with which it exchanges nothing
+      sum += (q < 3 ? excess(i, q - 1) : -excess(next, q - 3)) * (C(next) - C(i));
+    }
+    const T before = h(i);
+    h(i) += half * sum;
+    return static_cast<double>(h(i) - before);  // what rounding has let in
+  }
+};
+
+template <class T>
+void exchange_at_faces(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& excess, int steps,
+                       const SoluteFields<T>& s, const ScalarField<double>& correction) {
+  add_per_block(exec, "vug::face_exchange::exchange", nodes.share(),
+                FaceExchange<T>{nodes.source, nodes.capacity, excess, T(0.5) * static_cast<T>(steps), s.C, s.h},
+                correction);
+}
+
+template void exchange_at_faces(const Exec&, const FluidNodes&, const VectorField<float>&, int,
+                                const SoluteFields<float>&, const ScalarField<double>&);
+template void exchange_at_faces(const Exec&, const FluidNodes&, const VectorField<double>&, int,
+                                const SoluteFields<double>&, const ScalarField<double>&);
+
+}  // namespace vug
