@@ -33,13 +33,13 @@ def face_exchange(records, figures):
     rows = records["face_exchange"]
     if not rows:
         return None
-    cells = [[f"{r['D']:.0e}", f"{100 * r['without']:+.2f} %", f"{100 * r['with']:+.4f} %", f"{100 * r['reaction']:+.2f} %"] for r in rows]
+    cells = [[f"{r['peclet']:.2g}", f"{100 * r['without']:+.2f} %", f"{100 * r['with']:+.4f} %", f"{100 * r['reaction']:+.2f} %"] for r in rows]
     return section(
         "Acid between reacting discs", "FaceExchange.KeepsWhatTheAdvectiveFormCreates, LeavesWhatIsUniform",
         "Steady flow between three discs of four cells radius that react at once: the share of the reaction that the advective form "
         "creates (+) or takes (-), with nodes that exchange it through their faces (`solute.face_exchange`), and what the reaction becomes. "
         "Acid that is uniform and does not react stays uniform while waves of pressure cross the channel.",
-        table(["diffusivity", "created", "with the exchange", "reaction"], cells))
+        table(["u_max h/D", "created", "with the exchange", "reaction"], cells))
 
 
 def eq28(records, figures):
