@@ -7,6 +7,9 @@
 
 namespace vug {
 
+/// How far ahead of its link a population is asked for: the list of slots is that much longer than there are links.
+inline constexpr int links_ahead = 256;
+
 /// The rows around a node that a list comes to later, which lies in no order that a processor foresees.
 struct AnnounceNeighbours {
   IndexList index, node;
@@ -65,7 +68,8 @@ struct ListWallLinks {
       for (int q = 1; q < D2Q9::Q; ++q) {
         if ((bits >> (q - 1) & 1) == 0) continue;
         links.slot(at) = q * capacity + lattice.fluid_along(index, solid, D2Q9::opposite(q));
-        links.lever(at++) = 8 * (x * D2Q9::c(q, 1) - y * D2Q9::c(q, 0)) + q - 1;
+        const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
+        links.lever(at++) = 16 * (x * cy - y * cx) + 4 * (cy + 1) + cx + 1;
       }
     }
   }
@@ -84,8 +88,8 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
   for_each_node(exec, "vug::momentum_exchange::count", groups,
                 CountWallLinks{lattice, nodes.index, offset, node, links});
   const int count = accumulate_counts(exec, "vug::momentum_exchange::places", links.first);
-  if (static_cast<int>(links.slot.extent(0)) < count) {
-    links.slot = IndexList("vug::momentum_exchange::slot", count + count / 2);
+  if (static_cast<int>(links.slot.extent(0)) < count + links_ahead) {
+    links.slot = IndexList("vug::momentum_exchange::slot", count + count / 2 + links_ahead);
     links.lever = IndexList("vug::momentum_exchange::lever", count + count / 2);
   }
   for_each_node(exec, "vug::momentum_exchange::list", groups,
@@ -119,16 +123,15 @@ struct ExchangeMomentum {
   Kokkos::View<const int*> first, slot, lever;
   VectorField<double> origin;
   Kokkos::View<const T*> f;
-  int size;
   double force_scale, torque_scale;
   VectorField<double> force;
   ScalarField<double> torque;
   const int* listed = nullptr;  ///< (item) the groups that run; null: all do
 
   KOKKOS_FORCEINLINE_FUNCTION Wrench of_link(int k) const {
-    const int q = (lever(k) & 7) + 1, arm = lever(k) >> 3;
+    const int packed = lever(k), cx = (packed & 3) - 1, cy = (packed >> 2 & 3) - 1, arm = packed >> 4;
     const double A = static_cast<double>(f(slot(k)));
-    return {A * D2Q9::c(q, 0), A * D2Q9::c(q, 1), A * arm};
+    return {A * cx, A * cy, A * arm};
   }
   /// Twice: a link's momentum is given when it arrives and when it leaves.
   KOKKOS_FORCEINLINE_FUNCTION void store(int g, const Wrench& sum) const {
@@ -136,12 +139,9 @@ struct ExchangeMomentum {
     force(g, 1) = force_scale * 2 * sum.y;
     torque(g) = torque_scale * 2 * (sum.torque + origin(g, 0) * sum.y - origin(g, 1) * sum.x);
   }
-  /// The populations of a particle's links lie in no order that a processor foresees.
-  KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
-    constexpr int near = 64, far = 512;
-    prefetch(&f(slot(k + near < size ? k + near : size - 1)));
-    prefetch_far(&f(slot(k + far < size ? k + far : size - 1)));
-  }
+  /// The populations of a particle's links lie in no order that a processor foresees. Into the first level of the
+  /// caches: into the second alone it took 1.8 times as long, into both in turn 1.25 times (EPYC with AVX-512).
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const { prefetch(f.data() + slot(k + links_ahead)); }
   KOKKOS_FUNCTION void operator()(int item) const {
     const int g = listed ? listed[item] : item;
     Wrench sum;
@@ -167,17 +167,9 @@ void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const Wall
                        const std::optional<IndexList>& only) {
   const int groups = only ? static_cast<int>(only->extent(0)) : links.groups();
   if (groups <= 0) return;
-  const ExchangeMomentum<T> exchange{links.first,
-                                     links.slot,
-                                     links.lever,
-                                     links.origin,
-                                     fields.f,
-                                     static_cast<int>(links.slot.extent(0)),
-                                     force_scale,
-                                     torque_scale,
-                                     force,
-                                     torque,
-                                     only ? only->data() : nullptr};
+  const ExchangeMomentum<T> exchange{
+      links.first, links.slot,   links.lever, links.origin, fields.f,
+      force_scale, torque_scale, force,       torque,       only ? only->data() : nullptr};
   if constexpr (runs_on_host)
     Kokkos::parallel_for("vug::momentum_exchange::gather", Kokkos::RangePolicy<Exec>(exec, 0, groups), exchange);
   else

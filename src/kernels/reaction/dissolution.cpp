@@ -1,6 +1,7 @@
 #include "kernels/reaction/dissolution.hpp"
 
 #include "kernels/launch/launch.hpp"
+#include "kernels/launch/prefetch.hpp"
 #include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/streaming.hpp"
 
@@ -11,8 +12,15 @@ struct MarkDissolved {
   IndexList node;
   Kokkos::View<NodeType*> type;
   ScalarField<double> V;
+  int size;
+  /// Surface nodes lie scattered over the lattice.
+  KOKKOS_FORCEINLINE_FUNCTION void announce(int s) const {
+    constexpr int ahead = 128;
+    prefetch(&V(node(s + ahead < size ? s + ahead : size - 1)));
+  }
   KOKKOS_FUNCTION void operator()(int s, int& count) const {
-    if (type(node(s)) == NodeType::fluid || V(node(s)) > 0) return;
+    announce(s);
+    if (V(node(s)) > 0 || type(node(s)) == NodeType::fluid) return;
     type(node(s)) = NodeType::fluid;
     ++count;
   }
@@ -104,7 +112,7 @@ int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& sur
                    const MineralLosses& minerals) {
   int count = 0;
   Kokkos::parallel_reduce("vug::dissolution::mark", Kokkos::RangePolicy<Exec>(exec, 0, surface.count),
-                          MarkDissolved{surface.node, type, V}, count);
+                          MarkDissolved{surface.node, type, V, surface.count}, count);
   if (count == 0) return 0;
   if (minerals.of_node.extent(0) > 0) {
     const BequeathOverdraft<SameMineral> bequest{{minerals.of_node}, DenseNeighbour(nodes), surface.node, type, V};

@@ -167,7 +167,7 @@ struct BookTurnover {
   }
   /// Surface nodes lie scattered over the lattice.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int s) const {
-    constexpr int ahead = 32;
+    constexpr int ahead = 128;
     const int later = node(s + ahead < count ? s + ahead : count - 1);
     prefetch(&ledger.V(later));
     prefetch(&ledger.dissolved(later));
