@@ -29,14 +29,15 @@ void Mechanics::replay(const Exec& exec, const StepControl& control, int count) 
   recorded_dt_ = last_dt_ = control.dt;
   auto found = recorded_.find(count);
   if (found == recorded_.end()) {
-    found = recorded_.emplace(count, exec).first;
-    const Queue queue(exec, found->second);
+    Recording recording(exec);
+    const Queue queue(exec, recording);
     for (int s = 0; s < count; ++s) {
       compute_forces(queue, parameters_, control.dt, particles_, bonds_, contacts_, NoAccounts{},
                      rest_ ? &rest_->bonds : nullptr);
       integrate(queue, control, bonds_, contacts_, loads_, particles_, NoAccounts{},
                 rest_ ? &rest_->particles : nullptr);
     }
+    found = recorded_.emplace(count, recording).first;
   }
   found->second.replay(exec, "vug::dem::substeps");
   steps_ += count;
