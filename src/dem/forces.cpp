@@ -11,16 +11,16 @@ namespace {
 /// Contacts beside bonds: they need not know of a bond that fails in this step, since no pair is listed before the
 /// first has failed.
 template <class Law, class Keeper>
-void launch_with(const Exec& exec, BondModel<Law, Keeper> model, ContactForces<Keeper> touch, const Groups* awake) {
+void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces<Keeper> touch, const Groups* awake) {
   const char* label = "vug::dem::forces";
   const int particles = model.particles.count, bonds = model.bonds.count;
   CohesiveForces<Law, Keeper> hold{model};
   BondFailure<Law, Keeper> fail{std::move(model)};
   auto pairs = each(particles, std::move(touch));
   if (awake)
-    launch(exec, label, side_by_side(in_turn(*awake, std::move(hold), std::move(fail)), std::move(pairs)));
+    launch(queue, label, side_by_side(in_turn(*awake, std::move(hold), std::move(fail)), std::move(pairs)));
   else
-    launch(exec, label, side_by_side(in_turn(bonds, std::move(hold), std::move(fail)), std::move(pairs)));
+    launch(queue, label, side_by_side(in_turn(bonds, std::move(hold), std::move(fail)), std::move(pairs)));
 }
 
 /// What the dashpots of its contacts do to each particle.
@@ -35,11 +35,11 @@ void gather_drag(const Exec& exec, int count, const Bonds& bonds, const Contacts
 }  // namespace
 
 template <class Keeper>
-void compute_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
+void compute_forces(const Queue& queue, const MechanicsParameters& parameters, double dt, const Particles& particles,
                     const Bonds& bonds, const Contacts& contacts, const Keeper& accounts, const Groups* awake) {
   const double expansion = parameters.thermal_expansion;
   const auto launch_law = [&](auto law) {
-    launch_with(exec,
+    launch_with(queue,
                 BondModel<decltype(law), Keeper>{std::move(law), parameters.contact, parameters.chemical, expansion, dt,
                                                  particles, bonds, accounts},
                 ContactForces<Keeper>{parameters.contact, expansion, dt, particles, contacts, accounts}, awake);
@@ -48,22 +48,22 @@ void compute_forces(const Exec& exec, const MechanicsParameters& parameters, dou
     launch_law(LawOfEach{parameters.bond, bonds.elasticity});
   else
     launch_law(OneLaw{parameters.bond});
-  gather_drag(exec, particles.count, bonds, contacts, accounts);
+  gather_drag(queue.exec, particles.count, bonds, contacts, accounts);
 }
 
 template <class Keeper>
 void compute_contact_forces(const Exec& exec, const MechanicsParameters& parameters, double dt,
                             const Particles& particles, const Bonds& bonds, const Contacts& contacts,
                             const Keeper& accounts) {
-  launch(exec, "vug::dem::contact_forces",
-         each(particles.count, ContactForces<Keeper>{parameters.contact, parameters.thermal_expansion, dt, particles,
-                                                     contacts, accounts}));
+  for_each_node(
+      exec, "vug::dem::contact_forces", particles.count,
+      ContactForces<Keeper>{parameters.contact, parameters.thermal_expansion, dt, particles, contacts, accounts});
   gather_drag(exec, particles.count, bonds, contacts, accounts);
 }
 
-template void compute_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
+template void compute_forces(const Queue&, const MechanicsParameters&, double, const Particles&, const Bonds&,
                              const Contacts&, const NoAccounts&, const Groups*);
-template void compute_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
+template void compute_forces(const Queue&, const MechanicsParameters&, double, const Particles&, const Bonds&,
                              const Contacts&, const Accounts&, const Groups*);
 template void compute_contact_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
                                      const Contacts&, const Accounts&);

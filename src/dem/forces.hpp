@@ -12,7 +12,7 @@ namespace vug {
 /// advances the friction springs by dt and writes Contacts::load, which the integrator gathers into Contacts::push. dt
 /// is also the step over which losses are accounted. `awake` names the groups of bonds that are evaluated; null: all.
 template <class Keeper>
-void compute_forces(const Exec& exec, const MechanicsParameters& parameters, double dt, const Particles& particles,
+void compute_forces(const Queue& queue, const MechanicsParameters& parameters, double dt, const Particles& particles,
                     const Bonds& bonds, const Contacts& contacts, const Keeper& accounts,
                     const Groups* awake = nullptr);
 

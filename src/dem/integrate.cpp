@@ -82,21 +82,21 @@ struct Integrate {
 }  // namespace
 
 template <class Keeper>
-void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
+void integrate(const Queue& queue, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts, const Groups* awake) {
   const char* label = "vug::dem::integrate";
   GatherContacts gather = gather_loads(bonds, contacts);
   Integrate<Keeper> move{
       control, particle_push(control.load_factor, control.surroundings, bonds, contacts, loads, particles), accounts};
   if (awake)
-    launch(exec, label, in_turn(*awake, std::move(gather), std::move(move)));
+    launch(queue, label, in_turn(*awake, std::move(gather), std::move(move)));
   else
-    launch(exec, label, in_turn(particles.count, std::move(gather), std::move(move)));
+    launch(queue, label, in_turn(particles.count, std::move(gather), std::move(move)));
 }
 
-template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
+template void integrate(const Queue&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
                         const Particles&, const NoAccounts&, const Groups*);
-template void integrate(const Exec&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
+template void integrate(const Queue&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
                         const Particles&, const Accounts&, const Groups*);
 
 }  // namespace vug

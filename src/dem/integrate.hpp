@@ -20,7 +20,7 @@ struct StepControl {
 /// v(t + dt/2) = v(t - dt/2) + dt F / m, u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle.
 /// Symplectic. `awake` names the groups of particles that move; null: all.
 template <class Keeper>
-void integrate(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
+void integrate(const Queue& queue, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts,
                const Groups* awake = nullptr);
 

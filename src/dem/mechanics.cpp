@@ -18,11 +18,10 @@ namespace vug {
 
 namespace {
 
-constexpr double at_rest = 1e-9;            // kinetic over elastic energy: the stress oscillates by its square root
-constexpr long shortest_look = 16;          // steps: a look at the energies takes as long as two
-constexpr int looks_at_rest = 3;            // in a row, a fifth of the ramp apart: no turning point of an oscillation
-constexpr int steps_between_searches = 50;  // far less than a quarter of the skin is covered in so many
-constexpr int longest_settling = 50;        // times the ramp
+constexpr double at_rest = 1e-9;      // kinetic over elastic energy: the stress oscillates by its square root
+constexpr long shortest_look = 16;    // steps: a look at the energies takes as long as two
+constexpr int looks_at_rest = 3;      // in a row, a fifth of the ramp apart: no turning point of an oscillation
+constexpr int longest_settling = 50;  // times the ramp
 
 /// Checked; the expansions of all materials are counted on the largest.
 MechanicsParameters checked(MechanicsParameters parameters) {
@@ -106,9 +105,15 @@ void Mechanics::follow_temperature(const Exec& exec) {
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {
   follow_temperature(exec);
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
-  for (int s = 0; s < substeps; ++s) {
+  for (int s = 0; s < substeps;) {
+    if (const int count = alike(substeps - s); count > 1) {
+      replay(exec, control, count);
+      s += count;
+      continue;
+    }
     if (timed_) follow_loads(exec, *timed_, time_ + s * dt, dt, loads_, particles_);
     step(exec, control, rest_ ? &*rest_ : nullptr);
+    ++s;
   }
   time_ += dt * substeps;
 }

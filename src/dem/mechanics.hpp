@@ -10,7 +10,9 @@
 #include "dem/rest.hpp"
 #include "dem/servo.hpp"
 #include "dem/timed_loads.hpp"
+#include "kernels/launch/recording.hpp"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,9 @@ inline constexpr double default_preload_damping = 0.7;
 
 /// Sub-steps between two looks at what rests; a wave passes some ten triangles meanwhile.
 inline constexpr int steps_between_looks = 16;
+
+/// Sub-steps between two searches for contacts: far less than a quarter of the skin is covered in so many.
+inline constexpr int steps_between_searches = 50;
 
 /// How the preload ended.
 struct PreloadReport {
@@ -43,7 +48,8 @@ class Mechanics {
   /// Takes `substeps` steps of dt with outside forces and temperatures held. Two kernels each, one more per servo
   /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
   /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it
-  /// does.
+  /// does. On a GPU sub-steps between searches and looks are one launch, unless loads change in time, a servo moves
+  /// platens or there is a ledger.
   void advance(const Exec& exec, double dt, int substeps);
 
   /// What is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what is
@@ -103,6 +109,10 @@ class Mechanics {
   void step(const Exec& exec, const StepControl& control, Rest* rest = nullptr);
   template <class Keeper>
   void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest);
+  /// So many of the next sub-steps, at most `most`, are the same two kernels: 0 or 1 where nothing is recorded.
+  int alike(int most) const;
+  /// Takes them in one launch, recorded where that has not been done for this `count` and dt.
+  void replay(const Exec& exec, const StepControl& control, int count);
   long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
   /// What both ways of preloading end with: the rock is at rest, its displacements are the reference.
@@ -123,7 +133,9 @@ class Mechanics {
   std::optional<TimedLoads> timed_;  ///< where loads change or platens move by a table
   MassLoss loss_;
   std::optional<Accounts> accounts_;
-  std::optional<Rest> rest_;  ///< where rock may sleep
+  std::optional<Rest> rest_;           ///< where rock may sleep
+  std::map<int, Recording> recorded_;  ///< by the number of sub-steps, of recorded_dt_
+  double recorded_dt_ = 0;
   double initial_energy_ = 0;
   double lost_contact_energy_ = 0;  ///< with the outlines that dissolved; only with accounts_
   double last_dt_ = 0;

@@ -1,4 +1,5 @@
-// The same bits whatever the number of threads: forces are gathered in fixed order, pairs are listed by their numbers.
+// The same bits whatever the number of threads and of sub-steps taken at once: forces are gathered in fixed order,
+// pairs are listed by their numbers.
 #include "dem_support.hpp"
 
 #include <gtest/gtest.h>
@@ -100,6 +101,40 @@ TEST(MechanicsResumed, GoesOnWithTheSameBits) {
     append(bits_b, b);
     EXPECT_EQ(bits_a, bits_b);
   }
+}
+
+/// State of a block that platens break and that then is warm, with slower platens and, for a while, shorter steps.
+std::vector<std::uint64_t> pressed(int at_once) {
+  MechanicsParameters parameters;
+  parameters.bond.cohesion = 20e6;
+  parameters.rest_tolerance = 1e-3;
+  Loads loads;
+  loads.support = {Support::free, Support::roller, Support::roller, Support::roller};
+  loads.velocity[static_cast<std::size_t>(RockSide::top)] = {0, -20};
+  Mechanics rock(test::block(0.02, 0.02, 2e-3, 0.25), parameters, loads);
+  const Exec exec;
+  const double dt = 0.3 * rock.critical_step();
+  const auto advance = [&](double step) {
+    for (int s = 0; s < 480; s += at_once) rock.advance(exec, step, at_once);
+  };
+  advance(dt);
+  Kokkos::deep_copy(rock.particles().temperature_change, 5.0);
+  rock.set_platen_velocity(RockSide::top, {0, -10});
+  for (const double share : {1.0, 0.8, 1.0}) advance(share * dt);
+  exec.fence();
+  EXPECT_GT(rock.bond_counts().failed(), 20);
+  std::vector<std::uint64_t> bits;
+  append(bits, rock.particles().u);
+  append(bits, rock.particles().v);
+  append(bits, rock.bonds().d_m);
+  append(bits, rock.bonds().slip);
+  return bits;
+}
+
+/// A GPU records sub-steps that are taken at once, and what it recorded must follow all that has changed since.
+TEST(MechanicsAtOnce, HasTheBitsOfOneSubStepAfterTheOther) {
+  const std::vector<std::uint64_t> one_by_one = pressed(1);
+  for (const int at_once : {5, 48}) EXPECT_EQ(pressed(at_once), one_by_one) << at_once << " at once";
 }
 
 }  // namespace

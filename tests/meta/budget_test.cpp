@@ -4,14 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace vug {
 namespace {
 
-/// What Kokkos has done while one exists, by labels.
+/// What Kokkos has done while one exists, by labels. A recording is one launch whatever it holds, as a GPU's graph is:
+/// a region of vug; a host, which replays nothing, counts every kernel.
 class Tally {
  public:
   using Counts = std::map<std::string, int>;
@@ -23,8 +24,15 @@ class Tally {
     set_begin_parallel_for_callback(launched);
     set_begin_parallel_reduce_callback(launched);
     set_begin_parallel_scan_callback(launched);
+    set_push_region_callback([](const char* label) {
+      if (std::string_view(label).starts_with("vug::")) ++counting_->launches[label];
+    });
     set_begin_fence_callback([](const char* label, std::uint32_t, std::uint64_t*) {
-      if (std::strstr(label, "Profile Tool Fence") == nullptr) ++counting_->waits[label];
+      // Kokkos itself fences for its tools, and where a host stands in for a GPU before a graph
+      const std::string_view wait = label;
+      for (const char* not_ours : {"Profile Tool Fence", "Kokkos::DefaultGraph::submit"})
+        if (wait.find(not_ours) != wait.npos) return;
+      ++counting_->waits[label];
     });
     set_allocate_data_callback([](Kokkos::Profiling::SpaceHandle, const char* label, const void*, std::uint64_t size) {
       if (size > 0) ++counting_->allocations[label];
@@ -38,6 +46,7 @@ class Tally {
     set_begin_parallel_for_callback(nullptr);
     set_begin_parallel_reduce_callback(nullptr);
     set_begin_parallel_scan_callback(nullptr);
+    set_push_region_callback(nullptr);
     set_begin_fence_callback(nullptr);
     set_allocate_data_callback(nullptr);
     set_begin_deep_copy_callback(nullptr);
@@ -73,9 +82,10 @@ class BudgetOfAStep : public testing::Test {
   Simulation simulation_;
 };
 
-/// 5 sub-steps of 2 launches; flow 2; heat 2 (defect, sides, two sweeps in two steps), solutes 1, on a GPU 2, force
-/// 1/4; looks at resting rock 5/16 of 2; the rest at updates. A host counts besides who is awake.
-constexpr double launches_per_step = runs_on_host ? 17.0 : 17.8;
+/// 5 sub-steps of 2 launches, on a GPU a recording of those between looks and searches; flow 2; heat 2 (defect, sides,
+/// two sweeps in two steps), solutes 1, on a GPU 2, force 1/4; looks at resting rock 5/16 of 2; the rest at updates. A
+/// host counts besides who is awake.
+constexpr double launches_per_step = runs_on_host ? 17.0 : 9.82;
 
 TEST_F(BudgetOfAStep, OfLaunchesIsKept) {
   const Tally tally;

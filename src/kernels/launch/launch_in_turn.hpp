@@ -2,6 +2,7 @@
 // Two bodies in one launch, which for short lists takes longer than the work: one after the other over a list, or over
 // those groups of it that have something to do; side by side over two lists.
 #include "kernels/launch/launch.hpp"
+#include "kernels/launch/recording.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -152,14 +153,16 @@ auto side_by_side(Work<One, Schedule> one, Work<Other> other) {
       {std::move(one.body), std::move(other.body), ones, others, most}, runs_on_host ? most : ones + others};
 }
 
-/// Runs it in one launch; the shortest without waking other threads of a host. Nothing is fenced.
+/// Runs it in one launch, or records that; the shortest without waking other threads of a host. Nothing is fenced.
 template <class Body, class Schedule>
-void launch(const Exec& exec, const std::string& label, const Work<Body, Schedule>& work) {
+void launch(const Queue& queue, const std::string& label, const Work<Body, Schedule>& work) {
   if (work.count <= 0) return;
+  const typename Work<Body, Schedule>::Policy policy(queue.exec, 0, work.count);
+  if (queue.recording) return queue.recording->add(label, policy, work.body);
   if (runs_on_host && work.count == 1)
     Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), work.body);
   else
-    Kokkos::parallel_for(label, typename Work<Body, Schedule>::Policy(exec, 0, work.count), work.body);
+    Kokkos::parallel_for(label, policy, work.body);
 }
 
 }  // namespace vug
