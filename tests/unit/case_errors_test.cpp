@@ -107,6 +107,9 @@ TEST(CaseErrors, ContradictionsBetweenTables) {
   broken("rock.mesh=none.msh", "rock.mesh replaces it");
   broken("geometry.type=open", "[rock] needs geometry.type");
   broken("reaction.rate_constant=1", "stands beside reaction.rate_constant");
+  for (const char* without : {"solute.advective_form=false", "solute.velocity_set=d2q9"})
+    EXPECT_THAT(quickstart_message({"solute.face_exchange=true", without}),
+                HasSubstr("solute.face_exchange belongs to the advective form on d2q5"));
 }
 
 TEST(CaseErrors, StepsThatLeaveNothingOfTheEquations) {
