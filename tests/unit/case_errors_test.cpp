@@ -109,7 +109,7 @@ TEST(CaseErrors, ContradictionsBetweenTables) {
   broken("reaction.rate_constant=1", "stands beside reaction.rate_constant");
   for (const char* without : {"solute.advective_form=false", "solute.velocity_set=d2q9"})
     EXPECT_THAT(quickstart_message({"solute.face_exchange=true", without}),
-                HasSubstr("solute.face_exchange belongs to the advective form on d2q5"));
+                HasSubstr("solute.face_exchange = true belongs to the advective form on d2q5"));
 }
 
 TEST(CaseErrors, StepsThatLeaveNothingOfTheEquations) {
