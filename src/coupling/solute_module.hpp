@@ -65,6 +65,7 @@ class SoluteModule final : public Module {
 
  private:
   void find_boundaries(const Exec& exec);
+  void find_halos();
   /// Sweeps of all species, and their reaction.
   void sweep(const Exec& exec);
   /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.

@@ -1,6 +1,7 @@
 #include "kernels/flow/face_flow.hpp"
 
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 
 namespace vug {
 
@@ -20,9 +21,8 @@ struct FaceExcess {
     T is_fluid;  ///< 1 or 0
   };
   KOKKOS_FORCEINLINE_FUNCTION Neighbour along(int q, int i) const {
-    const int slot = D2Q9::opposite(q) * capacity, node = source(slot + i) - slot;
-    const bool is_fluid = node >= 0 && node < capacity;
-    return {is_fluid ? node : i, is_fluid ? T(1) : T(0)};
+    const int node = fluid_neighbour(source, capacity, q, i);
+    return {node >= 0 ? node : i, node >= 0 ? T(1) : T(0)};
   }
   /// What goes along direction q from a node to its neighbour.
   KOKKOS_FORCEINLINE_FUNCTION T through(int q, int node, int neighbour) const {

@@ -1,6 +1,7 @@
 #include "kernels/solute/face_exchange.hpp"
 
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 
 namespace vug {
 
@@ -17,8 +18,7 @@ struct FaceExchange {
     T sum = 0;
     VUG_UNROLL
     for (int q = 1; q < D2Q5::Q; ++q) {
-      const int slot = D2Q5::opposite(q) * capacity, node = source(slot + i) - slot;
-      const int next = node >= 0 && node < capacity ? node : i;  // with which it exchanges nothing
+      const int node = fluid_neighbour(source, capacity, q, i), next = node >= 0 ? node : i;  // with itself: nothing
       sum += (q < 3 ? excess(i, q - 1) : -excess(next, q - 3)) * (C(next) - C(i));
     }
     const T before = h(i);

@@ -1,0 +1,65 @@
+// Solutes of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
+#include "coupling/solute_module.hpp"
+#include "coupling/sum_state.hpp"
+#include "kernels/launch/launch.hpp"
+#include "kernels/solute/solute_totals.hpp"
+
+namespace vug {
+
+template <class T, class Set>
+void SoluteModule<T, Set>::find_halos() {
+  populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
+  if (excess_) neighbours_ = geometry_.split.around(geometry_.fluid, {});
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::exchange(const Exec& exec, const SoluteFields<T>& fields) const {
+  if (fields.turned)
+    populations_.template exchange_back<T, 1>(exec, {fields.h});
+  else
+    populations_.template exchange<T, 1>(exec, {fields.h});
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::gather(const Exec& exec) {
+  const Split& split = geometry_.split;
+  const FluidNodes& fluid = geometry_.fluid;
+  const Owners nodes = split.of_fluid(fluid);
+  for (const SpeciesState<T>& s : species_) {
+    if (s.fields.turned) exchange(exec, s.fields);
+    split.make_whole(nodes, s.fields.h, Set::Q, fluid.capacity);
+    split.make_whole(nodes, s.fields.C);
+    gather_sums(s);
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>& s) const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  split.make_whole(split.of_blocks(s.correction.recent().extent(0)), s.correction);
+  for (const StretchLinks& boundary : s.boundaries) split.make_whole(split.of_links(boundary.links), boundary.gain);
+}
+
+template <class T, class Set>
+double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
+  if (s.fields.turned) exchange(Exec{}, s.fields);
+  const ScalarField<double> partial("vug::solute::partial", block_count(geometry_.fluid.count));
+  add_solute<Set>(Exec{}, geometry_.fluid, s.fields, partial);
+  geometry_.split.make_whole(geometry_.split.of_blocks(), partial);
+  return sum_in_order(partial);
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                            \
+  template void SoluteModule<T, Set>::find_halos();                                        \
+  template void SoluteModule<T, Set>::exchange(const Exec&, const SoluteFields<T>&) const; \
+  template void SoluteModule<T, Set>::gather(const Exec&);                                 \
+  template void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>&) const;           \
+  template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const
+VUG_INSTANTIATE(float, D2Q5);
+VUG_INSTANTIATE(float, D2Q9);
+VUG_INSTANTIATE(double, D2Q5);
+VUG_INSTANTIATE(double, D2Q9);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug
