@@ -55,7 +55,7 @@ void expect_as_the_table() {
       packs.pull(f.data(), i, g);
       T upstream[2][Set::Q][pack_size];  // of two fields, the second without direction 3
       for (T& left : upstream[1][3]) left = T(-1);
-      packs.upstream({f.data(), f.data() + 1}, i, upstream, 0, [](int q, int field) { return field == 0 || q != 3; });
+      packs.upstream({f.data(), f.data() + 1}, i, upstream, [](int q, int field) { return field == 0 || q != 3; });
       for (int q = 0; q < Set::Q; ++q)
         for (int l = 0; l < pack_size; ++l) {
           const int slot = nodes.source(q * nodes.capacity + i + l), from = slot - q * nodes.capacity;

@@ -94,32 +94,18 @@ struct SourcePacks {
     }
   }
 
-  /// Two fields (fluid) at the nodes that the directions of i .. i + 7 come from, into value[field][q] from `at` on; at
-  /// a wall or a side those of the node itself. Where `matters(q, field)` is not true, nothing.
+  /// Two fields (fluid) at the nodes that the directions of i .. i + some - 1, i a multiple of eight, come from, into
+  /// value[field][q]; at a wall or a side those of the node itself. Where `matters(q, field)` is not true, nothing.
   template <int some, class Matters>
-  void upstream(const std::array<const T*, 2>& fields, int i, T (&value)[2][Set::Q][some], int at,
+  void upstream(const std::array<const T*, 2>& fields, int i, T (&value)[2][Set::Q][some],
                 const Matters& matters) const {
-    for (int n = 0; n < 2; ++n) P::store(value[n][0] + at, P::load(fields[n] + i));
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      const int plane = q * capacity;
-      if constexpr (by_windows)
-        if (const SourceWindow& w = windows[i + q - 1]; !w.is_irregular()) [[likely]] {
-          for (int n = 0; n < 2; ++n) {
-            if (!matters(q, n)) continue;
-            const T* const run = fields[n] - plane;
-            const Pack<T> there = P::pick(w.from, P::load(run + w.near), P::load(run + w.far));
-            P::store(value[n][q] + at, P::blend(w.bounced, there, P::load(fields[n] + i)));
-          }
-          continue;
-        }
-      int node[pack_size];
-      for (int l = 0; l < pack_size; ++l) {
-        const int from = source[plane + i + l] - plane;
-        node[l] = static_cast<unsigned>(from) < static_cast<unsigned>(capacity) ? from : i + l;
-      }
-      for (int n = 0; n < 2; ++n)
-        if (matters(q, n)) P::store(value[n][q] + at, P::gather(fields[n], node));
+    for (int n = 0; n < 2; ++n)
+      for (int l = 0; l < some; l += pack_size) P::store(value[n][0] + l, P::load(fields[n] + i + l));
+    if constexpr (by_windows) {
+      for (int l = 0; l < some; l += pack_size) upstream_by_windows(fields, i, value, l, matters);
+    } else {
+      VUG_UNROLL
+      for (int q = 1; q < Set::Q; ++q) upstream_one_by_one<some>(fields, q, i, value, 0, matters);
     }
   }
 
@@ -143,6 +129,42 @@ struct SourcePacks {
   }
 
  private:
+  /// Of nodes i + at .. i + at + 7.
+  template <int some, class Matters>
+  void upstream_by_windows(const std::array<const T*, 2>& fields, int i, T (&value)[2][Set::Q][some], int at,
+                           const Matters& matters) const {
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q) {
+      const SourceWindow& w = windows[i + at + q - 1];
+      if (w.is_irregular()) [[unlikely]] {
+        upstream_one_by_one<pack_size>(fields, q, i, value, at, matters);
+        continue;
+      }
+      for (int n = 0; n < 2; ++n) {
+        if (!matters(q, n)) continue;
+        const T* const run = fields[n] - q * capacity;
+        const Pack<T> there = P::pick(w.from, P::load(run + w.near), P::load(run + w.far));
+        P::store(value[n][q] + at, P::blend(w.bounced, there, P::load(fields[n] + i + at)));
+      }
+    }
+  }
+
+  /// Direction q of nodes i + at .. i + at + count - 1, as the table of sources has it.
+  template <int count, int some, class Matters>
+  KOKKOS_FORCEINLINE_FUNCTION void upstream_one_by_one(const std::array<const T*, 2>& fields, int q, int i,
+                                                       T (&value)[2][Set::Q][some], int at,
+                                                       const Matters& matters) const {
+    const int plane = q * capacity, first = i + at;
+    alignas(64) int node[count];
+    for (int l = 0; l < count; ++l) {
+      const int from = source[plane + first + l] - plane;
+      node[l] = static_cast<unsigned>(from) < static_cast<unsigned>(capacity) ? from : first + l;
+    }
+    for (int l = 0; l < count; l += pack_size)
+      for (int n = 0; n < 2; ++n)
+        if (matters(q, n)) P::store(value[n][q] + at + l, P::gather(fields[n], node + l));
+  }
+
   static constexpr int windows_ahead = 8 * nodes_per_window;
 
   /// Among so many streams the processor does not foresee this one.

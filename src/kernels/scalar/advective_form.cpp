@@ -72,8 +72,7 @@ struct DefectsOfBlock {
     int i = first;
     for (; i + some <= last; i += some) {
       alignas(64) T u[2][Set::Q][some];
-      for (int l = 0; l < some; l += pack_size)
-        packs.upstream({&local.u.u(0, 0), &local.u.u(0, 1)}, i + l, u, l, Defect::matters);
+      packs.upstream({&local.u.u(0, 0), &local.u.u(0, 1)}, i, u, Defect::matters);
       VUG_VECTORISE
       for (int l = 0; l < some; ++l) {
         T own_x[Set::Q], own_y[Set::Q];
