@@ -52,6 +52,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
   if (flow_ || dissolves) wet_.emplace(geometry.lattice, rock.nodes_of_sector);
   if (dissolves) dissolved_.emplace(exec, rock.nodes_of_sector, rock.sectors_of_bond, geometry.volume);
   if (section_.lets_fragments_go) dissolved_->follow_fragments();
+  mechanics_.share(geometry.split.ranks());
   find_links(exec);
   choose_substeps();
 }
@@ -89,7 +90,8 @@ void MechanicsModule<T>::find_links(const Exec& exec) {
   if (flow_ && !geometry_.split.alone()) share_links();
 }
 
-/// A triangle belongs to the rank of the fluid at its first link; one without links feels no fluid, on every rank.
+/// The force on a triangle is summed up by the rank of the fluid at its first link, for the rank that moves it; on one
+/// without links there is none, on every rank.
 template <class T>
 void MechanicsModule<T>::share_links() {
   const Split& split = geometry_.split;
@@ -101,7 +103,7 @@ void MechanicsModule<T>::share_links() {
     if (owner == split.ranks().rank()) {
       ours.push_back(g);
       for (int k = first; k < last; ++k) slots.push_back(links_.slot(k));
-    } else {
+    } else if (mechanics_.moves(g)) {
       others.push_back(g);
       owners.push_back(owner);
     }
@@ -135,6 +137,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     }
   }
   mechanics_.advance(exec, dt, substeps_);
+  if ((clock.step + 1) % update_interval_ == 0) mechanics_.make_positions_whole(exec);
 }
 
 template <class T>
@@ -146,6 +149,7 @@ void MechanicsModule<T>::births(const Exec& exec, const Births& births) {
 
 template <class T>
 void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
+  mechanics_.make_whole(exec);  // rows, too, are written after a look at the guards
   if (const std::string wrong = what_is_unsound(exec, mechanics_); !wrong.empty())
     throw StabilityError(fmt::format("mechanics diverged at step {}: {}", clock.step, wrong));
   // Dissolving particles grow lighter. At fixed steps, not whenever somebody looks: a checkpoint changes nothing.

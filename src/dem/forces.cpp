@@ -11,14 +11,19 @@ namespace {
 /// Contacts beside bonds: they need not know of a bond that fails in this step, since no pair is listed before the
 /// first has failed.
 template <class Law, class Keeper>
-void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces<Keeper> touch, const Groups* awake) {
+void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces<Keeper> touch,
+                 const ForceGroups& only) {
   const char* label = "vug::dem::forces";
   const int particles = model.particles.count, bonds = model.bonds.count;
   CohesiveForces<Law, Keeper> hold{model};
   BondFailure<Law, Keeper> fail{std::move(model)};
+  if (only.pairs)
+    return launch(
+        queue, label,
+        side_by_side(in_turn(*only.bonds, std::move(hold), std::move(fail)), each(*only.pairs, std::move(touch))));
   auto pairs = each(particles, std::move(touch));
-  if (awake)
-    launch(queue, label, side_by_side(in_turn(*awake, std::move(hold), std::move(fail)), std::move(pairs)));
+  if (only.bonds)
+    launch(queue, label, side_by_side(in_turn(*only.bonds, std::move(hold), std::move(fail)), std::move(pairs)));
   else
     launch(queue, label, side_by_side(in_turn(bonds, std::move(hold), std::move(fail)), std::move(pairs)));
 }
@@ -36,13 +41,13 @@ void gather_drag(const Exec& exec, int count, const Bonds& bonds, const Contacts
 
 template <class Keeper>
 void compute_forces(const Queue& queue, const MechanicsParameters& parameters, double dt, const Particles& particles,
-                    const Bonds& bonds, const Contacts& contacts, const Keeper& accounts, const Groups* awake) {
+                    const Bonds& bonds, const Contacts& contacts, const Keeper& accounts, const ForceGroups& only) {
   const double expansion = parameters.thermal_expansion;
   const auto launch_law = [&](auto law) {
     launch_with(queue,
                 BondModel<decltype(law), Keeper>{std::move(law), parameters.contact, parameters.chemical, expansion, dt,
                                                  particles, bonds, accounts},
-                ContactForces<Keeper>{parameters.contact, expansion, dt, particles, contacts, accounts}, awake);
+                ContactForces<Keeper>{parameters.contact, expansion, dt, particles, contacts, accounts}, only);
   };
   if (bonds.elasticity.given())
     launch_law(LawOfEach{parameters.bond, bonds.elasticity});
@@ -62,9 +67,9 @@ void compute_contact_forces(const Exec& exec, const MechanicsParameters& paramet
 }
 
 template void compute_forces(const Queue&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                             const Contacts&, const NoAccounts&, const Groups*);
+                             const Contacts&, const NoAccounts&, const ForceGroups&);
 template void compute_forces(const Queue&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                             const Contacts&, const Accounts&, const Groups*);
+                             const Contacts&, const Accounts&, const ForceGroups&);
 template void compute_contact_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
                                      const Contacts&, const Accounts&);
 

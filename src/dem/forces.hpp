@@ -7,14 +7,19 @@
 
 namespace vug {
 
+/// Groups of bonds, and of particles of whose pairs they are the lower ones; null: all. Pairs only with bonds.
+struct ForceGroups {
+  const Groups* bonds = nullptr;
+  const Groups* pairs = nullptr;
+};
+
 /// Evaluates every bond and every candidate pair at the current displacements and velocities, in one launch. Of bonds
 /// it advances damage, state and the slider of their crack, and writes Bonds::load and Bonds::stress; of pairs it
 /// advances the friction springs by dt and writes Contacts::load, which the integrator gathers into Contacts::push. dt
-/// is also the step over which losses are accounted. `awake` names the groups of bonds that are evaluated; null: all.
+/// is also the step over which losses are accounted. `only` names what is evaluated.
 template <class Keeper>
 void compute_forces(const Queue& queue, const MechanicsParameters& parameters, double dt, const Particles& particles,
-                    const Bonds& bonds, const Contacts& contacts, const Keeper& accounts,
-                    const Groups* awake = nullptr);
+                    const Bonds& bonds, const Contacts& contacts, const Keeper& accounts, const ForceGroups& only = {});
 
 /// Of the pairs alone.
 template <class Keeper>

@@ -70,30 +70,60 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
     rest_ = make_rest(particles_, bonds_, least_normal_strength(parameters_), parameters_.rest_tolerance);
 }
 
+void Mechanics::share(const Ranks& ranks) {
+  if (ranks.alone() || accounts_ || !servos_.empty()) return;
+  share_.emplace(ranks, particles_, bonds_, contacts_);
+  if (!rest_) return;
+  rest_->particles.ours = share_->particles().ours;
+  rest_->bonds.ours = share_->bonds().ours;
+}
+
+void Mechanics::make_positions_whole(const Exec& exec) const {
+  if (share_) share_->make_positions_whole(exec);
+}
+
+void Mechanics::make_whole(const Exec& exec) const {
+  if (share_) share_->make_whole(exec, loss_);
+}
+
 double Mechanics::critical_step() const {
   return vug::critical_step(Exec(), parameters_, particles_, bonds_, loads_);
 }
 
 /// All bonds are evaluated before a look at what rests: what they are made of changes while they sleep.
 template <class Keeper>
-void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest) {
+void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest,
+                     RockShare* share) {
   const bool look = rest && steps_ % steps_between_looks == 0;
-  if (steps_++ % steps_between_searches == 0) update_contacts(exec, grid_, particles_, bonds_, contacts_);
+  if (steps_++ % steps_between_searches == 0) search_contacts(exec, share);
   if (rest && rest->awake == 0 && !look) return;
+  const Groups* const bonds = rest && !look ? &rest->bonds : share ? &share->bonds() : nullptr;
+  const Groups* const particles = rest ? &rest->particles : share ? &share->particles() : nullptr;
   compute_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts,
-                 rest && !look ? &rest->bonds : nullptr);
-  if (look) look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest);
-  integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts, rest ? &rest->particles : nullptr);
+                 {bonds, share ? &share->pairs() : nullptr});
+  if (look) {
+    look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest);
+    if (share) share->tell_rest(exec, *rest);
+    wake_bonds(exec, bonds_, *rest);
+  }
+  integrate(exec, control, bonds_, contacts_, loads_, particles_, accounts, particles);
+  if (share) share->exchange_motion(exec);
   for (const ServoPlaten& servo : servos_) follow_pressure(exec, servo, control.dt, control.load_factor, particles_);
 }
 
-void Mechanics::step(const Exec& exec, const StepControl& control, Rest* rest) {
+void Mechanics::step(const Exec& exec, const StepControl& control, Rest* rest, RockShare* share) {
   last_dt_ = control.dt;
   if (accounts_) {
-    step(exec, control, *accounts_, rest);
+    step(exec, control, *accounts_, rest, share);
   } else {
-    step(exec, control, NoAccounts{}, rest);
+    step(exec, control, NoAccounts{}, rest, share);
   }
+}
+
+void Mechanics::search_contacts(const Exec& exec, RockShare* share) {
+  if (share) share->prepare_search(exec);
+  update_contacts(exec, grid_, particles_, bonds_, contacts_);
+  if (share) share->follow_pairs(exec);
 }
 
 void Mechanics::follow_temperature(const Exec& exec) {
@@ -105,6 +135,7 @@ void Mechanics::follow_temperature(const Exec& exec) {
 void Mechanics::advance(const Exec& exec, double dt, int substeps) {
   follow_temperature(exec);
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
+  if (share_) share_->follow_pairs(exec);
   for (int s = 0; s < substeps;) {
     if (const int count = alike(substeps - s); count > 1) {
       replay(exec, control, count);
@@ -112,7 +143,7 @@ void Mechanics::advance(const Exec& exec, double dt, int substeps) {
       continue;
     }
     if (timed_) follow_loads(exec, *timed_, time_ + s * dt, dt, loads_, particles_);
-    step(exec, control, rest_ ? &*rest_ : nullptr);
+    step(exec, control, rest_ ? &*rest_ : nullptr, share_ ? &*share_ : nullptr);
     ++s;
   }
   time_ += dt * substeps;

@@ -8,6 +8,7 @@
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
 #include "dem/rest.hpp"
+#include "dem/rock_share.hpp"
 #include "dem/servo.hpp"
 #include "dem/timed_loads.hpp"
 #include "kernels/launch/recording.hpp"
@@ -41,6 +42,16 @@ class Mechanics {
  public:
   /// Throws InputError for an assembly that is no triangulation or parameters that are out of range.
   Mechanics(const Assembly& assembly, const MechanicsParameters& parameters, const Loads& loads);
+
+  /// From now on `advance` moves this rank's share of the rock; nothing is shared where a ledger sums up losses or a
+  /// servo moves platens. Called by all ranks. Where rock is shared `advance` and `make_whole` wait for the others.
+  void share(const Ranks& ranks);
+  /// Whether this rank moves a particle.
+  bool moves(int particle) const { return !share_ || share_->moves(particle); }
+  /// Brings positions and damage of all rock to all ranks, for those who look at cracks and fragments.
+  void make_positions_whole(const Exec& exec) const;
+  /// Brings the whole state to all ranks, before anything else looks at it.
+  void make_whole(const Exec& exec) const;
 
   /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
   double critical_step() const;
@@ -99,16 +110,20 @@ class Mechanics {
 
   double time() const { return time_; }
   /// For a run that is resumed.
-  void set_time(double time) { time_ = time; }
+  void set_time(double time) {
+    time_ = time;
+    if (share_) share_->forget_pairs();
+  }
   /// Steps taken, preload included: contacts are looked for at every fiftieth, so a resumed run must go on counting.
   long steps() const { return steps_; }
   void set_steps(long steps) { steps_ = steps; }
 
  private:
-  /// `rest` names what sleeps; null: nothing, as in a preload.
-  void step(const Exec& exec, const StepControl& control, Rest* rest = nullptr);
+  /// `rest` names what sleeps, `share` what others move; null: nothing, as in a preload.
+  void step(const Exec& exec, const StepControl& control, Rest* rest = nullptr, RockShare* share = nullptr);
   template <class Keeper>
-  void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest);
+  void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest, RockShare* share);
+  void search_contacts(const Exec& exec, RockShare* share);
   /// So many of the next sub-steps, at most `most`, are the same two kernels: 0 or 1 where nothing is recorded.
   int alike(int most) const;
   /// Takes them in one launch, recorded where that has not been done for this `count` and dt.
@@ -134,6 +149,7 @@ class Mechanics {
   MassLoss loss_;
   std::optional<Accounts> accounts_;
   std::optional<Rest> rest_;           ///< where rock may sleep
+  std::optional<RockShare> share_;     ///< where several ranks move it
   std::map<int, Recording> recorded_;  ///< by the number of sub-steps, of recorded_dt_
   double recorded_dt_ = 0;
   double initial_energy_ = 0;

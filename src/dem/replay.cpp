@@ -13,7 +13,7 @@ constexpr int longest_replay = 16;  // sub-steps: there may be a recording of ev
 }  // namespace
 
 int Mechanics::alike(int most) const {
-  const bool more_kernels = accounts_ || timed_ || !servos_.empty();
+  const bool more_kernels = accounts_ || timed_ || share_ || !servos_.empty();
   if (runs_on_host || more_kernels) return 0;
   const auto as_others = [&](long step) {
     return step % steps_between_searches != 0 && !(rest_ && step % steps_between_looks == 0);
@@ -33,7 +33,7 @@ void Mechanics::replay(const Exec& exec, const StepControl& control, int count) 
     const Queue queue(exec, recording);
     for (int s = 0; s < count; ++s) {
       compute_forces(queue, parameters_, control.dt, particles_, bonds_, contacts_, NoAccounts{},
-                     rest_ ? &rest_->bonds : nullptr);
+                     {rest_ ? &rest_->bonds : nullptr});
       integrate(queue, control, bonds_, contacts_, loads_, particles_, NoAccounts{},
                 rest_ ? &rest_->particles : nullptr);
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr double asleep_below = 0.25;  // of the unrest that wakes: what has come to rest stays there for a while
 
 Groups make_groups(const char* label, int count, int size) {
-  Groups groups{count, size, Kokkos::View<std::uint8_t*>(label, (count + size - 1) / size)};
+  Groups groups{count, size, Kokkos::View<std::uint8_t*>(label, (count + size - 1) / size), {}};
   Kokkos::deep_copy(groups.runs, std::uint8_t{1});
   return groups;
 }
@@ -42,6 +42,7 @@ struct LookAtRest {
   }
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int g = team.league_rank(), first = g * groups.size;
+    if (!groups.is_ours(g)) return;
     const auto range =
         Kokkos::TeamThreadRange(team, first, first + groups.size < push.p.count ? first + groups.size : push.p.count);
     double most = 0;
@@ -61,7 +62,6 @@ struct LookAtRest {
   }
 };
 
-/// Bonds run when one of their ends may move.
 struct WakeBonds {
   Bonds bonds;
   Groups particles, groups;
@@ -98,7 +98,7 @@ double awake_share(const Rest& rest) {
 }
 
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
-                  const BoundaryLoads& loads, const Particles& particles, Rest& rest) {
+                  const BoundaryLoads& loads, const Particles& particles, const Rest& rest) {
   const LookAtRest look{rest.wake_at,
                         control.mass_scaling,
                         1 / control.dt,
@@ -107,6 +107,10 @@ void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bon
                         rest.particles};
   const int groups = static_cast<int>(rest.particles.runs.extent(0));
   for_each_team(exec, "vug::dem::look_at_rest", groups, particles_per_group, look);
+}
+
+void wake_bonds(const Exec& exec, const Bonds& bonds, Rest& rest) {
+  const int groups = static_cast<int>(rest.particles.runs.extent(0));
   for_each_node(exec, "vug::dem::wake_bonds", static_cast<int>(rest.bonds.runs.extent(0)),
                 WakeBonds{bonds, rest.particles, rest.bonds});
   if constexpr (runs_on_host)

@@ -166,6 +166,7 @@ VUG_INSTANTIATE(double, 1)
 VUG_INSTANTIATE(float, 2)
 VUG_INSTANTIATE(double, 2)
 VUG_INSTANTIATE(double, 3)
+VUG_INSTANTIATE(double, 8)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

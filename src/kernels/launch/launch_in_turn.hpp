@@ -14,6 +14,11 @@ struct Groups {
   int count = 0;  ///< items of the list
   int size = 1;
   Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
+  Kokkos::View<std::uint8_t*> ours;  ///< (group) 0: another process does it; empty: all are ours
+
+  KOKKOS_FORCEINLINE_FUNCTION int group_of(int item) const { return item / size; }
+  KOKKOS_FORCEINLINE_FUNCTION bool is_ours(int group) const { return ours.data() == nullptr || ours(group) != 0; }
+  KOKKOS_FORCEINLINE_FUNCTION bool runs_here(int group) const { return runs(group) != 0 && is_ours(group); }
 };
 
 /// What a launch runs: on a host blocks of a list, on a GPU its items. Made by moving: a copy of a body counts the
@@ -58,7 +63,7 @@ struct GroupLoops {
     const First one = first;
     const Second two = second;
     for (int i = begin; i < end; i += groups.size) {
-      if (groups.runs(i / groups.size) == 0) continue;
+      if (!groups.runs_here(groups.group_of(i))) continue;
       const int last = i + groups.size < end ? i + groups.size : end;
       VUG_VECTORISE
       for (int k = i; k < last; ++k) one(k);
@@ -74,10 +79,14 @@ struct NodesOfGroups {
   Second second;
   Groups groups;
   KOKKOS_FUNCTION void operator()(int i) const {
-    if (groups.runs(i / groups.size) == 0) return;
+    if (!groups.runs_here(groups.group_of(i))) return;
     first(i);
     second(i);
   }
+};
+
+struct Nothing {
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int) const {}
 };
 
 /// On a host a share of the blocks of either, so that every thread has of both; on a GPU all items of one, then of the
@@ -145,9 +154,15 @@ auto in_turn(const Groups& groups, First first, Second second) {
   }
 }
 
-/// Two lists at once; neither may read what the other writes.
-template <class One, class Schedule, class Other>
-auto side_by_side(Work<One, Schedule> one, Work<Other> other) {
+/// body(i) for the items of the groups that run.
+template <class Body>
+auto each(const Groups& groups, Body body) {
+  return in_turn(groups, std::move(body), detail::Nothing{});
+}
+
+/// Two lists at once, on the schedule of the first; neither may read what the other writes.
+template <class One, class Schedule, class Other, class OtherSchedule>
+auto side_by_side(Work<One, Schedule> one, Work<Other, OtherSchedule> other) {
   const int ones = one.count, others = other.count, most = ones > others ? ones : others;
   return Work<detail::SideBySide<One, Other>, Schedule>{
       {std::move(one.body), std::move(other.body), ones, others, most}, runs_on_host ? most : ones + others};
