@@ -1,6 +1,7 @@
 #include "dem/rock_share.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace vug {
