@@ -186,23 +186,23 @@ bool HeatModule<T>::rock_asks_before_next_step(const Clock& clock) const {
 }
 
 template <class T>
-const ScalarField<T>& HeatModule<T>::temperature(const Exec& exec) const {
+const ScalarField<T>& HeatModule<T>::temperature(const Exec& exec, const Halo& others) const {
   if (!fresh_) take_temperatures(exec, fields_, theta_);
-  if (!whole_) geometry_.split.make_whole(geometry_.lattice, theta_);
-  fresh_ = whole_ = true;
+  fresh_ = true;
+  others.exchange<T, 1>(exec, {theta_});
   return theta_;
 }
 
 template <class T>
-FaceTemperature<T> HeatModule<T>::face_temperature(const Exec& exec) const {
+FaceTemperature<T> HeatModule<T>::face_temperature(const Exec& exec, const Halo& others) const {
   const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
   const double solid = section_.solid_density * section_.solid_heat_capacity * section_.solid_diffusivity;
-  return {temperature(exec), solid / (fluid + solid), units_.reference_temperature};
+  return {temperature(exec, others), solid / (fluid + solid), units_.reference_temperature};
 }
 
 template <class T>
-MineralFaceTemperature<T> HeatModule<T>::mineral_face_temperature(const Exec& exec) const {
-  return {temperature(exec), geometry_.mineral, solid_share_, units_.reference_temperature};
+MineralFaceTemperature<T> HeatModule<T>::mineral_face_temperature(const Exec& exec, const Halo& others) const {
+  return {temperature(exec, others), geometry_.mineral, solid_share_, units_.reference_temperature};
 }
 
 template <class T>
@@ -219,7 +219,6 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   fill_heat_sides<T>(exec, fields_, sides_);
   fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);
-  whole_ = geometry_.split.alone();
   const ScalarField<T> theta = fresh_ ? theta_ : ScalarField<T>();
   if (carrier_)
     conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->displacement(), carrier_->e, lagged_, fields_,

@@ -31,15 +31,16 @@ class HeatModule final : public Module {
   void fields(FieldList& list) const override;
   void state(StateList& list) override;
 
-  /// (node) temperatures of now, except in openings, for rock and reaction: taken together with a heat step before the
-  /// rock asks, or else when they are asked for, once between two steps.
-  const ScalarField<T>& temperature(const Exec& exec) const;
+  /// (node) temperatures of now in our rows and at the `others` (Split::beyond_rows), except in openings, for rock and
+  /// reaction: taken together with a heat step before the rock asks, or else when they are asked for, once between two
+  /// steps.
+  const ScalarField<T>& temperature(const Exec& exec, const Halo& others) const;
   double initial_theta() const { return initial_theta_; }
   /// Temperature of the faces between solid and fluid, for the reaction.
-  FaceTemperature<T> face_temperature(const Exec& exec) const;
+  FaceTemperature<T> face_temperature(const Exec& exec, const Halo& others) const;
   /// The same where minerals conduct each in their way.
   bool has_minerals() const { return !minerals_.empty(); }
-  MineralFaceTemperature<T> mineral_face_temperature(const Exec& exec) const;
+  MineralFaceTemperature<T> mineral_face_temperature(const Exec& exec, const Halo& others) const;
   double coldest() const { return coldest_; }  ///< K, of everything the case names
   double hottest() const { return hottest_; }  ///< K
 
@@ -78,7 +79,6 @@ class HeatModule final : public Module {
   ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
   ScalarField<T> fluid_theta_;      ///< (fluid) temperatures of now; empty unless the flow asks
   mutable bool fresh_ = false;      ///< no step since
-  mutable bool whole_ = true;       ///< theta_ has those of all ranks
   Halo populations_;                ///< of other ranks' nodes that we conduct from, or that every rank reads
   Halo in_rows_;                    ///< fluid nodes in our rows that others sweep
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order

@@ -53,6 +53,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
   if (dissolves) dissolved_.emplace(exec, rock.nodes_of_sector, rock.sectors_of_bond, geometry.volume);
   if (section_.lets_fragments_go) dissolved_->follow_fragments();
   mechanics_.share(geometry.split.ranks());
+  if (heat_ && !geometry.split.alone()) share_temperatures();
   find_links(exec);
   choose_substeps();
 }
@@ -114,6 +115,24 @@ void MechanicsModule<T>::share_links() {
   forces_ = Halo(split.ranks(), others, owners);
 }
 
+/// The mean temperature of a triangle is taken by the rank that has the row of its first node.
+template <class T>
+void MechanicsModule<T>::share_temperatures() {
+  const Split& split = geometry_.split;
+  std::vector<int> owner(nodes_of_particle_.count(), 0), ours, nodes;
+  for (int p = 0; p < nodes_of_particle_.count(); ++p) {
+    if (nodes_of_particle_.nodes(p) > 0)
+      owner[p] = split.rows().part_of(geometry_.lattice.y(nodes_of_particle_.first(nodes_of_particle_.offset(p))));
+    if (owner[p] != split.ranks().rank()) continue;
+    ours.push_back(p);
+    nodes_of_particle_.for_each(p, [&](int node) { nodes.push_back(node); });
+  }
+  our_warmed_ = IndexList("vug::mechanics::our_warmed", ours.size());
+  std::copy(ours.begin(), ours.end(), our_warmed_->data());
+  of_warmed_ = owners_of(owner, split.ranks().size());
+  temperatures_ = split.beyond_rows(geometry_.lattice, nodes);
+}
+
 template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
@@ -127,9 +146,11 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     flow_->add_slit_drag(exec, particles.x0, particles.force, particles.torque);
   }
   if (clock.step % update_interval_ == 0) {
-    if (heat_)
-      warm_particles(exec, nodes_of_particle_, heat_->temperature(exec), heat_->initial_theta(),
-                     particles.temperature_change);
+    if (heat_) {
+      warm_particles(exec, nodes_of_particle_, heat_->temperature(exec, temperatures_), heat_->initial_theta(),
+                     particles.temperature_change, our_warmed_);
+      geometry_.split.make_whole(of_warmed_, particles.temperature_change);
+    }
     if (dissolved_) {
       dissolved_->let_go(exec, particles);
       dissolved_->update(exec, *wet_, geometry_.dissolved);

@@ -37,6 +37,7 @@ class MechanicsModule final : public Module {
   void choose_substeps();
   void find_links(const Exec& exec);
   void share_links();
+  void share_temperatures();
 
   MechanicsSection section_;
   LatticeUnits units_;
@@ -51,6 +52,9 @@ class MechanicsModule final : public Module {
   std::vector<std::string> fields_asked_for_;  ///< output.fields
   std::optional<WetNodes> wet_;                ///< with flow or dissolution only
   std::optional<IndexList> our_triangles_;     ///< on whose force we sum up what the fluid gives; several ranks only
+  std::optional<IndexList> our_warmed_;        ///< whose temperature we take the mean of; several ranks only
+  Owners of_warmed_;
+  Halo temperatures_;                          ///< of other ranks' nodes in these
   Halo walls_;                                 ///< populations of other ranks' nodes that push them
   Halo forces_;                                ///< on the triangles of others
   WallLinks links_;                            ///< of each particle about its centroid; with flow only

@@ -169,13 +169,13 @@ void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, doub
   const double reference = section_.reference_temperature;
   const MineralRates& minerals = attack.wall.minerals;
   if (minerals.given() && heat_ && heat_->has_minerals())
-    set(MineralArrhenius<MineralFaceTemperature<T>>{minerals, reference, heat_->mineral_face_temperature(exec)});
+    set(MineralArrhenius<MineralFaceTemperature<T>>{minerals, reference, heat_->mineral_face_temperature(exec, temperatures_)});
   else if (minerals.given() && heat_)
-    set(MineralArrhenius<FaceTemperature<T>>{minerals, reference, heat_->face_temperature(exec)});
+    set(MineralArrhenius<FaceTemperature<T>>{minerals, reference, heat_->face_temperature(exec, temperatures_)});
   else if (minerals.given())
     set(MineralArrhenius<UniformTemperature>{minerals, reference, {section_.temperature}});
   else if (heat_)
-    set(ArrheniusRate<FaceTemperature<T>>{k0, activation, reference, heat_->face_temperature(exec)});
+    set(ArrheniusRate<FaceTemperature<T>>{k0, activation, reference, heat_->face_temperature(exec, temperatures_)});
   else
     set(UniformRate{arrhenius(k0, activation, section_.temperature, reference)});
 }

@@ -82,7 +82,7 @@ class ReactionModule final : public Module {
   /// Brings on every rank what the links have turned over.
   void gather_links() const;
   Owners owners_of_links(const Attack<T>& attack) const;
-  /// Which links are ours, and the surface nodes that they lead from.
+  /// Which links are ours, the surface nodes that they lead from, and the nodes whose temperature they ask for.
   void share_links();
   Share our_surface() const;
   void set_rates(const Exec& exec, Attack<T>& attack, double ahead);
@@ -132,6 +132,7 @@ class ReactionModule final : public Module {
   VectorField<double> normal_;  ///< (surface, axis); empty when the stair-step area is not corrected
   int own_surface_count_ = -1;  ///< blocks of the surface with normals that we ask for; -1: all
   IndexList own_surface_;       ///< (own) their numbers
+  Halo temperatures_;           ///< of other ranks' nodes at our links
   ScalarField<double> lost_;    ///< (block) volume that dissolving pixels were overdrawn by without an heir, pixels
   PoreGrowth::Losses losses_;
   int wall_interval_;

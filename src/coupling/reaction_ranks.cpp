@@ -24,6 +24,7 @@ void ReactionModule<T, Set>::share_links() {
   const FluidNodes& fluid = geometry_.fluid;
   if (fluid.own_count < 0) return;
   std::vector<bool> surface(block_count(geometry_.surface.count), false);
+  std::vector<int> nodes;
   for (Attack<T>& attack : attacks_) {
     ReactiveLinks<T>& links = attack.links;
     std::vector<bool> ours(block_count(links.count), false);
@@ -32,10 +33,16 @@ void ReactionModule<T, Set>::share_links() {
       for (int l = links.first(node); l < links.first(end); ++l) ours[l / nodes_per_block] = true;
     }
     links.own_blocks = numbers_of(ours, links.own_count);
-    for (int l = 0; l < links.count; ++l)
-      if (ours[l / nodes_per_block]) surface[links.root(l) / 8 / nodes_per_block] = true;
+    for (int l = 0; l < links.count; ++l) {
+      if (!ours[l / nodes_per_block]) continue;
+      const int solid = links.root(l) / 8, direction = links.root(l) % 8 + 1;
+      surface[solid / nodes_per_block] = true;
+      nodes.push_back(geometry_.surface.node(solid));
+      nodes.push_back(fluid.node(links.slot(l) - Set::opposite(direction) * fluid.capacity));
+    }
   }
   own_surface_ = numbers_of(surface, own_surface_count_);
+  if (heat_) temperatures_ = geometry_.split.beyond_rows(geometry_.lattice, nodes);
 }
 
 template <class T, class Set>

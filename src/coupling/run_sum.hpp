@@ -4,6 +4,7 @@
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 
+#include <optional>
 #include <string>
 
 namespace vug {
@@ -14,6 +15,7 @@ namespace detail {
 template <class T, class Store>
 struct RunSumOnHost {
   NodeGroups groups;
+  const int* only;  ///< null: all
   Kokkos::View<const T*> values;
   Store store;
   /// Every run lies on another row.
@@ -24,8 +26,9 @@ struct RunSumOnHost {
     prefetch_far(&values(first));
     prefetch_far(&values(first + groups.length(r + ahead) - 1));
   }
-  KOKKOS_FUNCTION void operator()(int g) const {
+  KOKKOS_FUNCTION void operator()(int item) const {
     constexpr int lanes = 4;
+    const int g = only ? only[item] : item;
     double sum[lanes] = {};
     for (int r = groups.offset(g); r < groups.offset(g + 1); ++r) {
       announce(r);
@@ -45,10 +48,11 @@ template <class T, class Store>
 struct RunSumByTeam {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
   NodeGroups groups;
+  const int* only;  ///< null: all
   Kokkos::View<const T*> values;
   Store store;
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int g = team.league_rank();
+    const int g = only ? only[team.league_rank()] : team.league_rank();
     double sum = 0;
     Kokkos::parallel_reduce(
         Kokkos::TeamThreadRange(team, groups.offset(g), groups.offset(g + 1)),
@@ -67,16 +71,18 @@ struct RunSumByTeam {
 
 }  // namespace detail
 
-/// store(g, sum of `values` (dense node) over the nodes of group g) for every group.
+/// store(g, sum of `values` (dense node) over the nodes of group g) for every group, or those listed in `only`.
 template <class T, class Store>
 void sum_runs(const Exec& exec, const std::string& label, const NodeGroups& groups, const ScalarField<T>& values,
-              const Store& store) {
-  if (groups.count() <= 0) return;
+              const Store& store, const std::optional<IndexList>& only = {}) {
+  const int count = only ? static_cast<int>(only->extent(0)) : groups.count();
+  const int* const list = only ? only->data() : nullptr;
+  if (count <= 0) return;
   if constexpr (runs_on_host)
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, groups.count()),
-                         detail::RunSumOnHost<T, Store>{groups, values, store});
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, count),
+                         detail::RunSumOnHost<T, Store>{groups, list, values, store});
   else
-    for_each_team(exec, label, groups.count(), 4, detail::RunSumByTeam<T, Store>{groups, values, store}, 8);
+    for_each_team(exec, label, count, 4, detail::RunSumByTeam<T, Store>{groups, list, values, store}, 8);
 }
 
 }  // namespace vug

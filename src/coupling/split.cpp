@@ -4,6 +4,15 @@
 
 namespace vug {
 
+namespace {
+
+void sort_once(std::vector<int>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+}  // namespace
+
 Split::Split(const Ranks& ranks, const std::vector<double>& weight_of_row)
     : ranks_(ranks), rows_(weight_of_row, ranks.size()) {}
 
@@ -42,8 +51,7 @@ Halo Split::populations(const FluidNodes& nodes, int directions) const {
 Halo Split::slots(const FluidNodes& nodes, const std::vector<int>& slots) const {
   if (alone()) return {};
   std::vector<int> needed(slots), owner;
-  std::sort(needed.begin(), needed.end());
-  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  sort_once(needed);
   std::erase_if(needed, [&](int slot) { return is_ours(slot % nodes.capacity); });
   for (const int slot : needed) owner.push_back(owner_of(slot % nodes.capacity));
   return Halo(ranks_, needed, owner);
@@ -112,12 +120,21 @@ Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const
   row(first_row() + own_rows(), -1);
   for (const int n : nodes)
     for (int q = 1; q < directions; ++q) needed.push_back(q * lattice.size() + n);
-  std::sort(needed.begin(), needed.end());
-  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  sort_once(needed);
   const auto owner_of_slot = [&](int slot) { return rows_.part_of(lattice.y(slot % lattice.size())); };
   std::erase_if(needed, [&](int slot) { return owner_of_slot(slot) == ranks_.rank(); });
   for (const int slot : needed) owner.push_back(owner_of_slot(slot));
   return Halo(ranks_, needed, owner);
+}
+
+Halo Split::beyond_rows(const Lattice& lattice, std::vector<int> nodes) const {
+  if (alone()) return {};
+  sort_once(nodes);
+  const auto owner_of_row = [&](int node) { return rows_.part_of(lattice.y(node)); };
+  std::erase_if(nodes, [&](int node) { return owner_of_row(node) == ranks_.rank(); });
+  std::vector<int> owner;
+  for (const int node : nodes) owner.push_back(owner_of_row(node));
+  return Halo(ranks_, nodes, owner);
 }
 
 Owners Split::of_blocks(std::size_t most) const {
@@ -146,15 +163,6 @@ Owners Split::of_links(const BoundaryLinks& links) const {
   for (int link = 0; link < links.count; ++link) owner[link] = owner_of(links.fluid(link));
   return owners_of(owner, ranks_.size());
 }
-
-namespace {
-
-void sort_once(std::vector<int>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
-}  // namespace
 
 Owners Split::of_neighbours(const FluidNodes& nodes, int first, int last) const {
   std::vector<int> old;

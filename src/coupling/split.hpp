@@ -49,6 +49,9 @@ class Split {
   /// Of dense populations what `rows` of ours pull from those of others, and all of `nodes`, which every rank reads.
   Halo dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const;
 
+  /// The dense nodes among `nodes` that are not in our rows.
+  Halo beyond_rows(const Lattice& lattice, std::vector<int> nodes) const;
+
   /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows.
   Owners of_fluid(const FluidNodes& nodes) const;
   Owners of_fluid_by_row(const FluidNodes& nodes) const;
