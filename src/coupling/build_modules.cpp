@@ -9,6 +9,7 @@
 #include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/host/free_memory.hpp"
 
 #include <fmt/format.h>
@@ -72,7 +73,7 @@ std::vector<double> row_weights(const Scene& scene, const Geometry& geometry) {
 }
 
 std::int64_t count_fluid(const Geometry& geometry) {
-  const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+  const auto type = on_host(geometry.type);
   return std::count(type.data(), type.data() + type.size(), NodeType::fluid);
 }
 

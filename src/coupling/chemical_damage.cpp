@@ -2,6 +2,7 @@
 
 #include "coupling/run_sum.hpp"
 #include "dem/dissolved_rock.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {
@@ -174,7 +175,7 @@ void DissolvedShares::let_go(const Exec& exec, const Particles& particles) const
 }
 
 int DissolvedShares::let_go_count() const {
-  const auto gone = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, let_go_);
+  const auto gone = on_host(let_go_);
   int count = 0;
   for (std::size_t t = 0; t < gone.extent(0); ++t) count += gone(t) > 0;
   return count;

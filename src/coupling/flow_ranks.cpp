@@ -1,6 +1,7 @@
 // The flow of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <limits>
@@ -21,16 +22,20 @@ void FlowModule<T>::find_halos() {
   const Split& split = geometry_.split;
   if (split.alone()) return;
   const FluidNodes& fluid = geometry_.fluid;
+  const auto source = on_host(fluid.source);
   std::vector<int> slots, nodes;
-  for (const StretchLinks& boundary : boundaries_)
+  for (const StretchLinks& boundary : boundaries_) {
+    const auto node = on_host(boundary.links.fluid);
+    const auto direction = on_host(boundary.links.direction);
     for (int link = 0; is_dressed(boundary.stretch.conditions.flow) && link < boundary.links.count; ++link) {
-      nodes.push_back(boundary.links.fluid(link));
-      const int out = boundary.links.direction(link) * fluid.capacity;
+      nodes.push_back(node(link));
+      const int out = direction(link) * fluid.capacity;
       slots.push_back(out + nodes.back());
       if (boundary.outflow.along.extent(0) == 0) continue;
-      const int behind = fluid.source(slots.back()) - out;  // not a node beside rock
+      const int behind = source(slots.back()) - out;  // not a node beside rock
       if (behind >= 0 && behind < fluid.count) nodes.push_back(behind);
     }
+  }
   populations_ = split.populations(fluid, D2Q9::Q);
   dressed_ = split.slots(fluid, slots);
   velocities_ = split.around(fluid, nodes);

@@ -1,12 +1,14 @@
 #include "coupling/fluid_picture.hpp"
 
+#include "kernels/base/host_and_device.hpp"
+
 #include <algorithm>
 
 namespace vug {
 
 FluidPicture::FluidPicture(const Scene& scene, const Geometry& geometry)
     : nx(scene.lattice.nx), ny(scene.lattice.ny), periodic_(periodic_sides(scene)) {
-  const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+  const auto type = on_host(geometry.type);
   fluid_.resize(static_cast<std::size_t>(nx) * ny);
   for (int y = 0; y < ny; ++y)
     for (int x = 0; x < nx; ++x) fluid_[number(x, y)] = type(geometry.lattice.node(x, y)) == NodeType::fluid;

@@ -2,6 +2,7 @@
 
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/heat_sums.hpp"
@@ -84,7 +85,8 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
     rows_ = fluid_rows(exec, geometry.fluid);
   }
-  const int sums = std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // per block or per row
+  const int sums =
+      std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // per row; as many as checkpoints have had
   created_ = LongSum("vug::heat::created", carrier_ ? sums : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   if (scene.mechanics || scene.reaction)
@@ -165,7 +167,7 @@ void HeatModule<T>::set_values(double time) {
 
 template <class T>
 double HeatModule<T>::energy() const {
-  ScalarField<double> partial("vug::heat::partial", heat_energy_sums(geometry_.lattice));
+  ScalarField<double> partial("vug::heat::partial", geometry_.lattice.ny);
   add_heat_energy(Exec{}, fields_, partial);
   const Split& split = geometry_.split;
   if (!split.alone()) split.make_whole(split.of_rows(), partial);
@@ -234,8 +236,9 @@ template <class T>
 void HeatModule<T>::births(const Exec& exec, const Births& births) {
   const Split& split = geometry_.split;
   if (!split.alone()) {  // all ranks book alike what the new nodes gain
+    const auto node = on_host(geometry_.fluid.node);
     std::vector<int> nodes;
-    for (int i = births.first; i < births.last; ++i) nodes.push_back(geometry_.fluid.node(i));
+    for (int i = births.first; i < births.last; ++i) nodes.push_back(node(i));
     split.make_whole(split.of_dense_nodes(geometry_.lattice, nodes), fields_.g, directions(), geometry_.lattice.size());
   }
   add_birth_energy(exec, fields_, geometry_.fluid.node, births.first, births.last, born_);

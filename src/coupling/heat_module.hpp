@@ -88,7 +88,7 @@ class HeatModule final : public Module {
   ScalarField<T> lagged_;         ///< (fluid) state of the advective correction
   FluidRows rows_;                ///< empty without flow
   std::vector<LongSum> entered_;  ///< energy that entered through each of sides_, then of openings_
-  LongSum created_;               ///< (block) energy that the advective form added
+  LongSum created_;               ///< (row) energy that the advective form added
   ScalarField<double> born_;      ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
   bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names

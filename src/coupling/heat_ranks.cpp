@@ -1,5 +1,6 @@
 // The heat of one rank among others (docs/scaling.md).
 #include "coupling/heat_module.hpp"
+#include "kernels/base/host_and_device.hpp"
 
 namespace vug {
 
@@ -22,8 +23,10 @@ void HeatModule<T>::find_halos() {
     side(0, 0, 1, 0, lattice.nx);
     side(0, lattice.ny - 1, 1, 0, lattice.nx);
   }
-  for (const HeatOpening& opening : openings_)
-    for (int link = 0; link < opening.links.count; ++link) nodes.push_back(opening.links.node(link));
+  for (const HeatOpening& opening : openings_) {
+    const auto node = on_host(opening.links.node);
+    for (int link = 0; link < opening.links.count; ++link) nodes.push_back(node(link));
+  }
   populations_ = split.dense(lattice, directions(), periodic_[1], nodes);
   if (carrier_ || fluid_theta_.extent(0) > 0) in_rows_ = split.in_rows(geometry_.fluid);
 }

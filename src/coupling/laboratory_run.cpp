@@ -6,6 +6,7 @@
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
 #include "io/run_folder.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/host/interruption.hpp"
 
@@ -60,8 +61,8 @@ class SpecimenPictures {
 /// Share of the failed bonds whose edges lie within 30 degrees of the load: a third where directions are random, more
 /// where the rock splits.
 double share_along_load(const Bonds& bonds) {
-  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.state);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.normal);
+  const auto state = on_host(bonds.state);
+  const auto normal = on_host(bonds.normal);
   double failed = 0, along = 0;
   for (int k = 0; k < bonds.count; ++k) {
     if (!has_failed(state(k))) continue;

@@ -6,6 +6,7 @@
 #include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
 #include "io/rock_regions.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -96,21 +97,20 @@ void MechanicsModule<T>::find_links(const Exec& exec) {
 template <class T>
 void MechanicsModule<T>::share_links() {
   const Split& split = geometry_.split;
+  const auto first_link = on_host(links_.first), slot = on_host(links_.slot);
   std::vector<int> ours, slots, others, owners;
   for (int g = 0; g < links_.groups(); ++g) {
-    const int first = links_.first(g), last = links_.first(g + 1);
-    const int owner =
-        first < last ? split.owner_of(links_.slot(first) % geometry_.fluid.capacity) : split.ranks().rank();
+    const int first = first_link(g), last = first_link(g + 1);
+    const int owner = first < last ? split.owner_of(slot(first) % geometry_.fluid.capacity) : split.ranks().rank();
     if (owner == split.ranks().rank()) {
       ours.push_back(g);
-      for (int k = first; k < last; ++k) slots.push_back(links_.slot(k));
+      for (int k = first; k < last; ++k) slots.push_back(slot(k));
     } else if (mechanics_.moves(g)) {
       others.push_back(g);
       owners.push_back(owner);
     }
   }
-  our_triangles_ = IndexList("vug::mechanics::our_triangles", ours.size());
-  std::copy(ours.begin(), ours.end(), our_triangles_->data());
+  our_triangles_ = to_device<IndexList>("vug::mechanics::our_triangles", ours);
   walls_ = split.slots(geometry_.fluid, slots);
   forces_ = Halo(split.ranks(), others, owners);
 }
@@ -119,16 +119,18 @@ void MechanicsModule<T>::share_links() {
 template <class T>
 void MechanicsModule<T>::share_temperatures() {
   const Split& split = geometry_.split;
+  const auto offset = on_host(nodes_of_particle_.offset), first = on_host(nodes_of_particle_.first),
+             length = on_host(nodes_of_particle_.length);
   std::vector<int> owner(nodes_of_particle_.count(), 0), ours, nodes;
   for (int p = 0; p < nodes_of_particle_.count(); ++p) {
-    if (nodes_of_particle_.nodes(p) > 0)
-      owner[p] = split.rows().part_of(geometry_.lattice.y(nodes_of_particle_.first(nodes_of_particle_.offset(p))));
+    const int begin = offset(p), end = offset(p + 1);
+    if (begin < end) owner[p] = split.rows().part_of(geometry_.lattice.y(first(begin)));
     if (owner[p] != split.ranks().rank()) continue;
     ours.push_back(p);
-    nodes_of_particle_.for_each(p, [&](int node) { nodes.push_back(node); });
+    for (int r = begin; r < end; ++r)
+      for (int n = first(r); n < first(r) + length(r); ++n) nodes.push_back(n);
   }
-  our_warmed_ = IndexList("vug::mechanics::our_warmed", ours.size());
-  std::copy(ours.begin(), ours.end(), our_warmed_->data());
+  our_warmed_ = to_device<IndexList>("vug::mechanics::our_warmed", ours);
   of_warmed_ = owners_of(owner, split.ranks().size());
   temperatures_ = split.beyond_rows(geometry_.lattice, nodes);
 }

@@ -1,5 +1,6 @@
 // What ranks share of the reaction at the walls: each knows how fast the links of its own fluid nodes react.
 #include "coupling/reaction_module.hpp"
+#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 
@@ -7,13 +8,14 @@ namespace vug {
 
 namespace {
 
-/// The numbers of marked blocks, in memory that the host shares.
+/// The numbers of marked blocks; of at least one, as nobody's are all.
 IndexList numbers_of(const std::vector<bool>& marked, int& count) {
   count = static_cast<int>(std::count(marked.begin(), marked.end(), true));
-  IndexList numbers("vug::reaction::own_blocks", std::max(count, 1));
-  for (std::size_t b = 0, k = 0; b < marked.size(); ++b)
-    if (marked[b]) numbers(k++) = static_cast<int>(b);
-  return numbers;
+  std::vector<int> numbers;
+  for (std::size_t b = 0; b < marked.size(); ++b)
+    if (marked[b]) numbers.push_back(static_cast<int>(b));
+  numbers.resize(std::max(count, 1));
+  return to_device<IndexList>("vug::reaction::own_blocks", numbers);
 }
 
 }  // namespace
@@ -23,22 +25,25 @@ template <class T, class Set>
 void ReactionModule<T, Set>::share_links() {
   const FluidNodes& fluid = geometry_.fluid;
   if (fluid.own_count < 0) return;
+  const auto own_nodes = on_host(fluid.own_blocks), node_of = on_host(fluid.node);
+  const auto surface_node = on_host(geometry_.surface.node);
   std::vector<bool> surface(block_count(geometry_.surface.count), false);
   std::vector<int> nodes;
   for (Attack<T>& attack : attacks_) {
     ReactiveLinks<T>& links = attack.links;
+    const auto first = on_host(links.first), slot = on_host(links.slot), root = on_host(links.root);
     std::vector<bool> ours(block_count(links.count), false);
     for (int k = 0; k < fluid.own_count; ++k) {
-      const int node = fluid.own_blocks(k) * nodes_per_block, end = std::min(node + nodes_per_block, fluid.count);
-      for (int l = links.first(node); l < links.first(end); ++l) ours[l / nodes_per_block] = true;
+      const int node = own_nodes(k) * nodes_per_block, end = std::min(node + nodes_per_block, fluid.count);
+      for (int l = first(node); l < first(end); ++l) ours[l / nodes_per_block] = true;
     }
     links.own_blocks = numbers_of(ours, links.own_count);
     for (int l = 0; l < links.count; ++l) {
       if (!ours[l / nodes_per_block]) continue;
-      const int solid = links.root(l) / 8, direction = links.root(l) % 8 + 1;
+      const int solid = root(l) / 8, direction = root(l) % 8 + 1;
       surface[solid / nodes_per_block] = true;
-      nodes.push_back(geometry_.surface.node(solid));
-      nodes.push_back(fluid.node(links.slot(l) - Set::opposite(direction) * fluid.capacity));
+      nodes.push_back(surface_node(solid));
+      nodes.push_back(node_of(slot(l) - Set::opposite(direction) * fluid.capacity));
     }
   }
   own_surface_ = numbers_of(surface, own_surface_count_);
@@ -53,10 +58,11 @@ Share ReactionModule<T, Set>::our_surface() const {
 template <class T, class Set>
 Owners ReactionModule<T, Set>::owners_of_links(const Attack<T>& attack) const {
   Owners owners = geometry_.split.of_fluid(geometry_.fluid);
+  const auto first_link = on_host(attack.links.first);
   for (Runs& runs : owners)
     for (auto& [first, last] : runs) {
-      first = attack.links.first(first);
-      last = attack.links.first(last);
+      first = first_link(first);
+      last = first_link(last);
     }
   return owners;
 }

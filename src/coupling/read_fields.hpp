@@ -1,6 +1,7 @@
 #pragma once
 // From fields on the device to plain arrays over the lattice for output: row by row, without halo, in SI.
 #include "coupling/geometry.hpp"
+#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <span>
@@ -18,8 +19,8 @@ struct Conversion {
 template <class ViewType>
 void read_fluid(const FluidNodes& fluid, const ViewType& values, const Conversion& conversion, std::span<double> out,
                 int component = 0, int components = 1) {
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fluid.node);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, values);
+  const auto node = on_host(fluid.node);
+  const auto host = on_host(values);
   const Lattice& lattice = fluid.lattice;
   for (std::size_t n = component; n < out.size(); n += components) out[n] = conversion.elsewhere;
   for (int i = 0; i < fluid.count; ++i) {
@@ -31,7 +32,7 @@ void read_fluid(const FluidNodes& fluid, const ViewType& values, const Conversio
 /// Copies the interior of a dense field.
 template <class ViewType>
 void read_dense(const Lattice& lattice, const ViewType& values, const Conversion& conversion, std::span<double> out) {
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, values);
+  const auto host = on_host(values);
   for (int y = 0; y < lattice.ny; ++y)
     for (int x = 0; x < lattice.nx; ++x)
       out[static_cast<std::size_t>(y) * lattice.nx + x] =
@@ -40,8 +41,8 @@ void read_dense(const Lattice& lattice, const ViewType& values, const Conversion
 
 /// Number of the mineral of every node of rock, from 1; 0 in rock of none, -1 elsewhere.
 inline void read_mineral(const Geometry& geometry, std::span<double> out) {
-  const auto mineral = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.mineral);
-  const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+  const auto mineral = on_host(geometry.mineral);
+  const auto type = on_host(geometry.type);
   const Lattice& lattice = geometry.lattice;
   for (int y = 0; y < lattice.ny; ++y)
     for (int x = 0; x < lattice.nx; ++x) {
@@ -53,8 +54,8 @@ inline void read_mineral(const Geometry& geometry, std::span<double> out) {
 /// share(V, dissolved) of every node of rock that can dissolve.
 template <class Share>
 void read_solid(const Geometry& geometry, const Share& share, std::span<double> out) {
-  const auto volume = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.volume);
-  const auto dissolved = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.dissolved);
+  const auto volume = on_host(geometry.volume);
+  const auto dissolved = on_host(geometry.dissolved);
   const Lattice& lattice = geometry.lattice;
   for (int y = 0; y < lattice.ny; ++y)
     for (int x = 0; x < lattice.nx; ++x) {

@@ -3,8 +3,8 @@
 #include "coupling/rock_loads.hpp"
 #include "dem/mean_stress.hpp"
 #include "io/form.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/base/to_device.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "coupling/rock_limits.hpp"
 
 #include "dem/toughness.hpp"
+#include "kernels/base/host_and_device.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ constexpr double largest_edge = 0.6;
 
 double mean_edge(const Bonds& bonds) {
   double sum = 0;
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.length);
+  const auto length = on_host(bonds.length);
   for (int k = 0; k < bonds.count; ++k) sum += length(k);
   return sum / std::max(1, bonds.count);
 }

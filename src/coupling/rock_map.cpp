@@ -1,7 +1,7 @@
 #include "coupling/rock_map.hpp"
 
 #include "coupling/cells.hpp"
-#include "kernels/base/to_device.hpp"
+#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "coupling/initial_pathways.hpp"
 #include "dem/edges.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/base/to_device.hpp"
 
 #include <fmt/format.h>
 

@@ -14,6 +14,7 @@
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/host/interruption.hpp"
+#include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"
 
 #include <fmt/format.h>
@@ -153,7 +154,8 @@ class Run {
     const Partition& rows = simulation_.parts().geometry.split.rows();
     std::string text = fmt::format("ranks: {}, rows of the lattice from", ranks_.size());
     for (int r = 0; r < ranks_.size(); ++r) text += fmt::format(" {}", rows.first(r));
-    return text + fmt::format(", the largest share of the work {:.3f} of the mean", rows.imbalance());
+    text += fmt::format(", the largest share of the work {:.3f} of the mean", rows.imbalance());
+    return takes_device_memory() ? text : text + "; messages go by way of the host";
   }
 
   void warn(Progress& progress) const {

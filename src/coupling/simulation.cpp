@@ -1,6 +1,7 @@
 #include "coupling/simulation.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/reaction/solid_share.hpp"
 #include "ranks/traffic.hpp"
@@ -114,7 +115,7 @@ FieldList Simulation::fields() const {
     list.lattice.push_back({"mineral", "1", 1, [&geometry](std::span<double> out) { read_mineral(geometry, out); }});
   for (const auto& module : parts_->modules) module->fields(list);
   list.lattice.push_back({"node_type", "1", 1, [&geometry](std::span<double> out) {
-                            const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+                            const auto host = on_host(geometry.type);
                             const Lattice& lattice = geometry.lattice;
                             for (int y = 0; y < lattice.ny; ++y)
                               for (int x = 0; x < lattice.nx; ++x)
@@ -123,7 +124,7 @@ FieldList Simulation::fields() const {
                           }});
   list.lattice.push_back({"solid_fraction", "1", 1, [&geometry](std::span<double> out) {
                             if (geometry.volume.extent(0) > 0) return read_solid(geometry, solid_share, out);
-                            const auto type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
+                            const auto type = on_host(geometry.type);
                             const Lattice& lattice = geometry.lattice;
                             for (int y = 0; y < lattice.ny; ++y)
                               for (int x = 0; x < lattice.nx; ++x)
@@ -159,9 +160,9 @@ StateList Simulation::state() {
 
 void Simulation::require_possible(const Kokkos::View<NodeType*>& type, const IndexList& node) const {
   const Geometry& geometry = parts_->geometry;
-  const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, geometry.type);
-  const auto now = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, type);
-  const auto list = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, node);
+  const auto before = on_host(geometry.type);
+  const auto now = on_host(type);
+  const auto list = on_host(node);
   const auto require = [](bool possible) {
     if (!possible) throw FileError("the checkpoint's fluid nodes are none that this rock can have");
   };

@@ -1,5 +1,7 @@
 #include "coupling/split.hpp"
 
+#include "kernels/base/host_and_device.hpp"
+
 #include <algorithm>
 
 namespace vug {
@@ -19,19 +21,21 @@ Split::Split(const Ranks& ranks, const std::vector<double>& weight_of_row)
 void Split::follow(FluidNodes& nodes) {
   if (alone()) return;
   const int blocks = block_count(nodes.count);
+  const auto node = on_host(nodes.node);
   std::vector<int> own;
   owner_of_block_.resize(blocks);
   for (int b = 0; b < blocks; ++b) {
-    owner_of_block_[b] = rows_.part_of(nodes.lattice.y(nodes.node(b * nodes_per_block)));
+    owner_of_block_[b] = rows_.part_of(nodes.lattice.y(node(b * nodes_per_block)));
     if (owner_of_block_[b] == ranks_.rank()) own.push_back(b);
   }
   nodes.own_count = static_cast<int>(own.size());
-  nodes.own_blocks = IndexList("vug::fluid_nodes::own_blocks", std::max<std::size_t>(own.size(), 1));
-  std::copy(own.begin(), own.end(), nodes.own_blocks.data());
+  own.resize(std::max<std::size_t>(own.size(), 1));
+  nodes.own_blocks = to_device<IndexList>("vug::fluid_nodes::own_blocks", own);
 }
 
 Halo Split::populations(const FluidNodes& nodes, int directions) const {
   if (alone()) return {};
+  const auto source = on_host(nodes.source);
   std::vector<int> slots, owner;
   for (int i = 0; i < nodes.count; ++i) {
     if (!is_ours(i)) {
@@ -39,7 +43,7 @@ Halo Split::populations(const FluidNodes& nodes, int directions) const {
       continue;
     }
     for (int q = 1; q < directions; ++q) {
-      const int slot = nodes.source(q * nodes.capacity + i), from = slot - q * nodes.capacity;
+      const int slot = source(q * nodes.capacity + i), from = slot - q * nodes.capacity;
       if (from < 0 || from >= nodes.count || is_ours(from)) continue;
       slots.push_back(slot);
       owner.push_back(owner_of(from));
@@ -68,14 +72,16 @@ Halo Split::marked(const FluidNodes& nodes, const std::vector<bool>& needed) con
 }
 
 void Split::mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const {
+  const auto node = on_host(nodes.node);
   for (int i = 0; i < nodes.count; ++i)
-    if (rows_.part_of(nodes.lattice.y(nodes.node(i))) == ranks_.rank()) needed[i] = true;
+    if (rows_.part_of(nodes.lattice.y(node(i))) == ranks_.rank()) needed[i] = true;
 }
 
 void Split::mark_neighbours(const FluidNodes& nodes, std::vector<bool>& needed) const {
+  const auto source = on_host(nodes.source);
   for (int i = 0; i < nodes.count; ++i)
     for (int q = 1; is_ours(i) && q < D2Q9::Q; ++q) {
-      const int from = nodes.source(q * nodes.capacity + i) - q * nodes.capacity;
+      const int from = source(q * nodes.capacity + i) - q * nodes.capacity;
       if (from >= 0 && from < nodes.count) needed[from] = true;
     }
 }
@@ -153,23 +159,26 @@ Owners Split::of_fluid(const FluidNodes& nodes) const {
 }
 
 Owners Split::of_fluid_by_row(const FluidNodes& nodes) const {
+  const auto node = on_host(nodes.node);
   std::vector<int> owner(nodes.count);
-  for (int i = 0; i < nodes.count; ++i) owner[i] = rows_.part_of(nodes.lattice.y(nodes.node(i)));
+  for (int i = 0; i < nodes.count; ++i) owner[i] = rows_.part_of(nodes.lattice.y(node(i)));
   return owners_of(owner, ranks_.size());
 }
 
 Owners Split::of_links(const BoundaryLinks& links) const {
+  const auto fluid = on_host(links.fluid);
   std::vector<int> owner(links.count);
-  for (int link = 0; link < links.count; ++link) owner[link] = owner_of(links.fluid(link));
+  for (int link = 0; link < links.count; ++link) owner[link] = owner_of(fluid(link));
   return owners_of(owner, ranks_.size());
 }
 
 Owners Split::of_neighbours(const FluidNodes& nodes, int first, int last) const {
+  const auto node = on_host(nodes.node), index = on_host(nodes.index);
   std::vector<int> old;
   for (int i = first; i < last; ++i)
     for (int q = 1; q < D2Q9::Q; ++q) {
-      const int n = neighbour(nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.node(i), q);
-      if (n >= 0 && nodes.index(n) >= 0 && nodes.index(n) < first) old.push_back(nodes.index(n));
+      const int n = neighbour(nodes.lattice, nodes.periodic[0], nodes.periodic[1], node(i), q);
+      if (n >= 0 && index(n) >= 0 && index(n) < first) old.push_back(index(n));
     }
   sort_once(old);
   Owners owners(ranks_.size());

@@ -72,7 +72,7 @@ class Split {
   }
   template <class T>
   void make_whole(const Owners& owners, const VectorField<T>& values) const {
-    for (int axis = 0; axis < 2; ++axis) ranks_.make_whole(owners, &values(0, axis));
+    for (int axis = 0; axis < 2; ++axis) ranks_.make_whole(owners, values.data() + axis * values.stride(1));
   }
   void make_whole(const Owners& owners, const LongSum& sum) const;
   /// (plane, dense node)

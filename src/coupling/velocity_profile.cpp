@@ -1,5 +1,6 @@
 #include "coupling/velocity_profile.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ ScalarField<double> shares_at_links(const Exec& exec, const FluidNodes& fluid, c
   const bool upright = stretch.side == Side::left || stretch.side == Side::right;
   for_each_node(exec, "vug::velocity_profile::crossing", links.count,
                 CrossingOfLink{fluid.lattice, upright, fluid.node, links.fluid, links.direction, share});
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, share);
+  const auto host = on_host(share);
   const double length = (stretch.last + 1 - stretch.first) * spacing;
   for (int link = 0; link < links.count; ++link)
     host(link) = share_of_velocity(flow, (host(link) - stretch.first) * spacing, length);
@@ -79,8 +80,8 @@ ScalarField<double> shares_at_links(const Exec& exec, const FluidNodes& fluid, c
 
 double inflow_per_speed(const StretchLinks& boundary) {
   if (boundary.stretch.opening) return sum_in_order(boundary.area);
-  const auto direction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, boundary.links.direction);
-  const auto share = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, boundary.share);
+  const auto direction = on_host(boundary.links.direction);
+  const auto share = on_host(boundary.share);
   const int outward = static_cast<int>(boundary.stretch.side);
   double volume = 0;
   for (int link = 0; link < boundary.links.count; ++link) {

@@ -3,6 +3,7 @@
 #include "dem/edges.hpp"
 #include "dem/heterogeneity.hpp"
 #include "dem/materials.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ void allocate(Bonds& b, int n, int particles) {
 }
 
 void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, const Particles& particles, Bonds& b) {
-  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  const auto x0 = on_host(particles.x0);
   const auto pair = Kokkos::create_mirror_view(b.pair);
   const auto vertex = Kokkos::create_mirror_view(b.vertex);
   const auto length = Kokkos::create_mirror_view(b.length);
@@ -93,7 +94,7 @@ void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, con
 std::vector<BondParameters> laws_of_bonds(const Assembly& assembly, const std::vector<Edge>& edges,
                                           const Particles& particles, const MechanicsParameters& parameters) {
   if (assembly.region.empty()) return {parameters.bond};
-  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  const auto x0 = on_host(particles.x0);
   std::vector<BondParameters> laws;
   for (const Edge& edge : edges) {
     const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];

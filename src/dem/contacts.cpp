@@ -1,5 +1,7 @@
 #include "dem/contacts.hpp"
 
+#include "kernels/base/host_and_device.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +20,7 @@ V fresh(const char* label, std::size_t count) {
 
 /// A fifth of the smallest particle's mean edge: wide enough to be rebuilt rarely, narrow enough to hold few pairs.
 double choose_skin(const Particles& particles) {
-  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.corner);
+  const auto corner = on_host(particles.corner);
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < particles.count; ++i) {
     double perimeter = 0;

@@ -1,5 +1,6 @@
 #include "dem/gauges.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <limits>
@@ -72,7 +73,7 @@ struct CopyEnd {
 
 Vec2 read(const Exec& exec, const ScalarField<double>& out) {
   exec.fence("vug::dem::gauge");
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, out);
+  const auto host = on_host(out);
   return {host(0), host(1)};
 }
 

@@ -1,6 +1,7 @@
 #include "dem/laboratory.hpp"
 
 #include "dem/soundness.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/host/interruption.hpp"
 
@@ -12,11 +13,6 @@
 namespace vug {
 
 namespace {
-
-template <class V>
-auto host_copy(const V& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
 
 /// Rectangle around the vertices.
 struct Extent {
@@ -45,7 +41,7 @@ struct Gauge {
     return sum / static_cast<double>(group[g].size());
   }
   double strain(const Particles& p) const {
-    const auto u = host_copy(p.u), x0 = host_copy(p.x0);
+    const auto u = on_host(p.u), x0 = on_host(p.x0);
     return (mean(u, 1) - mean(u, 0)) / (mean(x0, 1) - mean(x0, 0));
   }
 };
@@ -53,7 +49,7 @@ struct Gauge {
 /// Gauges across heights 20 and 80 %, and across the flanks of the middle.
 Gauge axial_gauge(const Particles& p, const Extent& e) {
   Gauge gauge{{}, 1};
-  const auto x0 = host_copy(p.x0);
+  const auto x0 = on_host(p.x0);
   for (int i = 0; i < p.count; ++i) {
     const double place = (x0(i, 1) - e.bottom) / e.height();
     if (std::abs(place - 0.2) < 0.05) gauge.group[0].push_back(i);
@@ -64,7 +60,7 @@ Gauge axial_gauge(const Particles& p, const Extent& e) {
 
 Gauge lateral_gauge(const Particles& p, const Extent& e) {
   Gauge gauge{{}, 0};
-  const auto x0 = host_copy(p.x0);
+  const auto x0 = on_host(p.x0);
   for (int i = 0; i < p.count; ++i) {
     const double across = (x0(i, 0) - e.left) / e.width();
     if (std::abs((x0(i, 1) - e.bottom) / e.height() - 0.5) > 0.3) continue;
@@ -76,7 +72,7 @@ Gauge lateral_gauge(const Particles& p, const Extent& e) {
 
 /// Mean height of the centroids that a platen holds.
 double held_height(const Mechanics& rock, RockSide side) {
-  const auto x0 = host_copy(rock.particles().x0);
+  const auto x0 = on_host(rock.particles().x0);
   double sum = 0, n = 0;
   for (const BoundaryEdge& edge : rock.boundary()) {
     if (edge.side != static_cast<int>(side)) continue;
@@ -100,7 +96,7 @@ Loads press(const PlatenTest& test) {
 
 /// Starts with the velocities of uniform straining, so that no shock runs from the platen.
 void start_uniform_straining(const Particles& p, double low, double high, double speed) {
-  const auto x0 = host_copy(p.x0);
+  const auto x0 = on_host(p.x0);
   const auto v = Kokkos::create_mirror_view(p.v);
   for (int i = 0; i < p.count; ++i) v(i, 1) = -speed * (x0(i, 1) - low) / (high - low);
   Kokkos::deep_copy(p.v, v);

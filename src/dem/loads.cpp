@@ -1,6 +1,7 @@
 #include "dem/loads.hpp"
 
 #include "dem/edges.hpp"
+#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +123,7 @@ Support support_of(const LoadedPiece& piece, const Loads& loads) {
 
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles) {
-  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
+  const auto x0 = on_host(particles.x0);
   const auto point = [&](int v) {
     const auto& vertex = assembly.vertices[static_cast<std::size_t>(v)];
     return Vec2{vertex[0], vertex[1]};
@@ -176,8 +177,8 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
 
 void set_platen_velocity(const std::vector<BoundaryEdge>& boundary, RockSide side, std::array<double, 2> velocity,
                          const Particles& particles) {
-  const auto drive = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.drive);
-  const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.held);
+  const auto drive = on_host(particles.drive);
+  const auto held = on_host(particles.held);
   for (const BoundaryEdge& edge : boundary) {
     if (edge.side != static_cast<int>(side)) continue;
     for (int axis = 0; axis < 2; ++axis) {

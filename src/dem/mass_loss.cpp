@@ -1,5 +1,6 @@
 #include "dem/mass_loss.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {
@@ -64,8 +65,8 @@ void take_mass(const Exec& exec, const ScalarField<double>& solid_fraction, cons
 }
 
 LostWithRock lost_with_rock(const Particles& particles, const MassLoss& loss) {
-  const auto fraction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.solid_fraction);
-  const auto momentum = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loss.momentum);
+  const auto fraction = on_host(particles.solid_fraction);
+  const auto momentum = on_host(loss.momentum);
   LostWithRock lost;
   for (int i = 0; i < particles.count; ++i) {
     lost.triangles += is_gone(fraction(i));

@@ -1,6 +1,6 @@
 #include "dem/mean_stress.hpp"
 
-#include "kernels/base/to_device.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

@@ -5,6 +5,7 @@
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "dem/static_equilibrium.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/host/interruption.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -240,7 +241,7 @@ void Mechanics::count_from_unloaded() {
 }
 
 void Mechanics::set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity) {
-  const auto v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles_.v);
+  const auto v = on_host(particles_.v);
   for (const int i : triangles)
     for (std::size_t axis = 0; axis < 2; ++axis) v(i, axis) = velocity[axis];
   Kokkos::deep_copy(particles_.v, v);

@@ -1,5 +1,7 @@
 #include "dem/monitors.hpp"
 
+#include "kernels/base/host_and_device.hpp"
+
 #include <limits>
 
 namespace vug {
@@ -24,13 +26,13 @@ RunawayParticle find_runaway(const Exec& exec, const Particles& particles, doubl
   Kokkos::parallel_reduce("vug::dem::find_runaway", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
                           FindRunaway{largest_speed, particles}, Kokkos::Min<int>(first));
   if (first >= particles.count) return {};
-  const auto v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.v);
+  const auto v = on_host(particles.v);
   return {first, norm({v(first, 0), v(first, 1)})};
 }
 
 BondCounts count_bonds(const Bonds& bonds) {
-  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.state);
-  const auto d_m = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.d_m);
+  const auto state = on_host(bonds.state);
+  const auto d_m = on_host(bonds.d_m);
   BondCounts counts;
   for (int k = 0; k < bonds.count; ++k) {
     counts.damaged += d_m(k) > 0 && !has_failed(state(k));
@@ -43,7 +45,7 @@ BondCounts count_bonds(const Bonds& bonds) {
 }
 
 Vec2 reaction_of(const std::vector<int>& held_particles, const Particles& particles) {
-  const auto reaction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.reaction);
+  const auto reaction = on_host(particles.reaction);
   Vec2 sum;
   for (const int i : held_particles) sum = sum + Vec2{reaction(i, 0), reaction(i, 1)};
   return sum;

@@ -1,6 +1,7 @@
 #include "dem/neighbour_grid.hpp"
 
 #include "dem/closest_point.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 namespace vug {
 
 NeighbourGrid make_neighbour_grid(const Particles& particles, double skin) {
-  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.x0);
-  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.corner);
+  const auto x0 = on_host(particles.x0);
+  const auto corner = on_host(particles.corner);
   NeighbourGrid grid;
   double right = x0(0, 0), top = x0(0, 1);
   grid.left = right;

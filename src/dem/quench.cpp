@@ -1,6 +1,7 @@
 #include "dem/quench.hpp"
 
 #include "dem/soundness.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/host/interruption.hpp"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 namespace vug {
 
 namespace {
-
-template <class V>
-auto host_copy(const V& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
 
 Loads roller_at_the_mid_plane() {
   Loads loads;
@@ -39,8 +35,8 @@ void cool(const Assembly& slab, double top, const SlabCooling& cooling, double l
 
 /// Edges of failed bonds as (x, depth) pairs of their ends.
 std::vector<std::array<std::array<double, 2>, 2>> failed_edges(const Assembly& slab, double top, const Bonds& bonds) {
-  const auto state = host_copy(bonds.state);
-  const auto vertex = host_copy(bonds.vertex);
+  const auto state = on_host(bonds.state);
+  const auto vertex = on_host(bonds.vertex);
   std::vector<std::array<std::array<double, 2>, 2>> edges;
   for (int k = 0; k < bonds.count; ++k) {
     if (!has_failed(state(k))) continue;

@@ -3,6 +3,7 @@
 #include "dem/bond_law.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {
@@ -91,7 +92,7 @@ Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_str
 }
 
 double awake_share(const Rest& rest) {
-  const auto runs = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rest.particles.runs);
+  const auto runs = on_host(rest.particles.runs);
   double awake = 0;
   for (std::size_t g = 0; g < runs.extent(0); ++g) awake += runs(g);
   return awake / static_cast<double>(runs.extent(0));

@@ -1,5 +1,7 @@
 #include "dem/rock_share.hpp"
 
+#include "kernels/base/host_and_device.hpp"
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -13,6 +15,12 @@ constexpr int pairs_per_group = bonds_per_group;
 Groups groups_of(const char* label, int count, int size) {
   const Kokkos::View<std::uint8_t*> ours(label, (count + size - 1) / size);
   return {count, size, ours, ours};
+}
+
+using Marks = std::vector<std::uint8_t>;  ///< (group) 1: runs here
+
+void set_marks(const Kokkos::View<std::uint8_t*>& view, const Marks& marks) {
+  Kokkos::deep_copy(view, to_device<Kokkos::View<std::uint8_t*>>("vug::dem::marks", marks));
 }
 
 /// Equal shares, whole groups of particles one after the other.
@@ -48,36 +56,44 @@ RockShare::RockShare(const Ranks& ranks, Particles particles, Bonds bonds, Conta
   const int groups = static_cast<int>(particle_groups_.ours.extent(0));
   const std::vector<int> owner_of_group = owners_of_groups(ranks_, groups);
   for (int i = 0; i < particles_.count; ++i) owner_[i] = owner_of_group[particle_groups_.group_of(i)];
+  const auto pair = on_host(bonds_.pair);
   std::vector<int> owner_of_bond(bonds_.count);
-  for (int k = 0; k < bonds_.count; ++k) owner_of_bond[k] = owner_[bonds_.pair(k, 0)];
+  for (int k = 0; k < bonds_.count; ++k) owner_of_bond[k] = owner_[pair(k, 0)];
   of_groups_ = owners_of(owner_of_group, ranks_.size());
   of_particles_ = owners_of(owner_, ranks_.size());
   of_bonds_ = owners_of(owner_of_bond, ranks_.size());
-  for (int g = 0; g < groups; ++g) particle_groups_.ours(g) = owner_of_group[g] == ranks_.rank();
+  Marks ours(groups), ours_of_bonds(bond_groups_.ours.extent(0));
+  for (int g = 0; g < groups; ++g) ours[g] = owner_of_group[g] == ranks_.rank();
   for (int k = 0; k < bonds_.count; ++k)
-    if (touches_ours(k)) bond_groups_.ours(bond_groups_.group_of(k)) = 1;
+    if (moves(pair(k, 0)) || moves(pair(k, 1))) ours_of_bonds[bond_groups_.group_of(k)] = 1;
+  set_marks(particle_groups_.ours, ours);
+  set_marks(bond_groups_.ours, ours_of_bonds);
 }
 
 /// A group is evaluated as a whole, so that all that its items touch must be known.
 void RockShare::follow_pairs(const Exec& exec) {
   exec.fence("vug::dem::follow_pairs");
-  const int generation = contacts_.status(contacts_generation);
+  const int generation = on_host(contacts_.status)(contacts_generation);
   if (generation == generation_) return;
   generation_ = generation;
-  const auto first = [&](int low) { return contacts_.first(low, generation); };
-  const auto high = [&](int pair) { return contacts_.other(pair, generation); };
+  const auto first_pair = on_host(contacts_.first), other = on_host(contacts_.other);
+  const auto first = [&](int low) { return first_pair(low, generation); };
+  const auto high = [&](int pair) { return other(pair, generation); };
+  Marks marks(pair_groups_.ours.extent(0));
   for (int low = 0; low < particles_.count; ++low) {
     bool ours = moves(low);
     for (int pair = first(low); pair < first(low + 1); ++pair) ours = ours || moves(high(pair));
-    std::uint8_t& group = pair_groups_.ours(pair_groups_.group_of(low));
-    group = static_cast<std::uint8_t>((low % pair_groups_.size == 0 ? 0 : group) | ours);
+    if (ours) marks[pair_groups_.group_of(low)] = 1;
   }
+  set_marks(pair_groups_.ours, marks);
   std::vector<bool> needed(particles_.count, false);
   const auto for_ours = [](const Groups& groups, const auto& visit) {
-    for (int g = 0; g < static_cast<int>(groups.ours.extent(0)); ++g)
-      for (auto [item, end] = items_of(groups, g); groups.is_ours(g) && item < end; ++item) visit(item);
+    const auto ours = on_host(groups.ours);
+    for (int g = 0; g < static_cast<int>(ours.extent(0)); ++g)
+      for (auto [item, end] = items_of(groups, g); ours(g) != 0 && item < end; ++item) visit(item);
   };
-  for_ours(bond_groups_, [&](int k) { needed[bonds_.pair(k, 0)] = needed[bonds_.pair(k, 1)] = true; });
+  const auto ends = on_host(bonds_.pair);
+  for_ours(bond_groups_, [&](int k) { needed[ends(k, 0)] = needed[ends(k, 1)] = true; });
   for_ours(pair_groups_, [&](int low) {
     for (int pair = first(low); pair < first(low + 1); ++pair) needed[low] = needed[high(pair)] = true;
   });
@@ -96,14 +112,15 @@ void RockShare::tell_rest(const Exec& exec, const Rest& rest) const {
 }
 
 void RockShare::agree_on_events() const {
-  for (const int event : {bond_has_failed, cracks_have_changed})
-    bonds_.events(event) = ranks_.most(bonds_.events(event));
+  const auto events = on_host(bonds_.events);
+  for (const int event : {bond_has_failed, cracks_have_changed}) events(event) = ranks_.most(events(event));
+  Kokkos::deep_copy(bonds_.events, events);
 }
 
 void RockShare::prepare_search(const Exec& exec) const {
   exec.fence("vug::dem::prepare_search");
   agree_on_events();
-  if (bonds_.events(bond_has_failed) == 0) return;
+  if (on_host(bonds_.events)(bond_has_failed) == 0) return;
   make_positions_whole(exec);
   make_whole(of_bonds_, bonds_.joint);
 }
@@ -133,10 +150,11 @@ void RockShare::make_whole(const Exec& exec, const MassLoss& loss) const {
 
 Owners RockShare::of_pairs(int generation) const {
   Owners owners = of_particles_;
+  const auto first_pair = on_host(contacts_.first);
   for (Runs& runs : owners)
     for (auto& [first, last] : runs) {
-      first = contacts_.first(first, generation);
-      last = contacts_.first(last, generation);
+      first = first_pair(first, generation);
+      last = first_pair(last, generation);
     }
   return owners;
 }

@@ -12,7 +12,7 @@ namespace vug {
 /// Each rank moves groups of triangles that follow one another, evaluates every bond and pair that has one of them at
 /// an end, and is told how the triangles at the other ends move. What two ranks evaluate both get the same bits:
 /// damage, cracks and friction of a bond between them are known to both. Everything else about the others' rock is old
-/// until it is made whole. For hosts. What waits for others is called by all ranks.
+/// until it is made whole. What waits for others is called by all ranks.
 class RockShare {
  public:
   /// The Views of a rock that stays where it is in memory.
@@ -41,7 +41,6 @@ class RockShare {
   void make_whole(const Exec& exec, const MassLoss& loss) const;
 
  private:
-  bool touches_ours(int bond) const { return moves(bonds_.pair(bond, 0)) || moves(bonds_.pair(bond, 1)); }
   Owners of_pairs(int generation) const;
   void agree_on_events() const;
   /// All columns of (item, ...).

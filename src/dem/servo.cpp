@@ -1,6 +1,6 @@
 #include "dem/servo.hpp"
 
-#include "kernels/base/to_device.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <set>
@@ -28,13 +28,12 @@ struct FollowPressure {
 
 /// Stiffness of the bonds that join the particles in `held` to others, along the axis, N/m per m of thickness.
 double stiffness_behind(const std::set<int>& held, int axis, const BondParameters& rock, const Bonds& bonds) {
-  const auto copy = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto own_normal = copy(bonds.elasticity.normal_modulus),
-             own_tangential = copy(bonds.elasticity.tangential_modulus);
-  const auto pair = copy(bonds.pair);
-  const auto length = copy(bonds.length);
-  const auto spacing = copy(bonds.spacing);
-  const auto normal = copy(bonds.normal);
+  const auto own_normal = on_host(bonds.elasticity.normal_modulus),
+             own_tangential = on_host(bonds.elasticity.tangential_modulus);
+  const auto pair = on_host(bonds.pair);
+  const auto length = on_host(bonds.length);
+  const auto spacing = on_host(bonds.spacing);
+  const auto normal = on_host(bonds.normal);
   double sum = 0;
   for (int k = 0; k < bonds.count; ++k) {
     if (held.contains(pair(k, 0)) == held.contains(pair(k, 1))) continue;

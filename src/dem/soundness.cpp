@@ -1,5 +1,6 @@
 #include "dem/soundness.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <cstdio>
@@ -10,8 +11,8 @@ namespace {
 
 /// Whether no bond holds a particle any more.
 bool is_loose(const Bonds& bonds, int particle) {
-  const auto pair = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair);
-  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.state);
+  const auto pair = on_host(bonds.pair);
+  const auto state = on_host(bonds.state);
   for (int k = 0; k < bonds.count; ++k)
     if ((pair(k, 0) == particle || pair(k, 1) == particle) && !has_failed(state(k))) return false;
   return true;

@@ -5,6 +5,7 @@
 #include "dem/forces.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/host/interruption.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -81,11 +82,11 @@ struct PointStiffness {
 class LinearRock {
  public:
   LinearRock(const Particles& particles, const Bonds& bonds)
-      : pair_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.pair)),
-        normal_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.normal)),
-        arm_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds.arm)),
+      : pair_(on_host(bonds.pair)),
+        normal_(on_host(bonds.normal)),
+        arm_(on_host(bonds.arm)),
         row_(static_cast<std::size_t>(3 * particles.count), -1) {
-    const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.held);
+    const auto held = on_host(particles.held);
     for (int i = 0; i < particles.count; ++i)
       for (int c = 0; c < 3; ++c)
         if (!(held(i) & 1 << c)) row_[static_cast<std::size_t>(3 * i + c)] = rows_++;
@@ -160,9 +161,7 @@ class Search {
         stretch_("vug::dem::stretch_before", contacts.stretch.extent(0)) {}
 
   StaticEquilibrium operator()() {
-    const int increments = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, bonds_.events)(bond_has_failed)
-                               ? increments_with_cracks
-                               : 1;
+    const int increments = on_host(bonds_.events)(bond_has_failed) ? increments_with_cracks : 1;
     report_.found = linear_.rows() > 0;
     for (int n = 1; n <= increments && report_.found; ++n) report_.found = settle(static_cast<double>(n) / increments);
     Kokkos::deep_copy(exec_, particles_.v, 0.0);
@@ -209,7 +208,7 @@ class Search {
     for_each_node(exec_, "vug::dem::gather_contacts", particles_.count, gather_loads(bonds_, contacts_));
     for_each_node(exec_, "vug::dem::imbalance", particles_.count,
                   Imbalance{particle_push(load_factor, 0, bonds_, contacts_, loads_, particles_), force_});
-    const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, force_);
+    const auto force = on_host(force_);
     Eigen::VectorXd left(linear_.rows());
     largest_ = 0;
     for (int i = 0; i < particles_.count; ++i)
@@ -227,7 +226,7 @@ class Search {
     for_each_node(exec_, "vug::dem::point_stiffness", bonds_.count,
                   PointStiffness{parameters_.bond, parameters_.chemical.failure_at, parameters_.thermal_expansion,
                                  particles_, bonds_, slip_, stiffness_});
-    const auto now = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
+    const auto now = on_host(stiffness_);
     const std::vector<double> values(now.data(), now.data() + now.size());
     if (values == factored_) return true;
     factored_ = values;

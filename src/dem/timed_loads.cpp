@@ -1,7 +1,7 @@
 #include "dem/timed_loads.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/base/to_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>
@@ -107,8 +107,8 @@ std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::
   const auto length = Kokkos::create_mirror_view(timed.length);
   const auto arm = Kokkos::create_mirror_view(timed.arm);
   const auto force = Kokkos::create_mirror_view(timed.force), moment = Kokkos::create_mirror_view(timed.moment);
-  const auto first_force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start.force);
-  const auto first_moment = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, at_start.moment);
+  const auto first_force = on_host(at_start.force);
+  const auto first_moment = on_host(at_start.moment);
   for (std::size_t j = 0; j < particle.size(); ++j)
     for (std::size_t c = 0; c < 2; ++c) {
       force(j, c) = first_force(particle[j], c);

@@ -1,6 +1,8 @@
 #include "ranks/halo.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
+#include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"
 
 #include <algorithm>
@@ -28,10 +30,7 @@ struct Slots {
       rank.push_back(static_cast<int>(r));
       first.push_back(static_cast<int>(all.size()));
     }
-    slot = IndexList("vug::halo::slots", all.size());
-    const auto host = Kokkos::create_mirror_view(slot);
-    for (std::size_t k = 0; k < all.size(); ++k) host(k) = all[k];
-    Kokkos::deep_copy(slot, host);
+    slot = to_device<IndexList>("vug::halo::slots", all);
   }
   int count() const { return first.empty() ? 0 : first.back(); }
 };
@@ -64,25 +63,40 @@ namespace {
 
 /// The messages of one direction and size of value, ready to start.
 struct Channel {
-  Kokkos::View<double*> out, in;
+  using Buffer = Kokkos::View<double*>;
+  Buffer out, in;                           ///< of the kernels
+  Buffer::host_mirror_type sent, received;  ///< of MPI, where it does not take those
+  bool direct = takes_device_memory();
   std::vector<MPI_Request> requests;
 
   Channel(const Slots& from, const Slots& to, std::size_t bytes) {
     const auto room = [&](const char* label, const Slots& slots) {
-      return Kokkos::View<double*>(label, (slots.count() * bytes + sizeof(double) - 1) / sizeof(double));
+      return Buffer(label, (slots.count() * bytes + sizeof(double) - 1) / sizeof(double));
     };
     out = room("vug::halo::out", from);
     in = room("vug::halo::in", to);
-    const auto make = [&](const Slots& slots, Kokkos::View<double*>& buffer, auto init) {
-      char* const begin = reinterpret_cast<char*>(buffer.data());
+    if (!direct) {
+      sent = Kokkos::create_mirror_view(out);
+      received = Kokkos::create_mirror_view(in);
+    }
+    const auto make = [&](const Slots& slots, double* buffer, auto init) {
+      char* const begin = reinterpret_cast<char*>(buffer);
       for (std::size_t k = 0; k < slots.rank.size(); ++k) {
         requests.emplace_back();
         init(begin + slots.first[k] * bytes, static_cast<int>((slots.first[k + 1] - slots.first[k]) * bytes), MPI_BYTE,
              slots.rank[k], 0, MPI_COMM_WORLD, &requests.back());
       }
     };
-    make(to, in, MPI_Recv_init);
-    make(from, out, MPI_Send_init);
+    make(to, direct ? in.data() : received.data(), MPI_Recv_init);
+    make(from, direct ? out.data() : sent.data(), MPI_Send_init);
+  }
+  void trade() {
+    const int count = static_cast<int>(requests.size());
+    if (count == 0) return;
+    if (!direct) Kokkos::deep_copy(sent, out);
+    MPI_Startall(count, requests.data());
+    MPI_Waitall(count, requests.data(), MPI_STATUSES_IGNORE);
+    if (!direct) Kokkos::deep_copy(in, received);
   }
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
@@ -107,10 +121,9 @@ struct Halo::Lists {
     for (std::size_t c = 0; c < n; ++c) pack.field[c] = unpack.field[c] = fields[c];
     for_each_scattered(exec, "vug::halo::pack", from.count(), pack);
     exec.fence("vug::halo::packed");  // MPI reads what the kernel writes
-    if (const int count = static_cast<int>(channel->requests.size()); count > 0) {
+    if (!channel->requests.empty()) {
       const Exchange counted = Exchange::of_neighbours(to.rank.size(), to.count() * n * sizeof(T));
-      MPI_Startall(count, channel->requests.data());
-      MPI_Waitall(count, channel->requests.data(), MPI_STATUSES_IGNORE);
+      channel->trade();
     }
     for_each_scattered(exec, "vug::halo::unpack", to.count(), unpack);
     exec.fence("vug::halo::unpacked");  // the next exchange receives into what the kernel reads

@@ -9,7 +9,8 @@
 
 namespace vug {
 
-/// Who needs which slots of a list from whom. All ranks number the slots alike. In memory that the host shares.
+/// Who needs which slots of a list from whom. All ranks number the slots alike. Messages lie in a device's memory where
+/// MPI takes them from there (Mpi::takes_device_memory), else in the host's.
 class Halo {
  public:
   Halo() = default;

@@ -1,5 +1,7 @@
 #include "ranks/mpi.hpp"
 
+#include "kernels/base/base.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -10,6 +12,9 @@
 
 #ifdef VUG_MPI
 #include <mpi.h>
+#ifdef OPEN_MPI
+#include <mpi-ext.h>
+#endif
 #endif
 
 namespace vug {
@@ -56,6 +61,49 @@ Mpi::~Mpi() {
   MPI_Finalize();
 }
 
+namespace {
+
+/// What MPI says of itself: to try without would end the process.
+bool claims_device_memory() {
+  int claimed = 0;
+#if defined(KOKKOS_ENABLE_CUDA) && defined(MPIX_CUDA_AWARE_SUPPORT)  // Open MPI
+  claimed = MPIX_Query_cuda_support();
+#elif defined(KOKKOS_ENABLE_HIP) && defined(OMPI_HAVE_MPI_EXT_ROCM)
+  claimed = MPIX_Query_rocm_support();
+#elif defined(KOKKOS_ENABLE_CUDA) && defined(MPIX_GPU_SUPPORT_CUDA)  // MPICH
+  MPIX_GPU_query_support(MPIX_GPU_SUPPORT_CUDA, &claimed);
+#elif defined(KOKKOS_ENABLE_HIP) && defined(MPIX_GPU_SUPPORT_HIP)
+  MPIX_GPU_query_support(MPIX_GPU_SUPPORT_HIP, &claimed);
+#endif
+  return claimed != 0;
+}
+
+struct CountRight {
+  Kokkos::View<const int*> numbers;
+  int wanted;
+  KOKKOS_FUNCTION void operator()(int i, int& sum) const { sum += numbers(i) == wanted; }
+};
+
+/// Whether a message from the memory of Views arrives there.
+bool proves_device_memory() {
+  constexpr int count = 1000, number = 4711;
+  const Kokkos::View<int*> out("vug::mpi::out", count), in("vug::mpi::in", count);
+  Kokkos::deep_copy(out, number);
+  Kokkos::fence("vug::mpi::proves_device_memory");
+  MPI_Sendrecv(out.data(), count, MPI_INT, 0, 0, in.data(), count, MPI_INT, 0, 0, MPI_COMM_SELF, MPI_STATUS_IGNORE);
+  int right = 0;
+  Kokkos::parallel_reduce("vug::mpi::count_right", Kokkos::RangePolicy<Exec>(0, count), CountRight{in, number}, right);
+  return right == count;
+}
+
+}  // namespace
+
+bool takes_device_memory() {
+  if constexpr (runs_on_host) return true;
+  static const bool takes = claims_device_memory() && proves_device_memory();
+  return takes;
+}
+
 void end_all_ranks(const Ranks& ranks, int code) {
   if (!ranks.alone()) MPI_Abort(MPI_COMM_WORLD, code);
 }
@@ -76,6 +124,9 @@ std::string mpi_library() {
 
 Mpi::Mpi() = default;
 Mpi::~Mpi() = default;
+bool takes_device_memory() {
+  return true;
+}
 void end_all_ranks(const Ranks&, int) {}
 std::string mpi_library() {
   return "none";

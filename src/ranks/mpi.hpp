@@ -31,6 +31,10 @@ void end_all_ranks(const Ranks& ranks, int code);
 /// What was built in, for instance "Open MPI v4.1.4" or "MPICH 4.0.2"; "none".
 std::string mpi_library();
 
+/// Whether messages may lie in the memory of Views: on a host always; in a device's where MPI says so and has proved it
+/// by a message that this process sent itself when it first asked.
+bool takes_device_memory();
+
 /// The machine that this rank runs on.
 std::string machine_name();
 

@@ -43,7 +43,8 @@ class Ranks {
   std::vector<std::string> told_by_all(const std::string& text) const;
   /// lists[r] goes to rank r; returns what came from each.
   std::vector<std::vector<int>> traded(const std::vector<std::vector<int>>& lists) const;
-  /// Fills in the items of `values` (item) in host memory that other ranks own.
+  /// Fills in the items of `values` (item), memory of Views, that other ranks own. Kernels that write them must have
+  /// ended.
   template <class T>
   void make_whole(const Owners& owners, T* values) const;
 

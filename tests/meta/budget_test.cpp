@@ -1,6 +1,7 @@
 // What a lattice step of the paper's rock may launch, copy and wait for, by Kokkos' own count: on a GPU a launch takes
 // as long as the work of a small kernel, and a wait as long as many launches. docs/step.md has the table.
 #include "coupling/simulation.hpp"
+#include "support/overheard.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,7 @@ class Tally {
     set_begin_parallel_scan_callback(launched);
     set_push_region_callback([](const char* label) {
       if (std::string_view(label).starts_with("vug::")) ++counting_->launches[label];
+      counting_->overheard_.region_began(label);
     });
     set_begin_fence_callback([](const char* label, std::uint32_t, std::uint64_t*) {
       // Kokkos itself fences for its tools, and where a host stands in for a GPU before a graph
@@ -37,19 +39,12 @@ class Tally {
     set_allocate_data_callback([](Kokkos::Profiling::SpaceHandle, const char* label, const void*, std::uint64_t size) {
       if (size > 0) ++counting_->allocations[label];
     });
-    set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle, const char* to, const void*,
-                                    Kokkos::Profiling::SpaceHandle, const char* from, const void*,
-                                    std::uint64_t) { ++counting_->copies[std::string(from) + " -> " + to]; });
-  }
-  ~Tally() {
-    using namespace Kokkos::Tools::Experimental;
-    set_begin_parallel_for_callback(nullptr);
-    set_begin_parallel_reduce_callback(nullptr);
-    set_begin_parallel_scan_callback(nullptr);
-    set_push_region_callback(nullptr);
-    set_begin_fence_callback(nullptr);
-    set_allocate_data_callback(nullptr);
-    set_begin_deep_copy_callback(nullptr);
+    set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle there, const char* to, const void* target,
+                                    Kokkos::Profiling::SpaceHandle here, const char* from, const void* source,
+                                    std::uint64_t size) {
+      ++counting_->copies[std::string(from) + " -> " + to];
+      counting_->overheard_.copied(there, to, target, here, from, source, size);
+    });
   }
 
   static double sum(const Counts& counts) {
@@ -64,7 +59,11 @@ class Tally {
   }
 
  private:
-  static void launched(const char* label, std::uint32_t, std::uint64_t*) { ++counting_->launches[label]; }
+  static void launched(const char* label, std::uint32_t device, std::uint64_t* id) {
+    ++counting_->launches[label];
+    counting_->overheard_.launched(label, device, id);
+  }
+  test::Overheard overheard_;
   inline static Tally* counting_ = nullptr;
 };
 

@@ -1,6 +1,7 @@
 // A module is there only when the case has its table, and a step stays on the device: counted by Kokkos itself.
 #include "coupling/simulation.hpp"
 #include "support/minerals_of_small_rock.hpp"
+#include "support/overheard.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,17 +25,12 @@ class Watch {
     set_allocate_data_callback([](Kokkos::Profiling::SpaceHandle, const char* label, const void*, std::uint64_t size) {
       if (size > 0) watching_->allocations.insert(label);
     });
-    set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle, const char* to, const void*,
-                                    Kokkos::Profiling::SpaceHandle, const char* from, const void*,
-                                    std::uint64_t) { watching_->copies.insert(std::string(from) + " -> " + to); });
-  }
-  ~Watch() {
-    using namespace Kokkos::Tools::Experimental;
-    set_begin_parallel_for_callback(nullptr);
-    set_begin_parallel_reduce_callback(nullptr);
-    set_begin_parallel_scan_callback(nullptr);
-    set_allocate_data_callback(nullptr);
-    set_begin_deep_copy_callback(nullptr);
+    set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle there, const char* to, const void* target,
+                                    Kokkos::Profiling::SpaceHandle here, const char* from, const void* source,
+                                    std::uint64_t size) {
+      watching_->copies.insert(std::string(from) + " -> " + to);
+      watching_->overheard_.copied(there, to, target, here, from, source, size);
+    });
   }
 
   /// Whether any kernel or allocation carries this part in its label.
@@ -48,7 +44,11 @@ class Watch {
   std::multiset<std::string> kernels, allocations, copies;
 
  private:
-  static void launched(const char* label, std::uint32_t, std::uint64_t*) { watching_->kernels.insert(label); }
+  static void launched(const char* label, std::uint32_t device, std::uint64_t* id) {
+    watching_->kernels.insert(label);
+    watching_->overheard_.launched(label, device, id);
+  }
+  test::Overheard overheard_;
   inline static Watch* watching_ = nullptr;
 };
 

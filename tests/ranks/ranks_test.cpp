@@ -1,11 +1,13 @@
 // What ranks trade, and how they share rock, on as many as mpirun starts.
 #include "dem/mechanics.hpp"
 #include "io/rock_generator.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "ranks/halo.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/partition.hpp"
 #include "ranks/traffic.hpp"
+#include "support/overheard.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -30,9 +32,12 @@ Ranks world;
 bool packed_unfenced = false, started_unfenced = false;
 int packing_kernels = 0, starts = 0;
 
-void watch_kernels() {
+void watch_kernels(const test::Overheard& overheard) {
+  static const test::Overheard* others;
+  others = &overheard;
   using namespace Kokkos::Tools::Experimental;
-  set_begin_parallel_for_callback([](const char* name, std::uint32_t, std::uint64_t*) {
+  set_begin_parallel_for_callback([](const char* name, std::uint32_t device, std::uint64_t* id) {
+    others->launched(name, device, id);
     if (std::string(name) != "vug::halo::pack") return;
     ++packing_kernels;
     packed_unfenced = true;
@@ -81,11 +86,12 @@ TEST(Halo, BringsTheOwnersValuesAndTouchesNoOthers) {
     const ScalarField<double> a = numbered(again), b = numbered(0.5 + again);
     halo.exchange<double, 2>(Exec{}, {a, b});
     const std::vector<int> mine = needed_by(world.rank());
+    const auto a_now = on_host(a), b_now = on_host(b);
     for (int s = 0; s < count; ++s) {
       const bool needed = std::find(mine.begin(), mine.end(), s) != mine.end();
       const double whose = needed ? owner_of(s) : world.rank();
-      EXPECT_EQ(a(s), 1000.0 * whose + s + again);
-      EXPECT_EQ(b(s), 1000.0 * whose + s + again + 0.5);
+      EXPECT_EQ(a_now(s), 1000.0 * whose + s + again);
+      EXPECT_EQ(b_now(s), 1000.0 * whose + s + again + 0.5);
     }
   }
 }
@@ -97,8 +103,9 @@ TEST(Halo, BringsBackWhatTheNeedyHold) {
   const Halo halo(world, {10 + next}, {next});
   const ScalarField<double> values = numbered();
   halo.exchange_back<double, 1>(Exec{}, {values});
-  EXPECT_EQ(values(10 + world.rank()), 1000.0 * before + 10 + world.rank());
-  EXPECT_EQ(values(10 + next), 1000.0 * world.rank() + 10 + next);
+  const auto now = on_host(values);
+  EXPECT_EQ(now(10 + world.rank()), 1000.0 * before + 10 + world.rank());
+  EXPECT_EQ(now(10 + next), 1000.0 * world.rank() + 10 + next);
 }
 
 TEST(Halo, IsEmptyWhereNothingIsNeeded) {
@@ -106,17 +113,17 @@ TEST(Halo, IsEmptyWhereNothingIsNeeded) {
   const ScalarField<double> values = numbered();
   none.exchange<double, 1>(Exec{}, {values});
   absent.exchange<double, 1>(Exec{}, {values});
-  EXPECT_EQ(values(7), 1000.0 * world.rank() + 7);
+  EXPECT_EQ(on_host(values)(7), 1000.0 * world.rank() + 7);
   EXPECT_EQ(none.taken(), 0);
 }
 
 TEST(Halo, WaitsForASlowPackingKernelBeforeItSends) {
-  watch_kernels();
+  const test::Overheard overheard;
+  watch_kernels(overheard);
   packing_kernels = starts = 0;
   started_unfenced = false;
   const Halo halo = make_halo();
   halo.exchange<double, 1>(Exec{}, {numbered()});
-  Kokkos::Tools::Experimental::pause_tools();
   if (world.size() > 2) {
     EXPECT_GT(packing_kernels, 0);
     EXPECT_GT(starts, 0);
@@ -133,7 +140,8 @@ Traffic traffic_of(const std::string& phase) {
 
 TEST(Traffic, IsWhatComesFromOthersInAPhase) {
   const Halo halo = make_halo();
-  std::vector<int> owner(count), values(count);
+  std::vector<int> owner(count);
+  const IndexList values("values", count);
   std::set<int> neighbours;
   for (int s = 0; s < count; ++s) owner[s] = owner_of(s);
   for (const int s : needed_by(world.rank())) neighbours.insert(owner_of(s));
@@ -161,13 +169,15 @@ TEST(Traffic, IsWhatComesFromOthersInAPhase) {
 }
 
 TEST(Ranks, MakeAnArrayWholeFromItsOwners) {
-  std::vector<int> owner(count), values(count, -1);
+  std::vector<int> owner(count), own(count, -1);
   for (int s = 0; s < count; ++s) {
     owner[s] = owner_of(s);
-    if (owner[s] == world.rank()) values[s] = 7 * s;
+    if (owner[s] == world.rank()) own[s] = 7 * s;
   }
+  const auto values = to_device<IndexList>("values", own);
   world.make_whole(owners_of(owner, world.size()), values.data());
-  for (int s = 0; s < count; ++s) EXPECT_EQ(values[s], 7 * s);
+  const auto whole = on_host(values);
+  for (int s = 0; s < count; ++s) EXPECT_EQ(whole(s), 7 * s);
 }
 
 TEST(Ranks, AgreeAndTell) {
@@ -214,7 +224,8 @@ TEST(Partition, GivesEveryRowToOnePartAlsoWhereThereAreMoreParts) {
 template <class Visit>
 void for_bytes_of_state(const Mechanics& rock, const Visit& visit) {
   rock.visit_state([&](const char* name, const auto& view, auto...) {
-    visit(std::string(name), reinterpret_cast<const char*>(view.data()), view.size() * sizeof(*view.data()));
+    const auto now = on_host(view);
+    visit(std::string(name), reinterpret_cast<const char*>(now.data()), now.size() * sizeof(*now.data()));
   });
 }
 
@@ -225,11 +236,12 @@ TEST(RockShare, EveryRankMovesItsOwnRockAndAllTogetherThatOfOne) {
   Mechanics whole(block, {}, {}), shared(block, {}, {});
   shared.share(world);
   const int triangles = whole.particles().count;
+  const auto x0 = on_host(whole.particles().x0);
   std::vector<int> left, ours;
   for (int i = 0; i < triangles; ++i) {
     EXPECT_EQ(world.most(shared.moves(i) ? world.rank() : -1), world.least(shared.moves(i) ? world.rank() : triangles));
     if (shared.moves(i)) ours.push_back(i);
-    if (whole.particles().x0(i, 0) < 0.02) left.push_back(i);
+    if (x0(i, 0) < 0.02) left.push_back(i);
   }
   for (Mechanics* rock : {&whole, &shared}) {
     rock->set_velocity(left, {-20, 5});  // m/s: it tears off
@@ -237,11 +249,14 @@ TEST(RockShare, EveryRankMovesItsOwnRockAndAllTogetherThatOfOne) {
     Exec().fence();
   }
   EXPECT_GT(whole.bond_counts().failed(), 5);
-  EXPECT_GT(whole.contacts().first(triangles, whole.contacts().status(contacts_generation)), 0);  // pairs that touch
+  const Contacts& contacts = whole.contacts();
+  EXPECT_GT(on_host(contacts.first)(triangles, on_host(contacts.status)(contacts_generation)), 0);  // pairs that touch
+  const auto u = on_host(whole.particles().u), v = on_host(whole.particles().v);
+  const auto shared_u = on_host(shared.particles().u), shared_v = on_host(shared.particles().v);
   for (const int i : ours)
-    for (int axis = 0; axis < 2; ++axis) ASSERT_EQ(shared.particles().u(i, axis), whole.particles().u(i, axis)) << i;
+    for (int axis = 0; axis < 2; ++axis) ASSERT_EQ(shared_u(i, axis), u(i, axis)) << i;
   int old = 0;  // what others have moved since
-  for (int i = 0; i < triangles; ++i) old += shared.particles().v(i, 0) != whole.particles().v(i, 0);
+  for (int i = 0; i < triangles; ++i) old += shared_v(i, 0) != v(i, 0);
   EXPECT_EQ(old > 0, !world.alone());
   shared.make_whole(Exec());
   std::vector<std::string> bytes;

@@ -1,5 +1,6 @@
 // Loads over time: what they do, from where a run may be resumed, and that they cost nothing where nobody asked.
 #include "support/coupled_run.hpp"
+#include "support/overheard.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -106,17 +107,21 @@ TEST(MovingLoads, GoOnWithTheSameBitsFromAStateTakenAnywhere) {
 TEST(MovingLoads, AreOneKernelPerSubStepWhereAskedForAndNoneElsewhere) {
   const auto launches = [](const Scene& scene) {
     static int found;
+    static const test::Overheard* others;
     Simulation simulation(scene);
     simulation.begin();
     simulation.step();
     found = 0;
-    Kokkos::Tools::Experimental::set_begin_parallel_for_callback([](const char* label, std::uint32_t, std::uint64_t*) {
-      const std::string name = label;
-      found += name == "vug::dem::follow_loads" || name == "vug::dem::follow_temperature" ||
-               name.starts_with("vug::dem::gauge") || name.starts_with("vug::dem::mean_stress");
-    });
+    const test::Overheard overheard;
+    others = &overheard;
+    Kokkos::Tools::Experimental::set_begin_parallel_for_callback(
+        [](const char* label, std::uint32_t device, std::uint64_t* id) {
+          const std::string name = label;
+          found += name == "vug::dem::follow_loads" || name == "vug::dem::follow_temperature" ||
+                   name.starts_with("vug::dem::gauge") || name.starts_with("vug::dem::mean_stress");
+          others->launched(label, device, id);
+        });
     simulation.step();
-    Kokkos::Tools::Experimental::set_begin_parallel_for_callback(nullptr);
     return found;
   };
   EXPECT_GT(launches(parse_scene(moving_loads, "case.toml")), 0);

@@ -1,5 +1,6 @@
 // Rock that rests sleeps, costs nothing and wakes when it is pushed.
 #include "dem_support.hpp"
+#include "support/overheard.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
@@ -59,8 +60,10 @@ int settle(Mechanics& rock, int longest = 20000) {
 }
 
 int launches = 0;
-void launched(const char*, std::uint32_t, std::uint64_t*) {
+const test::Overheard* overheard = nullptr;
+void launched(const char* label, std::uint32_t device, std::uint64_t* id) {
   ++launches;
+  overheard->launched(label, device, id);
 }
 
 TEST(RestingRock, BearsTheStressOfClampedHeating) {
@@ -125,17 +128,19 @@ TEST(RestingRock, LaunchesNothingBetweenLooks) {
   settle(rock);
   const double dt = 0.5 * rock.critical_step();
   while (rock.steps() % 16 != 1 || rock.steps() % 50 > 30) rock.advance(Exec(), dt, 1);
+  const test::Overheard others;
+  overheard = &others;
   using namespace Kokkos::Tools::Experimental;
   launches = 0;
   set_begin_parallel_for_callback(launched);
   set_begin_parallel_reduce_callback(launched);
-  set_push_region_callback([](const char*) { ++launches; });  // a recording
+  set_push_region_callback([](const char* label) {  // a recording
+    ++launches;
+    overheard->region_began(label);
+  });
   rock.advance(Exec(), dt, 15);
   const int between = launches;
   rock.advance(Exec(), dt, 1);
-  set_begin_parallel_for_callback(nullptr);
-  set_begin_parallel_reduce_callback(nullptr);
-  set_push_region_callback(nullptr);
   // a GPU would have to wait for the number of those awake: it launches a recording, which finds nothing to do
   EXPECT_EQ(between, runs_on_host ? 0 : 1);
   EXPECT_GT(launches, 0) << "the look itself";

@@ -1,6 +1,7 @@
 #pragma once
 // Bodies of StateList's templates.
 #include "io/field_list.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <cstdint>
@@ -53,7 +54,7 @@ void StateList::add(std::string name, ViewType view, StateRange range) {
   const std::size_t bytes = view.span() * sizeof(Value);
   add(StateBlock{name,
                  [view, bytes] {
-                   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+                   const auto host = on_host(view);
                    std::vector<std::byte> out(bytes);
                    if (bytes > 0) std::memcpy(out.data(), host.data(), bytes);
                    return out;

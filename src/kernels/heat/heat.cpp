@@ -158,14 +158,15 @@ struct TakeTemperature {
 
 template <class T>
 void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta) {
-  for_each_dense_node(exec, "vug::heat::take_temperatures", fields.lattice,
+  for_each_dense_node(exec, "vug::heat::take_temperatures", fields.lattice, Rows{fields.first_row, fields.rows},
                       TakeTemperature<T>{Temperature<T>(fields), fields.solid, theta});
 }
 
 template <class T>
 ScalarField<T> temperatures(const Exec& exec, const HeatFields<T>& fields) {
   const ScalarField<T> theta(Kokkos::view_alloc(exec, "vug::heat::theta"), fields.lattice.size());
-  take_temperatures(exec, fields, theta);
+  for_each_dense_node(exec, "vug::heat::temperatures", fields.lattice,
+                      TakeTemperature<T>{Temperature<T>(fields), fields.solid, theta});
   return theta;
 }
 

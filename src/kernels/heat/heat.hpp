@@ -103,7 +103,7 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
 template <class T>
 void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields);
 
-/// theta (node) = temperature of every node inside the lattice, 0 in openings.
+/// theta (node) = temperature of every node of our rows, 0 in openings.
 template <class T>
 void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta);
 

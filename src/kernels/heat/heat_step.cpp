@@ -37,6 +37,17 @@ void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Matte
   Kokkos::parallel_for("vug::heat::rows", all, band);
 }
 
+/// Of a dense node what `body` does where it is fluid.
+template <class Body>
+struct WhereFluid {
+  Body body;
+  IndexList index;
+  KOKKOS_FUNCTION double operator()(int node) const {
+    const int i = index(node);
+    return i >= 0 ? body(i) : 0.0;
+  }
+};
+
 }  // namespace
 
 template <class T>
@@ -46,7 +57,8 @@ void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t
     if constexpr (runs_on_host)
       conduct_in_place<Set>(exec, fields, matter, NoConvection{}, theta);
     else
-      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice, conduct_body<Set>(fields, matter, fields.g_next));
+      for_each_dense_node(exec, "vug::heat::conduct", fields.lattice, Rows{fields.first_row, fields.rows},
+                          conduct_body<Set>(fields, matter, fields.g_next));
   });
   if constexpr (!runs_on_host) {
     std::swap(fields.g, fields.g_next);
@@ -80,7 +92,11 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
     });
   } else {
     conduct(exec, fields);
-    advect(exec, nodes, u, defect, lagged, fields, created);
+    visit_velocity_set(fields.velocity_set, [&](auto set) {
+      const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields);
+      add_per_dense_row(exec, "vug::heat::advect", fields.lattice, {fields.first_row, fields.rows},
+                        WhereFluid<std::decay_t<decltype(body)>>{body, nodes.index}, created);
+    });
     if (theta.extent(0) > 0) take_temperatures(exec, fields, theta);
   }
 }

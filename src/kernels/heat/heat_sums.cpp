@@ -40,14 +40,10 @@ struct NodeEnergy {
   }
 };
 
-int heat_energy_sums(const Lattice& lattice) {
-  return dense_sums(lattice);
-}
-
 template <class T>
 void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total) {
   visit_capacity(fields, [&](const auto& capacity) {
-    add_per_dense_row(exec, "vug::heat::energy", fields.lattice,
+    add_per_dense_row(exec, "vug::heat::energy", fields.lattice, {fields.first_row, fields.rows},
                       NodeEnergy<T, std::decay_t<decltype(capacity)>>{capacity, fields.solid, Temperature<T>(fields)},
                       total);
   });
@@ -99,7 +95,7 @@ struct Extremes {
 
   KOKKOS_FUNCTION void operator()(int item, T& lowest, T& highest, int& not_finite) const {
     if constexpr (!runs_on_host) {
-      look(lattice.node(item % lattice.nx, item / lattice.nx), lowest, highest, not_finite);
+      look(lattice.node(item % lattice.nx, first_row + item / lattice.nx), lowest, highest, not_finite);
     } else {
       T low[lanes], high[lanes];
       int bad[lanes] = {};
@@ -124,7 +120,7 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   T lowest, highest;
   int not_finite;
   Kokkos::parallel_reduce("vug::heat::extremes",
-                          Kokkos::RangePolicy<Exec>(exec, 0, runs_on_host ? fields.rows : lattice.nx * lattice.ny),
+                          Kokkos::RangePolicy<Exec>(exec, 0, fields.rows * (runs_on_host ? 1 : lattice.nx)),
                           Extremes<T>{lattice, fields.first_row, fields.solid, Temperature<T>(fields)},
                           Kokkos::Min<T>(lowest), Kokkos::Max<T>(highest), Kokkos::Sum<int>(not_finite));
   return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};

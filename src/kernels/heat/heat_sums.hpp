@@ -4,10 +4,7 @@
 
 namespace vug {
 
-/// Entries that the sums of add_heat_energy need.
-int heat_energy_sums(const Lattice& lattice);
-
-/// Adds the energy of the nodes to the entries of `total`: theta in fluid, sigma theta in solid.
+/// Adds the energy of the nodes in our rows to `total` (row): theta in fluid, sigma theta in solid.
 template <class T>
 void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total);
 

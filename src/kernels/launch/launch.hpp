@@ -99,6 +99,18 @@ struct BlockSum {
   }
 };
 
+/// On a GPU: a node of the listed blocks.
+template <class Body>
+struct NodeOfBlocks {
+  Body body;
+  int n;
+  const int* listed;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int i = listed[item / nodes_per_block] * nodes_per_block + item % nodes_per_block;
+    if (i < n) body(i);
+  }
+};
+
 /// On a GPU: a team per block.
 template <class Body>
 struct TeamSum {
@@ -106,13 +118,14 @@ struct TeamSum {
   Body body;
   int n;
   ScalarField<double> total;
+  const int* listed = nullptr;  ///< numbers of the blocks that run; null: all do
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int first = team.league_rank() * nodes_per_block;
+    const int block = listed ? listed[team.league_rank()] : team.league_rank(), first = block * nodes_per_block;
     const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
     double sum = 0;
     Kokkos::parallel_reduce(
         Kokkos::TeamThreadRange(team, first, last), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
-    Kokkos::single(Kokkos::PerTeam(team), [&] { total(team.league_rank()) += sum; });
+    Kokkos::single(Kokkos::PerTeam(team), [&] { total(block) += sum; });
   }
 };
 
@@ -154,13 +167,14 @@ void for_each_block(const Exec& exec, const std::string& label, const Share& lis
 /// Runs body(i) for the items i of a list. Iterations must be independent. Nothing is fenced.
 template <class Body>
 void for_each_node(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
-  if (list.n <= 0) return;
-  if constexpr (runs_on_host) {
+  if (list.n <= 0 || list.blocks == 0) return;
+  if constexpr (runs_on_host)
     for_each_block(exec, label, list, detail::NodeLoop<Body>{body}, block_of_list(list.n));
-  } else {
-    KOKKOS_ASSERT(list.whole());
+  else if (list.whole())
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.n), body);
-  }
+  else
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.blocks * nodes_per_block),
+                         detail::NodeOfBlocks<Body>{body, list.n, list.block});
 }
 
 /// As for_each_node, for bodies that read and write what lies scattered: a host's gathers and scatters of vectors take
@@ -190,15 +204,14 @@ void for_each_team(const Exec& exec, const std::string& label, int count, int th
 template <class Body>
 void add_per_block(const Exec& exec, const std::string& label, const Share& list, const Body& body,
                    const ScalarField<double>& total) {
-  const int n = list.n;
-  if (n <= 0) return;
+  const int n = list.n, blocks = list.whole() ? block_count(n) : list.blocks;
+  if (n <= 0 || blocks == 0) return;
   if constexpr (runs_on_host) {
     using Blocks = detail::Block<detail::BlockSum<Body>>;
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.whole() ? block_count(n) : list.blocks),
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, blocks),
                          Blocks{{body, total}, n, nodes_per_block, list.block});
   } else {
-    KOKKOS_ASSERT(list.whole());
-    for_each_team(exec, label, block_count(n), 128, detail::TeamSum<Body>{body, n, total});
+    for_each_team(exec, label, blocks, 128, detail::TeamSum<Body>{body, n, total, list.block});
   }
 }
 

@@ -6,6 +6,11 @@
 
 namespace vug {
 
+/// Consecutive rows of a lattice.
+struct Rows {
+  int first, count;
+};
+
 namespace detail {
 
 template <class Body>
@@ -25,7 +30,28 @@ template <class Body>
 struct NodeOfRows {
   Body body;
   Lattice lattice;
-  KOKKOS_FUNCTION auto operator()(int item) const { return body(lattice.node(item % lattice.nx, item / lattice.nx)); }
+  int first_row;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    body(lattice.node(item % lattice.nx, first_row + item / lattice.nx));
+  }
+};
+
+/// On a GPU: a team per row.
+template <class Body>
+struct TeamRowSum {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Body body;
+  Lattice lattice;
+  int first_row;
+  ScalarField<double> total;
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int y = first_row + team.league_rank(), first = lattice.node(0, y);
+    double sum = 0;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamThreadRange(team, first, first + lattice.nx),
+        [&](int node, double& s) { s += static_cast<double>(body(node)); }, sum);
+    Kokkos::single(Kokkos::PerTeam(team), [&] { total(y) += sum; });
+  }
 };
 
 /// Adds up a row in blocks.
@@ -46,32 +72,35 @@ struct RowSum {
 
 }  // namespace detail
 
-/// Runs body(node) for every node inside the lattice, `node` in the dense numbering. Iterations must be independent.
+/// Runs body(node) for every node of some rows, `node` in the dense numbering. Iterations must be independent.
 template <class Body>
-void for_each_dense_node(const Exec& exec, const std::string& label, const Lattice& lattice, const Body& body) {
+void for_each_dense_node(const Exec& exec, const std::string& label, const Lattice& lattice, const Rows& rows,
+                         const Body& body) {
   if constexpr (runs_on_host) {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lattice.ny),
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, rows.first, rows.first + rows.count),
                          detail::RowOfNodes<Body>{body, lattice});
   } else {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
-                         detail::NodeOfRows<Body>{body, lattice});
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * rows.count),
+                         detail::NodeOfRows<Body>{body, lattice, rows.first});
   }
 }
 
-/// Entries that the sums of add_per_dense_row need.
-inline int dense_sums(const Lattice& lattice) {
-  return runs_on_host ? lattice.ny : block_count(lattice.nx * lattice.ny);
+/// The same for every node inside the lattice.
+template <class Body>
+void for_each_dense_node(const Exec& exec, const std::string& label, const Lattice& lattice, const Body& body) {
+  for_each_dense_node(exec, label, lattice, {0, lattice.ny}, body);
 }
 
-/// total(row; on a GPU block) += sum of body(node) over its nodes inside the lattice, as add_per_block.
+/// total(row) += sum of body(node) over its nodes inside the lattice, of some rows, as add_per_block. body(node) may
+/// also write to the node.
 template <class Body>
-void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice& lattice, const Body& body,
-                       const ScalarField<double>& total) {
+void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice& lattice, const Rows& rows,
+                       const Body& body, const ScalarField<double>& total) {
   if constexpr (runs_on_host)
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lattice.ny),
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, rows.first, rows.first + rows.count),
                          detail::RowSum<Body>{body, lattice, total});
   else
-    add_per_block(exec, label, lattice.nx * lattice.ny, detail::NodeOfRows<Body>{body, lattice}, total);
+    for_each_team(exec, label, rows.count, 128, detail::TeamRowSum<Body>{body, lattice, rows.first, total});
 }
 
 }  // namespace vug

@@ -1,4 +1,5 @@
 // The boundary of a list of fluid nodes: the surface of the rock, and the links through the sides of the lattice.
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/unroll.hpp"
 #include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
@@ -123,7 +124,7 @@ BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Sid
 
 ScalarField<double> side_link_areas(const BoundaryLinks& links, int directions) {
   const ScalarField<double> area("vug::fluid_nodes::side_area", links.count);
-  const auto direction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, links.direction);
+  const auto direction = on_host(links.direction);
   const auto host = Kokkos::create_mirror_view(area);
   double faces = 0, all = 0;
   for (int link = 0; link < links.count; ++link) {

@@ -1,5 +1,7 @@
 #include "kernels/nodes/opening.hpp"
 
+#include "kernels/base/host_and_device.hpp"
+
 #include <cmath>
 
 namespace vug {
@@ -72,9 +74,9 @@ double weight(int directions, int q) {
 
 ScalarField<double> areas(const FoundLinks& found, const Opening& opening, int directions) {
   ScalarField<double> area("vug::opening::area", found.links.count);
-  const auto item = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, found.item);
-  const auto direction = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, found.links.direction);
-  const auto facing = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, opening.facing);
+  const auto item = on_host(found.item);
+  const auto direction = on_host(found.links.direction);
+  const auto facing = on_host(opening.facing);
   const auto host = Kokkos::create_mirror_view(area);
   double straight = 0, all = 0;
   for (int l = 0; l < found.links.count; ++l) {
@@ -92,7 +94,7 @@ ScalarField<double> areas(const FoundLinks& found, const Opening& opening, int d
 /// A number for every node that is not in an opening: the node itself.
 IndexList dense_numbers(const Lattice& lattice, const Kokkos::View<NodeType*>& type) {
   IndexList number("vug::opening::number", lattice.size());
-  const auto host_type = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, type);
+  const auto host_type = on_host(type);
   const auto host = Kokkos::create_mirror_view(number);
   for (int n = 0; n < lattice.size(); ++n) host(n) = host_type(n) == NodeType::opening ? -1 : n;
   Kokkos::deep_copy(number, host);

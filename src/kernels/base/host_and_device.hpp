@@ -1,5 +1,5 @@
 #pragma once
-// From a host's list to a View.
+// From a host's list to a View, and back.
 #include <Kokkos_Core.hpp>
 
 #include <string>
@@ -14,6 +14,12 @@ ViewType to_device(const std::string& label, const std::vector<typename ViewType
   ViewType view(label, values.size());
   Kokkos::deep_copy(view, Host(values.data(), values.size()));
   return view;
+}
+
+/// What a View holds, for the host to read: the View itself where it lies in the host's memory, else a copy of now.
+template <class ViewType>
+auto on_host(const ViewType& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
 }  // namespace vug
