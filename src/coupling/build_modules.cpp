@@ -68,7 +68,8 @@ std::vector<double> row_weights(const Scene& scene, const Geometry& geometry) {
   if (scene.solute) fluid += static_cast<double>(scene.solute->species.size()) * directions(scene.solute->velocity_set);
   const Lattice& lattice = geometry.lattice;
   std::vector<double> weights(lattice.ny, dense * lattice.nx);
-  for (int i = 0; i < geometry.fluid.count; ++i) weights[lattice.y(geometry.fluid.node(i))] += fluid;
+  const auto node = on_host(geometry.fluid.node);
+  for (int i = 0; i < geometry.fluid.count; ++i) weights[lattice.y(node(i))] += fluid;
   return weights;
 }
 

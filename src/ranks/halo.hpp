@@ -10,7 +10,7 @@
 namespace vug {
 
 /// Who needs which slots of a list from whom. All ranks number the slots alike. Messages lie in a device's memory where
-/// MPI takes them from there (Mpi::takes_device_memory), else in the host's.
+/// MPI takes them from there (takes_device_memory), else in the host's.
 class Halo {
  public:
   Halo() = default;

@@ -65,17 +65,21 @@ namespace {
 
 /// What MPI says of itself: to try without would end the process.
 bool claims_device_memory() {
-  int claimed = 0;
-#if defined(KOKKOS_ENABLE_CUDA) && defined(MPIX_CUDA_AWARE_SUPPORT)  // Open MPI
-  claimed = MPIX_Query_cuda_support();
-#elif defined(KOKKOS_ENABLE_HIP) && defined(OMPI_HAVE_MPI_EXT_ROCM)
-  claimed = MPIX_Query_rocm_support();
-#elif defined(KOKKOS_ENABLE_CUDA) && defined(MPIX_GPU_SUPPORT_CUDA)  // MPICH
-  MPIX_GPU_query_support(MPIX_GPU_SUPPORT_CUDA, &claimed);
-#elif defined(KOKKOS_ENABLE_HIP) && defined(MPIX_GPU_SUPPORT_HIP)
-  MPIX_GPU_query_support(MPIX_GPU_SUPPORT_HIP, &claimed);
+  bool claimed = false;
+#ifdef MPIX_CUDA_AWARE_SUPPORT  // Open MPI
+  claimed = claimed || MPIX_Query_cuda_support() != 0;
 #endif
-  return claimed != 0;
+#ifdef OMPI_HAVE_MPI_EXT_ROCM
+  claimed = claimed || MPIX_Query_rocm_support() != 0;
+#endif
+#ifdef MPIX_GPU_SUPPORT_CUDA  // MPICH
+  for (const int kind : {MPIX_GPU_SUPPORT_CUDA, MPIX_GPU_SUPPORT_HIP}) {
+    int supported = 0;
+    MPIX_GPU_query_support(kind, &supported);
+    claimed = claimed || supported != 0;
+  }
+#endif
+  return claimed;
 }
 
 struct CountRight {

@@ -87,26 +87,18 @@ std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>&
   return heard;
 }
 
-namespace {
-
-template <class Space>
-using Bytes = Kokkos::View<char*, Space, Kokkos::MemoryUnmanaged>;
-using OfViews = Bytes<Exec::memory_space>;
-using OnHost = Bytes<Kokkos::HostSpace>;
-
-/// Between a host's memory and that of Views.
-template <class To, class From>
-void copy_bytes(char* to, char* from, std::size_t bytes) {
-  if constexpr (runs_on_host)
-    std::memcpy(to, from, bytes);
-  else
-    Kokkos::deep_copy(To(to, bytes), From(from, bytes));
-}
-
-}  // namespace
-
 void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) const {
   char* const bytes = static_cast<char*>(values);
+  if constexpr (runs_on_host) return make_whole_on_host(owners, bytes, item);
+  using Bytes = Kokkos::View<char*, Exec::memory_space, Kokkos::MemoryUnmanaged>;
+  using BytesOnHost = Kokkos::View<char*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
+  std::vector<char> copy(end_of(owners) * item);
+  Kokkos::deep_copy(BytesOnHost(copy.data(), copy.size()), Bytes(bytes, copy.size()));
+  make_whole_on_host(owners, copy.data(), item);
+  Kokkos::deep_copy(Bytes(bytes, copy.size()), BytesOnHost(copy.data(), copy.size()));
+}
+
+void Ranks::make_whole_on_host(const Owners& owners, char* bytes, std::size_t item) const {
   std::vector<int> count(size_), at(size_ + 1);
   for (int r = 0; r < size_; ++r) {
     for (const auto& [first, last] : owners[r]) count[r] += last - first;
@@ -115,7 +107,7 @@ void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) con
   std::vector<char> own(count[rank_] * item), all(at[size_] * item);
   char* to = own.data();
   for (const auto& [first, last] : owners[rank_]) {
-    copy_bytes<OnHost, OfViews>(to, bytes + first * item, (last - first) * item);
+    std::memcpy(to, bytes + first * item, (last - first) * item);
     to += (last - first) * item;
   }
   const Exchange counted = Exchange::of_all((at[size_] - count[rank_]) * item);
@@ -125,10 +117,10 @@ void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) con
   MPI_Allgatherv(own.data(), count[rank_], type, all.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
   MPI_Type_free(&type);
   for (int r = 0; r < size_; ++r) {
-    char* from = all.data() + at[r] * item;
+    const char* from = all.data() + at[r] * item;
     if (r == rank_) continue;
     for (const auto& [first, last] : owners[r]) {
-      copy_bytes<OfViews, OnHost>(bytes + first * item, from, (last - first) * item);
+      std::memcpy(bytes + first * item, from, (last - first) * item);
       from += (last - first) * item;
     }
   }

@@ -50,6 +50,7 @@ class Ranks {
 
  private:
   void make_whole(const Owners& owners, void* values, std::size_t item) const;
+  void make_whole_on_host(const Owners& owners, char* bytes, std::size_t item) const;
 
   int rank_ = 0, size_ = 1;
 };

@@ -1,4 +1,5 @@
 // The same bits in every build, whatever registers its processor has: digests of fields after some steps, recorded.
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/reaction/reacting_solutes.hpp"
@@ -125,15 +126,17 @@ template <class T>
 std::uint64_t rates_digest(double inverse_equilibrium) {
   const Lattice lattice(nx, ny);
   test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false});
-  const ScalarField<double> volume("volume", lattice.size()), dissolved("dissolved", lattice.size()),
-      kelvin("kelvin", lattice.size());
+  std::vector<double> solid(lattice.size()), gone(lattice.size()), warmth(lattice.size());
   for (int y = 0; y < ny; ++y)
     for (int x = 0; x < nx; ++x) {
       const int n = lattice.node(x, y);
-      kelvin(n) = 400 + 140 * noise(x, y);
-      dissolved(n) = is_rock(x, y) ? 0.4 * (1 + noise(x, 2 * y)) : 0;
-      volume(n) = is_rock(x, y) ? 1 - dissolved(n) + (noise(y, x) > 0.9 ? 0.3 : 0) : 0;
+      warmth[n] = 400 + 140 * noise(x, y);
+      gone[n] = is_rock(x, y) ? 0.4 * (1 + noise(x, 2 * y)) : 0;
+      solid[n] = is_rock(x, y) ? 1 - gone[n] + (noise(y, x) > 0.9 ? 0.3 : 0) : 0;
     }
+  const auto volume = to_device<ScalarField<double>>("volume", solid),
+             dissolved = to_device<ScalarField<double>>("dissolved", gone),
+             kelvin = to_device<ScalarField<double>>("kelvin", warmth);
   Surface surface;
   find_surface(flow.exec, flow.nodes, test::shape(lattice, is_rock), surface);
   VectorField<double> normal;

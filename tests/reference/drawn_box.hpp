@@ -18,9 +18,4 @@ inline Box box_of(const std::vector<std::string>& rows, double C0 = 0) {
   return box;
 }
 
-/// Solid that node (x, y) holds.
-inline double& V(Box& box, int x, int y) {
-  return box.V(box.lattice.node(x, y));
-}
-
 }  // namespace vug::reference

@@ -122,8 +122,9 @@ void say_where(int, siginfo_t* info, void*) {
   raise(SIGSEGV);
 }
 
-/// Before main: Kokkos keeps what tools have asked for when it starts.
+/// Before main: Kokkos keeps what tools have asked for when it starts, and threads have the keys of who made them.
 const bool watching = [] {
+  device();
   using namespace Kokkos::Tools::Experimental;
   const auto open = [](const char*, std::uint32_t, std::uint64_t*) { device().open(); };
   const auto close = [](std::uint64_t) { device().close(); };

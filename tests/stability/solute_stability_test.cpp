@@ -3,6 +3,7 @@
 #include "../reference/reactive_box.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "support/dress_one.hpp"
+#include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +21,12 @@ template <class Set, class T>
 void set_random(ReactiveBox<Set, T>& box) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (int i = 0; i < box.nodes.count; ++i) {
-    const double C = uniform(random);
-    for (int q = 0; q < Set::Q; ++q) box.acid.h(q * box.nodes.capacity + i) = static_cast<T>(Set::w(q) * C);
-  }
+  test::edit(box.acid.h, [&](const auto& h) {
+    for (int i = 0; i < box.nodes.count; ++i) {
+      const double C = uniform(random);
+      for (int q = 0; q < Set::Q; ++q) h(q * box.nodes.capacity + i) = static_cast<T>(Set::w(q) * C);
+    }
+  });
 }
 
 /// Noise between 0 and 1 carried over joined sides at `speed` along 0, 22.5 and 45 degrees for `steps` steps.
@@ -252,10 +255,12 @@ FieldRange channel(int n, double u_mean, double D, double k) {
   mark_open(box.exec, box.nodes, box.given[0].links);
   const ScalarField<double> gain("gain", out.count);
   VectorField<double> u("u", box.nodes.capacity);
-  for (int i = 0; i < box.nodes.count; ++i) {
-    const double s = (box.lattice.y(box.nodes.node(i)) - 0.5) / n;
-    u(i, 0) = 6 * u_mean * s * (1 - s);
-  }
+  test::edit(u, [&, node = test::host_copy(box.nodes.node)](const auto& host) {
+    for (int i = 0; i < box.nodes.count; ++i) {
+      const double s = (box.lattice.y(node(i)) - 0.5) / n;
+      host(i, 0) = 6 * u_mean * s * (1 - s);
+    }
+  });
   ScalarField<double> e("e", box.nodes.capacity), ledger("ledger", block_count(box.nodes.count));
   advective_defect<D2Q5>(box.exec, box.nodes, u, e);
   for (int step = 0; step < 6000; ++step) {

@@ -19,44 +19,58 @@ namespace {
 
 using reference::Box;
 using reference::box_of;
-using reference::V;
+using test::edit;
 using test::host_copy;
-void set_concentration(Box& box, int x, int y, double C) {
-  const int i = box.nodes.index(box.lattice.node(x, y));
-  for (int q = 0; q < 5; ++q) box.acid.h(q * box.nodes.capacity + i) = D2Q5::w(q) * C;
+using test::set_entry;
+
+/// Solid that node (x, y) holds.
+double solid(const Box& box, int x, int y) {
+  return host_copy(box.V)(box.lattice.node(x, y));
+}
+
+void set_solid(const Box& box, int x, int y, double V) {
+  set_entry(box.V, box.lattice.node(x, y), V);
+}
+
+void set_concentration(const Box& box, int x, int y, double C) {
+  const int i = host_copy(box.nodes.index)(box.lattice.node(x, y));
+  edit(box.acid.h, [&](const auto& h) {
+    for (int q = 0; q < 5; ++q) h(q * box.nodes.capacity + i) = D2Q5::w(q) * C;
+  });
 }
 
 double concentration(const Box& box, int x, int y) {
-  const int i = box.nodes.index(box.lattice.node(x, y));
+  const int i = host_copy(box.nodes.index)(box.lattice.node(x, y));
+  const auto h = host_copy(box.acid.h);
   double C = 0;
-  for (int q = 0; q < 5; ++q) C += box.acid.h(q * box.nodes.capacity + i);
+  for (int q = 0; q < 5; ++q) C += h(q * box.nodes.capacity + i);
   return C;
 }
 
 TEST(MarkDissolved, TakesTheOverdraftFromTheSolidNeighboursInEqualShares) {
   Box box = box_of({"####", "####", "..##"});
-  V(box, 2, 0) = -0.25;
+  set_solid(box, 2, 0, -0.25);
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 1);
-  EXPECT_EQ(box.type(box.lattice.node(2, 0)), NodeType::fluid);
-  EXPECT_EQ(V(box, 2, 0), 0);
-  for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}, {2, 1}, {3, 1}}) EXPECT_EQ(V(box, x, y), 1 - 0.25 / 4);
-  EXPECT_EQ(V(box, 0, 1), 1);
+  EXPECT_EQ(host_copy(box.type)(box.lattice.node(2, 0)), NodeType::fluid);
+  EXPECT_EQ(solid(box, 2, 0), 0);
+  for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}, {2, 1}, {3, 1}}) EXPECT_EQ(solid(box, x, y), 1 - 0.25 / 4);
+  EXPECT_EQ(solid(box, 0, 1), 1);
   EXPECT_EQ(box.solid_total(), 8.75);
   EXPECT_EQ(sum_in_order(box.lost), 0);
 }
 
 TEST(MarkDissolved, SeveralPixelsMayShareAnHeir) {
   Box box = box_of({"....", "####", "...."});
-  for (const int x : {0, 2}) V(box, x, 1) = -0.125;
-  V(box, 3, 1) = 0;
+  for (const int x : {0, 2}) set_solid(box, x, 1, -0.125);
+  set_solid(box, 3, 1, 0);
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 3);
-  EXPECT_EQ(V(box, 1, 1), 0.75);
+  EXPECT_EQ(solid(box, 1, 1), 0.75);
   EXPECT_EQ(box.solid_total(), 0.75);
 }
 
 TEST(MarkDissolved, WritesDownWhatNoSolidIsLeftToPay) {
   Box box = box_of({"...", ".#.", "..."});
-  V(box, 1, 1) = -0.25;
+  set_solid(box, 1, 1, -0.25);
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 1);
   EXPECT_EQ(box.solid_total(), 0);
   EXPECT_EQ(sum_in_order(box.lost), -0.25);
@@ -67,18 +81,18 @@ TEST(MarkDissolved, TakesTheOverdraftFromTheSameMineralOnly) {
   const Kokkos::View<std::uint8_t*> mineral("mineral", box.lattice.size());
   const MineralLosses losses{
       mineral, {ScalarField<double>("lost", box.lost.extent(0)), ScalarField<double>("lost", box.lost.extent(0))}};
-  for (const auto& [x, y] : {std::pair{2, 0}, {3, 0}, {1, 1}}) mineral(box.lattice.node(x, y)) = 1;
-  V(box, 2, 0) = -0.25;
+  for (const auto& [x, y] : {std::pair{2, 0}, {3, 0}, {1, 1}}) set_entry(mineral, box.lattice.node(x, y), 1);
+  set_solid(box, 2, 0, -0.25);
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost, losses), 1);
-  for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}}) EXPECT_EQ(V(box, x, y), 1 - 0.25 / 2);
-  for (const auto& [x, y] : {std::pair{2, 1}, {3, 1}, {0, 1}}) EXPECT_EQ(V(box, x, y), 1);
+  for (const auto& [x, y] : {std::pair{3, 0}, {1, 1}}) EXPECT_EQ(solid(box, x, y), 1 - 0.25 / 2);
+  for (const auto& [x, y] : {std::pair{2, 1}, {3, 1}, {0, 1}}) EXPECT_EQ(solid(box, x, y), 1);
   EXPECT_EQ(sum_in_order(box.lost), 0);
   append_births(box.exec, box.type, box.nodes);
   find_surface(box.exec, box.nodes, box.type, box.surface);
-  mineral(box.lattice.node(1, 1)) = 0;
-  V(box, 3, 0) = -0.125;  // the last of its mineral around here
+  set_entry(mineral, box.lattice.node(1, 1), 0);
+  set_solid(box, 3, 0, -0.125);  // the last of its mineral around here
   mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost, losses);
-  EXPECT_EQ(V(box, 2, 1), 1);
+  EXPECT_EQ(solid(box, 2, 1), 1);
   EXPECT_EQ(sum_in_order(box.lost), -0.125);
   EXPECT_EQ(sum_in_order(losses.lost[0]), 0);
   EXPECT_EQ(sum_in_order(losses.lost[1]), -0.125);
@@ -86,9 +100,9 @@ TEST(MarkDissolved, TakesTheOverdraftFromTheSameMineralOnly) {
 
 TEST(MarkDissolved, LeavesThePixelsThatStillHoldSolid) {
   Box box = box_of({"###", "#.#", "###"});
-  V(box, 0, 1) = 1e-300;
+  set_solid(box, 0, 1, 1e-300);
   EXPECT_EQ(mark_dissolved(box.exec, box.nodes, box.surface, box.type, box.V, box.lost), 0);
-  EXPECT_EQ(V(box, 0, 1), 1e-300);
+  EXPECT_EQ(solid(box, 0, 1), 1e-300);
 }
 
 TEST(Births, MeanIsThatOfTheOldNeighboursAndIsWrittenDown) {
@@ -96,7 +110,7 @@ TEST(Births, MeanIsThatOfTheOldNeighboursAndIsWrittenDown) {
   set_concentration(box, 0, 1, 0.1);
   set_concentration(box, 2, 1, 0.4);
   set_concentration(box, 1, 0, 0.7);
-  V(box, 1, 1) = 0;
+  set_solid(box, 1, 1, 0);
   EXPECT_EQ(box.births(BirthFill::mean), 1);
   EXPECT_NEAR(concentration(box, 1, 1), 0.4, 1e-15);
   EXPECT_NEAR(sum_in_order(box.created), 0.4, 1e-15);
@@ -107,7 +121,7 @@ TEST(Births, SplitSharesWhatTheOldNeighboursHave) {
   set_concentration(box, 0, 1, 0.1);
   set_concentration(box, 2, 1, 0.4);
   set_concentration(box, 1, 0, 0.7);
-  V(box, 1, 1) = 0;
+  set_solid(box, 1, 1, 0);
   EXPECT_EQ(box.births(BirthFill::split), 1);
   EXPECT_NEAR(concentration(box, 1, 1), 0.3, 1e-15);
   EXPECT_NEAR(concentration(box, 1, 0), 0.525, 1e-15);
@@ -118,7 +132,7 @@ TEST(Births, SplitSharesWhatTheOldNeighboursHave) {
 TEST(Births, ManyAroundOneNodeLeaveItsShareAndNothingNegative) {
   Box box = box_of({"###", "#.#", "###"});
   set_concentration(box, 1, 1, 1);
-  for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {2, 1}, {1, 2}}) V(box, x, y) = 0;
+  for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {2, 1}, {1, 2}}) set_solid(box, x, y, 0);
   EXPECT_EQ(box.births(BirthFill::split), 4);
   EXPECT_NEAR(concentration(box, 1, 1), 0.2, 1e-15);
   EXPECT_NEAR(concentration(box, 2, 1), 0.2, 1e-15);
@@ -129,9 +143,9 @@ TEST(Births, NewbornsDoNotSeeEachOther) {
   // the right one touches only the left newborn and begins empty
   for (const BirthFill fill : {BirthFill::mean, BirthFill::split}) {
     Box box = box_of({"####", ".###", "####"}, 0.6);
-    V(box, 1, 1) = 0;
-    box.type(box.lattice.node(2, 1)) = NodeType::fluid;  // opened by a fracture at the same moment
-    V(box, 2, 1) = 0;
+    set_solid(box, 1, 1, 0);
+    set_entry(box.type, box.lattice.node(2, 1), NodeType::fluid);  // opened by a fracture at the same moment
+    set_solid(box, 2, 1, 0);
     EXPECT_EQ(box.births(fill), 2);
     EXPECT_EQ(concentration(box, 2, 1), 0);
     EXPECT_NEAR(concentration(box, 1, 1), fill == BirthFill::mean ? 0.6 : 0.3, 1e-15);
@@ -140,9 +154,9 @@ TEST(Births, NewbornsDoNotSeeEachOther) {
 
 TEST(Births, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
   Box box = box_of({"##", ".#"}, 0.6);
-  box.type(box.lattice.node(1, 1)) = NodeType::fluid;
-  V(box, 1, 1) = 0;
-  V(box, 1, 0) = 0.5;
+  set_entry(box.type, box.lattice.node(1, 1), NodeType::fluid);
+  set_solid(box, 1, 1, 0);
+  set_solid(box, 1, 0, 0.5);
   const int first = box.nodes.count;
   ASSERT_EQ(append_births(box.exec, box.type, box.nodes), 1);
   fit_solute_to_capacity<D2Q5>(box.exec, box.nodes, first, box.acid);
@@ -181,12 +195,14 @@ TEST(SoluteBoundary, GivenConcentrationIsHeldHalfWay) {
 TEST(SoluteBoundary, OutflowReturnsThePopulationThatGoesTheOtherWay) {
   Box box(
       2, 1, [](int, int) { return false; }, solute_parameters(0.2), 0);
-  for (int slot = 0; slot < 5 * box.nodes.capacity; ++slot) box.acid.h(slot) = slot;
+  edit(box.acid.h, [&](const auto& h) {
+    for (int slot = 0; slot < 5 * box.nodes.capacity; ++slot) h(slot) = slot;
+  });
   const BoundaryLinks links = find_boundary_links(box.exec, box.nodes, Side::right, 0, 0, 5);
   const ScalarField<double> gain("gain", links.count);
   dress_outflow<D2Q5>(box.exec, box.nodes, links, box.acid, gain);
-  EXPECT_EQ(box.acid.h(1 * box.nodes.capacity + 1), 3 * box.nodes.capacity + 1);
-  EXPECT_EQ(gain(0), 2 * box.nodes.capacity);
+  EXPECT_EQ(host_copy(box.acid.h)(1 * box.nodes.capacity + 1), 3 * box.nodes.capacity + 1);
+  EXPECT_EQ(host_copy(gain)(0), 2 * box.nodes.capacity);
 }
 
 TEST(ReactiveWall, ProductAppearsAsAcidDisappears) {
@@ -221,15 +237,15 @@ TEST(ReactiveWall, EveryFaceOfAPixelReactsAtItsOwnTemperature) {
   react_at_wall<D2Q5>(box.exec, box.nodes, box.wall, box.links, box.acid,
                       static_cast<const SoluteFields<double>*>(nullptr));
   const int left = box.lattice.node(1, 1), right = box.lattice.node(2, 1);
-  EXPECT_EQ(box.dissolved(left), 0) << "not yet booked";
+  EXPECT_EQ(host_copy(box.dissolved)(left), 0) << "not yet booked";
   const ReactionLedger ledger{box.V, box.dissolved, box.consumed, {}, {}};
   book_turnover(box.exec, box.surface, box.wall, box.links, ledger);
   const auto at = [](double T) { return kinetic_conductance(arrhenius(1e-3, 7553.1, T, 300.0), 0.0) * 0.8 / 6; };
-  EXPECT_NEAR(box.dissolved(left), 2 * at(310) + at(305), 1e-16);
-  EXPECT_NEAR(box.dissolved(right), 2 * at(320) + at(325), 1e-16);
-  EXPECT_EQ(box.V(left), 1 - box.dissolved(left));
+  EXPECT_NEAR(host_copy(box.dissolved)(left), 2 * at(310) + at(305), 1e-16);
+  EXPECT_NEAR(host_copy(box.dissolved)(right), 2 * at(320) + at(325), 1e-16);
+  EXPECT_EQ(host_copy(box.V)(left), 1 - host_copy(box.dissolved)(left));
   book_turnover(box.exec, box.surface, box.wall, box.links, ledger);
-  EXPECT_EQ(box.V(left), 1 - box.dissolved(left)) << "booked once";
+  EXPECT_EQ(host_copy(box.V)(left), 1 - host_copy(box.dissolved)(left)) << "booked once";
 }
 
 TEST(ReactiveWall, ALedRateIsTheMeanOverTheStepsToCome) {
@@ -237,7 +253,7 @@ TEST(ReactiveWall, ALedRateIsTheMeanOverTheStepsToCome) {
   find_reactive_links<D2Q5>(box.exec, box.nodes, box.surface, box.wall.law, box.links);
   const auto conductance = [&](double k, double ahead) {
     set_conductances<D2Q5>(box.exec, box.nodes, box.surface, box.wall, UniformRate{k}, box.normal, box.links, ahead);
-    return box.links.conductance(0);
+    return host_copy(box.links.conductance)(0);
   };
   const auto exact = [](double k) { return kinetic_conductance(k, 0.0); };
   EXPECT_EQ(conductance(0.010, 0), exact(0.010));
@@ -254,14 +270,14 @@ TEST(ReactiveWall, ALedRateIsTheMeanOverTheStepsToCome) {
 TEST(FieldRange, FindsExtremesAndTheFirstEntryThatIsNotFinite) {
   ScalarField<float> field("field", 2000);
   Kokkos::deep_copy(field, 0.5f);
-  field(700) = -3;
-  field(1500) = 7;
+  set_entry(field, 700, -3);
+  set_entry(field, 1500, 7);
   FieldRange range = field_range(Exec{}, field, 2000);
   EXPECT_EQ(range.min, -3);
   EXPECT_EQ(range.max, 7);
   EXPECT_EQ(range.first_not_finite, -1);
-  field(900) = std::numeric_limits<float>::quiet_NaN();
-  field(800) = std::numeric_limits<float>::infinity();
+  set_entry(field, 900, std::numeric_limits<float>::quiet_NaN());
+  set_entry(field, 800, std::numeric_limits<float>::infinity());
   range = field_range(Exec{}, field, 2000);
   EXPECT_EQ(range.first_not_finite, 800);
   EXPECT_EQ(range.max, 7);

@@ -1,6 +1,7 @@
 // Dissolution to mass and chemical damage: what the lattice dissolves, triangle by triangle and bond by bond.
 #include "dem_support.hpp"
 #include "support/coupled_run.hpp"
+#include "support/nodes_of_groups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -210,11 +211,10 @@ TEST(Fragment, IsNoneWhereRockMovesALittle) {
       {"mechanics.initial_velocity=[{ type = \"rectangle\", from = [0, 0], to = [0.02, 0.014], velocity = [1, 1] }]",
        "mechanics.fragments=let_go"});
   const auto volume = test::host_copy(run.parts().geometry.volume);
-  const NodeGroups& nodes = run.parts().rock->nodes_of_particle;
   int without_solid = 0;
-  for (int t = 0; t < nodes.count(); ++t) {
+  for (const auto& nodes : test::nodes_of_groups(run.parts().rock->nodes_of_particle)) {
     double solid = 0;
-    nodes.for_each(t, [&](int node) { solid += volume(node); });
+    for (const int node : nodes) solid += volume(node);
     without_solid += solid == 0;
   }
   ASSERT_GT(without_solid, 0);

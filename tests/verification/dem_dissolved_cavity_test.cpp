@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
 
 namespace {
 
@@ -42,7 +43,13 @@ struct Plate {
   Kirsch kirsch{a, -5e6, -7.5e6};
   Vec2 centre{0.5 * size, 0.5 * size};
 
-  Vec2 from_centre(const Particles& p, int i) const { return Vec2{p.x0(i, 0), p.x0(i, 1)} - centre; }
+  /// (particle) where it lies.
+  std::vector<Vec2> from_centre(const Particles& p) const {
+    const auto x0 = host_copy(p.x0);
+    std::vector<Vec2> from;
+    for (int i = 0; i < p.count; ++i) from.push_back(Vec2{x0(i, 0), x0(i, 1)} - centre);
+    return from;
+  }
 
   void load(Mechanics& rock, const Assembly& assembly) const {
     const auto force = host_copy(rock.particles().force);
@@ -70,8 +77,9 @@ struct Plate {
     const double modulus = 27.8e9, poisson = 0.237;
     const Particles& p = rock.particles();
     const auto u = host_copy(p.u);
+    const auto from = from_centre(p);
     for (int i = 0; i < p.count; ++i) {
-      const Vec2 x = from_centre(p, i);
+      const Vec2 x = from[i];
       u(i, 0) = (kirsch.s_x - poisson * kirsch.s_y) / modulus * x.x;
       u(i, 1) = (kirsch.s_y - poisson * kirsch.s_x) / modulus * x.y;
     }
@@ -97,8 +105,9 @@ struct Plate {
     std::vector<double> sum(rings * thirds), exact(rings * thirds);
     const Particles& p = rock.particles();
     const auto mass = host_copy(p.mass);
+    const auto from = from_centre(p);
     for (int i = 0; i < p.count; ++i) {
-      const Vec2 x = from_centre(p, i);
+      const Vec2 x = from[i];
       const int ring = static_cast<int>(std::upper_bound(radius, radius + rings + 1, norm(x)) - radius) - 1;
       if (ring < 0 || ring >= rings) continue;
       const double angle = std::atan2(std::abs(x.y), std::abs(x.x));

@@ -34,10 +34,13 @@ ReactiveBox<D2Q5, double> slab(int s, int length, double D, double M, double k) 
 
 /// Sets a profile at rest.
 void set_concentration(ReactiveBox<D2Q5, double>& box, const std::function<double(double)>& C_of_x) {
-  for (int i = 0; i < box.nodes.count; ++i) {
-    const double C = C_of_x(box.lattice.x(box.nodes.node(i)) + 0.5);
-    for (int q = 0; q < 5; ++q) box.acid.h(q * box.nodes.capacity + i) = D2Q5::w(q) * C;
-  }
+  const auto node = test::host_copy(box.nodes.node);
+  test::edit(box.acid.h, [&](const auto& h) {
+    for (int i = 0; i < box.nodes.count; ++i) {
+      const double C = C_of_x(box.lattice.x(node(i)) + 0.5);
+      for (int q = 0; q < 5; ++q) h(q * box.nodes.capacity + i) = D2Q5::w(q) * C;
+    }
+  });
 }
 
 /// lambda of sqrt(pi) lambda exp(lambda^2) erf(lambda) = a.

@@ -96,6 +96,7 @@ void for_each_dense_node(const Exec& exec, const std::string& label, const Latti
 template <class Body>
 void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice& lattice, const Rows& rows,
                        const Body& body, const ScalarField<double>& total) {
+  if (rows.count <= 0) return;
   if constexpr (runs_on_host)
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, rows.first, rows.first + rows.count),
                          detail::RowSum<Body>{body, lattice, total});
