@@ -51,8 +51,8 @@ class DeviceMemory {
     guard(block + page, length - page, true);
     if (key_ >= 0) pkey_set(key_, 0);
     std::memset(block + page, 0xff, length - page);
-    if (open_ == 0) lock_all();
     length_[block + page - header] = length;
+    if (open_ == 0) lock_all();
     return block + page - header;
   }
 
@@ -72,11 +72,8 @@ class DeviceMemory {
   }
   void close() {
     const std::scoped_lock lock(mutex_);
-    started_ = true;
     if (--open_ == 0) lock_all();
   }
-  /// Before the first kernel Kokkos sets up what its threads share, which is the host's.
-  bool started() const { return started_; }
 
  private:
   void guard(char* block, std::size_t length, bool open) {
@@ -101,7 +98,6 @@ class DeviceMemory {
   std::mutex mutex_;
   char *begin_, *end_;
   int key_, open_ = 0;
-  bool started_ = false;
   std::map<std::size_t, std::vector<char*>> free_;
   std::map<void*, std::size_t> length_;
 };
@@ -157,7 +153,8 @@ vug::test::AllocatesOnHost::~AllocatesOnHost() {
 }
 
 void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-  if (on_host > 0 || !watching || !device().started())
+  // what Kokkos' threads share is set up before, and the host's
+  if (on_host > 0 || !watching || !Kokkos::is_initialized())
     return std::aligned_alloc(static_cast<std::size_t>(alignment), (size + 63) / 64 * 64);
   return device().take(size);
 }
