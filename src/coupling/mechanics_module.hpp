@@ -53,12 +53,12 @@ class MechanicsModule final : public Module {
   std::optional<WetNodes> wet_;                ///< with flow or dissolution only
   std::optional<IndexList> our_triangles_;     ///< on whose force we sum up what the fluid gives; several ranks only
   std::optional<IndexList> our_warmed_;        ///< whose temperature we take the mean of; several ranks only
-  Owners of_warmed_;
-  Halo temperatures_;                         ///< of other ranks' nodes in these
-  Halo walls_;                                ///< populations of other ranks' nodes that push them
-  Halo forces_;                               ///< on the triangles of others
-  WallLinks links_;                           ///< of each particle about its centroid; with flow only
-  std::optional<DissolvedShares> dissolved_;  ///< with dissolution only
+  Owners of_warmed_;                           ///< (particle)
+  Halo temperatures_;                          ///< of other ranks' nodes in these
+  Halo walls_;                                 ///< populations of other ranks' nodes that push them
+  Halo forces_;                                ///< on the triangles of others
+  WallLinks links_;                            ///< of each particle about its centroid; with flow only
+  std::optional<DissolvedShares> dissolved_;   ///< with dissolution only
   int substeps_ = 1;
 };
 
