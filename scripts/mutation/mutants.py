@@ -13,7 +13,7 @@ LAWS = {
         heat/thermal_flow.cpp nodes/mirror_links.cpp nodes/opening.cpp reaction/dissolution.cpp
         reaction/link_area.hpp reaction/reacting_solutes.cpp reaction/reaction.hpp reaction/reactive_wall.cpp
         reaction/reactive_wall_kernel.hpp reaction/reactive_wall_step.hpp reaction/solid_share.hpp
-        reaction/surface_normal.cpp scalar/advective_form.cpp scalar/scalar_equilibrium.hpp solute/solute.cpp
+        reaction/surface_normal.cpp scalar/advective_form.cpp scalar/scalar_equilibrium.hpp scalar/turning.hpp solute/solute.cpp
         solute/solute_boundary.cpp solute/solute_sweep.hpp solute/solute_totals.cpp""",
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp bonds.cpp
         closest_point.hpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp dissolved_rock.hpp
@@ -21,7 +21,7 @@ LAWS = {
         mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp particles.cpp push.hpp quench.cpp rest.cpp servo.cpp
         slab_cooling.cpp static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """build_modules.cpp chemical_damage.cpp chemical_damage.hpp face_temperature.hpp flow_module.cpp heat_module.cpp
-        mechanics_module.cpp minerals.cpp pathways.cpp pathways.hpp pore_growth.cpp reaction_accounts.cpp
+        interval_chooser.cpp intervals.hpp mechanics_module.cpp minerals.cpp pathways.cpp pathways.hpp pore_growth.cpp reaction_accounts.cpp
         reaction_module.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_loads.cpp rock_map.cpp simulation.cpp
         slits.cpp solid_spread.cpp solute_module.cpp strip.cpp surfaces.cpp temperature_range.cpp thermal_exchange.cpp
         velocity_profile.cpp wet_nodes.cpp""",

@@ -10,11 +10,12 @@ namespace vug {
 /// step. Written by the flow module.
 template <class T>
 struct Carrier {
-  int interval = 1;    ///< n
-  int directions = 5;  ///< of the scalar's velocity set
-  T even_weight = 1;   ///< of the defect (advective_form.hpp)
-  VectorField<T> u;    ///< (fluid, axis) the flow's own
-  ScalarField<T> e;    ///< (fluid)
+  int interval = 1;      ///< n
+  int directions = 5;    ///< of the scalar's velocity set
+  T even_weight = 1;     ///< of the defect (advective_form.hpp)
+  VectorField<T> u;      ///< (fluid, axis) the flow's own
+  ScalarField<T> e;      ///< (fluid)
+  bool renewed = false;  ///< the interval is another than that of e
 
   Displacement<T> displacement() const { return {u, interval}; }
 

@@ -129,6 +129,11 @@ const std::vector<MeasuredChoice>& measured_choices() {
 
 std::vector<std::string> choice_notes(const Scene& scene) {
   std::vector<std::string> notes;
+  if (scene.accuracy.chooses_intervals())
+    return {
+        fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] as the run goes; "
+                    "docs/accuracy.md has what that gained and cost on the paper's rock",
+                    scene.accuracy.tolerance)};
   for (const MeasuredChoice& choice : measured_choices())
     if (choice.made(scene))
       notes.push_back(fmt::format(

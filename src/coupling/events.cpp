@@ -69,6 +69,11 @@ std::vector<std::string> Events::look(const Simulation& simulation) {
     if (begun_) news.push_back(fmt::format("{}{} {}", at(simulation.clock()), count.value, count.what));
     while (next <= count.value) next *= 10;
   }
+  if (const IntervalChooser* chooser = simulation.chooser()) {
+    const auto& lines = chooser->news();
+    for (auto l = static_cast<std::size_t>(next_["intervals"]); l < lines.size(); ++l) news.push_back(lines[l]);
+    next_["intervals"] = static_cast<std::int64_t>(lines.size());
+  }
   if (!simulation.parts().ageing) return news;
   for (const Pace& pace : paces_of(*simulation.parts().ageing)) {
     std::int64_t& next = next_.try_emplace(pace.key, pace.first).first->second;

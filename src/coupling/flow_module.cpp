@@ -22,7 +22,8 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
     : section_(*scene.flow),
       units_(units),
       geometry_(geometry),
-      passage_speed_(find_flow_paths(scene, geometry, units).passage_speed) {
+      passage_speed_(find_flow_paths(scene, geometry, units).passage_speed),
+      varies_(scene.accuracy.chooses_intervals()) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
   step_.collision = section_.collision;
   step_.rates = relaxation_rates(section_.collision, tau);
@@ -33,11 +34,10 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
   if (needs_temperature()) prepare_thermal_flow(exec, scene);
   for (const Stretch& stretch : boundary_stretches(scene, geometry)) boundaries_.push_back({stretch, {}, {}, 0});
   find_boundaries(exec);
-  double raised = 0;  // s, when the last pressure is
   for (const StretchLinks& boundary : boundaries_)
-    raised = std::max(raised, boundary.stretch.conditions.flow.settled());
+    raised_ = std::max(raised_, boundary.stretch.conditions.flow.settled());
   steady_ =
-      SteadyFlow<T>(needs_temperature() ? 0 : scene.accuracy.flow_tolerance, raised, scene.accuracy.guard_interval);
+      SteadyFlow<T>(needs_temperature() ? 0 : scene.accuracy.flow_tolerance, raised_, scene.accuracy.guard_interval);
   steady_.wake(exec, geometry.fluid.capacity);
   find_halos();
   initial_mass_ = mass();
@@ -76,11 +76,21 @@ void FlowModule<T>::prepare_thermal_flow(const Exec& exec, const Scene& scene) {
 template <class T>
 const Carrier<T>& FlowModule<T>::carrier(const Exec& exec, int interval, int directions, T even_weight) {
   for (const Carrier<T>& carrier : carriers_)
-    if (carrier.interval == interval && carrier.directions == directions && carrier.even_weight == even_weight)
+    if (!varies_ && carrier.interval == interval && carrier.directions == directions &&
+        carrier.even_weight == even_weight)
       return carrier;
   Carrier<T>& carrier = carriers_.emplace_back(Carrier<T>{interval, directions, even_weight, {}, {}});
   fit_carrier(exec, carrier);
   return carrier;
+}
+
+template <class T>
+void FlowModule<T>::set_interval(const Carrier<T>& of, int interval) {
+  for (Carrier<T>& carrier : carriers_) {
+    if (&carrier != &of) continue;
+    carrier.interval = interval;
+    carrier.renewed = true;
+  }
 }
 
 template <class T>
@@ -109,8 +119,10 @@ template <class T>
 void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   const FluidNodes& fluid = geometry_.fluid;
   // The velocity that scalars were collided with in the step before is about to be overwritten.
-  for (const Carrier<T>& carrier : carriers_) {
-    if (!carrier.due(clock.step - 1) || (steady_.held() && steady_.age() > carrier.interval)) continue;
+  for (Carrier<T>& carrier : carriers_) {
+    const bool known = steady_.held() && steady_.age() > carrier.interval && !carrier.renewed;
+    if (!carrier.due(clock.step - 1) || known) continue;
+    carrier.renewed = false;
     if (carrier.directions == D2Q5::Q)
       advective_defect<D2Q5>(exec, fluid, carrier.displacement(), carrier.e);
     else
@@ -197,6 +209,13 @@ void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"fluid_nodes_1", static_cast<double>(geometry_.fluid.count)});
   row.push_back({"speed_limiter_uses_1", sum_in_order(step_.limited)});
   if (steady_.on()) row.push_back({"flow_held_steps_1", static_cast<double>(steady_.held_steps())});
+}
+
+template <class T>
+void FlowModule<T>::watch(const Exec& exec, const Clock& clock, Changes& changes) {
+  constexpr double margin = 2;
+  changes.speed = largest_speed();
+  if (clock.time() >= raised_) changes.speed = std::min(*changes.speed, margin * extremes(exec).speed);
 }
 
 template <class T>

@@ -30,6 +30,7 @@ class FlowModule final : public Module {
   void history(std::vector<HistoryValue>& row) const override;
   void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
+  void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
@@ -48,6 +49,8 @@ class FlowModule final : public Module {
   /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities, the even
   /// part of the defect weighed (advective_form.hpp). Asked for at set-up; the reference stays valid.
   const Carrier<T>& carrier(const Exec& exec, int interval, int directions, T even_weight = 1);
+  /// Has a carrier go by another number of lattice steps. Where these change as the run goes, no two scalars share one.
+  void set_interval(const Carrier<T>& carrier, int interval);
   /// (fluid, axis) How much less flows through faces than mean velocities say (flow/face_flow.hpp), after the last of
   /// every `interval` lattice steps. Asked for at set-up, by one; the reference stays valid.
   const VectorField<T>& face_excess(const Exec& exec, int interval);
@@ -89,6 +92,8 @@ class FlowModule final : public Module {
   VectorField<T> excess_;  ///< empty: nobody has asked for it
   int excess_interval_ = 1;
   std::deque<Carrier<T>> carriers_;
+  bool varies_;        ///< their intervals do (accuracy.tolerance)
+  double raised_ = 0;  ///< s, when all conditions have their last values
   SteadyFlow<T> steady_;
   /// What other ranks compute: populations that our sweep pulls; those that leave through sides and openings, which
   /// every rank dresses alike; velocities that carry, or that sides need; those of nodes in our rows.

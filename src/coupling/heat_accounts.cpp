@@ -12,21 +12,21 @@ namespace vug {
 template <class T>
 void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
-  table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003, 3.5,
-                   "change lattice.time_step"});
+  table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003,
+                   largest_relaxation_time, "change lattice.time_step"});
   if (carrier_ && interval_ > 1)  // what is carried further than its neighbours is lost
-    table.push_back({"heat", "cells per step at the largest speed", interval_ * fastest_, "1", 0, 1,
+    table.push_back({"heat", "cells per step at the largest speed", interval_ * fastest_, "1", 0, longest_way,
                      "lower accuracy.heat_interval, lattice.time_step or flow.speed_limit"});
   // without walls of rock or openings there is no stair-step to feed the mode
   if (carrier_ && (geometry_.surface.count > 0 || !geometry_.openings.empty()))
     table.push_back({"heat", "grid Peclet number at the largest speed",
                      fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,
                      "lower the pressures or flow.speed_limit, or raise heat.fluid_diffusivity (docs/stability.md)"});
-  table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003, 3.5,
-                   "change lattice.time_step"});
+  table.push_back({"heat", "relaxation time, solid", tau(section_.solid_diffusivity), "1", 0.5003,
+                   largest_relaxation_time, "change lattice.time_step"});
   for (std::size_t m = 1; m < minerals_.size(); ++m)
-    table.push_back({"heat", "relaxation time, " + minerals_[m].name, tau(minerals_[m].diffusivity), "1", 0.5003, 3.5,
-                     "change lattice.time_step"});
+    table.push_back({"heat", "relaxation time, " + minerals_[m].name, tau(minerals_[m].diffusivity), "1", 0.5003,
+                     largest_relaxation_time, "change lattice.time_step"});
 }
 
 template <class T>

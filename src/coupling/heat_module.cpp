@@ -7,6 +7,7 @@
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/heat_sums.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/scalar/turning.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,9 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     : section_(*scene.heat),
       units_(units),
       geometry_(geometry),
+      flow_(flow),
       interval_(scene.accuracy.heat_interval),
+      next_interval_(interval_),
       update_interval_(scene.accuracy.update_interval),
       periodic_(periodic_sides(scene)),
       initial_theta_(units.lattice_temperature(section_.initial_temperature)),
@@ -91,6 +94,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   if (scene.mechanics || scene.reaction)
     theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), geometry.lattice.size());
+  if (scene.accuracy.chooses_intervals()) watched_ = temperatures(exec, fields_);
   find_halos();
   initial_energy_ = energy();
 }
@@ -166,6 +170,20 @@ void HeatModule<T>::set_values(double time) {
 }
 
 template <class T>
+void HeatModule<T>::set_interval(int interval) {
+  interval_ = interval;
+  if (carrier_) flow_->set_interval(*carrier_, interval);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    sides_[s].value = value_of(stretches_[s].conditions.heat, 0);
+    sides_[s].transfer = transfer_of(stretches_[s].conditions.heat);
+  }
+  for (std::size_t o = 0; o < openings_.size(); ++o) {
+    openings_[o].value = value_of(geometry_.openings[o].conditions.heat, 0);
+    openings_[o].transfer = transfer_of(geometry_.openings[o].conditions.heat);
+  }
+}
+
+template <class T>
 double HeatModule<T>::energy() const {
   ScalarField<double> partial("vug::heat::partial", geometry_.lattice.ny);
   add_heat_energy(Exec{}, fields_, partial);
@@ -220,13 +238,25 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   fill_heat_sides<T>(exec, fields_, sides_);
+  const double stretch = static_cast<double>(next_interval_) / interval_;
+  const HeatParameters now = parameters();
+  if (stretch != 1) {
+    set_heat_rates(now, stretch, fields_);
+    set_interval(next_interval_);
+  }
   fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);
   const ScalarField<T> theta = fresh_ ? theta_ : ScalarField<T>();
-  if (carrier_)
-    conduct_and_advect(exec, geometry_.fluid, rows_, carrier_->displacement(), carrier_->e, lagged_, fields_,
-                       created_.recent(), theta);
-  else
+  if (carrier_) {
+    Displacement<T> u = carrier_->displacement();
+    u.steps *= static_cast<T>(turning(0.5 + now.fluid_diffusivity / c_s2, stretch).carried);
+    conduct_and_advect(exec, geometry_.fluid, rows_, u, carrier_->e, lagged_, fields_, created_.recent(), theta);
+  } else {
     conduct(exec, fields_, theta);
+  }
+  if (stretch != 1) {
+    set_heat_rates(parameters(), 1, fields_);
+    if (carrier_) stretch_lagged(exec, stretch, lagged_);
+  }
   if (fluid_theta_.extent(0) == 0) return;
   gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
   in_rows_.exchange_back<T, 1>(exec, {fluid_theta_});
@@ -272,6 +302,43 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
 }
 
 template <class T>
+void HeatModule<T>::bound(std::optional<double> speed, Intervals& most) const {
+  double taken = carrier_ ? speed.value_or(fastest_) / longest_way
+                          : 0;  // by one lattice step, of what a heat step may take at most
+  const auto take = [&](double diffusivity) {
+    taken = std::max(taken, 3 * diffusivity / units_.diffusivity() / (largest_relaxation_time - 0.5));
+  };
+  take(section_.fluid_diffusivity);
+  take(section_.solid_diffusivity);
+  for (const Mineral& mineral : minerals_) take(mineral.diffusivity);
+  while (most.heat > 1 && (!adapts() || most.heat * taken > 1)) most.heat /= 2;
+}
+
+template <class T>
+void HeatModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
+  const ScalarField<double> change("vug::heat::change", geometry_.lattice.ny),
+      amount("vug::heat::amount", geometry_.lattice.ny);
+  add_temperature_change(exec, fields_, watched_, change, amount);
+  const Split& split = geometry_.split;
+  for (const ScalarField<double>& sums : {change, amount})
+    if (!split.alone()) split.make_whole(split.of_rows(), sums);
+  changes.heat = share_of(sum_in_order(change), sum_in_order(amount));
+}
+
+template <class T>
+void HeatModule<T>::take(const Exec&, const Intervals& intervals) {
+  next_interval_ = intervals.heat;
+  update_interval_ = intervals.update;
+}
+
+template <class T>
+void HeatModule<T>::resume(const Exec& exec, const Intervals& intervals) {
+  take(exec, intervals);
+  set_interval(intervals.heat);
+  set_heat_rates(parameters(), 1, fields_);
+}
+
+template <class T>
 void HeatModule<T>::fields(FieldList& list) const {
   list.lattice.push_back(
       {"temperature", "K", 1, [this](std::span<double> out) {
@@ -284,6 +351,7 @@ void HeatModule<T>::state(StateList& list) {
   fresh_ = false;  // other populations may come
   list.add("heat/g", fields_.g);
   if (carrier_) list.add("heat/lagged", lagged_);
+  if (watched_.extent(0) > 0) list.add("heat/watched", watched_);
   if (fluid_theta_.extent(0) > 0) list.add("heat/fluid_theta", fluid_theta_);
   add_state(list, "heat/created", created_);
   list.add("heat/born", born_);

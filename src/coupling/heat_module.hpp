@@ -11,6 +11,9 @@
 
 namespace vug {
 
+/// The largest relaxation time, and the most cells that the fluid may go in a heat step (docs/stability.md).
+inline constexpr double largest_relaxation_time = 3.5, longest_way = 1;
+
 /// Owns the temperature of every node. `flow` may be null: conduction only. Steps every accuracy.heat_interval lattice
 /// steps, with diffusivities and velocity times that number.
 template <class T>
@@ -29,6 +32,10 @@ class HeatModule final : public Module {
   void history(std::vector<HistoryValue>& row) const override;
   void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
+  void bound(std::optional<double> speed, Intervals& most) const override;
+  void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
+  void take(const Exec& exec, const Intervals& intervals) override;
+  void resume(const Exec& exec, const Intervals& intervals) override;
   void state(StateList& list) override;
 
   /// (node) temperatures of now in our rows and at the `others` (Split::beyond_rows), except in openings, for rock and
@@ -59,6 +66,10 @@ class HeatModule final : public Module {
   void widen_range(const HeatBoundary& heat);
   /// Brings the values of conditions that change to a time, s.
   void set_values(double time);
+  /// From the streaming that follows on, steps take so many lattice steps.
+  void set_interval(int interval);
+  /// Whether steps may come to take more lattice steps.
+  bool adapts() const { return section_.velocity_set == ScalarVelocitySet::d2q5; }
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   /// A mineral as the case gives it.
@@ -72,11 +83,13 @@ class HeatModule final : public Module {
   ScalarField<double> solid_share_;  ///< (mineral) of FaceTemperature; empty without minerals
   LatticeUnits units_;
   const Geometry& geometry_;
-  const Carrier<T>* carrier_ = nullptr;  ///< null: the fluid is at rest
-  int interval_;
+  FlowModule<T>* flow_;                  ///< null: the fluid is at rest
+  const Carrier<T>* carrier_ = nullptr;  ///< null likewise
+  int interval_, next_interval_;         ///< until the end of the step that follows, and after it
   int update_interval_;  ///< the rock asks for temperatures in the lattice steps that are multiples of it
   HeatFields<T> fields_;
   ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
+  ScalarField<T> watched_;          ///< (node) temperatures at the last look; empty where nobody asks for changes
   ScalarField<T> fluid_theta_;      ///< (fluid) temperatures of now; empty unless the flow asks
   mutable bool fresh_ = false;      ///< no step since
   Halo populations_;                ///< of other ranks' nodes that we conduct from, or that every rank reads

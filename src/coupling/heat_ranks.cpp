@@ -2,6 +2,8 @@
 #include "coupling/heat_module.hpp"
 #include "kernels/base/host_and_device.hpp"
 
+#include <algorithm>
+
 namespace vug {
 
 template <class T>
@@ -11,21 +13,26 @@ void HeatModule<T>::find_halos() {
   const Lattice& lattice = geometry_.lattice;
   fields_.first_row = split.first_row();
   fields_.rows = split.own_rows();
-  std::vector<int> nodes;  // at sides and openings, whose heat is summed over all of them
-  const auto side = [&](int x, int y, int dx, int dy, int count) {
-    for (int k = 0; k < count; ++k) nodes.push_back(lattice.node(x + k * dx, y + k * dy));
-  };
-  if (!periodic_[0]) {
-    side(0, 0, 0, 1, lattice.ny);
-    side(lattice.nx - 1, 0, 0, 1, lattice.ny);
-  }
-  if (!periodic_[1]) {
-    side(0, 0, 1, 0, lattice.nx);
-    side(0, lattice.ny - 1, 1, 0, lattice.nx);
-  }
+  std::vector<int> nodes;  // at sides and openings, whose heat is summed over all of them, and before these
+  const int beside_x = std::min(2, lattice.nx), beside_y = std::min(2, lattice.ny);
+  for (int y = 0; y < lattice.ny && !periodic_[0]; ++y)
+    for (int k = 0; k < beside_x; ++k) {
+      nodes.push_back(lattice.node(k, y));
+      nodes.push_back(lattice.node(lattice.nx - 1 - k, y));
+    }
+  for (int x = 0; x < lattice.nx && !periodic_[1]; ++x)
+    for (int k = 0; k < beside_y; ++k) {
+      nodes.push_back(lattice.node(x, k));
+      nodes.push_back(lattice.node(x, lattice.ny - 1 - k));
+    }
   for (const HeatOpening& opening : openings_) {
     const auto node = on_host(opening.links.node);
-    for (int link = 0; link < opening.links.count; ++link) nodes.push_back(node(link));
+    const auto direction = on_host(opening.links.direction);
+    for (int link = 0; link < opening.links.count; ++link) {
+      nodes.push_back(node(link));
+      const int before = node(link) - lattice.offset(direction(link));
+      if (lattice.inside(lattice.x(before), lattice.y(before))) nodes.push_back(before);
+    }
   }
   populations_ = split.dense(lattice, directions(), periodic_[1], nodes);
   if (carrier_ || fluid_theta_.extent(0) > 0) in_rows_ = split.in_rows(geometry_.fluid);
@@ -35,6 +42,7 @@ template <class T>
 void HeatModule<T>::gather(const Exec& exec) {
   const Split& split = geometry_.split;
   split.make_whole(geometry_.lattice, fields_.g, directions());
+  if (watched_.extent(0) > 0) split.make_whole(geometry_.lattice, watched_);
   if (carrier_) {
     split.make_whole(split.of_fluid_by_row(geometry_.fluid), lagged_);
     split.make_whole(split.of_rows(), created_);

@@ -1,5 +1,6 @@
 #include "coupling/mechanics_module.hpp"
 
+#include "coupling/force_change.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/rock_limits.hpp"
 #include "coupling/rock_loads.hpp"
@@ -38,6 +39,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       update_interval_(scene.accuracy.update_interval),
       exchange_interval_(scene.accuracy.exchange_interval),
       guard_interval_(scene.accuracy.guard_interval),
+      holds_forces_(flow && (exchange_interval_ > 1 || scene.accuracy.chooses_intervals())),
       nodes_of_particle_(rock.nodes_of_particle),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
       gauges_(scene, rock.assembly, mechanics_),
@@ -55,6 +57,8 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
   if (section_.lets_fragments_go) dissolved_->follow_fragments();
   mechanics_.share(geometry.split.ranks());
   if (heat_ && !geometry.split.alone()) share_temperatures();
+  if (flow_ && scene.accuracy.chooses_intervals())
+    watched_ = VectorField<double>("vug::mechanics::watched", mechanics_.particles().force.extent(0));
   find_links(exec);
   choose_substeps();
 }
@@ -214,6 +218,20 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
 }
 
 template <class T>
+void MechanicsModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
+  if (!flow_) return;
+  const ForceChange ours = largest_force_change(exec, mechanics_.particles().force, watched_, our_triangles_);
+  const Ranks& ranks = geometry_.split.ranks();
+  changes.force = share_of(ranks.most(ours.change), ranks.most(ours.force));
+}
+
+template <class T>
+void MechanicsModule<T>::take(const Exec&, const Intervals& intervals) {
+  exchange_interval_ = intervals.exchange;
+  update_interval_ = intervals.update;
+}
+
+template <class T>
 void MechanicsModule<T>::fields(FieldList& list) const {
   add_rock_fields(mechanics_, list, fields_asked_for_);
 }
@@ -226,7 +244,8 @@ void MechanicsModule<T>::state(StateList& list) {
   if (dissolved_)
     dissolved_->visit_state(
         [&](const std::string& name, const auto& view) { list.add("mechanics/dissolved_shares/" + name, view); });
-  if (flow_ && exchange_interval_ > 1) {  // held in the first steps of a resumed run
+  if (watched_.extent(0) > 0) list.add("mechanics/watched", watched_);
+  if (holds_forces_) {  // held in the first steps of a resumed run
     list.add("mechanics/force", mechanics_.particles().force);
     list.add("mechanics/torque", mechanics_.particles().torque);
   }

@@ -28,6 +28,9 @@ class MechanicsModule final : public Module {
   void limits(LimitTable& table) const override;
   void history(std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
+  void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
+  void take(const Exec& exec, const Intervals& intervals) override;
+  void resume(const Exec& exec, const Intervals& intervals) override { take(exec, intervals); }
   void state(StateList& list) override;
 
   const Mechanics& mechanics() const { return mechanics_; }
@@ -45,6 +48,8 @@ class MechanicsModule final : public Module {
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
   int update_interval_, exchange_interval_, guard_interval_;
+  bool holds_forces_;            ///< of the fluid, for more than a step
+  VectorField<double> watched_;  ///< (triangle, axis) force of the fluid at the last look; empty where nobody asks
   NodeGroups nodes_of_particle_;
   Mechanics mechanics_;
   std::vector<std::pair<std::vector<int>, std::array<double, 2>>> initial_velocities_;  ///< triangles, m/s

@@ -1,6 +1,7 @@
 #pragma once
 // One physics of the scene: it owns its state, and reads that of others through const Views.
 #include "coupling/clock.hpp"
+#include "coupling/intervals.hpp"
 #include "coupling/ledger.hpp"
 #include "coupling/limits.hpp"
 #include "io/field_list.hpp"
@@ -8,6 +9,7 @@
 #include "kernels/base/base.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -53,6 +55,15 @@ class Module {
   virtual void surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const {}
   /// What it offers for output.
   virtual void fields(FieldList&) const {}
+  /// Shortens what it cannot step as seldom at this largest speed of the fluid (lattice units; nothing: that which the
+  /// case can drive), where intervals are chosen as the run goes (accuracy.tolerance).
+  virtual void bound(std::optional<double>, Intervals&) const {}
+  /// How much of what it computes has changed since it was asked last; waits for the device.
+  virtual void watch(const Exec&, const Clock&, Changes&) {}
+  /// Goes on with other intervals from the step that follows, which ends all of theirs and of those until now.
+  virtual void take(const Exec&, const Intervals&) {}
+  /// Goes on with those to which a state that was just loaded belongs.
+  virtual void resume(const Exec&, const Intervals&) {}
   /// What a checkpoint must hold. Called anew for every checkpoint: the list of fluid nodes grows.
   virtual void state(StateList&) {}
 };

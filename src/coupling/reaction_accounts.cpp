@@ -209,6 +209,7 @@ void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                      \
+  template double ReactionModule<T, Set>::consumed(const Attack<T>&) const;                          \
   template double ReactionModule<T, Set>::paid() const;                                              \
   template std::vector<double> ReactionModule<T, Set>::acid_of_minerals(const Attack<T>&) const;     \
   template std::vector<typename ReactionModule<T, Set>::Sway> ReactionModule<T, Set>::sways() const; \

@@ -49,6 +49,8 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
       wall_interval_(scene.accuracy.wall_interval),
       factor_(scene.accuracy.dissolution_factor),
       varies_(scene.accuracy.dissolution_tolerance > 0),
+      watches_(scene.accuracy.chooses_intervals()),
+      solute_interval_(scene.accuracy.solute_interval),
       dissolves_(rock_dissolves(scene)) {
   const Lattice& lattice = geometry.lattice;
   geometry.volume = ScalarField<double>("vug::reaction::volume", lattice.size());
@@ -135,7 +137,7 @@ void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
 
 template <class T, class Set>
 double ReactionModule<T, Set>::scaled(const RateLaw& rate) const {
-  return solutes_.interval() * rate.rate_constant / units_.rate_constant();
+  return solute_interval_ * rate.rate_constant / units_.rate_constant();
 }
 
 template <class T, class Set>
@@ -232,18 +234,52 @@ void ReactionModule<T, Set>::fields(FieldList& list) const {
 }
 
 template <class T, class Set>
+void ReactionModule<T, Set>::bound(std::optional<double>, Intervals& most) const {
+  if (section_.wall != ReactiveWallLaw::kinetic) most.solute = 1;  // the paper's law knows one diffusivity
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) {
+  gather_links();
+  for (Attack<T>& attack : attacks_) {  // acid that a step of the solutes turns over is booked at its beginning
+    const double reacted = consumed(attack);
+    changes.solute = std::max(changes.solute, share_of(reacted - attack.watched, solutes_.total(*attack.reactant)));
+    attack.watched = reacted;
+  }
+  if (!dissolves_) return;
+  const double paid = this->paid();
+  changes.solid = share_of(paid - watched_, paid);
+  watched_ = paid;
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::take(const Exec& exec, const Intervals& intervals) {
+  if (intervals.solute != solute_interval_) refreshed_ = -1;  // a trend of rates over another interval is none
+  resume(exec, intervals);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::resume(const Exec&, const Intervals& intervals) {
+  wall_interval_ = intervals.wall;
+  solute_interval_ = intervals.solute;
+  for (Attack<T>& attack : attacks_) set_volumes(attack);  // with the rates of minerals
+}
+
+template <class T, class Set>
 void ReactionModule<T, Set>::state(StateList& list) {
   list.add("reaction/volume", geometry_.volume);
   list.add("reaction/dissolved", geometry_.dissolved);
   list.add("reaction/lost", lost_);
   list.add_value("reaction/initial_volume", initial_volume_);
   list.add_value("reaction/refreshed", refreshed_, {-1, most_steps});
+  if (watches_) list.add_value("reaction/watched_volume", watched_);
   if (varies_) list.add_value("reaction/factor", factor_, {1, 1e6});
   for (std::size_t m = 0; m < solids_.size(); ++m)
     list.add("reaction/lost/" + std::to_string(m), losses_.of_minerals.lost[m]);
   for (Attack<T>& attack : attacks_) {
     const std::string key = attack.key.empty() ? "reaction" : "reaction/" + attack.key;
     add_state(list, key + "/consumed", attack.consumed);
+    if (watches_) list.add_value(key + "/watched", attack.watched);
     if (attack.sums.released.extent(0) > 0) list.add(key + "/released", attack.sums.released);
     if (attack.sums.acid.extent(0) > 0) list.add(key + "/acid", attack.sums.acid);
     const ReactiveLinks<T>& links = attack.links;

@@ -33,6 +33,7 @@ struct Attack {
   ReactiveLinks<T> links;            ///< their turnover is booked at every update interval, before pores
   LongSum consumed;                  ///< (block) reactant that has reacted
   ReactionLedger sums;
+  double watched = 0;          ///< reactant that had reacted at the last look
   std::vector<AgedAcid> aged;  ///< (mineral) of all rock where there are none
 };
 
@@ -53,6 +54,10 @@ class ReactionModule final : public Module {
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
+  void bound(std::optional<double> speed, Intervals& most) const override;
+  void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
+  void take(const Exec& exec, const Intervals& intervals) override;
+  void resume(const Exec& exec, const Intervals& intervals) override;
   void state(StateList& list) override;
 
   /// Takes what has reacted off the solid nodes.
@@ -140,6 +145,9 @@ class ReactionModule final : public Module {
   double factor_;                ///< how many times faster the rock ages than the fluid (accuracy.dissolution_factor)
   double factor_of_walls_ = 0;   ///< with which set_volumes was called last
   bool varies_;                  ///< the factor does (accuracy.dissolution_tolerance)
+  bool watches_;                 ///< somebody asks for changes (accuracy.tolerance)
+  double watched_ = 0;           ///< volume that had dissolved at the last look, m3/m
+  int solute_interval_;          ///< lattice steps per step of the solutes for which the rates are set
   ScalarField<double> loss_{"vug::reaction::loss", 0};  ///< (surface) for largest_loss
   bool dissolves_;
   double initial_volume_ = 0;  ///< pixels
@@ -156,6 +164,8 @@ class TurnoverModule final : public Module {
   void step(const Exec& exec, const Clock& clock) override {
     if (clock.every(update_interval_)) reaction_.book(exec);
   }
+  void take(const Exec&, const Intervals& intervals) override { update_interval_ = intervals.update; }
+  void resume(const Exec& exec, const Intervals& intervals) override { take(exec, intervals); }
 
  private:
   ReactionModule<T, Set>& reaction_;

@@ -19,13 +19,29 @@ StateRange nodes_of(const Geometry& geometry) {
   return {0, static_cast<double>(geometry.lattice.size()) - 1};
 }
 
+/// With intervals of one lattice step where they are chosen as the run goes.
+Scene with_first_intervals(Scene scene) {
+  AccuracySection& accuracy = scene.accuracy;
+  if (accuracy.chooses_intervals())
+    accuracy.heat_interval = accuracy.solute_interval = accuracy.wall_interval = accuracy.exchange_interval =
+        accuracy.update_interval = 1;
+  return scene;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const Ranks& ranks)
-    : scene_(scene),
+    : scene_(with_first_intervals(scene)),
       clock_{0, scene.lattice.time_step},
-      update_interval_(scene.accuracy.update_interval),
-      parts_(build_modules(exec_, scene, ranks)) {}
+      update_interval_(scene_.accuracy.update_interval),
+      parts_(build_modules(exec_, scene_, ranks)) {
+  if (!scene.accuracy.chooses_intervals()) return;
+  Intervals most = longest_intervals(scene.accuracy);
+  for (const auto& module : parts_->modules) module->bound(0, most);
+  Intervals safe = most;
+  for (const auto& module : parts_->modules) module->bound(std::nullopt, safe);
+  chooser_.emplace(scene, most, safe);
+}
 
 void Simulation::begin() {
   for (const auto& module : parts_->modules) module->begin(exec_);
@@ -34,6 +50,7 @@ void Simulation::begin() {
 void Simulation::step() {
   const double factor = parts_->ageing ? parts_->ageing->factor() : 1;  // it may change in the step, for the next
   const Ranks& ranks = parts_->geometry.split.ranks();
+  if (chooser_) choose_intervals();
   for (const auto& module : parts_->modules) {
     const Phase phase(ranks, module->name());
     module->step(exec_, clock_);
@@ -43,7 +60,31 @@ void Simulation::step() {
   whole_ = false;
   if (!parts_->growth || clock_.step % update_interval_ != 0) return;
   const Phase phase(ranks, "new pores");
+  const std::int64_t opened = parts_->growth->opened_nodes();
   parts_->growth->grow(exec_, parts_->modules);
+  if (chooser_ && parts_->growth->opened_nodes() > opened) chooser_->be_wary();
+}
+
+void Simulation::choose_intervals() {
+  if (chooser_->due(clock_)) {
+    const Phase phase(parts_->geometry.split.ranks(), "intervals");
+    Changes changes;
+    for (const auto& module : parts_->modules) module->watch(exec_, clock_, changes);
+    Intervals stable = chooser_->most();
+    for (const auto& module : parts_->modules) module->bound(changes.speed, stable);
+    if (!chooser_->choose(changes, stable, clock_)) return;
+  } else if (!chooser_->shorten(clock_)) {
+    return;
+  }
+  for (const auto& module : parts_->modules) module->take(exec_, chooser_->now());
+  update_interval_ = chooser_->now().update;
+}
+
+Intervals Simulation::intervals() const {
+  const AccuracySection& given = scene_.accuracy;
+  return chooser_ ? chooser_->now()
+                  : Intervals{given.heat_interval, given.solute_interval, given.wall_interval, given.exchange_interval,
+                              given.update_interval};
 }
 
 void Simulation::gather() const {
@@ -62,11 +103,9 @@ double Simulation::updates_per_step() const {
   const Geometry& geometry = parts_->geometry;
   double updates = 0;
   if (scene_.flow) updates += geometry.fluid.count;
-  if (scene_.heat)
-    updates += static_cast<double>(geometry.lattice.nx) * geometry.lattice.ny / scene_.accuracy.heat_interval;
+  if (scene_.heat) updates += static_cast<double>(geometry.lattice.nx) * geometry.lattice.ny / intervals().heat;
   if (scene_.solute)
-    updates +=
-        static_cast<double>(scene_.solute->species.size()) * geometry.fluid.count / scene_.accuracy.solute_interval;
+    updates += static_cast<double>(scene_.solute->species.size()) * geometry.fluid.count / intervals().solute;
   return updates;
 }
 
@@ -88,6 +127,7 @@ std::vector<HistoryValue> Simulation::history() const {
   if (scene_.output.forces || scene_.output.flows || !scene_.output.probes.empty()) gather();
   std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
   for (const auto& module : parts_->modules) module->history(row);
+  if (chooser_) chooser_->history(row);
   if (scene_.output.forces || scene_.output.flows)
     for (const auto& module : parts_->modules) module->surfaces(clock_, scene_.output, row);
   if (parts_->growth) {
@@ -137,6 +177,7 @@ FieldList Simulation::fields() const {
 StateList Simulation::geometry_state() {
   StateList list;
   list.add_value("clock/step", clock_.step, {0, most_steps});
+  if (chooser_) chooser_->state(list);
   if (parts_->ageing) list.add_value("clock/ahead", clock_.ahead, {0, std::numeric_limits<double>::max()});
   fluid_count_ = parts_->geometry.fluid.count;
   fluid_capacity_ = parts_->geometry.fluid.capacity;
@@ -204,6 +245,9 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
   StateList everything = state();
   load(everything);
   if (parts_->growth) parts_->growth->restored(exec_);
+  if (!chooser_) return;
+  for (const auto& module : parts_->modules) module->resume(exec_, chooser_->now());
+  update_interval_ = chooser_->now().update;
 }
 
 }  // namespace vug

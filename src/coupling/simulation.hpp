@@ -2,6 +2,7 @@
 // The loop over time: modules in their order, growth of the pores at its interval.
 #include "coupling/build_modules.hpp"
 #include "coupling/clock.hpp"
+#include "coupling/interval_chooser.hpp"
 
 namespace vug {
 
@@ -22,6 +23,8 @@ class Simulation {
 
   const Clock& clock() const { return clock_; }
   const Parts& parts() const { return *parts_; }
+  /// Null where the case gives the intervals.
+  const IntervalChooser* chooser() const { return chooser_ ? &*chooser_ : nullptr; }
   /// Lattice-node updates of one step, all fields together, for MLUPS.
   double updates_per_step() const;
   LimitTable limits() const;
@@ -38,6 +41,11 @@ class Simulation {
 
  private:
   StateList geometry_state();
+  /// Before a step: where a look is due, sees how fast things change, and has the modules go on with the intervals that
+  /// follow from it.
+  void choose_intervals();
+  /// Those that hold now.
+  Intervals intervals() const;
   void require_possible(const Kokkos::View<NodeType*>& type, const IndexList& node) const;
 
   Exec exec_;
@@ -45,6 +53,7 @@ class Simulation {
   Clock clock_;
   int update_interval_;
   std::unique_ptr<Parts> parts_;
+  std::optional<IntervalChooser> chooser_;
   mutable bool whole_ = true;                 ///< no step since the state was gathered
   int fluid_count_ = 0, fluid_capacity_ = 0;  ///< as read from a checkpoint
 };

@@ -24,6 +24,9 @@ namespace {
 constexpr double runaway_factor = 100;
 // What a flux puts into a closed space has no bound; this is so many times what it keeps up across the lattice.
 constexpr double growth_with_flux = 1000;
+// The most cells that the fluid may go in a step, nothing faster was tried, and the largest diffusivity
+// (docs/stability.md).
+constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_solutes = 1;
 
 }  // namespace
 
@@ -33,22 +36,27 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     : section_(*scene.solute),
       units_(units),
       geometry_(geometry),
+      flow_(flow),
       carrier_(flow ? &flow->carrier(exec, scene.accuracy.solute_interval, Set::Q) : nullptr),
       interval_(scene.accuracy.solute_interval),
+      next_interval_(interval_),
+      compared_(geometry.fluid.count),
       fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean),
       fastest_(flow ? flow->largest_speed() : 0) {
   if (flow && section_.face_exchange) excess_ = &flow->face_excess(exec, interval_);
   for (const Species& section : section_.species) {
     SpeciesState<T> state;
     state.section = section;
-    const double D = interval_ * section.diffusivity / units.diffusivity();
-    state.parameters =
-        section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
+    state.parameters = parameters_of(section);
     state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
     for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
       const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
       if (kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic)
         state.boundaries.push_back({stretch, {}, {}, 0});
+    }
+    if (scene.accuracy.chooses_intervals()) {
+      state.watched = ScalarField<T>("vug::solute::watched", geometry.fluid.capacity);
+      Kokkos::deep_copy(state.watched, state.fields.C);
     }
     // outflow is dressed first: it reads populations that the others overwrite
     std::stable_partition(state.boundaries.begin(), state.boundaries.end(), [](const StretchLinks& boundary) {
@@ -58,6 +66,18 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
   }
   find_boundaries(exec);
   for (SpeciesState<T>& s : species_) s.initial = total(s);
+}
+
+template <class T, class Set>
+SoluteParameters SoluteModule<T, Set>::parameters_of(const Species& species) const {
+  const double D = interval_ * species.diffusivity / units_.diffusivity();
+  return section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::set_interval(int interval) {
+  interval_ = interval;
+  if (carrier_) flow_->set_interval(*carrier_, interval);
 }
 
 template <class T, class Set>
@@ -83,6 +103,7 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
           &s == &species_[0])  // all have the same links
         narrow_ = narrow_ || is_narrow(exec, geometry_.fluid, boundary.links);
     }
+    if (s.watched.extent(0) > 0) Kokkos::resize(exec, s.watched, geometry_.fluid.capacity);
     s.correction.resize(exec, blocks);
     Kokkos::resize(exec, s.created, blocks);
   }
@@ -93,7 +114,7 @@ template <class T, class Set>
 SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, const StretchLinks& boundary, double time,
                                                    const ScalarField<double>& gain) const {
   const SoluteBoundary& given = boundary.stretch.conditions.solute;
-  if (given.kind == SoluteBoundaryKind::outflow) return outflow_condition(boundary.links, s.fields, gain);
+  if (given.kind == SoluteBoundaryKind::outflow) return outflow_condition(boundary.links, s.parameters, s.fields, gain);
   const bool flux = given.kind == SoluteBoundaryKind::flux;
   const auto& values = flux ? given.flux : given.concentration;
   const auto found = values.find(s.section.name);
@@ -119,7 +140,16 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
     for (const StretchLinks& boundary : s.boundaries)
       conditions_.push_back(condition(s, boundary, clock.time(), boundary.gain.recent()));
   }
+  for (const SpeciesState<T>& s : species_) before_outflow_.template exchange<T, 1>(exec, {s.fields.C});
   dress<Set, T>(exec, fluid, conditions_, narrow_);
+  if (next_interval_ != interval_) {
+    const double stretch = static_cast<double>(next_interval_) / interval_;
+    for (SpeciesState<T>& s : species_) s.parameters = turning_parameters(s.parameters, stretch);
+    set_interval(next_interval_);
+    sweep(exec);
+    for (SpeciesState<T>& s : species_) s.parameters = parameters_of(s.section);
+    return;  // faces exchange nothing
+  }
   sweep(exec);
   if (excess_)
     for (const SpeciesState<T>& s : species_) {
@@ -204,11 +234,11 @@ template <class T, class Set>
 void SoluteModule<T, Set>::limits(LimitTable& table) const {
   // nothing faster was tried (docs/stability.md)
   if (carrier_)
-    table.push_back({"solute", "cells per step at the largest speed", interval_ * fastest_, "1", 0, 0.4,
-                     "lower accuracy.solute_interval, lattice.time_step or flow.speed_limit"});
+    table.push_back({"solute", "cells per step at the largest speed", interval_ * fastest_, "1", 0,
+                     longest_way_of_solutes, "lower accuracy.solute_interval, lattice.time_step or flow.speed_limit"});
   for (const SpeciesState<T>& s : species_) {
-    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-3, 1,
-                     "change lattice.time_step (docs/stability.md)"});
+    table.push_back({"solute", s.section.name + " diffusivity", s.parameters.diffusivity(), "lattice", 1e-3,
+                     largest_diffusivity_of_solutes, "change lattice.time_step (docs/stability.md)"});
     table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
                      "change lattice.time_step"});
     // The scheme with Lambda = 1/4 on D2Q5 carries any speed at any diffusivity; all others that were measured hold up
@@ -248,6 +278,39 @@ void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
 }
 
 template <class T, class Set>
+void SoluteModule<T, Set>::bound(std::optional<double> speed, Intervals& most) const {
+  double taken =
+      carrier_ ? speed.value_or(fastest_) / longest_way_of_solutes : 0;  // by one lattice step, of what a step may take
+  for (const SpeciesState<T>& s : species_)
+    taken = std::max(taken, s.section.diffusivity / units_.diffusivity() / largest_diffusivity_of_solutes);
+  while (most.solute > 1 && (!adapts() || most.solute * taken > 1)) most.solute /= 2;
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::watch(const Exec& exec, const Clock&, Changes& changes) {
+  const FluidNodes& fluid = geometry_.fluid;
+  for (const SpeciesState<T>& s : species_) {
+    const ScalarField<double> change("vug::solute::change", block_count(fluid.capacity));
+    add_change<T>(exec, fluid, s.fields.C, compared_, s.watched, change);
+    geometry_.split.make_whole(geometry_.split.of_blocks(), change);
+    changes.solute = std::max(changes.solute, share_of(sum_in_order(change), total(s)));
+  }
+  compared_ = fluid.count;
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::take(const Exec&, const Intervals& intervals) {
+  next_interval_ = intervals.solute;
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::resume(const Exec& exec, const Intervals& intervals) {
+  take(exec, intervals);
+  set_interval(intervals.solute);
+  for (SpeciesState<T>& s : species_) s.parameters = parameters_of(s.section);
+}
+
+template <class T, class Set>
 void SoluteModule<T, Set>::fields(FieldList& list) const {
   for (const SpeciesState<T>& s : species_)
     list.lattice.push_back({"concentration_" + s.section.name, "mol/m3", 1, [this, &s](std::span<double> out) {
@@ -257,11 +320,14 @@ void SoluteModule<T, Set>::fields(FieldList& list) const {
 
 template <class T, class Set>
 void SoluteModule<T, Set>::state(StateList& list) {
+  if (species_[0].watched.extent(0) > 0)
+    list.add_value("solute/compared", compared_, {0, static_cast<double>(geometry_.fluid.count)});
   for (SpeciesState<T>& s : species_) {
     const std::string key = "solute/" + s.section.name;
     list.add(key + "/h", s.fields.h);
     list.add_value(key + "/turned", s.fields.turned, {0, 1});
     list.add(key + "/C", s.fields.C);
+    if (s.watched.extent(0) > 0) list.add(key + "/watched", s.watched);
     add_state(list, key + "/correction", s.correction);
     list.add(key + "/created", s.created);
     list.add_value(key + "/initial", s.initial);

@@ -19,6 +19,7 @@ struct SpeciesState {
   std::vector<StretchLinks> boundaries;
   LongSum correction;           ///< (block) added by the advective form
   ScalarField<double> created;  ///< (block) added by filling newborn nodes
+  ScalarField<T> watched;       ///< (fluid) concentration at the last look; empty where nobody asks for changes
   double initial = 0;           ///< lattice units
 
   SteppingSolute<T> stepping() { return {parameters, fields, correction.recent()}; }
@@ -54,10 +55,17 @@ class SoluteModule final : public Module {
   void ledger(Ledger& ledger) const override;
   void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
+  void bound(std::optional<double> speed, Intervals& most) const override;
+  void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
+  void take(const Exec& exec, const Intervals& intervals) override;
+  void resume(const Exec& exec, const Intervals& intervals) override;
   void state(StateList& list) override;
 
   bool due(const Clock& clock) const { return clock.every(interval_); }
-  int interval() const { return interval_; }
+  /// Lattice steps that the next streaming takes.
+  int interval() const { return next_interval_; }
+  /// Of all ranks' nodes, lattice units.
+  double total(const SpeciesState<T>& s) const;
   /// State of the species of that name.
   SpeciesState<T>& species(const std::string& name);
   /// From now on these react at every step, one pair after the other.
@@ -66,12 +74,17 @@ class SoluteModule final : public Module {
  private:
   void find_boundaries(const Exec& exec);
   void find_halos();
+  /// Fluid nodes whose concentrations an outflow looks at.
+  std::vector<int> nodes_before_outflow() const;
+  SoluteParameters parameters_of(const Species& species) const;
+  /// From the streaming that follows on, steps take so many lattice steps.
+  void set_interval(int interval);
+  /// Whether steps may come to take more lattice steps.
+  bool adapts() const { return Set::Q == D2Q5::Q && !section_.relaxation_time && !section_.face_exchange; }
   /// Sweeps of all species, and their reaction.
   void sweep(const Exec& exec);
   /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.
   void step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier);
-  /// Of all ranks' nodes.
-  double total(const SpeciesState<T>& s) const;
   /// Brings on every rank what has entered, left and been added.
   void gather_sums(const SpeciesState<T>& s) const;
   /// Brings the populations here that the next sweep of a species pulls.
@@ -83,15 +96,18 @@ class SoluteModule final : public Module {
   SoluteSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
-  const Carrier<T>* carrier_;               ///< null: the fluid is at rest
+  FlowModule<T>* flow_;                     ///< null: the fluid is at rest
+  const Carrier<T>* carrier_;               ///< null likewise
   const VectorField<T>* excess_ = nullptr;  ///< what faces exchange (solute/face_exchange.hpp); null: nothing
-  int interval_;                            ///< lattice steps per step
+  int interval_, next_interval_;            ///< lattice steps until the end of the step that follows, and after it
+  int compared_ = 0;                        ///< fluid nodes that were there at the last look
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
   std::vector<SoluteCondition<T>> conditions_;  ///< at the boundaries of all species in this step
   bool narrow_ = false;                         ///< see is_narrow; of links of an outflow
   Halo populations_;                            ///< of other ranks' nodes that our sweeps pull
+  Halo before_outflow_;                         ///< other ranks' nodes before those at which something leaves
   Halo neighbours_;                             ///< of our nodes, which faces exchange with
   std::vector<ReactingSpecies<T>> reacting_;
 };

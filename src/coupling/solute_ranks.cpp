@@ -1,6 +1,7 @@
 // Solutes of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
 #include "coupling/solute_module.hpp"
 #include "coupling/sum_state.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
@@ -10,6 +11,24 @@ template <class T, class Set>
 void SoluteModule<T, Set>::find_halos() {
   populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
   if (excess_) neighbours_ = geometry_.split.around(geometry_.fluid, {});
+  if (!geometry_.split.alone()) before_outflow_ = geometry_.split.slots(geometry_.fluid, nodes_before_outflow());
+}
+
+template <class T, class Set>
+std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const {
+  std::vector<int> nodes;
+  const int capacity = geometry_.fluid.capacity;
+  const auto source = on_host(geometry_.fluid.source);
+  for (const StretchLinks& boundary : species_[0].boundaries) {  // all have the same links
+    if (boundary.stretch.conditions.solute.kind != SoluteBoundaryKind::outflow) continue;
+    const auto fluid = on_host(boundary.links.fluid);
+    const auto direction = on_host(boundary.links.direction);
+    for (int link = 0; link < boundary.links.count; ++link) {
+      const int q = direction(link), before = source(q * capacity + fluid(link)) - q * capacity;
+      if (before >= 0 && before < capacity) nodes.push_back(before);
+    }
+  }
+  return nodes;
 }
 
 template <class T, class Set>
@@ -53,6 +72,7 @@ double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
 #define VUG_INSTANTIATE(T, Set)                                                            \
   template void SoluteModule<T, Set>::find_halos();                                        \
   template void SoluteModule<T, Set>::exchange(const Exec&, const SoluteFields<T>&) const; \
+  template std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const;            \
   template void SoluteModule<T, Set>::gather(const Exec&);                                 \
   template void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>&) const;           \
   template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const

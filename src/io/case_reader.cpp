@@ -71,7 +71,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   }
   scene.injections = read_injections(boundary);
   scene.openings = read_openings(boundary, scene.geometry);
-  if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset);
+  const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end;
+  if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset, may_age, scene.flow.has_value());
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }
 

@@ -7,8 +7,16 @@
 
 namespace vug {
 
+namespace {
+
+constexpr double largest_tolerance = 0.1;
+
+}  // namespace
+
 Preset read_preset(const TomlCursor& table) {
-  Preset preset = Preset::careful;
+  double tolerance = 0;
+  table.read("tolerance", tolerance, unit::none, range::between(0, largest_tolerance));
+  Preset preset = tolerance > 0 ? preset_of(tolerance) : Preset::careful;
   table.choose("preset", preset,
                {{"fast", Preset::fast},
                 {"balanced", Preset::balanced},
@@ -17,8 +25,17 @@ Preset read_preset(const TomlCursor& table) {
   return preset;
 }
 
-AccuracySection read_accuracy(const TomlCursor& table, Preset preset) {
+AccuracySection read_accuracy(const TomlCursor& table, Preset preset, bool may_age, bool flows) {
   AccuracySection accuracy = accuracy_of(preset);
+  if (!table.describing())
+    table.read("tolerance", accuracy.tolerance, unit::none, range::between(0, largest_tolerance));
+  if (const double tolerance = accuracy.tolerance; tolerance > 0) {
+    if (!table.has("preset")) accuracy.precision = precision_of(tolerance);
+    if (may_age && !table.has("dissolution_factor")) accuracy.dissolution_tolerance = tolerance;
+    if (accuracy.dissolution_tolerance > 0 && flows) accuracy.flow_tolerance = tolerance / 10;
+  }
+  table.read("dissolution_tolerance", accuracy.dissolution_tolerance, unit::none, range::between(0, largest_tolerance));
+  if (accuracy.chooses_intervals()) set_longest_intervals(accuracy);
   table.choose("precision", accuracy.precision,
                {{"single", Precision::single_precision}, {"double", Precision::double_precision}});
   table.read("update_interval", accuracy.update_interval, range::between(1, 1e6));
@@ -29,7 +46,6 @@ AccuracySection read_accuracy(const TomlCursor& table, Preset preset) {
   table.read("guard_interval", accuracy.guard_interval, range::between(1, 1e6));
   table.read("flow_tolerance", accuracy.flow_tolerance, unit::none, range::between(0, 1));
   table.read("dissolution_factor", accuracy.dissolution_factor, unit::none, range::between(1, 1e6));
-  table.read("dissolution_tolerance", accuracy.dissolution_tolerance, unit::none, range::between(0, 0.1));
   return accuracy;
 }
 

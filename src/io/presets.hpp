@@ -52,6 +52,22 @@ inline MechanicsSection mechanics_of(Preset preset) {
   return mechanics;
 }
 
+/// What suits a tolerance in all but intervals, each with an error well below it (docs/accuracy.md): how the rock
+/// moves, and the precision, of which single costs 2e-3 where transport is slow.
+inline Preset preset_of(double tolerance) {
+  return tolerance >= 2e-4 ? Preset::fast : tolerance >= 5e-5 ? Preset::balanced : Preset::careful;
+}
+inline Precision precision_of(double tolerance) {
+  return tolerance >= 5e-3 ? Precision::single_precision : Precision::double_precision;
+}
+
+/// The longest intervals that are chosen as a run goes.
+inline void set_longest_intervals(AccuracySection& accuracy) {
+  accuracy.heat_interval = accuracy.solute_interval = accuracy.exchange_interval = 16;
+  accuracy.update_interval = 128;
+  accuracy.wall_interval = 512;
+}
+
 /// By its name in the case file.
 inline Preset preset_of(const std::string& name) {
   for (const Preset preset : {Preset::fast, Preset::balanced, Preset::reference})

@@ -102,8 +102,11 @@ INSTANTIATE_TEST_SUITE_P(
         Set{}, Set{"accuracy.precision=single"}, test::minerals_of_small_rock(),
         Set{"accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
         Set{"accuracy.exchange_interval=7", "accuracy.wall_interval=35", "accuracy.update_interval=20"},
-        Set{"accuracy.solute_interval=3", "accuracy.heat_interval=2"}, Set{"reaction.wall=paper"},
-        Set{"solute.face_exchange=true"}, Set{"accuracy.dissolution_factor=300", "accuracy.guard_interval=20"},
+        Set{"accuracy.solute_interval=3", "accuracy.heat_interval=2"},
+        Set{"accuracy.tolerance=0.1"},  // others from 128 on
+        Set{"accuracy.tolerance=0.1", "accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
+        Set{"reaction.wall=paper"}, Set{"solute.face_exchange=true"},
+        Set{"accuracy.dissolution_factor=300", "accuracy.guard_interval=20"},
         // small triangles, so that there are groups of them, at rest until the cold fluid reaches them
         Set{"mechanics.rest_tolerance=1", "rock.element_size=2e-3", "mechanics.local_damping=0.8",
             "mechanics.bond.normal_strength=6e6"},

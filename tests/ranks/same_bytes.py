@@ -28,6 +28,7 @@ CASES = {  # case, steps, keys, output at every tenth step
     "intervals": (COUPLED + "small_rock.toml", 120,
                   FINE + ["accuracy.solute_interval=3", "accuracy.heat_interval=2", "accuracy.exchange_interval=7",
                           "accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"], ROCK_OFTEN),
+    "tolerance": (COUPLED + "small_rock.toml", 300, FINE + ["accuracy.tolerance=0.1"], ROCK_OFTEN),
     "slits": (COUPLED + "small_rock.toml", 120,
               FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5"], ROCK_OFTEN),
     "faces": (COUPLED + "small_rock.toml", 120, FINE + ["solute.face_exchange=true"], ROCK_OFTEN),

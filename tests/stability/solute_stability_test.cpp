@@ -264,7 +264,7 @@ FieldRange channel(int n, double u_mean, double D, double k) {
   ScalarField<double> e("e", box.nodes.capacity), ledger("ledger", block_count(box.nodes.count));
   advective_defect<D2Q5>(box.exec, box.nodes, u, e);
   for (int step = 0; step < 6000; ++step) {
-    dress_outflow<D2Q5>(box.exec, box.nodes, out, box.acid, gain);
+    dress_outflow<D2Q5>(box.exec, box.nodes, out, box.parameters, box.acid, gain);
     dress_concentration<D2Q5>(box.exec, box.nodes, box.given[0].links, 1.0, box.acid, box.given[0].gain);
     box.react();
     advance_solute<D2Q5>(box.exec, box.nodes, box.parameters, u, e, box.acid, ledger);

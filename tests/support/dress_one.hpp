@@ -38,9 +38,9 @@ void dress_concentration(const Exec& exec, const FluidNodes& nodes, const Bounda
 }
 
 template <class Set, class T>
-void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, const SoluteFields<T>& s,
-                   const ScalarField<double>& gain) {
-  const SoluteCondition<T> condition = outflow_condition(links, s, gain);
+void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                   const SoluteParameters& parameters, const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  const SoluteCondition<T> condition = outflow_condition(links, parameters, s, gain);
   dress<Set, T>(exec, nodes, {&condition, 1});
 }
 

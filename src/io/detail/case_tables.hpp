@@ -44,7 +44,8 @@ std::vector<InjectionSection> read_injections(const TomlCursor& boundary);
 /// The tables [boundary.shape.<name>] of the shapes that have a name.
 std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry);
 Preset read_preset(const TomlCursor& table);
-AccuracySection read_accuracy(const TomlCursor& table, Preset preset);
+/// `may_age`: a tolerance lets the rock age faster than the fluid. `flows`: there is one.
+AccuracySection read_accuracy(const TomlCursor& table, Preset preset, bool may_age, bool flows);
 std::vector<Gauge> read_gauges(const TomlCursor& output);
 OutputSection read_output(const TomlCursor& table);
 

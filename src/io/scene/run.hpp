@@ -25,6 +25,9 @@ struct AccuracySection {
   int solute_interval = 1;    ///< lattice steps per solute step
   int exchange_interval = 1;  ///< lattice steps for which the fluid's force on the triangles is held
   int guard_interval = 100;   ///< lattice steps between checks for divergence
+  /// Largest share by which results may be off for the intervals above, which are chosen as the run goes then and are
+  /// at most what is given; 0: they are what is given
+  double tolerance = 0;
   /// Largest change of velocity between two checks, over the largest velocity, at which the flow is held until the
   /// pores change; 0: never
   double flow_tolerance = 0;
@@ -32,6 +35,9 @@ struct AccuracySection {
   double dissolution_factor = 1;
   /// Largest relative error of the dissolved volume for which that factor is chosen as the run goes; 0: it is given
   double dissolution_tolerance = 0;
+
+  /// Whether `tolerance` chooses the intervals; where rock ages faster than the fluid it chooses that instead.
+  bool chooses_intervals() const { return tolerance > 0 && dissolution_tolerance == 0; }
 };
 
 struct Probe {

@@ -3,6 +3,7 @@
 #include "kernels/base/require.hpp"
 #include "kernels/heat/heat_bands.hpp"
 #include "kernels/launch/row_launch.hpp"
+#include "kernels/scalar/turning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,18 @@ void require_positive(const char* name, double value) {
     throw InputError(std::string("heat: ") + name + " = " + std::to_string(value) + ", expected a positive number");
 }
 
-/// Relaxation rate of a diffusivity.
-double rate_of(double diffusivity) {
-  return 1 / (0.5 + diffusivity / c_s2);
+/// Relaxation rate of a diffusivity, before steps that are stretched.
+double rate_of(double diffusivity, double stretch = 1) {
+  return turning(0.5 + diffusivity / c_s2, stretch).rate;
+}
+
+/// Those of all kinds of matter.
+void set_matter_rates(const HeatParameters& parameters, double stretch, const HeatMatter& matter) {
+  const auto rate = Kokkos::create_mirror_view(matter.rate);
+  rate(0) = rate_of(parameters.fluid_diffusivity, stretch);
+  for (std::size_t m = 0; m < parameters.minerals.size(); ++m)
+    rate(1 + m) = rate_of(parameters.minerals[m].diffusivity, stretch);
+  Kokkos::deep_copy(matter.rate, rate);
 }
 
 /// Tables with an entry for every byte that a node may have.
@@ -36,17 +46,15 @@ HeatMatter make_matter(const Exec& exec, const HeatParameters& parameters, std::
   HeatMatter matter{Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::matter"), nodes),
                     ScalarField<double>("vug::heat::capacity", kinds), ScalarField<double>("vug::heat::rate", kinds),
                     mineral};
-  const auto capacity = Kokkos::create_mirror_view(matter.capacity), rate = Kokkos::create_mirror_view(matter.rate);
+  const auto capacity = Kokkos::create_mirror_view(matter.capacity);
   capacity(0) = 1;
-  rate(0) = rate_of(parameters.fluid_diffusivity);
   for (std::size_t m = 0; m < parameters.minerals.size(); ++m) {
     require_positive("mineral diffusivity", parameters.minerals[m].diffusivity);
     require_positive("heat capacity ratio of a mineral", parameters.minerals[m].capacity_ratio);
     capacity(1 + m) = parameters.minerals[m].capacity_ratio;
-    rate(1 + m) = rate_of(parameters.minerals[m].diffusivity);
   }
   Kokkos::deep_copy(matter.capacity, capacity);
-  Kokkos::deep_copy(matter.rate, rate);
+  set_matter_rates(parameters, 1, matter);
   return matter;
 }
 
@@ -60,6 +68,26 @@ HeatRates<T> heat_rates(const HeatParameters& p) {
   const auto rate = [](double diffusivity) { return static_cast<T>(rate_of(diffusivity)); };
   return {rate(p.fluid_diffusivity), rate(p.solid_diffusivity), static_cast<T>(interface_reflection(p.capacity_ratio)),
           p.capacity_ratio};
+}
+
+template <class T>
+void set_heat_rates(const HeatParameters& p, double stretch, HeatFields<T>& fields) {
+  fields.rates.fluid = static_cast<T>(rate_of(p.fluid_diffusivity, stretch));
+  fields.rates.solid = static_cast<T>(rate_of(p.solid_diffusivity, stretch));
+  if (fields.matter.given()) set_matter_rates(p, stretch, fields.matter);
+}
+
+template <class T>
+struct StretchLagged {
+  T stretch;
+  ScalarField<T> lagged;
+  KOKKOS_FUNCTION void operator()(int i) const { lagged(i) *= stretch; }
+};
+
+template <class T>
+void stretch_lagged(const Exec& exec, double stretch, const ScalarField<T>& lagged) {
+  for_each_node(exec, "vug::heat::stretch_lagged", static_cast<int>(lagged.extent(0)),
+                StretchLagged<T>{static_cast<T>(stretch), lagged});
 }
 
 /// Mask of the solid inside the lattice.
@@ -207,6 +235,8 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
 
 #define VUG_INSTANTIATE(T)                                                                                      \
   template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                   \
+  template void set_heat_rates(const HeatParameters&, double, HeatFields<T>&);                                  \
+  template void stretch_lagged(const Exec&, double, const ScalarField<T>&);                                     \
   template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                \
                                              const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool, \
                                              const Kokkos::View<const std::uint8_t*>&);                         \

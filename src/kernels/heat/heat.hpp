@@ -99,6 +99,11 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
                                bool openings = false, const Kokkos::View<const std::uint8_t*>& mineral = {});
 
+/// Has the next steps collide with the diffusivities of `parameters`; with a `stretch` other than 1 so that the steps
+/// after it may take `stretch` times as many lattice steps (turning.hpp; D2Q5).
+template <class T>
+void set_heat_rates(const HeatParameters& parameters, double stretch, HeatFields<T>& fields);
+
 /// Sets populations at rest from the temperatures theta (node).
 template <class T>
 void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields);
@@ -144,6 +149,10 @@ template <class T>
 void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
             const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
             const ScalarField<double>& created);
+
+/// lagged *= stretch: what lags behind a displacement in steps that take so many times as many lattice steps now.
+template <class T>
+void stretch_lagged(const Exec& exec, double stretch, const ScalarField<T>& lagged);
 
 /// `conduct` and `advect` in one go: on a host every part of a row is finished while it is in the nearest cache, since
 /// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes; `theta`

@@ -69,8 +69,10 @@ struct FillSide {
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
     const int plane = lattice.size(), back = Set::opposite(q);
-    const SideLink<T> link{leaving(item, node, q), g(back * plane + node), static_cast<T>(Set::w(q)),
-                           kinds.share(node, share), kinds.solid(node)};
+    SideLink<T> link{leaving(item, node, q),   g(back * plane + node), static_cast<T>(Set::w(q)),
+                     kinds.share(node, share), kinds.solid(node),      0};
+    if constexpr (Law::looks_inside)
+      link.slope = slope_from<T, Set>(kinds, g, lattice, node - lattice.offset(side.outward), node);
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
@@ -97,12 +99,17 @@ struct FillOpening {
   Law law;
   OpeningEntry opening;
   Kinds kinds;
-  int plane;
+  Lattice lattice;
   ScalarField<T> g;
   KOKKOS_FUNCTION double operator()(int item) const {
-    const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q);
-    const SideLink<T> link{g(q * plane + n), g(back * plane + n), static_cast<T>(Set::w(q)),
-                           kinds.share(n, static_cast<T>(opening.area[item])), kinds.solid(n)};
+    const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q), plane = lattice.size();
+    SideLink<T> link{g(q * plane + n),
+                     g(back * plane + n),
+                     static_cast<T>(Set::w(q)),
+                     kinds.share(n, static_cast<T>(opening.area[item])),
+                     kinds.solid(n),
+                     0};
+    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, n - lattice.offset(q), n);
     const T arriving = law(link);
     g(back * plane + opening.beyond[item]) = arriving;
     return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
@@ -145,7 +152,7 @@ template <class T, class Set, class Kinds>
 struct FillOpenings {
   Kinds kinds;
   double capacity_ratio;
-  int plane;
+  Lattice lattice;
   ScalarField<T> g;
 
   using Entry = OpeningEntry;
@@ -158,7 +165,7 @@ struct FillOpenings {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, plane, g});
+      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, g});
     });
   }
 };
@@ -177,7 +184,7 @@ void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
     add_per_block_of_lists(exec, "vug::heat::fill_opening", openings,
-                           Law{kinds, fields.rates.capacity_ratio, fields.lattice.size(), fields.g});
+                           Law{kinds, fields.rates.capacity_ratio, fields.lattice, fields.g});
   });
 }
 

@@ -14,7 +14,7 @@ enum class HeatCondition {
   temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
   convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
   flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
-  outflow       ///< in = the node's own population of the same direction: zero gradient
+  outflow       ///< in = the node's own population of the same direction, less what it conducts: zero gradient
 };
 
 /// A stretch of one side with a condition of its own, nodes [first, last] along the side.

@@ -73,6 +73,34 @@ void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const Index
   });
 }
 
+template <class T>
+struct TemperatureChange {
+  Kokkos::View<const std::uint8_t*> solid;
+  Temperature<T> theta;
+  ScalarField<T> before;
+  KOKKOS_FUNCTION double operator()(int node) const {
+    const T now = solid(node) > 1 ? T(0) : theta(node);
+    const double change = static_cast<double>(now) - static_cast<double>(before(node));
+    before(node) = now;
+    return Kokkos::abs(change);
+  }
+};
+
+template <class T>
+struct TemperatureAmount {
+  Kokkos::View<const T*> theta;
+  KOKKOS_FUNCTION double operator()(int node) const { return Kokkos::abs(static_cast<double>(theta(node))); }
+};
+
+template <class T>
+void add_temperature_change(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& before,
+                            const ScalarField<double>& change, const ScalarField<double>& amount) {
+  const Rows rows{fields.first_row, fields.rows};
+  add_per_dense_row(exec, "vug::heat::change", fields.lattice, rows,
+                    TemperatureChange<T>{fields.solid, Temperature<T>(fields), before}, change);
+  add_per_dense_row(exec, "vug::heat::amount", fields.lattice, rows, TemperatureAmount<T>{before}, amount);
+}
+
 /// Extremes of one node, of a row on a host: there in lanes, of which vectors take several.
 template <class T>
 struct Extremes {
@@ -126,10 +154,12 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
 }
 
-#define VUG_INSTANTIATE(T)                                                                      \
-  template void add_heat_energy(const Exec&, const HeatFields<T>&, const ScalarField<double>&); \
-  template void add_birth_energy(const Exec&, const HeatFields<T>&, const IndexList&, int, int, \
-                                 const ScalarField<double>&);                                   \
+#define VUG_INSTANTIATE(T)                                                                       \
+  template void add_heat_energy(const Exec&, const HeatFields<T>&, const ScalarField<double>&);  \
+  template void add_birth_energy(const Exec&, const HeatFields<T>&, const IndexList&, int, int,  \
+                                 const ScalarField<double>&);                                    \
+  template void add_temperature_change(const Exec&, const HeatFields<T>&, const ScalarField<T>&, \
+                                       const ScalarField<double>&, const ScalarField<double>&);  \
   template HeatExtremes heat_extremes(const Exec&, const HeatFields<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -14,6 +14,12 @@ template <class T>
 void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
                       const ScalarField<double>& total);
 
+/// Of the nodes in our rows, change(row) += |theta - before| and amount(row) += |theta|; none in openings. before
+/// (node) is theta afterwards.
+template <class T>
+void add_temperature_change(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& before,
+                            const ScalarField<double>& change, const ScalarField<double>& amount);
+
 /// Extremes of theta over our rows of the lattice and how many entries are not finite. Read on the host: for guards,
 /// not in a step.
 struct HeatExtremes {

@@ -1,6 +1,7 @@
 #include "kernels/solute/solute.hpp"
 
 #include "kernels/base/require.hpp"
+#include "kernels/scalar/turning.hpp"
 #include "kernels/solute/solute_sweep.hpp"
 
 #include <string>
@@ -9,13 +10,18 @@ namespace vug {
 
 SoluteParameters solute_parameters(double D) {
   if (!(D > 0)) throw InputError("solute: diffusivity " + std::to_string(D) + " in lattice units, expected above 0");
-  return {0.5 + 3 * D, 0.5 + 0.25 / (3 * D)};
+  return {0.5 + 3 * D, 0.5 + 0.25 / (3 * D), 1};
 }
 
 SoluteParameters solute_parameters(double D, double tau_h) {
   if (!(D > 0)) throw InputError("solute: diffusivity " + std::to_string(D) + " in lattice units, expected above 0");
   if (!(tau_h > 0.5)) throw InputError("solute: relaxation time " + std::to_string(tau_h) + ", expected above 0.5");
-  return {0.5 + 3 * D, tau_h};
+  return {0.5 + 3 * D, tau_h, 1};
+}
+
+SoluteParameters turning_parameters(const SoluteParameters& p, double stretch) {
+  const Turning turn = turning(p.tau_1, stretch);
+  return {1 / turn.rate, 1 / (2 - turn.rate), turn.carried};
 }
 
 template <class T, class Set>

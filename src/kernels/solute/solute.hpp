@@ -16,8 +16,9 @@ namespace vug {
 /// Relaxation times of the lattice kinetic scheme. Its closed form relaxes the first moment with tau_1 and every other
 /// moment with tau_h; the paper's adjustable factor is tau_B = tau_h - tau_1.
 struct SoluteParameters {
-  double tau_1 = 1;  ///< of the first moment: 1/2 + 3 D (Eq. 19 with tau_1 = tau_h - tau_B)
-  double tau_h = 1;  ///< of all other moments
+  double tau_1 = 1;    ///< of the first moment: 1/2 + 3 D (Eq. 19 with tau_1 = tau_h - tau_B)
+  double tau_h = 1;    ///< of all other moments
+  double carried = 1;  ///< what the collision counts of the displacement (turning.hpp)
   double diffusivity() const { return (tau_1 - 0.5) / 3; }
   double tau_B() const { return tau_h - tau_1; }
 };
@@ -28,6 +29,10 @@ SoluteParameters solute_parameters(double D);
 
 /// Relaxation times for a diffusivity in lattice units and a chosen tau_h > 1/2 (paper Table 2). Throws InputError.
 SoluteParameters solute_parameters(double D, double tau_h);
+
+/// Those of the one step after which a step takes `stretch` times as many lattice steps (turning.hpp); of D2Q5 and a
+/// tau_h that follows from the diffusivity.
+SoluteParameters turning_parameters(const SoluteParameters& parameters, double stretch);
 
 /// Populations and concentration of one species on the fluid nodes.
 template <class T>

@@ -31,14 +31,20 @@ struct FluxRule {
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T out) const { return out + T(area[link] * flux); }
 };
 
-/// h_in = h*_in of the same node. What goes inwards from there may be turned (streaming.hpp).
+/// h_in = h*_in of the same node - (tau_1 - 1) w_q (C - C_before). What goes inwards from there may be turned
+/// (streaming.hpp).
 template <class T, class Set>
 struct SoluteOutflowRule {
   const T* h;
+  const T* C;
   Kokkos::View<const int*> source;
   int capacity, turned;
+  T slope;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T) const {
-    return h[turned ? source(q * capacity + i) : Set::opposite(q) * capacity + i];
+    const int arriving = source(q * capacity + i), before = arriving - q * capacity;
+    const T inward = h[turned ? arriving : Set::opposite(q) * capacity + i];
+    const bool fluid = before >= 0 && before < capacity;  // else a wall sends back what leaves
+    return fluid ? inward - T(Set::w(q)) * slope * (C[i] - C[before]) : inward;
   }
 };
 
@@ -71,7 +77,7 @@ struct DressSolutes {
     using Uniform = ConcentrationRule<T, Set, UniformSideConcentration>;
     using Profile = ConcentrationRule<T, Set, SideConcentrationProfile>;
     if (c.kind == Kind::outflow)
-      run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, source, capacity, c.turned}});
+      run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
     else if (c.kind == Kind::concentration)
       run(DressSolute<T, Uniform>{c, capacity, {{c.value}}});
     else if (c.kind == Kind::concentration_profile)
@@ -87,8 +93,17 @@ template <class T>
 SoluteCondition<T> condition(typename SoluteCondition<T>::Kind kind, const BoundaryLinks& links,
                              const SoluteFields<T>& s, const ScalarField<double>& gain, const double* part,
                              double value) {
-  return {kind, links.count, links.fluid.data(), links.direction.data(), gain.data(), s.h.data(), s.turned,
-          part, value};
+  return {kind,
+          links.count,
+          links.fluid.data(),
+          links.direction.data(),
+          gain.data(),
+          s.h.data(),
+          s.turned,
+          part,
+          value,
+          s.C.data(),
+          0};
 }
 
 }  // namespace
@@ -112,9 +127,11 @@ SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<
 }
 
 template <class T>
-SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteFields<T>& s,
-                                     const ScalarField<double>& gain) {
-  return condition(SoluteCondition<T>::Kind::outflow, links, s, gain, nullptr, 0);
+SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
+                                     const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  SoluteCondition<T> made = condition(SoluteCondition<T>::Kind::outflow, links, s, gain, nullptr, 0);
+  made.slope = static_cast<T>(parameters.tau_1 - 1);
+  return made;
 }
 
 template <class Set, class T>
@@ -141,16 +158,16 @@ bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& l
   return narrow > 0;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                  \
-  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&, \
-                                                      const ScalarField<double>&);                          \
-  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, const ScalarField<double>&,     \
-                                                      const SoluteFields<T>&, const ScalarField<double>&);  \
-  template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,      \
-                                             const SoluteFields<T>&, const ScalarField<double>&);           \
-  template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteFields<T>&,               \
-                                                const ScalarField<double>&);                                \
-  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);     \
+#define VUG_INSTANTIATE(T)                                                                                             \
+  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&,            \
+                                                      const ScalarField<double>&);                                     \
+  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, const ScalarField<double>&,                \
+                                                      const SoluteFields<T>&, const ScalarField<double>&);             \
+  template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,                 \
+                                             const SoluteFields<T>&, const ScalarField<double>&);                      \
+  template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteParameters&, const SoluteFields<T>&, \
+                                                const ScalarField<double>&);                                           \
+  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);                \
   template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

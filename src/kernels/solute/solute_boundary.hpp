@@ -21,6 +21,8 @@ struct SoluteCondition {
   int turned = 0;                           ///< (streaming.hpp)
   const double* part = nullptr;             ///< (link) concentration of a profile, area of a flux
   double value = 0;
+  const T* C = nullptr;  ///< (fluid) concentrations
+  T slope = 0;           ///< tau_1 - 1
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population.
@@ -38,10 +40,12 @@ template <class T>
 SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<double>& area, double flux,
                                   const SoluteFields<T>& s, const ScalarField<double>& gain);
 
-/// Outflow without gradient: h_in = the node's own population of the incoming direction.
+/// Outflow without gradient: h_in = the node's own population of the incoming direction, less what it diffuses,
+/// (tau_1 - 1) w_q times the rise of C from the node before: at the node the gradient is half of that, beyond it none,
+/// and the population and the one that leaves are both short of it.
 template <class T>
-SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteFields<T>& s,
-                                     const ScalarField<double>& gain);
+SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
+                                     const SoluteFields<T>& s, const ScalarField<double>& gain);
 
 /// Dresses the links of all stretches, no link of which is in two, of any number of species: one launch; where fluid is
 /// `narrow` one for each stretch, in their order.

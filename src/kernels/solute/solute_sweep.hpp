@@ -167,7 +167,8 @@ void visit_slots(const FluidNodes& nodes, const SoluteFields<T>& s, const Visit&
 /// The sweep of a species.
 template <class Set, class T, class Slots, class Flow>
 SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SoluteParameters& p, const SoluteFields<T>& s,
-                                              const Flow& flow) {
+                                              Flow flow) {
+  if constexpr (Flow::moves) flow.u.steps *= static_cast<T>(p.carried);
   return {slots, s.h, s.C, SoluteCollision<T, Set>(p), flow};
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+// How fast the fluid's force on the triangles changes.
+#include "kernels/base/base.hpp"
+
+#include <optional>
+
+namespace vug {
+
+struct ForceChange {
+  double change = 0;  ///< largest |F - before|
+  double force = 0;   ///< largest |F|
+};
+
+/// Over the triangles, or those listed in `only`; before (triangle, axis) is F afterwards. Waits for the device.
+ForceChange largest_force_change(const Exec& exec, const VectorField<double>& force, const VectorField<double>& before,
+                                 const std::optional<IndexList>& only);
+
+}  // namespace vug

@@ -1,0 +1,86 @@
+// How long an interval may be, and what a case says of it.
+#include "coupling/interval_chooser.hpp"
+#include "coupling/simulation.hpp"
+#include "kernels/base/require.hpp"
+
+#include <gtest/gtest.h>
+
+namespace vug {
+namespace {
+
+TEST(NextInterval, DoublesWhereThereIsRoomAndShrinksAtOnce) {
+  EXPECT_EQ(next_interval(1, 16, 1e-4, 1e-3), 2);
+  EXPECT_EQ(next_interval(4, 16, 1e-4, 1e-3), 4) << "8 steps would change it by 0.8 of what is allowed";
+  EXPECT_EQ(next_interval(8, 16, 1e-4, 1e-3), 8) << "no back and forth";
+  EXPECT_EQ(next_interval(16, 16, 1e-4, 1e-3), 8);
+  EXPECT_EQ(next_interval(16, 16, 1e-3, 1e-3), 1);
+  EXPECT_EQ(next_interval(16, 16, 1, 1e-3), 1) << "never less than a step";
+  EXPECT_EQ(next_interval(16, 16, 0, 1e-3), 16);
+  EXPECT_EQ(next_interval(8, 16, 0, 1e-3), 16);
+  EXPECT_EQ(next_interval(16, 4, 0, 1e-3), 4) << "no longer than is stable";
+  EXPECT_EQ(next_interval(16, 16, NAN, 1e-3), 1) << "what is not known is not held";
+}
+
+TEST(ShareOf, IsAllWhereThereIsNothingYet) {
+  EXPECT_EQ(share_of(0, 0), 1);
+  EXPECT_EQ(share_of(1, 4), 0.25);
+}
+
+TEST(LongestIntervals, ArePowersOfTwoThatEndWithALook) {
+  AccuracySection accuracy;
+  accuracy.heat_interval = 7;
+  accuracy.solute_interval = 200;
+  accuracy.wall_interval = 1000;
+  accuracy.exchange_interval = 3;
+  accuracy.update_interval = 1;
+  EXPECT_EQ(longest_intervals(accuracy), (Intervals{4, 128, 512, 2, 1}));
+}
+
+const std::string warm_slab =
+    "[lattice]\nsize = [24, 8]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 1600\n"
+    "[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [16, 0]\nto = [24, 8]\n"
+    "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.2\ninitial_temperature = 300\n";
+
+/// No longer than the relaxation times bear, each below 3.5: 3 n 0.2 <= 3.
+TEST(LongestIntervals, AreStable) {
+  Intervals most{16, 16, 16, 16, 16};
+  const Simulation simulation(parse_scene(warm_slab + "[accuracy]\ntolerance = 1e-3\n", "slab.toml"));
+  for (const auto& module : simulation.parts().modules) module->bound(0, most);
+  EXPECT_EQ(most.heat, 4);
+  most.heat = 16;
+  const Simulation d2q9(
+      parse_scene(warm_slab + "velocity_set = \"d2q9\"\n[accuracy]\ntolerance = 1e-3\n", "slab.toml"));
+  for (const auto& module : d2q9.parts().modules) module->bound(0, most);
+  EXPECT_EQ(most.heat, 1) << "steps of D2Q9 stay as long as they are";
+}
+
+const std::string dissolving =
+    "[lattice]\nsize = [24, 8]\nspacing = 1\ntime_step = 1\n"
+    "[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [16, 0]\nto = [24, 8]\n"
+    "[solute]\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\ninitial = 1\n"
+    "[reaction]\nreactant = \"A\"\nrate_constant = 0.05\nmolar_volume = 0.02\n";
+
+TEST(Tolerance, ChoosesTheIntervalsOrHowFastTheRockAges) {
+  const auto accuracy = [](const std::string& text) { return parse_scene(text, "case.toml").accuracy; };
+  const AccuracySection heat = accuracy(warm_slab + "[accuracy]\ntolerance = 1e-3\nheat_interval = 4\n");
+  EXPECT_TRUE(heat.chooses_intervals());
+  EXPECT_EQ(heat.heat_interval, 4) << "the longest";
+  EXPECT_EQ(heat.exchange_interval, 16);
+  EXPECT_EQ(heat.precision, Precision::double_precision);
+  EXPECT_EQ(accuracy(warm_slab + "[accuracy]\ntolerance = 1e-2\n").precision, Precision::single_precision);
+  EXPECT_EQ(accuracy(warm_slab + "[accuracy]\ntolerance = 1e-2\npreset = \"balanced\"\n").precision,
+            Precision::double_precision);
+
+  const AccuracySection ages = accuracy(dissolving + "[time]\nend = 1600\n[accuracy]\ntolerance = 1e-3\n");
+  EXPECT_FALSE(ages.chooses_intervals());
+  EXPECT_EQ(ages.dissolution_tolerance, 1e-3);
+  EXPECT_EQ(ages.solute_interval, 2) << "of its preset";
+  const std::string steps = dissolving + "[time]\nsteps = 1600\n[accuracy]\ntolerance = 1e-3\n";
+  EXPECT_TRUE(accuracy(steps).chooses_intervals()) << "lattice steps are asked for";
+  EXPECT_TRUE(accuracy(dissolving + "[time]\nend = 1600\n[accuracy]\ntolerance = 1e-3\ndissolution_factor = 10\n")
+                  .chooses_intervals());
+  EXPECT_THROW(accuracy(warm_slab + "[accuracy]\ntolerance = 0.5\n"), InputError);
+}
+
+}  // namespace
+}  // namespace vug
