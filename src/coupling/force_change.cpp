@@ -1,17 +1,12 @@
 #include "coupling/force_change.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 namespace vug {
 
 namespace {
 
 struct ChangeOfForce {
   VectorField<double> force, before;
-  IndexList only;
-  bool all;
-  KOKKOS_FUNCTION void operator()(int item, double& change, double& most) const {
-    const int i = all ? item : only(item);
+  KOKKOS_FUNCTION void operator()(int i, double& change, double& most) const {
     const double x = force(i, 0), y = force(i, 1);
     change = Kokkos::max(change, Kokkos::hypot(x - before(i, 0), y - before(i, 1)));
     most = Kokkos::max(most, Kokkos::hypot(x, y));
@@ -22,14 +17,14 @@ struct ChangeOfForce {
 
 }  // namespace
 
-ForceChange largest_force_change(const Exec& exec, const VectorField<double>& force, const VectorField<double>& before,
-                                 const std::optional<IndexList>& only) {
+ForceChange largest_force_change(const Exec& exec, const VectorField<double>& force,
+                                 const VectorField<double>& before) {
   ForceChange found;
-  const int count = static_cast<int>(only ? only->extent(0) : force.extent(0));
+  const int count = static_cast<int>(force.extent(0));
+  if (count == 0) return found;
   Kokkos::parallel_reduce("vug::mechanics::force_change", Kokkos::RangePolicy<Exec>(exec, 0, count),
-                          ChangeOfForce{force, before, only.value_or(IndexList()), !only},
-                          Kokkos::Max<double>(found.change), Kokkos::Max<double>(found.force));
-  if (count == 0) return {};
+                          ChangeOfForce{force, before}, Kokkos::Max<double>(found.change),
+                          Kokkos::Max<double>(found.force));
   return found;
 }
 

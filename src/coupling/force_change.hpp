@@ -2,8 +2,6 @@
 // How fast the fluid's force on the triangles changes.
 #include "kernels/base/base.hpp"
 
-#include <optional>
-
 namespace vug {
 
 struct ForceChange {
@@ -11,8 +9,7 @@ struct ForceChange {
   double force = 0;   ///< largest |F|
 };
 
-/// Over the triangles, or those listed in `only`; before (triangle, axis) is F afterwards. Waits for the device.
-ForceChange largest_force_change(const Exec& exec, const VectorField<double>& force, const VectorField<double>& before,
-                                 const std::optional<IndexList>& only);
+/// Over all triangles; before (triangle, axis) is F afterwards. Waits for the device.
+ForceChange largest_force_change(const Exec& exec, const VectorField<double>& force, const VectorField<double>& before);
 
 }  // namespace vug

@@ -220,9 +220,9 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
 template <class T>
 void MechanicsModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
   if (!flow_) return;
-  const ForceChange ours = largest_force_change(exec, mechanics_.particles().force, watched_, our_triangles_);
-  const Ranks& ranks = geometry_.split.ranks();
-  changes.force = share_of(ranks.most(ours.change), ranks.most(ours.force));
+  mechanics_.make_whole(exec);
+  const ForceChange seen = largest_force_change(exec, mechanics_.particles().force, watched_);
+  changes.force = share_of(seen.change, seen.force);
 }
 
 template <class T>

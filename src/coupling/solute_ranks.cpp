@@ -48,6 +48,7 @@ void SoluteModule<T, Set>::gather(const Exec& exec) {
     if (s.fields.turned) exchange(exec, s.fields);
     split.make_whole(nodes, s.fields.h, Set::Q, fluid.capacity);
     split.make_whole(nodes, s.fields.C);
+    if (s.watched.extent(0) > 0) split.make_whole(nodes, s.watched);
     gather_sums(s);
   }
 }

@@ -125,7 +125,7 @@ Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const
   row(first_row() - 1, 1);
   row(first_row() + own_rows(), -1);
   for (const int n : nodes)
-    for (int q = 1; q < directions; ++q) needed.push_back(q * lattice.size() + n);
+    for (int q = 0; q < directions; ++q) needed.push_back(q * lattice.size() + n);
   sort_once(needed);
   const auto owner_of_slot = [&](int slot) { return rows_.part_of(lattice.y(slot % lattice.size())); };
   std::erase_if(needed, [&](int slot) { return owner_of_slot(slot) == ranks_.rank(); });
