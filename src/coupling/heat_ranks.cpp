@@ -30,8 +30,7 @@ void HeatModule<T>::find_halos() {
     const auto direction = on_host(opening.links.direction);
     for (int link = 0; link < opening.links.count; ++link) {
       nodes.push_back(node(link));
-      const int before = node(link) - lattice.offset(direction(link));
-      if (lattice.inside(lattice.x(before), lattice.y(before))) nodes.push_back(before);
+      if (const int before = node_before(lattice, node(link), direction(link)); before >= 0) nodes.push_back(before);
     }
   }
   populations_ = split.dense(lattice, directions(), periodic_[1], nodes);

@@ -71,8 +71,7 @@ struct FillSide {
     const int plane = lattice.size(), back = Set::opposite(q);
     SideLink<T> link{leaving(item, node, q),   g(back * plane + node), static_cast<T>(Set::w(q)),
                      kinds.share(node, share), kinds.solid(node),      0};
-    if constexpr (Law::looks_inside)
-      link.slope = slope_from<T, Set>(kinds, g, lattice, node - lattice.offset(side.outward), node);
+    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, node, q);
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
@@ -109,7 +108,7 @@ struct FillOpening {
                      kinds.share(n, static_cast<T>(opening.area[item])),
                      kinds.solid(n),
                      0};
-    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, n - lattice.offset(q), n);
+    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, n, q);
     const T arriving = law(link);
     g(back * plane + opening.beyond[item]) = arriving;
     return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));

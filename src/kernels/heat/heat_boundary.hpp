@@ -17,6 +17,15 @@ enum class HeatCondition {
   outflow       ///< in = the node's own population of the same direction, less what it conducts: zero gradient
 };
 
+/// The node that an outflow through link q of a node looks back at: the one before it, or, where that is outside the
+/// lattice, the one before it along an axis; -1 without any.
+KOKKOS_FORCEINLINE_FUNCTION int node_before(const Lattice& lattice, int node, int q) {
+  const int x = lattice.x(node), y = lattice.y(node), dx = D2Q9::c(q, 0), dy = D2Q9::c(q, 1);
+  if (lattice.inside(x - dx, y - dy)) return node - lattice.offset(q);
+  if (dx != 0 && lattice.inside(x - dx, y)) return node - dx;
+  return dy != 0 && lattice.inside(x, y - dy) ? node - dy * lattice.pitch : -1;
+}
+
 /// A stretch of one side with a condition of its own, nodes [first, last] along the side.
 struct HeatSide {
   Side side = Side::left;

@@ -79,12 +79,11 @@ struct OutflowIn {
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const { return link.inward - link.weight * link.slope; }
 };
 
-/// SideLink::slope at a node with the node `before` it; none where that is outside or of another kind of matter.
+/// SideLink::slope at the link q of a node; none where the node before is of another kind of matter.
 template <class T, class Set, class Kinds>
-KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const Lattice& lattice, int before,
-                             int node) {
-  const bool inside = lattice.inside(lattice.x(before), lattice.y(before));
-  if (!inside || kinds.kind(before) != kinds.kind(node)) return 0;
+KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const Lattice& lattice, int node, int q) {
+  const int before = node_before(lattice, node, q);
+  if (before < 0 || kinds.kind(before) != kinds.kind(node)) return 0;
   const int plane = lattice.size();
   const T rise = sum_of_populations<Set, T>(&g(node), plane) - sum_of_populations<Set, T>(&g(before), plane);
   return (1 / kinds.rate(node) - 1) * rise;
