@@ -15,8 +15,8 @@ struct Turning {
 /// lattice steps. In a smooth field J = C U / stretch - tau grad C / 3 has arrived (D2Q5), and what leaves is to be
 /// what the longer steps would have left, J* = C U - (tau' - 1) grad C / 3 with tau' - 1/2 = stretch (tau - 1/2): then
 /// the flux goes on as it was, without a look at the gradient. The even moments, in arrival (a/2 + 1/4) X with
-/// a = tau - 1/2 and some second derivatives X, are to leave as (1/4 - a'/2) X with Lambda = 1/4: their rate is 2 - rate,
-/// as in an ordinary collision. At a stretch of 1 it is one, with 1 / tau and 1.
+/// a = tau - 1/2 and some second derivatives X, are to leave as (1/4 - a'/2) X with Lambda = 1/4: their rate is 2 -
+/// rate, as in an ordinary collision. At a stretch of 1 it is one, with 1 / tau and 1.
 inline Turning turning(double tau, double stretch) {
   if (stretch == 1) return {1 / tau, 1};
   const double next_tau = 0.5 + stretch * (tau - 0.5);
