@@ -132,7 +132,7 @@ std::vector<std::string> choice_notes(const Scene& scene) {
   if (scene.accuracy.chooses_intervals())
     return {
         fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] as the run goes; "
-                    "docs/accuracy.md has what that gained and cost on the paper's rock",
+                    "docs/tuning.md has what that gained and cost",
                     scene.accuracy.tolerance)};
   for (const MeasuredChoice& choice : measured_choices())
     if (choice.made(scene))

@@ -73,6 +73,11 @@ Twins finer_twins(const Scene& scene) {
   const auto halve = [&](const char* key, int interval) {
     if (interval > 1) change.push_back(fmt::format("accuracy.{}={}", key, interval / 2));
   };
+  if (accuracy.chooses_intervals())  // halves them all
+    return {
+        0,
+        {{"error_bars/finer", override_scene(scene, {fmt::format("accuracy.tolerance={:.17g}", accuracy.tolerance / 2),
+                                                     "accuracy.precision=\"double\""})}}};
   halve("update_interval", accuracy.update_interval);
   halve("wall_interval", accuracy.wall_interval);
   halve("heat_interval", accuracy.heat_interval);

@@ -7,7 +7,6 @@
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/heat_sums.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/scalar/turning.hpp"
 
 #include <fmt/format.h>
 
@@ -170,20 +169,6 @@ void HeatModule<T>::set_values(double time) {
 }
 
 template <class T>
-void HeatModule<T>::set_interval(int interval) {
-  interval_ = interval;
-  if (carrier_) flow_->set_interval(*carrier_, interval);
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    sides_[s].value = value_of(stretches_[s].conditions.heat, 0);
-    sides_[s].transfer = transfer_of(stretches_[s].conditions.heat);
-  }
-  for (std::size_t o = 0; o < openings_.size(); ++o) {
-    openings_[o].value = value_of(geometry_.openings[o].conditions.heat, 0);
-    openings_[o].transfer = transfer_of(geometry_.openings[o].conditions.heat);
-  }
-}
-
-template <class T>
 double HeatModule<T>::energy() const {
   ScalarField<double> partial("vug::heat::partial", geometry_.lattice.ny);
   add_heat_energy(Exec{}, fields_, partial);
@@ -239,16 +224,12 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   fill_heat_sides<T>(exec, fields_, sides_);
   const double stretch = static_cast<double>(next_interval_) / interval_;
-  const HeatParameters now = parameters();
-  if (stretch != 1) {
-    set_heat_rates(now, stretch, fields_);
-    set_interval(next_interval_);
-  }
+  const double carried = stretch == 1 ? 1 : turn(stretch);
   fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);
   const ScalarField<T> theta = fresh_ ? theta_ : ScalarField<T>();
   if (carrier_) {
     Displacement<T> u = carrier_->displacement();
-    u.steps *= static_cast<T>(turning(0.5 + now.fluid_diffusivity / c_s2, stretch).carried);
+    u.steps *= static_cast<T>(carried);
     conduct_and_advect(exec, geometry_.fluid, rows_, u, carrier_->e, lagged_, fields_, created_.recent(), theta);
   } else {
     conduct(exec, fields_, theta);
@@ -299,43 +280,6 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
       clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), margin,
       extremes.lowest + units_.reference_temperature, extremes.highest + units_.reference_temperature,
       extremes.not_finite));
-}
-
-template <class T>
-void HeatModule<T>::bound(std::optional<double> speed, Intervals& most) const {
-  double taken = carrier_ ? speed.value_or(fastest_) / longest_way
-                          : 0;  // by one lattice step, of what a heat step may take at most
-  const auto take = [&](double diffusivity) {
-    taken = std::max(taken, 3 * diffusivity / units_.diffusivity() / (largest_relaxation_time - 0.5));
-  };
-  take(section_.fluid_diffusivity);
-  take(section_.solid_diffusivity);
-  for (const Mineral& mineral : minerals_) take(mineral.diffusivity);
-  while (most.heat > 1 && (!adapts() || most.heat * taken > 1)) most.heat /= 2;
-}
-
-template <class T>
-void HeatModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
-  const ScalarField<double> change("vug::heat::change", geometry_.lattice.ny),
-      amount("vug::heat::amount", geometry_.lattice.ny);
-  add_temperature_change(exec, fields_, watched_, change, amount);
-  const Split& split = geometry_.split;
-  for (const ScalarField<double>& sums : {change, amount})
-    if (!split.alone()) split.make_whole(split.of_rows(), sums);
-  changes.heat = share_of(sum_in_order(change), sum_in_order(amount));
-}
-
-template <class T>
-void HeatModule<T>::take(const Exec&, const Intervals& intervals) {
-  next_interval_ = intervals.heat;
-  update_interval_ = intervals.update;
-}
-
-template <class T>
-void HeatModule<T>::resume(const Exec& exec, const Intervals& intervals) {
-  take(exec, intervals);
-  set_interval(intervals.heat);
-  set_heat_rates(parameters(), 1, fields_);
 }
 
 template <class T>

@@ -68,8 +68,9 @@ class HeatModule final : public Module {
   void set_values(double time);
   /// From the streaming that follows on, steps take so many lattice steps.
   void set_interval(int interval);
-  /// Whether steps may come to take more lattice steps.
-  bool adapts() const { return section_.velocity_set == ScalarVelocitySet::d2q5; }
+  /// The same in the step that follows, of which the collision turns the populations over; what it counts of the
+  /// displacement (turning.hpp).
+  double turn(double stretch);
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
   /// A mineral as the case gives it.

@@ -24,12 +24,12 @@ IntervalChooser::IntervalChooser(const Scene& scene, const Intervals& most, cons
     : most_(most), safe_(safe) {
   const double share = scene.accuracy.tolerance;
   const bool heat = scene.heat.has_value(), rock = scene.mechanics.has_value(), walls = scene.reaction.has_value();
-  const auto warmth_and_solid = [](const Changes& c) { return std::max(c.heat, c.solid); };
+  const auto at_walls = [](const Changes& c) { return std::max({c.heat, c.solute, c.solid}); };
   rules_ = {{"heat", &Intervals::heat, heat, 4 * share, [](const Changes& c) { return c.heat; }},
             {"solute", &Intervals::solute, scene.solute.has_value(), share, [](const Changes& c) { return c.solute; }},
-            {"wall", &Intervals::wall, walls, std::sqrt(share), warmth_and_solid},
+            {"wall", &Intervals::wall, walls, std::sqrt(share), at_walls},
             {"exchange", &Intervals::exchange, rock && scene.flow, 4 * share, [](const Changes& c) { return c.force; }},
-            {"update", &Intervals::update, walls || rock, 16 * share, warmth_and_solid}};
+            {"update", &Intervals::update, walls || rock, 8 * share, at_walls}};
   std::erase_if(rules_, [](const Rule& rule) { return !rule.there; });
 }
 

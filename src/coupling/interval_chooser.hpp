@@ -12,10 +12,10 @@ Intervals longest_intervals(const AccuracySection& accuracy);
 
 /// Chooses from how fast things change. What is held lags by half an interval in the mean, and what reacts is booked
 /// ahead by as much: so within an interval of the solutes nothing of them changes by more than the tolerance's share of
-/// itself, and no interval is longer than that share of the time gone by. Others cost less per share
-/// (docs/accuracy.md): heat and force may change by four times as much, what waits for the next look at the rock by
-/// sixteen times. Normals and rates of walls are set for the middle of their interval, which leaves the square of the
-/// share. The same on any number of threads and ranks.
+/// itself, and no interval is longer than that share of the time gone by. Others cost less per share (docs/model.md):
+/// heat and force may change by four times as much, what waits for the next look at the rock by eight times. Normals
+/// and rates of walls are set for the middle of their interval, which leaves the square of the share. The same on any
+/// number of threads and ranks.
 class IntervalChooser {
  public:
   /// Lattice steps between looks.

@@ -18,6 +18,13 @@ struct Changes {
   std::optional<double> speed{};  ///< that the fluid will not exceed before the next look, lattice units
 };
 
+/// The longest interval of at most `most`, a power of two, that is stable where a lattice step takes this share of what
+/// a step may take.
+inline int stable_interval(int most, double taken) {
+  while (most > 1 && most * taken > 1) most /= 2;
+  return most;
+}
+
 /// The share of itself by which something changed, 1 where it is only about to begin.
 inline double share_of(double change, double amount) {
   return amount > 0 ? change / amount : 1;

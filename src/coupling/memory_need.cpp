@@ -27,7 +27,8 @@ double bytes_of_lattice(const Scene& scene) {
   if (!scene.minerals.empty()) per_node += 1;                 // number
   if (!scene.minerals.empty() && scene.reaction)              // what each reactant has taken
     per_node += sizeof(double) * (1 + static_cast<double>(scene.reaction->further.size()));
-  if (scene.heat) per_node += number * directions(scene.heat->velocity_set);  // populations
+  const double watched = scene.accuracy.chooses_intervals() ? 1 : 0;  // of each scalar, at the last look
+  if (scene.heat) per_node += number * (directions(scene.heat->velocity_set) + watched);  // populations
   const double area = scene.lattice.length_x * scene.lattice.length_y;
   return per_node * nodes + (scene.rock ? bytes_of_triangles(*scene.rock, area) : 0);
 }
@@ -43,7 +44,8 @@ double bytes_of_fluid(const Scene& scene, double count) {
   if (scene.flow) per_node += number * (9 + 2);                   // populations, velocity
   if (scene.solute)
     per_node += number * static_cast<double>(scene.solute->species.size()) *
-                (directions(scene.solute->velocity_set) + 1);  // populations, concentration
+                (directions(scene.solute->velocity_set) + 1 +  // populations, concentration
+                 (scene.accuracy.chooses_intervals() ? 1 : 0));
   return per_node * count;
 }
 

@@ -234,38 +234,6 @@ void ReactionModule<T, Set>::fields(FieldList& list) const {
 }
 
 template <class T, class Set>
-void ReactionModule<T, Set>::bound(std::optional<double>, Intervals& most) const {
-  if (section_.wall != ReactiveWallLaw::kinetic) most.solute = 1;  // the paper's law knows one diffusivity
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) {
-  gather_links();
-  for (Attack<T>& attack : attacks_) {  // acid that a step of the solutes turns over is booked at its beginning
-    const double reacted = consumed(attack);
-    changes.solute = std::max(changes.solute, share_of(reacted - attack.watched, solutes_.total(*attack.reactant)));
-    attack.watched = reacted;
-  }
-  if (!dissolves_) return;
-  const double paid = this->paid();
-  changes.solid = share_of(paid - watched_, paid);
-  watched_ = paid;
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::take(const Exec& exec, const Intervals& intervals) {
-  if (intervals.solute != solute_interval_) refreshed_ = -1;  // a trend of rates over another interval is none
-  resume(exec, intervals);
-}
-
-template <class T, class Set>
-void ReactionModule<T, Set>::resume(const Exec&, const Intervals& intervals) {
-  wall_interval_ = intervals.wall;
-  solute_interval_ = intervals.solute;
-  for (Attack<T>& attack : attacks_) set_volumes(attack);  // with the rates of minerals
-}
-
-template <class T, class Set>
 void ReactionModule<T, Set>::state(StateList& list) {
   list.add("reaction/volume", geometry_.volume);
   list.add("reaction/dissolved", geometry_.dissolved);

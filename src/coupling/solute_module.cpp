@@ -24,9 +24,6 @@ namespace {
 constexpr double runaway_factor = 100;
 // What a flux puts into a closed space has no bound; this is so many times what it keeps up across the lattice.
 constexpr double growth_with_flux = 1000;
-// The most cells that the fluid may go in a step, nothing faster was tried, and the largest diffusivity
-// (docs/stability.md).
-constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_solutes = 1;
 
 }  // namespace
 
@@ -72,12 +69,6 @@ template <class T, class Set>
 SoluteParameters SoluteModule<T, Set>::parameters_of(const Species& species) const {
   const double D = interval_ * species.diffusivity / units_.diffusivity();
   return section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::set_interval(int interval) {
-  interval_ = interval;
-  if (carrier_) flow_->set_interval(*carrier_, interval);
 }
 
 template <class T, class Set>
@@ -142,15 +133,10 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   }
   for (const SpeciesState<T>& s : species_) before_outflow_.template exchange<T, 1>(exec, {s.fields.C});
   dress<Set, T>(exec, fluid, conditions_, narrow_);
-  if (next_interval_ != interval_) {
-    const double stretch = static_cast<double>(next_interval_) / interval_;
-    for (SpeciesState<T>& s : species_) s.parameters = turning_parameters(s.parameters, stretch);
-    set_interval(next_interval_);
+  if (next_interval_ == interval_)
     sweep(exec);
-    for (SpeciesState<T>& s : species_) s.parameters = parameters_of(s.section);
-    return;  // faces exchange nothing
-  }
-  sweep(exec);
+  else
+    turn(exec);
   if (excess_)
     for (const SpeciesState<T>& s : species_) {
       neighbours_.template exchange<T, 1>(exec, {s.fields.C});
@@ -275,39 +261,6 @@ void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
     balance.gains.push_back({"births", mol * sum_in_order(s.created)});
     balance.gains.push_back({"advective_form", mol * s.correction.total()});
   }
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::bound(std::optional<double> speed, Intervals& most) const {
-  double taken =
-      carrier_ ? speed.value_or(fastest_) / longest_way_of_solutes : 0;  // by one lattice step, of what a step may take
-  for (const SpeciesState<T>& s : species_)
-    taken = std::max(taken, s.section.diffusivity / units_.diffusivity() / largest_diffusivity_of_solutes);
-  while (most.solute > 1 && (!adapts() || most.solute * taken > 1)) most.solute /= 2;
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::watch(const Exec& exec, const Clock&, Changes& changes) {
-  const FluidNodes& fluid = geometry_.fluid;
-  for (const SpeciesState<T>& s : species_) {
-    const ScalarField<double> change("vug::solute::change", block_count(fluid.capacity));
-    add_change<T>(exec, fluid, s.fields.C, compared_, s.watched, change);
-    geometry_.split.make_whole(geometry_.split.of_blocks(), change);
-    changes.solute = std::max(changes.solute, share_of(sum_in_order(change), total(s)));
-  }
-  compared_ = fluid.count;
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::take(const Exec&, const Intervals& intervals) {
-  next_interval_ = intervals.solute;
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::resume(const Exec& exec, const Intervals& intervals) {
-  take(exec, intervals);
-  set_interval(intervals.solute);
-  for (SpeciesState<T>& s : species_) s.parameters = parameters_of(s.section);
 }
 
 template <class T, class Set>

@@ -38,6 +38,10 @@ struct ReactingSpecies {
   SpeciesState<T>* product = nullptr;
 };
 
+/// The most cells that the fluid may go in a step, nothing faster was tried, and the largest diffusivity
+/// (docs/stability.md).
+inline constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_solutes = 1;
+
 /// Owns the populations of all species. `flow` may be null: diffusion only. Steps every accuracy.solute_interval
 /// lattice steps, with diffusivity, velocity and rate constant times that number.
 template <class T, class Set>
@@ -62,8 +66,6 @@ class SoluteModule final : public Module {
   void state(StateList& list) override;
 
   bool due(const Clock& clock) const { return clock.every(interval_); }
-  /// Lattice steps that the next streaming takes.
-  int interval() const { return next_interval_; }
   /// Of all ranks' nodes, lattice units.
   double total(const SpeciesState<T>& s) const;
   /// State of the species of that name.
@@ -79,8 +81,8 @@ class SoluteModule final : public Module {
   SoluteParameters parameters_of(const Species& species) const;
   /// From the streaming that follows on, steps take so many lattice steps.
   void set_interval(int interval);
-  /// Whether steps may come to take more lattice steps.
-  bool adapts() const { return Set::Q == D2Q5::Q && !section_.relaxation_time && !section_.face_exchange; }
+  /// A sweep of which the collision turns the populations over to steps of another length (turning.hpp).
+  void turn(const Exec& exec);
   /// Sweeps of all species, and their reaction.
   void sweep(const Exec& exec);
   /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.

@@ -11,7 +11,9 @@ template <class T, class Set>
 void SoluteModule<T, Set>::find_halos() {
   populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
   if (excess_) neighbours_ = geometry_.split.around(geometry_.fluid, {});
-  if (!geometry_.split.alone()) before_outflow_ = geometry_.split.slots(geometry_.fluid, nodes_before_outflow());
+  if (geometry_.split.alone()) return;
+  const std::vector<int> nodes = nodes_before_outflow();  // the same on all ranks
+  before_outflow_ = nodes.empty() ? Halo() : geometry_.split.slots(geometry_.fluid, nodes);
 }
 
 template <class T, class Set>

@@ -134,6 +134,7 @@ class Pilots {
  private:
   Scene scene_of(const std::vector<std::size_t>& rungs) const {
     std::vector<std::string> overrides;
+    if (scene_.accuracy.tolerance > 0) overrides.push_back("accuracy.tolerance=0");  // rungs are no longest intervals
     for (std::size_t s = 0; s < settings_.size(); ++s)
       if (rungs[s] != as_in_case) overrides.push_back(settings_[s].key + "=" + settings_[s].rungs[rungs[s]]);
     return override_scene(scene_, overrides);

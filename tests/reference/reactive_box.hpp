@@ -10,6 +10,7 @@
 #include "support/host_copy.hpp"
 
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -153,5 +154,18 @@ struct ReactiveBox {
     return dense;
   }
 };
+
+/// Concentrations between 0 and 1 at random, at rest.
+template <class Set, class T>
+void set_random(ReactiveBox<Set, T>& box) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  test::edit(box.acid.h, [&](const auto& h) {
+    for (int i = 0; i < box.nodes.count; ++i) {
+      const double C = uniform(random);
+      for (int q = 0; q < Set::Q; ++q) h(q * box.nodes.capacity + i) = static_cast<T>(Set::w(q) * C);
+    }
+  });
+}
 
 }  // namespace vug::reference

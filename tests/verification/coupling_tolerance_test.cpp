@@ -1,7 +1,6 @@
 // accuracy.tolerance: runs with intervals that are chosen as they go, held against runs in which every step is taken.
-#include "coupling/simulation.hpp"
 #include "coupling/tuning.hpp"
-#include "io/override_scene.hpp"
+#include "support/rows.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,25 +12,9 @@
 namespace vug {
 namespace {
 
-constexpr int steps_of_a_row = 128;
-
 /// Rows at every look.
 History run(const Scene& scene, int steps) {
-  Simulation simulation(scene);
-  simulation.begin();
-  History history;
-  for (int step = 0;; ++step) {
-    if (step % steps_of_a_row == 0) {
-      const std::vector<HistoryValue> row = simulation.history();
-      if (step == 0) history.values.resize(row.size());
-      for (std::size_t c = 0; c < row.size(); ++c) {
-        if (step == 0) history.names.push_back(row[c].name);
-        history.values[c].push_back(row[c].value);
-      }
-    }
-    if (step == steps) return history;
-    simulation.step();
-  }
+  return test::rows_of(scene, steps, IntervalChooser::look_interval);
 }
 
 const std::vector<double>& column(const History& history, const std::string& name) {
@@ -57,6 +40,12 @@ const std::string slab =
     "[boundary.left]\nheat = { type = \"temperature\", temperature = 330 }\n"
     "solute = { type = \"concentration\", concentration = { A = 1 } }\n";
 
+/// The same through a layer of a mineral that holds and conducts heat in its own way.
+const std::string layers =
+    slab +
+    "[[mineral]]\nname = \"clay\"\nconductivity = 3e5\ndensity = 2000\nheat_capacity = 900\nmolar_volume = 0.02\n"
+    "rate_constant = 0.02\n[[mineral.shapes]]\ntype = \"rectangle\"\nfrom = [26, 0]\nto = [33, 8]\n";
+
 /// Hot acid that a flow carries past grains which react.
 const std::string grains =
     "[lattice]\nsize = [60, 24]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 100000\n"
@@ -81,7 +70,7 @@ double taken(const History& history, const std::string& name) {
 }
 
 TEST(Tolerance, HoldsWhatIsPromisedAndSavesStepsForIt) {
-  for (const auto& [name, scene] : {std::pair{"slab", slab}, std::pair{"grains", grains}}) {
+  for (const auto& [name, scene] : {std::pair{"slab", slab}, {"layers", layers}, {"grains", grains}}) {
     const History truth = run(parse_scene(scene + finest, "case.toml"), 6400);
     double before = 1.01;
     for (const double tolerance : {1e-4, 1e-3, 1e-2}) {

@@ -54,39 +54,6 @@ TEST(TwoSlabs, CarryTheSameFluxExactlyInTheSteadyState) {
   }
 }
 
-/// Temperature of a slab of thickness L after a time, from 0, when one face is held at 1 and nothing passes the other.
-double insulated_slab(double x, double L, double Fo) {
-  double theta = 1;
-  for (int n = 0; n < 40; ++n) {
-    const double k = (n + 0.5) * std::numbers::pi;
-    theta -= 2 / k * std::sin(k * x / L) * std::exp(-k * k * Fo);
-  }
-  return theta;
-}
-
-/// An outflow has no gradient, whatever the relaxation time: without a flow it is insulated.
-TEST(Outflow, ConductsNothing) {
-  const int n = 40;
-  for (const ScalarVelocitySet set : velocity_sets)
-    for (const double D : {0.02, 1.0 / 6, 0.8})
-      for (const Side side : {Side::right, Side::top}) {
-        const bool upright = side == Side::right;
-        HeatBox<double> box(
-            upright ? n : 3, upright ? 3 : n, {0.1, D, 2, set}, [](int, int) { return true; },
-            [](int, int) { return 0.0; }, {!upright, upright});
-        box.side(upright ? Side::left : Side::bottom, HeatCondition::temperature, 1);
-        box.side(side, HeatCondition::outflow, 0);
-        const int steps = static_cast<int>(std::lround(0.3 * n * n / D));
-        box.run(steps);
-        const std::vector<double> theta = box.theta();
-        double off = 0;
-        for (int i = 0; i < n; ++i)
-          off = std::max(off, std::abs(theta[upright ? i : 3 * i] - insulated_slab(i + 0.5, n, steps * D / (n * n))));
-        record("outflow_insulated", {{"D", D}, {"directions", set == ScalarVelocitySet::d2q5 ? 5 : 9}, {"off", off}});
-        EXPECT_LT(off, 1e-3) << "D " << D << ' ' << test::name_of(set);
-      }
-}
-
 /// Two layers in series, a given heat flux on one side and a given temperature on the other, on every side in turn and
 /// the fluid first: in the steady state the temperature falls by q / lambda per node in each layer.
 TEST(HeatedSlab, HasTheGradientOfItsFluxExactly) {

@@ -1,7 +1,6 @@
 // Advection and diffusion of a species away from reactive walls.
 #include "../reference/reactive_box.hpp"
 #include "kernels/scalar/advective_form.hpp"
-#include "support/dress_one.hpp"
 #include "support/host_copy.hpp"
 #include "support/record.hpp"
 
@@ -73,36 +72,6 @@ TEST(CarriedWave, IsOfSecondOrder) {
     }
     EXPECT_LT(q5[2], 1e-2);
     EXPECT_LT(q9[2], 1e-2);
-  }
-}
-
-/// An outflow has no gradient, whatever the relaxation time: without a flow nothing passes it (the series of a slab of
-/// which one face is given).
-TEST(SoluteOutflow, DiffusesNothing) {
-  const int n = 40;
-  for (const double D : {0.01, 1.0 / 6, 0.8}) {
-    ReactiveBox<D2Q5, double> box(n, 3, [](int, int) { return false; }, solute_parameters(D), 0, {false, true});
-    box.give_concentration(Side::left, [](int) { return 1.0; });
-    const BoundaryLinks out = find_boundary_links(box.exec, box.nodes, Side::right, 0, 2, D2Q5::Q);
-    const ScalarField<double> gain("gain", out.count);
-    const int steps = static_cast<int>(std::lround(0.3 * n * n / D));
-    for (int s = 0; s < steps; ++s) {
-      dress_outflow<D2Q5>(box.exec, box.nodes, out, box.parameters, box.acid, gain);
-      box.step();
-    }
-    const auto C = test::host_copy(box.acid.C);
-    const auto node = test::host_copy(box.nodes.node);
-    double off = 0;
-    for (int i = 0; i < box.nodes.count; ++i) {
-      double exact = 1;
-      for (int k = 0; k < 40; ++k) {
-        const double K = (k + 0.5) * std::numbers::pi;
-        exact -= 2 / K * std::sin(K * (box.lattice.x(node(i)) + 0.5) / n) * std::exp(-K * K * steps * D / (n * n));
-      }
-      off = std::max(off, std::abs(C(i) - exact));
-    }
-    test::record("solute_outflow_insulated", {{"D", D}, {"off", off}});
-    EXPECT_LT(off, 1e-3) << "D " << D;
   }
 }
 

@@ -1,9 +1,9 @@
 // Settings from a tolerance: what is promised of the chosen ones is found again by runs of their own.
 #include "coupling/tuning.hpp"
 
-#include "coupling/simulation.hpp"
 #include "io/override_scene.hpp"
 #include "kernels/base/require.hpp"
+#include "support/rows.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -52,21 +52,7 @@ Scene slab() {
 }
 
 History run(const Scene& scene, int steps) {
-  Simulation simulation(scene);
-  simulation.begin();
-  History history;
-  for (int step = 0;; ++step) {
-    if (step % 80 == 0) {
-      const std::vector<HistoryValue> row = simulation.history();
-      if (step == 0) history.values.resize(row.size());
-      for (std::size_t c = 0; c < row.size(); ++c) {
-        if (step == 0) history.names.push_back(row[c].name);
-        history.values[c].push_back(row[c].value);
-      }
-    }
-    if (step == steps) return history;
-    simulation.step();
-  }
+  return test::rows_of(scene, steps, 80);
 }
 
 Scene with(const Tuning& tuning, bool finest) {
@@ -118,6 +104,19 @@ TEST(Tuning, LeavesAloneWhatNoColumnShows) {
   const std::string text = to_text(tuning, options.tolerance);
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("\nheat_interval")));
   EXPECT_THAT(text, testing::HasSubstr("\nsolute_interval"));
+}
+
+/// Pilots have the intervals of their rungs, not longest ones: a tolerance in the case changes nothing but the case.
+TEST(Tuning, OfACaseWithAToleranceIsThatWithout) {
+  TuningOptions options;
+  options.tolerance = 1e-2;
+  options.steps = 400;
+  const Tuning without = tune(slab(), options);
+  const Tuning with = tune(override_scene(slab(), {"accuracy.tolerance=1e-2", "accuracy.preset=\"careful\""}), options);
+  EXPECT_EQ(with.error, without.error);
+  for (std::size_t s = 0; s < with.settings.size(); ++s)
+    EXPECT_EQ(with.settings[s].chosen, without.settings[s].chosen) << with.settings[s].setting.key;
+  EXPECT_LT(with.error_of_case, 1e-2) << "chosen as it goes";
 }
 
 TEST(Tuning, KnowsTheSettingsOfTheModulesThereAre) {

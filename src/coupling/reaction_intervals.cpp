@@ -1,0 +1,51 @@
+// The reactions where intervals are chosen as the run goes (accuracy.tolerance).
+#include "coupling/reaction_module.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+template <class T, class Set>
+void ReactionModule<T, Set>::bound(std::optional<double>, Intervals& most) const {
+  if (section_.wall != ReactiveWallLaw::kinetic) most.solute = 1;  // the paper's law knows one diffusivity
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) {
+  gather_links();
+  for (Attack<T>& attack : attacks_) {  // acid that a step of the solutes turns over is booked at its beginning
+    const double reacted = consumed(attack);
+    changes.solute = std::max(changes.solute, share_of(reacted - attack.watched, solutes_.total(*attack.reactant)));
+    attack.watched = reacted;
+  }
+  if (!dissolves_) return;
+  const double paid = this->paid();
+  changes.solid = share_of(paid - watched_, paid);
+  watched_ = paid;
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::take(const Exec& exec, const Intervals& intervals) {
+  if (intervals.solute != solute_interval_) refreshed_ = -1;  // a trend of rates over another interval is none
+  resume(exec, intervals);
+}
+
+template <class T, class Set>
+void ReactionModule<T, Set>::resume(const Exec&, const Intervals& intervals) {
+  wall_interval_ = intervals.wall;
+  solute_interval_ = intervals.solute;
+  for (Attack<T>& attack : attacks_) set_volumes(attack);  // with the rates of minerals
+}
+
+#define VUG_INSTANTIATE(T, Set)                                                         \
+  template void ReactionModule<T, Set>::bound(std::optional<double>, Intervals&) const; \
+  template void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes&);     \
+  template void ReactionModule<T, Set>::take(const Exec&, const Intervals&);            \
+  template void ReactionModule<T, Set>::resume(const Exec&, const Intervals&)
+VUG_INSTANTIATE(float, D2Q5);
+VUG_INSTANTIATE(float, D2Q9);
+VUG_INSTANTIATE(double, D2Q5);
+VUG_INSTANTIATE(double, D2Q9);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug

@@ -1,0 +1,77 @@
+// Heat and solutes at a side that they leave without gradient: where nothing flows it is insulated, whatever the
+// relaxation time.
+#include "../reference/reactive_box.hpp"
+#include "support/heat_box.hpp"
+#include "support/host_copy.hpp"
+#include "support/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vug {
+namespace {
+
+using reference::ReactiveBox;
+using test::HeatBox;
+using test::record;
+
+constexpr int n = 40;          // cells
+constexpr double Fo = 0.3;     // diffusion times of the slab
+constexpr double most = 1e-3;  // taking over the inward population as it is leaves 1e-2 to 4e-2
+
+/// A slab from 0, one face held at 1, nothing through the other: the series.
+double insulated_slab(double x, double time) {
+  double theta = 1;
+  for (int term = 0; term < 40; ++term) {
+    const double k = (term + 0.5) * std::numbers::pi;
+    theta -= 2 / k * std::sin(k * x / n) * std::exp(-k * k * time);
+  }
+  return theta;
+}
+
+TEST(Outflow, ConductsNothing) {
+  for (const ScalarVelocitySet set : test::velocity_sets)
+    for (const double D : {0.02, 1.0 / 6, 0.8})
+      for (const Side side : {Side::right, Side::top}) {
+        const bool upright = side == Side::right;
+        HeatBox<double> box(
+            upright ? n : 3, upright ? 3 : n, {0.1, D, 2, set}, [](int, int) { return true; },
+            [](int, int) { return 0.0; }, {!upright, upright});
+        box.side(upright ? Side::left : Side::bottom, HeatCondition::temperature, 1);
+        box.side(side, HeatCondition::outflow, 0);
+        const int steps = static_cast<int>(std::lround(Fo * n * n / D));
+        box.run(steps);
+        const std::vector<double> theta = box.theta();
+        double off = 0;
+        for (int i = 0; i < n; ++i)
+          off = std::max(off, std::abs(theta[upright ? i : 3 * i] - insulated_slab(i + 0.5, steps * D / (n * n))));
+        record("outflow_insulated", {{"D", D}, {"directions", set == ScalarVelocitySet::d2q5 ? 5 : 9}, {"off", off}});
+        EXPECT_LT(off, most) << "D " << D << ' ' << test::name_of(set);
+      }
+}
+
+TEST(Outflow, LetsNothingDiffuseOut) {
+  for (const double D : {0.01, 1.0 / 6, 0.8}) {
+    ReactiveBox<D2Q5, double> box(n, 3, [](int, int) { return false; }, solute_parameters(D), 0, {false, true});
+    box.give_concentration(Side::left, [](int) { return 1.0; });
+    const BoundaryLinks out = find_boundary_links(box.exec, box.nodes, Side::right, 0, 2, D2Q5::Q);
+    const ScalarField<double> gain("gain", out.count);
+    const int steps = static_cast<int>(std::lround(Fo * n * n / D));
+    for (int s = 0; s < steps; ++s) {
+      dress_outflow<D2Q5>(box.exec, box.nodes, out, box.parameters, box.acid, gain);
+      box.step();
+    }
+    const auto C = test::host_copy(box.acid.C);
+    const auto node = test::host_copy(box.nodes.node);
+    double off = 0;
+    for (int i = 0; i < box.nodes.count; ++i)
+      off = std::max(off, std::abs(C(i) - insulated_slab(box.lattice.x(node(i)) + 0.5, steps * D / (n * n))));
+    record("solute_outflow_insulated", {{"D", D}, {"off", off}});
+    EXPECT_LT(off, most) << "D " << D;
+  }
+}
+
+}  // namespace
+}  // namespace vug
