@@ -41,9 +41,12 @@ class IntervalChooser {
   void state(StateList& list);
 
  private:
+  // a name, since nvcc writes a member of this type with parentheses, of which GCC warns
+  using Interval = int Intervals::*;
+
   struct Rule {
     const char* name;
-    int Intervals::*interval;
+    Interval interval;
     bool there;                        ///< the scene has what it holds
     double allowed;                    ///< share by which that may change in an interval
     double (*change)(const Changes&);  ///< by which it has changed since the last look
