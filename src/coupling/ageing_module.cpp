@@ -90,7 +90,13 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 template <class T, class Set>
 void AgeingModule<T, Set>::gather(const Exec&) {
   const Split& split = geometry_.split;
-  for (const Watched& watched : watched_) split.make_whole(split.of_fluid(geometry_.fluid), watched.before);
+  for (const Watched& watched : watched_) split.bring(split.of_fluid(geometry_.fluid), watched.before);
+}
+
+template <class T, class Set>
+void AgeingModule<T, Set>::let_go() {
+  const Split& split = geometry_.split;
+  for (const Watched& watched : watched_) split.let_go(split.of_fluid(geometry_.fluid), watched.before, 1, 0, {});
 }
 
 template <class T, class Set>

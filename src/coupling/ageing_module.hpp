@@ -14,6 +14,7 @@ class AgeingModule final : public Ageing {
 
   void step(const Exec& exec, const Clock& clock) override;
   void gather(const Exec& exec) override;
+  void let_go() override;
   void births(const Exec& exec, const Births& births) override;
   void state(StateList& list) override;
 

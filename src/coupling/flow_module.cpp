@@ -4,6 +4,7 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/base/gas_constant.hpp"
+#include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/guards.hpp"
@@ -58,7 +59,8 @@ void FlowModule<T>::prepare_thermal_flow(const Exec& exec, const Scene& scene) {
   }
   buoyant_speed_ = std::sqrt(strength * range_.span());
   if (!section_.viscosity_varies()) return;
-  step_.spread = ScalarField<T>(Kokkos::view_alloc(exec, "vug::flow::spread"), geometry_.fluid.capacity);
+  const bool in_parts = !geometry_.split.alone();
+  step_.spread = zeros<ScalarField<T>>(exec, "vug::flow::spread", geometry_.fluid.capacity, in_parts);
   const double nu = units_.diffusivity();
   viscosity_.viscosity = section_.viscosity / nu;
   viscosity_.activation = section_.viscosity_activation_energy / gas_constant;

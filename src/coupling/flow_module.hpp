@@ -23,6 +23,7 @@ class FlowModule final : public Module {
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;
   void gather(const Exec& exec) override;
+  void let_go() override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -62,6 +63,9 @@ class FlowModule final : public Module {
   void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);
   void find_halos();
+  /// visit(owners, values, planes, stride, halos that bring some of them) of all that the ranks share out by nodes.
+  template <class Visit>
+  void visit_shares(const Visit& visit) const;
   /// Gives back what our last sweep left in slots of other ranks' nodes, and the other way round.
   void return_populations(const Exec& exec) const;
   /// That of all ranks' nodes; of populations that have been given back.

@@ -44,15 +44,27 @@ void FlowModule<T>::find_halos() {
 }
 
 template <class T>
+template <class Visit>
+void FlowModule<T>::visit_shares(const Visit& visit) const {
+  const FluidNodes& fluid = geometry_.fluid;
+  const Owners nodes = geometry_.split.of_fluid(fluid);
+  const ScalarField<T> f = fields_.f;
+  visit(nodes, f, D2Q9::Q, fluid.capacity, {&populations_, &dressed_, &around_});
+  for (const ScalarField<T>& u : components(fields_.u)) visit(nodes, u, 1, 0, {&velocities_});
+  for (const Carrier<T>& carrier : carriers_) visit(nodes, carrier.e, 1, 0, {&in_rows_});
+}
+
+template <class T>
 void FlowModule<T>::gather(const Exec& exec) {
   const Split& split = geometry_.split;
-  const FluidNodes& fluid = geometry_.fluid;
   return_populations(exec);
-  const Owners nodes = split.of_fluid(fluid);
-  split.make_whole(nodes, fields_.f, D2Q9::Q, fluid.capacity);
-  split.make_whole(nodes, fields_.u);
-  for (const Carrier<T>& carrier : carriers_) split.make_whole(nodes, carrier.e);
+  visit_shares(Bring{split});
   split.make_whole(split.of_blocks(), step_.limited);
+}
+
+template <class T>
+void FlowModule<T>::let_go() {
+  visit_shares(LetGo{geometry_.split});
 }
 
 template <class T>
@@ -88,6 +100,7 @@ FlowExtremes FlowModule<T>::extremes(const Exec& exec) const {
 #define VUG_INSTANTIATE(T)                                            \
   template void FlowModule<T>::find_halos();                          \
   template void FlowModule<T>::gather(const Exec&);                   \
+  template void FlowModule<T>::let_go();                              \
   template void FlowModule<T>::return_populations(const Exec&) const; \
   template double FlowModule<T>::sum_mass() const;                    \
   template double FlowModule<T>::mass() const;                        \

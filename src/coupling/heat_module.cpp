@@ -3,6 +3,7 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/base/host_and_device.hpp"
+#include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/heat_sums.hpp"
@@ -55,10 +56,10 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       fastest_(flow ? flow->largest_speed() : 0) {
   set_up_minerals(scene);
   fields_ = make_heat_fields<T>(exec, geometry.lattice, parameters(), geometry.type, periodic_, initial_theta_,
-                                !geometry.openings.empty(), geometry.mineral);
+                                !geometry.openings.empty(), geometry.mineral, geometry.split.share_of_rows());
+  const bool in_parts = !geometry.split.alone();
   if (flow && flow->needs_temperature()) {
-    fluid_theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::fluid_theta"), geometry.fluid.capacity);
-    gather_temperatures(exec, geometry.fluid, fields_, fluid_theta_);
+    fluid_theta_ = zeros<ScalarField<T>>(exec, "vug::heat::fluid_theta", geometry.fluid.capacity, in_parts);
     flow->be_heated_by(fluid_theta_);
   }
   if (flow) carrier_ = &flow->carrier(exec, interval_, directions(), even_defect_weight(fields_));
@@ -84,7 +85,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     openings_.back().energy_in = entered_.back().recent();
   }
   if (carrier_) {
-    lagged_ = ScalarField<T>("vug::heat::lagged", geometry.fluid.capacity);
+    lagged_ = zeros<ScalarField<T>>(exec, "vug::heat::lagged", geometry.fluid.capacity, in_parts);
     rows_ = fluid_rows(exec, geometry.fluid);
   }
   const int sums =
@@ -92,9 +93,13 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   created_ = LongSum("vug::heat::created", carrier_ ? sums : 0);
   born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
   if (scene.mechanics || scene.reaction)
-    theta_ = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::theta"), geometry.lattice.size());
-  if (scene.accuracy.chooses_intervals()) watched_ = temperatures(exec, fields_);
+    theta_ = zeros<ScalarField<T>>(exec, "vug::heat::theta", geometry.lattice.size(), in_parts);
+  if (scene.accuracy.chooses_intervals()) {
+    watched_ = zeros<ScalarField<T>>(exec, "vug::heat::watched", geometry.lattice.size(), in_parts);
+    take_temperatures(exec, fields_, watched_);
+  }
   find_halos();
+  if (fluid_theta_.extent(0) > 0) take_temperatures_of_fluid(exec);
   initial_energy_ = energy();
 }
 
@@ -236,11 +241,9 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   }
   if (stretch != 1) {
     set_heat_rates(parameters(), 1, fields_);
-    if (carrier_) stretch_lagged(exec, stretch, lagged_);
+    if (carrier_) stretch_lagged(exec, geometry_.fluid.near(geometry_.fluid.count), stretch, lagged_);
   }
-  if (fluid_theta_.extent(0) == 0) return;
-  gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
-  in_rows_.exchange_back<T, 1>(exec, {fluid_theta_});
+  if (fluid_theta_.extent(0) > 0) take_temperatures_of_fluid(exec);
 }
 
 template <class T>
@@ -261,8 +264,7 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
   find_halos();
   if (fluid_theta_.extent(0) == 0) return;
   Kokkos::resize(exec, fluid_theta_, geometry_.fluid.capacity);
-  gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
-  in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});
+  take_temperatures_of_fluid(exec);
 }
 
 template <class T>
@@ -272,7 +274,7 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const double highest = units_.lattice_temperature(hottest_ + margin);
   const HeatExtremes extremes = this->extremes(exec);
   if (extremes.not_finite == 0 && extremes.lowest > lowest && extremes.highest < highest) return;
-  if (!geometry_.split.alone()) gather(exec);
+  if (!geometry_.split.alone()) geometry_.split.make_whole(geometry_.lattice, fields_.g, directions());
   const int node = first_outside(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest);
   throw StabilityError(fmt::format(
       "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "

@@ -25,6 +25,7 @@ class HeatModule final : public Module {
   std::string_view name() const override { return "heat"; }
   void step(const Exec& exec, const Clock& clock) override;
   void gather(const Exec& exec) override;
+  void let_go() override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -53,6 +54,11 @@ class HeatModule final : public Module {
 
  private:
   void find_halos();
+  /// As FlowModule's.
+  template <class Visit>
+  void visit_shares(const Visit& visit) const;
+  /// fluid_theta_ of the nodes that this rank sweeps.
+  void take_temperatures_of_fluid(const Exec& exec) const;
   double energy() const;
   /// What conducts, by its numbers, rock of none first; empty where the case gives no mineral numbers of its own.
   void set_up_minerals(const Scene& scene);

@@ -11,8 +11,6 @@ void HeatModule<T>::find_halos() {
   const Split& split = geometry_.split;
   if (split.alone()) return;
   const Lattice& lattice = geometry_.lattice;
-  fields_.first_row = split.first_row();
-  fields_.rows = split.own_rows();
   std::vector<int> nodes;  // at sides and openings, whose heat is summed over all of them, and before these
   const int beside_x = std::min(2, lattice.nx), beside_y = std::min(2, lattice.ny);
   for (int y = 0; y < lattice.ny && !periodic_[0]; ++y)
@@ -38,20 +36,39 @@ void HeatModule<T>::find_halos() {
 }
 
 template <class T>
-void HeatModule<T>::gather(const Exec& exec) {
+template <class Visit>
+void HeatModule<T>::visit_shares(const Visit& visit) const {
   const Split& split = geometry_.split;
-  split.make_whole(geometry_.lattice, fields_.g, directions());
-  if (watched_.extent(0) > 0) split.make_whole(geometry_.lattice, watched_);
-  if (carrier_) {
-    split.make_whole(split.of_fluid_by_row(geometry_.fluid), lagged_);
-    split.make_whole(split.of_rows(), created_);
-  }
-  if (fluid_theta_.extent(0) > 0) gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+  const Owners rows = split.of_dense(geometry_.lattice);
+  visit(rows, fields_.g, directions(), geometry_.lattice.size(), {&populations_});
+  if (watched_.extent(0) > 0) visit(rows, watched_, 1, 0, {});
+  if (carrier_) visit(split.of_fluid_by_row(geometry_.fluid), lagged_, 1, 0, {});
+  if (fluid_theta_.extent(0) > 0) visit(split.of_fluid(geometry_.fluid), fluid_theta_, 1, 0, {&in_rows_});
 }
 
-#define VUG_INSTANTIATE(T)                   \
-  template void HeatModule<T>::find_halos(); \
-  template void HeatModule<T>::gather(const Exec&)
+template <class T>
+void HeatModule<T>::gather(const Exec&) {
+  const Split& split = geometry_.split;
+  visit_shares(Bring{split});
+  if (carrier_) split.make_whole(split.of_rows(), created_);
+}
+
+template <class T>
+void HeatModule<T>::let_go() {
+  visit_shares(LetGo{geometry_.split});
+}
+
+template <class T>
+void HeatModule<T>::take_temperatures_of_fluid(const Exec& exec) const {
+  gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+  in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});
+}
+
+#define VUG_INSTANTIATE(T)                          \
+  template void HeatModule<T>::find_halos();        \
+  template void HeatModule<T>::gather(const Exec&); \
+  template void HeatModule<T>::let_go();            \
+  template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);
 #undef VUG_INSTANTIATE

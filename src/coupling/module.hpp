@@ -38,9 +38,12 @@ class Module {
   virtual void begin(const Exec&) {}
   /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
   virtual void step(const Exec& exec, const Clock& clock) = 0;
-  /// Brings on every rank what the ranks have computed each for itself, before fields and state are looked at. Called
-  /// by all ranks, as every other function, and only where there are several.
+  /// Brings to the first rank what the ranks have computed each for itself, before fields and state are looked at.
+  /// Called by all ranks, as every other function, and only where there are several.
   virtual void gather(const Exec&) {}
+  /// Where there are several: gives back the memory of what others compute, which `gather`, a checkpoint or the growth
+  /// of the list of fluid nodes has filled.
+  virtual void let_go() {}
   /// Takes up newborn fluid nodes; called between steps, when the list of fluid nodes has grown.
   virtual void births(const Exec&, const Births&) {}
   /// Throws StabilityError when the state has left its bounds; called every guard interval, may wait for the device.

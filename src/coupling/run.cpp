@@ -183,6 +183,7 @@ class Run {
                                   files->rows_kept(), due, *resumed_at_));
     if (!resumed_at_) {
       simulation_.begin();
+      simulation_.gather();
       if (files) files->write_snapshot();
       write_row(files);
     }
@@ -215,6 +216,7 @@ class Run {
         const Phase phase(ranks_, "files");
         ranks_.most(0);  // nobody ends while it is written
       }
+      simulation_.let_go();
       progress.update(step, simulation_.updates_per_step(), clock.ahead);
       if (stop && !ended()) throw Interrupted(stop_reason());
     }

@@ -35,6 +35,7 @@ Simulation::Simulation(const Scene& scene, const Ranks& ranks)
       clock_{0, scene.lattice.time_step},
       update_interval_(scene_.accuracy.update_interval),
       parts_(build_modules(exec_, scene_, ranks)) {
+  give_back();
   if (!scene.accuracy.chooses_intervals()) return;
   Intervals most = longest_intervals(scene.accuracy);
   for (const auto& module : parts_->modules) module->bound(0, most);
@@ -61,7 +62,9 @@ void Simulation::step() {
   if (!parts_->growth || clock_.step % update_interval_ != 0) return;
   const Phase phase(ranks, "new pores");
   const std::int64_t opened = parts_->growth->opened_nodes();
+  const int capacity = parts_->geometry.fluid.capacity;
   parts_->growth->grow(exec_, parts_->modules);
+  if (parts_->geometry.fluid.capacity != capacity) give_back();
   if (chooser_ && parts_->growth->opened_nodes() > opened) chooser_->be_wary();
 }
 
@@ -92,6 +95,17 @@ void Simulation::gather() const {
   const Phase phase(parts_->geometry.split.ranks(), "gathering");
   for (const auto& module : parts_->modules) module->gather(exec_);
   whole_ = true;
+}
+
+void Simulation::let_go() {
+  if (!whole_) return;
+  give_back();
+  whole_ = false;
+}
+
+void Simulation::give_back() {
+  if (parts_->geometry.split.alone()) return;
+  for (const auto& module : parts_->modules) module->let_go();
 }
 
 void Simulation::guard() {
@@ -243,7 +257,12 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
     for (const auto& module : parts_->modules) module->births(exec_, births);
   }
   StateList everything = state();
-  load(everything);
+  for (StateBlock& block : everything.blocks) {
+    StateList one;
+    one.add(std::move(block));
+    load(one);
+    give_back();  // what others compute, before the next is read
+  }
   if (parts_->growth) parts_->growth->restored(exec_);
   if (!chooser_) return;
   for (const auto& module : parts_->modules) module->resume(exec_, chooser_->now());

@@ -16,8 +16,10 @@ class Simulation {
   void begin();
   /// One lattice step.
   void step();
-  /// Brings the whole state on every rank: to be called by all before one reads fields or state.
+  /// Brings the whole state to the first rank: to be called by all before it reads fields or state.
   void gather() const;
+  /// Once it has been read, gives back the memory of what other ranks compute.
+  void let_go();
   /// Throws StabilityError when a module has left its bounds.
   void guard();
 
@@ -41,6 +43,7 @@ class Simulation {
 
  private:
   StateList geometry_state();
+  void give_back();
   /// Before a step: where a look is due, sees how fast things change, and has the modules go on with the intervals that
   /// follow from it.
   void choose_intervals();
@@ -54,7 +57,7 @@ class Simulation {
   int update_interval_;
   std::unique_ptr<Parts> parts_;
   std::optional<IntervalChooser> chooser_;
-  mutable bool whole_ = true;                 ///< no step since the state was gathered
+  mutable bool whole_ = false;                ///< no step since the state was gathered
   int fluid_count_ = 0, fluid_capacity_ = 0;  ///< as read from a checkpoint
 };
 

@@ -53,7 +53,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     }
     if (scene.accuracy.chooses_intervals()) {
       state.watched = ScalarField<T>("vug::solute::watched", geometry.fluid.capacity);
-      Kokkos::deep_copy(state.watched, state.fields.C);
+      Kokkos::deep_copy(exec, state.watched, state.fields.C);
     }
     // outflow is dressed first: it reads populations that the others overwrite
     std::stable_partition(state.boundaries.begin(), state.boundaries.end(), [](const StretchLinks& boundary) {
@@ -202,7 +202,7 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
     FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.share());
     range = {ranks.least(range.min), ranks.most(range.max), ranks.most(range.first_not_finite)};
     if (range.first_not_finite < 0 && range.min > -bound && range.max < bound) continue;
-    if (!ranks.alone()) gather(exec);
+    if (!ranks.alone()) geometry_.split.make_whole(geometry_.split.of_fluid(geometry_.fluid), s.fields.C);
     int node = 0;
     const int bad = first_outside(exec, s.fields.C, geometry_.fluid.count, -bound, bound);
     Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, bad));

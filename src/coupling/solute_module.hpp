@@ -53,6 +53,7 @@ class SoluteModule final : public Module {
   std::string_view name() const override { return "solute"; }
   void step(const Exec& exec, const Clock& clock) override;
   void gather(const Exec& exec) override;
+  void let_go() override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -76,6 +77,9 @@ class SoluteModule final : public Module {
  private:
   void find_boundaries(const Exec& exec);
   void find_halos();
+  /// As FlowModule's.
+  template <class Visit>
+  void visit_shares(const Visit& visit) const;
   /// Fluid nodes whose concentrations an outflow looks at.
   std::vector<int> nodes_before_outflow() const;
   SoluteParameters parameters_of(const Species& species) const;

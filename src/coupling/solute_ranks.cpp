@@ -42,17 +42,29 @@ void SoluteModule<T, Set>::exchange(const Exec& exec, const SoluteFields<T>& fie
 }
 
 template <class T, class Set>
-void SoluteModule<T, Set>::gather(const Exec& exec) {
-  const Split& split = geometry_.split;
+template <class Visit>
+void SoluteModule<T, Set>::visit_shares(const Visit& visit) const {
   const FluidNodes& fluid = geometry_.fluid;
-  const Owners nodes = split.of_fluid(fluid);
+  const Owners nodes = geometry_.split.of_fluid(fluid);
+  for (const SpeciesState<T>& s : species_) {
+    visit(nodes, s.fields.h, Set::Q, fluid.capacity, {&populations_});
+    visit(nodes, s.fields.C, 1, 0, {&before_outflow_, &neighbours_});
+    if (s.watched.extent(0) > 0) visit(nodes, s.watched, 1, 0, {});
+  }
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::gather(const Exec& exec) {
   for (const SpeciesState<T>& s : species_) {
     if (s.fields.turned) exchange(exec, s.fields);
-    split.make_whole(nodes, s.fields.h, Set::Q, fluid.capacity);
-    split.make_whole(nodes, s.fields.C);
-    if (s.watched.extent(0) > 0) split.make_whole(nodes, s.watched);
     gather_sums(s);
   }
+  visit_shares(Bring{geometry_.split});
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::let_go() {
+  visit_shares(LetGo{geometry_.split});
 }
 
 template <class T, class Set>
@@ -77,6 +89,7 @@ double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
   template void SoluteModule<T, Set>::exchange(const Exec&, const SoluteFields<T>&) const; \
   template std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const;            \
   template void SoluteModule<T, Set>::gather(const Exec&);                                 \
+  template void SoluteModule<T, Set>::let_go();                                            \
   template void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>&) const;           \
   template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const
 VUG_INSTANTIATE(float, D2Q5);

@@ -13,6 +13,12 @@ void sort_once(std::vector<int>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
+/// At least one number, as nobody's are all.
+IndexList block_numbers(const char* label, std::vector<int> blocks) {
+  blocks.resize(std::max<std::size_t>(blocks.size(), 1));
+  return to_device<IndexList>(label, blocks);
+}
+
 }  // namespace
 
 Split::Split(const Ranks& ranks, const std::vector<double>& weight_of_row)
@@ -22,15 +28,23 @@ void Split::follow(FluidNodes& nodes) {
   if (alone()) return;
   const int blocks = block_count(nodes.count);
   const auto node = on_host(nodes.node);
-  std::vector<int> own;
   owner_of_block_.resize(blocks);
+  for (int b = 0; b < blocks; ++b) owner_of_block_[b] = rows_.part_of(nodes.lattice.y(node(b * nodes_per_block)));
+  std::vector<bool> beside(nodes.count, false);
+  mark_rows(nodes, beside);
+  mark_neighbours(nodes, beside);
+  std::vector<int> own, near;
   for (int b = 0; b < blocks; ++b) {
-    owner_of_block_[b] = rows_.part_of(nodes.lattice.y(node(b * nodes_per_block)));
-    if (owner_of_block_[b] == ranks_.rank()) own.push_back(b);
+    const bool ours = owner_of_block_[b] == ranks_.rank();
+    const auto first = beside.begin() + b * nodes_per_block;
+    const auto last = beside.begin() + std::min((b + 1) * nodes_per_block, nodes.count);
+    if (ours) own.push_back(b);
+    if (ours || std::find(first, last, true) != last) near.push_back(b);
   }
   nodes.own_count = static_cast<int>(own.size());
-  own.resize(std::max<std::size_t>(own.size(), 1));
-  nodes.own_blocks = to_device<IndexList>("vug::fluid_nodes::own_blocks", own);
+  nodes.near_count = static_cast<int>(near.size());
+  nodes.own_blocks = block_numbers("vug::fluid_nodes::own_blocks", own);
+  nodes.near_blocks = block_numbers("vug::fluid_nodes::near_blocks", near);
 }
 
 Halo Split::populations(const FluidNodes& nodes, int directions) const {
@@ -204,7 +218,6 @@ Owners Split::of_dense(const Lattice& lattice) const {
   Owners owners = of_rows();
   for (Runs& runs : owners)
     for (auto& [first, last] : runs) {
-      // with the halo beside them
       first = first == 0 ? 0 : lattice.node(-1, first);
       last = last == lattice.ny ? lattice.size() : lattice.node(lattice.nx, last - 1) + 1;
     }

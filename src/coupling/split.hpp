@@ -2,10 +2,13 @@
 // How the ranks share the work of a case. All of them hold the same lattice and the same list of fluid nodes; of the
 // nodes of both each computes its own, and has from others what those pull or carry along (docs/scaling.md).
 #include "kernels/launch/long_sum.hpp"
+#include "kernels/launch/row_launch.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "ranks/halo.hpp"
 #include "ranks/partition.hpp"
 
+#include <initializer_list>
+#include <optional>
 #include <vector>
 
 namespace vug {
@@ -15,6 +18,8 @@ template <class T>
 std::array<ScalarField<T>, 2> components(const VectorField<T>& u) {
   return {Kokkos::subview(u, Kokkos::ALL, 0), Kokkos::subview(u, Kokkos::ALL, 1)};
 }
+
+using Halos = std::initializer_list<const Halo*>;
 
 /// Dense nodes belong to the rank that has their row, fluid nodes in blocks of the list to the one that has the row of
 /// their block's first node. What is called here is called by all ranks.
@@ -29,6 +34,10 @@ class Split {
   const Partition& rows() const { return rows_; }
   int first_row() const { return rows_.first(ranks_.rank()); }
   int own_rows() const { return rows_.last(ranks_.rank()) - first_row(); }
+  /// Our rows; nothing where one rank has all.
+  std::optional<Rows> share_of_rows() const {
+    return alone() ? std::nullopt : std::optional(Rows{first_row(), own_rows()});
+  }
   /// The rank that has a fluid node.
   int owner_of(int fluid) const { return owner_of_block_[fluid / nodes_per_block]; }
 
@@ -64,6 +73,8 @@ class Split {
   Owners of_blocks(std::size_t most) const;  ///< of the first blocks: a field that is still to grow has no more
   Owners of_rows() const;
 
+  Owners of_dense(const Lattice& lattice) const;  ///< with the halo beside them
+
   /// Brings what the ranks computed together on all of them: (plane * stride + item).
   template <class T>
   void make_whole(const Owners& owners, const ScalarField<T>& values, int planes = 1, std::size_t stride = 0) const {
@@ -81,8 +92,23 @@ class Split {
     make_whole(of_dense(lattice), values, planes, lattice.size());
   }
 
+  /// The same on the first rank only, which writes files.
+  template <class T>
+  void bring(const Owners& owners, const ScalarField<T>& values, int planes = 1, std::size_t stride = 0) const {
+    for (int p = 0; p < planes; ++p) ranks_.bring(owners, values.data() + p * stride);
+  }
+  /// On a host, gives back the memory of what neither is ours nor comes to us by `halos`, which take slots of `values`.
+  template <class T>
+  void let_go(const Owners& owners, const ScalarField<T>& values, int planes, std::size_t stride,
+              const Halos& halos) const {
+    if (!alone() && runs_on_host)
+      let_go(own_slots(owners, planes, stride), halos, values.data(), sizeof(T), values.extent(0));
+  }
+
  private:
-  Owners of_dense(const Lattice& lattice) const;
+  /// Ascending.
+  Runs own_slots(const Owners& owners, int planes, std::size_t stride) const;
+  static void let_go(const Runs& own, const Halos& halos, void* values, std::size_t bytes, std::size_t slots);
   bool is_ours(int fluid) const { return owner_of(fluid) == ranks_.rank(); }
   Halo marked(const FluidNodes& nodes, const std::vector<bool>& needed) const;
   void mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const;
@@ -91,6 +117,26 @@ class Split {
   Ranks ranks_;
   Partition rows_;
   std::vector<int> owner_of_block_;
+};
+
+/// What is done with fields that modules share out, (owners, values, planes, stride, halos) as of Split::let_go: bring
+/// them to the first rank.
+struct Bring {
+  const Split& split;
+  template <class T>
+  void operator()(const Owners& owners, const ScalarField<T>& values, int planes, std::size_t stride,
+                  const Halos&) const {
+    split.bring(owners, values, planes, stride);
+  }
+};
+/// Give back the memory of what others compute.
+struct LetGo {
+  const Split& split;
+  template <class T>
+  void operator()(const Owners& owners, const ScalarField<T>& values, int planes, std::size_t stride,
+                  const Halos& halos) const {
+    split.let_go(owners, values, planes, stride, halos);
+  }
 };
 
 }  // namespace vug

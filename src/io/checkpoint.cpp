@@ -2,6 +2,7 @@
 
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
+#include "io/detail/input_file.hpp"
 #include "io/detail/step_names.hpp"
 #include "kernels/base/require.hpp"
 
@@ -9,9 +10,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <span>
 
 // The file: "VUGSTATE", then 64-bit words in the byte order of the machine: version (which also tells the byte order),
 // step, time, length of the case's hash; the hash; length of the run's name; the name; number of blocks; for each block
@@ -65,44 +66,68 @@ class Writer {
   detail::DataDigest digest_;
 };
 
-/// Reads what Writer wrote, from memory.
+/// Bytes [offset, offset + size) of a file.
+std::string bytes_of(const detail::BinaryFile& file, std::size_t offset, std::size_t size) {
+  std::string bytes(size, '\0');
+  if (file.read(offset, bytes.data(), size) < size)
+    throw FileError(file.path() + ": cannot read: it has become shorter");
+  return bytes;
+}
+
+bool begins_as_checkpoint(const detail::BinaryFile& file) {
+  return file.size() >= magic.size() && bytes_of(file, 0, magic.size()) == magic;
+}
+
+/// Where a block's data lie in the file.
+struct Extent {
+  std::size_t offset = 0, size = 0;
+};
+
+/// Reads what Writer wrote, up to `end`.
 class Reader {
  public:
-  Reader(std::string_view data, const std::string& path) : data_(data), path_(path) {}
-  [[noreturn]] void fail(const std::string& what) const { throw FileError(path_ + ": " + what); }
+  Reader(const detail::BinaryFile& file, std::size_t end) : file_(file), end_(end) {}
+  [[noreturn]] void fail(const std::string& what) const { throw FileError(file_.path() + ": " + what); }
   template <class Word>
   Word word() {
-    if (data_.size() - at_ < sizeof(Word)) fail("the checkpoint is damaged (it ends too early)");
+    if (end_ - at_ < sizeof(Word)) fail("the checkpoint is damaged (it ends too early)");
     Word value;
-    std::memcpy(&value, data_.data() + at_, sizeof(value));
+    std::memcpy(&value, bytes_of(file_, at_, sizeof(value)).data(), sizeof(value));
     at_ += sizeof(value);
     return value;
   }
-  std::string_view padded() {
+  /// Passes over padded bytes.
+  Extent extent() {
     const auto size = word<std::uint64_t>();
-    if (size > data_.size() - at_ || padding(size) > data_.size() - at_ - size)
-      fail("the checkpoint is damaged (a size)");
-    const auto found = data_.substr(at_, size);
+    if (size > end_ - at_ || padding(size) > end_ - at_ - size) fail("the checkpoint is damaged (a size)");
+    const Extent found{at_, size};
     at_ += size + padding(size);
     return found;
   }
-  bool at_end() const { return at_ == data_.size(); }
+  std::string text() {
+    constexpr std::size_t longest = 1 << 16;
+    const Extent found = extent();
+    if (found.size > longest) fail("the checkpoint is damaged (the size of a name)");
+    return bytes_of(file_, found.offset, found.size);
+  }
+  bool at_end() const { return at_ == end_; }
   void skip(std::size_t bytes) { at_ += bytes; }
 
  private:
-  std::string_view data_;
-  const std::string& path_;
-  std::size_t at_ = 0;
+  const detail::BinaryFile& file_;
+  std::size_t end_, at_ = 0;
 };
 
-void require_sound(std::string_view data, const std::string& path) {
-  const auto fail = [&path](const std::string& what) { throw FileError(path + ": " + what); };
-  if (data.size() < magic.size() || !data.starts_with(magic)) fail("this is no checkpoint");
-  if (data.size() < 56 || data.size() % 8 != 0) fail("the checkpoint is damaged (truncated)");
+void require_sound(const detail::BinaryFile& file) {
+  const auto fail = [&file](const std::string& what) { throw FileError(file.path() + ": " + what); };
+  if (!begins_as_checkpoint(file)) fail("this is no checkpoint");
+  if (file.size() < 56 || file.size() % 8 != 0) fail("the checkpoint is damaged (truncated)");
+  constexpr std::size_t piece = 1 << 20;
+  const std::size_t end = file.size() - 8;
   detail::DataDigest digest;
-  digest.add(data.substr(0, data.size() - 8));
+  for (std::size_t at = 0; at < end; at += piece) digest.add(bytes_of(file, at, std::min(piece, end - at)));
   std::uint64_t stored = 0;
-  std::memcpy(&stored, data.data() + data.size() - 8, sizeof(stored));
+  std::memcpy(&stored, bytes_of(file, end, sizeof(stored)).data(), sizeof(stored));
   if (stored != digest.value()) fail("the checkpoint is damaged (its digest does not fit)");
 }
 
@@ -132,26 +157,21 @@ Header read_header(Reader& in) {
   Header header;
   header.step = in.word<std::int64_t>();
   header.time = in.word<double>();
-  header.owner.case_hash = in.padded();
-  header.owner.run = in.padded();
+  header.owner.case_hash = in.text();
+  header.owner.run = in.text();
   return header;
 }
 
 // Whether a file belongs to this run, as far as its first bytes tell: a damaged one that was overwritten by nothing
 // else is ours as well.
 bool is_of(const CheckpointOwner& owner, const fs::path& path) {
-  std::string head(4096, '\0');
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) return false;
-  head.resize(std::fread(head.data(), 1, head.size(), file));
-  std::fclose(file);
-  if (!head.starts_with(magic)) return false;
   try {
-    const std::string name = path.string();
-    Reader in(head, name);
+    const detail::BinaryFile file(path.string());
+    if (!begins_as_checkpoint(file)) return false;
+    Reader in(file, file.size());
     const Header header = read_header(in);
     return header.owner.run == owner.run && header.owner.case_hash == owner.case_hash;
-  } catch (const FileError&) {
+  } catch (const std::runtime_error&) {
     return false;
   }
 }
@@ -194,9 +214,13 @@ void write_checkpoint(const std::string& directory, const StateList& state, std:
 Checkpoint Checkpoint::open(const std::string& path, const CheckpointOwner& owner) {
   Checkpoint checkpoint;
   checkpoint.path_ = path;
-  checkpoint.data_ = detail::read_file(path);
-  require_sound(checkpoint.data_, path);
-  Reader in(std::string_view(checkpoint.data_).substr(0, checkpoint.data_.size() - 8), path);
+  try {
+    checkpoint.file_ = std::make_shared<detail::BinaryFile>(path);
+  } catch (const InputError& error) {
+    throw FileError(error.what());
+  }
+  require_sound(*checkpoint.file_);
+  Reader in(*checkpoint.file_, checkpoint.file_->size() - 8);
   const Header header = read_header(in);
   checkpoint.step_ = header.step;
   checkpoint.time_ = header.time;
@@ -205,10 +229,9 @@ Checkpoint Checkpoint::open(const std::string& path, const CheckpointOwner& owne
   if (!owner.run.empty() && header.owner.run != owner.run) in.fail("the checkpoint belongs to another run");
   const auto count = in.word<std::uint64_t>();
   for (std::uint64_t i = 0; i < count; ++i) {
-    const auto name = in.padded();
-    const auto block = in.padded();
-    const auto offset = static_cast<std::size_t>(block.data() - checkpoint.data_.data());
-    checkpoint.blocks_.push_back({std::string(name), offset, block.size()});
+    std::string name = in.text();
+    const Extent data = in.extent();
+    checkpoint.blocks_.push_back({std::move(name), data.offset, data.size});
   }
   if (!in.at_end()) in.fail("the checkpoint is damaged (more than its blocks)");
   return checkpoint;
@@ -235,9 +258,9 @@ void Checkpoint::load(const StateList& state) const {
         std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.name == wanted.name; });
     if (found == blocks_.end())
       throw FileError(fmt::format("{}: the checkpoint has no block '{}'", path_, wanted.name));
-    const auto* data = reinterpret_cast<const std::byte*>(data_.data() + found->offset);
+    const std::string data = bytes_of(*file_, found->offset, found->size);
     try {
-      wanted.load({data, found->size});
+      wanted.load(std::as_bytes(std::span(data)));
     } catch (const FileError& error) {
       throw FileError(path_ + ": " + error.what());
     }

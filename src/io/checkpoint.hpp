@@ -3,11 +3,16 @@
 #include "io/field_list.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace vug {
+
+namespace detail {
+class BinaryFile;
+}
 
 /// Whose state it is.
 struct CheckpointOwner {
@@ -52,7 +57,7 @@ class Checkpoint {
   std::string path_, run_;
   std::int64_t step_ = 0;
   double time_ = 0;
-  std::string data_;
+  std::shared_ptr<const detail::BinaryFile> file_;  ///< what was read through
   std::vector<Block> blocks_;
   std::vector<std::string> refused_;
 };

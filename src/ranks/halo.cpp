@@ -160,6 +160,11 @@ void Halo::exchange_back(const Exec& exec, const std::array<ScalarField<T>, n>& 
 int Halo::taken() const {
   return lists_ ? lists_->take.count() : 0;
 }
+std::vector<int> Halo::taken_slots() const {
+  if (taken() == 0) return {};
+  const auto slot = on_host(lists_->take.slot);
+  return {slot.data(), slot.data() + slot.extent(0)};
+}
 int Halo::given() const {
   return lists_ ? lists_->give.count() : 0;
 }

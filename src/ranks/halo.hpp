@@ -27,6 +27,7 @@ class Halo {
 
   /// Slots that come here, and that go from here.
   int taken() const;
+  std::vector<int> taken_slots() const;
   int given() const;
   /// Ranks that send to this one, and that it sends to.
   int neighbours() const;

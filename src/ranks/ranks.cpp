@@ -87,37 +87,41 @@ std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>&
   return heard;
 }
 
-void Ranks::make_whole(const Owners& owners, void* values, std::size_t item) const {
+void Ranks::complete(const Owners& owners, void* values, std::size_t item, bool all) const {
   char* const bytes = static_cast<char*>(values);
-  if constexpr (runs_on_host) return make_whole_on_host(owners, bytes, item);
+  if constexpr (runs_on_host) return complete_on_host(owners, bytes, item, all);
   using Bytes = Kokkos::View<char*, Exec::memory_space, Kokkos::MemoryUnmanaged>;
   using BytesOnHost = Kokkos::View<char*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
   std::vector<char> copy(end_of(owners) * item);
   Kokkos::deep_copy(BytesOnHost(copy.data(), copy.size()), Bytes(bytes, copy.size()));
-  make_whole_on_host(owners, copy.data(), item);
-  Kokkos::deep_copy(Bytes(bytes, copy.size()), BytesOnHost(copy.data(), copy.size()));
+  complete_on_host(owners, copy.data(), item, all);
+  if (all || first()) Kokkos::deep_copy(Bytes(bytes, copy.size()), BytesOnHost(copy.data(), copy.size()));
 }
 
-void Ranks::make_whole_on_host(const Owners& owners, char* bytes, std::size_t item) const {
+void Ranks::complete_on_host(const Owners& owners, char* bytes, std::size_t item, bool all) const {
   std::vector<int> count(size_), at(size_ + 1);
   for (int r = 0; r < size_; ++r) {
     for (const auto& [first, last] : owners[r]) count[r] += last - first;
     at[r + 1] = at[r] + count[r];
   }
-  std::vector<char> own(count[rank_] * item), all(at[size_] * item);
+  const bool takes = all || first();
+  std::vector<char> own(count[rank_] * item), whole(takes ? at[size_] * item : 0);
   char* to = own.data();
   for (const auto& [first, last] : owners[rank_]) {
     std::memcpy(to, bytes + first * item, (last - first) * item);
     to += (last - first) * item;
   }
-  const Exchange counted = Exchange::of_all((at[size_] - count[rank_]) * item);
+  const Exchange counted = Exchange::of_all(takes ? (at[size_] - count[rank_]) * item : 0);
   MPI_Datatype type;
   MPI_Type_contiguous(static_cast<int>(item), MPI_BYTE, &type);
   MPI_Type_commit(&type);
-  MPI_Allgatherv(own.data(), count[rank_], type, all.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
+  if (all)
+    MPI_Allgatherv(own.data(), count[rank_], type, whole.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
+  else
+    MPI_Gatherv(own.data(), count[rank_], type, whole.data(), count.data(), at.data(), type, 0, MPI_COMM_WORLD);
   MPI_Type_free(&type);
-  for (int r = 0; r < size_; ++r) {
-    const char* from = all.data() + at[r] * item;
+  for (int r = 0; takes && r < size_; ++r) {
+    const char* from = whole.data() + at[r] * item;
     if (r == rank_) continue;
     for (const auto& [first, last] : owners[r]) {
       std::memcpy(bytes + first * item, from, (last - first) * item);
@@ -140,7 +144,7 @@ std::string Ranks::told(const std::string& text) const {
 std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>& lists) const {
   return lists;
 }
-void Ranks::make_whole(const Owners&, void*, std::size_t) const {}
+void Ranks::complete(const Owners&, void*, std::size_t, bool) const {}
 
 #endif
 

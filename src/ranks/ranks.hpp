@@ -19,8 +19,8 @@ Owners owners_of(const std::vector<int>& owner, int ranks);
 /// One beyond the last item that anybody has.
 std::size_t end_of(const Owners& owners);
 
-/// This rank among the others. What needs all of them (`most`, `told`, `traded`, `make_whole`) must be called by all,
-/// in the same order. Ends with the Mpi that gave it.
+/// This rank among the others. What needs all of them (`most`, `told`, `traded`, `make_whole`, `bring`) must be called
+/// by all, in the same order. Ends with the Mpi that gave it.
 class Ranks {
  public:
   Ranks() = default;  ///< one rank, this process
@@ -46,18 +46,21 @@ class Ranks {
   /// Fills in the items of `values` (item), memory of Views, that other ranks own. Kernels that write them must have
   /// ended.
   template <class T>
-  void make_whole(const Owners& owners, T* values) const;
+  void make_whole(const Owners& owners, T* values) const {
+    if (!alone()) complete(owners, values, sizeof(T), true);
+  }
+  /// The same on the first rank only.
+  template <class T>
+  void bring(const Owners& owners, T* values) const {
+    if (!alone()) complete(owners, values, sizeof(T), false);
+  }
 
  private:
-  void make_whole(const Owners& owners, void* values, std::size_t item) const;
-  void make_whole_on_host(const Owners& owners, char* bytes, std::size_t item) const;
+  /// On all ranks, or on the first.
+  void complete(const Owners& owners, void* values, std::size_t item, bool all) const;
+  void complete_on_host(const Owners& owners, char* bytes, std::size_t item, bool all) const;
 
   int rank_ = 0, size_ = 1;
 };
-
-template <class T>
-void Ranks::make_whole(const Owners& owners, T* values) const {
-  if (!alone()) make_whole(owners, static_cast<void*>(values), sizeof(T));
-}
 
 }  // namespace vug

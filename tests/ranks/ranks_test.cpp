@@ -180,6 +180,16 @@ TEST(Ranks, MakeAnArrayWholeFromItsOwners) {
   for (int s = 0; s < count; ++s) EXPECT_EQ(whole(s), 7 * s);
 }
 
+TEST(Ranks, BringAnArrayToTheFirstFromItsOwners) {
+  std::vector<int> owner(count);
+  for (int i = 0; i < count; ++i) owner[i] = owner_of(i);
+  std::vector<double> values(count, -1);
+  for (int i = 0; i < count; ++i)
+    if (owner[i] == world.rank()) values[i] = 7 * i;
+  world.bring(owners_of(owner, world.size()), values.data());
+  for (int i = 0; i < count; ++i) EXPECT_EQ(values[i], world.first() || owner[i] == world.rank() ? 7 * i : -1) << i;
+}
+
 TEST(Ranks, AgreeAndTell) {
   EXPECT_EQ(world.most(world.rank() + 3), world.size() + 2);
   EXPECT_EQ(world.least(world.rank() + 3), 3);

@@ -101,7 +101,7 @@ double carried_heat(const std::vector<int>& intervals) {
     Displacement<double> u(box.u, next);
     u.steps *= turning(0.5 + 3 * now * diffusivity, stretch).carried;
     conduct_and_advect(box.exec, box.nodes, box.rows, u, box.defect, box.lagged, box.fields, box.created);
-    if (stretch != 1) stretch_lagged(box.exec, stretch, box.lagged);
+    if (stretch != 1) stretch_lagged(box.exec, box.nodes.count, stretch, box.lagged);
     time += now;
     const std::vector<double> theta = box.theta();
     for (int y = 0; y < side; ++y)

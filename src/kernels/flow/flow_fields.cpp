@@ -1,18 +1,33 @@
 // Making, growing and filling the fields of the flow, and their sums.
+#include "kernels/base/pages.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
 
+/// At rest.
+template <class T>
+struct SetRest {
+  ScalarField<T> f;
+  VectorField<T> u;
+  int capacity;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int q = 0; q < D2Q9::Q; ++q) f(q * capacity + i) = 0;
+    u(i, 0) = u(i, 1) = 0;
+  }
+};
+
 template <class T>
 FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Streaming streaming) {
-  const auto named = [&](const char* name) { return Kokkos::view_alloc(exec, std::string("vug::flow::") + name); };
   const auto populations = static_cast<std::size_t>(D2Q9::Q) * nodes.capacity;
+  const bool in_parts = !nodes.share().whole();
   FlowFields<T> fields;
-  fields.f = ScalarField<T>(named("f"), populations);
-  if (streaming == Streaming::two_lattices) fields.f_next = ScalarField<T>(named("f_next"), populations);
-  fields.u = VectorField<T>(named("u"), nodes.capacity);
+  fields.f = zeros<ScalarField<T>>(exec, "vug::flow::f", populations, in_parts);
+  if (streaming == Streaming::two_lattices)
+    fields.f_next = zeros<ScalarField<T>>(exec, "vug::flow::f_next", populations, in_parts);
+  fields.u = zeros<VectorField<T>>(exec, "vug::flow::u", nodes.capacity, in_parts);
+  if (in_parts) for_each_node(exec, "vug::flow::rest", nodes.share(), SetRest<T>{fields.f, fields.u, nodes.capacity});
   return fields;
 }
 

@@ -1,5 +1,6 @@
 #include "kernels/heat/heat.hpp"
 
+#include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/heat/heat_bands.hpp"
 #include "kernels/launch/row_launch.hpp"
@@ -85,9 +86,8 @@ struct StretchLagged {
 };
 
 template <class T>
-void stretch_lagged(const Exec& exec, double stretch, const ScalarField<T>& lagged) {
-  for_each_node(exec, "vug::heat::stretch_lagged", static_cast<int>(lagged.extent(0)),
-                StretchLagged<T>{static_cast<T>(stretch), lagged});
+void stretch_lagged(const Exec& exec, const Share& list, double stretch, const ScalarField<T>& lagged) {
+  for_each_node(exec, "vug::heat::stretch_lagged", list, StretchLagged<T>{static_cast<T>(stretch), lagged});
 }
 
 /// Mask of the solid inside the lattice.
@@ -157,23 +157,40 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
                 CopySolidToHalo{lattice, periodic[0], periodic[1], marked, no_matter, matter.of_node});
 }
 
-/// Populations at rest, g_q = w_q theta.
-template <class T, class Set>
+/// Populations at rest, g_q = w_q theta, of the nodes from `first` on.
+template <class T, class Set, class Theta>
 struct StartHeat {
-  int plane;
-  Kokkos::View<const T*> theta;
+  int first, plane;
+  Theta theta;
   ScalarField<T> g;
-  KOKKOS_FUNCTION void operator()(int node) const {
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int node = first + item;
     for (int q = 0; q < Set::Q; ++q) g(q * plane + node) = T(Set::w(q)) * theta(node);
   }
 };
 
 template <class T>
-void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields) {
-  const int plane = fields.lattice.size();
+struct UniformTemperature {
+  T theta;
+  KOKKOS_FUNCTION T operator()(int) const { return theta; }
+};
+
+/// Over the nodes of our rows and the halo beside them.
+template <class T, class Theta>
+void start_rows(const Exec& exec, const Theta& theta, HeatFields<T>& fields) {
+  const Lattice& lattice = fields.lattice;
+  const int last_row = fields.first_row + fields.rows;
+  const int first = fields.first_row == 0 ? 0 : lattice.node(-1, fields.first_row);
+  const int last = last_row == lattice.ny ? lattice.size() : lattice.node(lattice.nx, last_row - 1) + 1;
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    for_each_node(exec, "vug::heat::start", plane, StartHeat<T, decltype(set)>{plane, theta, fields.g});
+    for_each_node(exec, "vug::heat::start", last - first,
+                  StartHeat<T, decltype(set), Theta>{first, lattice.size(), theta, fields.g});
   });
+}
+
+template <class T>
+void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields) {
+  start_rows(exec, Kokkos::View<const T*>(theta), fields);
 }
 
 template <class T>
@@ -210,16 +227,18 @@ void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields) {
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
-                               bool openings, const Kokkos::View<const std::uint8_t*>& mineral) {
+                               bool openings, const Kokkos::View<const std::uint8_t*>& mineral,
+                               const std::optional<Rows>& rows) {
   HeatFields<T> fields;
   fields.lattice = lattice;
   fields.rates = heat_rates<T>(parameters);
   fields.velocity_set = parameters.velocity_set;
   fields.openings = openings;
-  fields.rows = lattice.ny;
+  fields.first_row = rows ? rows->first : 0;
+  fields.rows = rows ? rows->count : lattice.ny;
   const std::size_t size = lattice.size();
   const std::size_t slots = size * visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
-  fields.g = ScalarField<T>(Kokkos::view_alloc(exec, "vug::heat::g"), slots);
+  fields.g = zeros<ScalarField<T>>(exec, "vug::heat::g", slots, rows.has_value());
   if constexpr (runs_on_host)
     set_heat_bands(exec, band_count(exec, lattice), fields);
   else
@@ -227,23 +246,21 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   if (!parameters.minerals.empty()) fields.matter = make_matter(exec, parameters, size, mineral);
   set_heat_geometry(exec, type, periodic, fields);
-  const ScalarField<T> start(Kokkos::view_alloc(exec, "vug::heat::start"), size);
-  Kokkos::deep_copy(exec, start, static_cast<T>(theta));
-  start_heat(exec, start, fields);
+  if (fields.rows > 0) start_rows(exec, UniformTemperature<T>{static_cast<T>(theta)}, fields);
   return fields;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                      \
-  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                   \
-  template void set_heat_rates(const HeatParameters&, double, HeatFields<T>&);                                  \
-  template void stretch_lagged(const Exec&, double, const ScalarField<T>&);                                     \
-  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                \
-                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool, \
-                                             const Kokkos::View<const std::uint8_t*>&);                         \
-  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                 \
-  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                    \
-  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                      \
-  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                               \
+#define VUG_INSTANTIATE(T)                                                                                          \
+  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                       \
+  template void set_heat_rates(const HeatParameters&, double, HeatFields<T>&);                                      \
+  template void stretch_lagged(const Exec&, const Share&, double, const ScalarField<T>&);                           \
+  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                    \
+                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool,     \
+                                             const Kokkos::View<const std::uint8_t*>&, const std::optional<Rows>&); \
+  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                     \
+  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                        \
+  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                          \
+  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                   \
   template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -5,9 +5,11 @@
 // One step: fill the halo (heat_boundary.hpp), `conduct` on all nodes, then `advect` on the fluid nodes where there is
 // flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
 // fluid's volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
+#include "kernels/launch/row_launch.hpp"
 #include "kernels/nodes/fluid_rows.hpp"
 #include "kernels/scalar/displacement.hpp"
 
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -93,11 +95,12 @@ struct Temperature {
 };
 
 /// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
-/// `mineral` (dense node) numbers parameters.minerals.
+/// `mineral` (dense node) numbers parameters.minerals. `rows`: those that are ours, where processes share them.
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
-                               bool openings = false, const Kokkos::View<const std::uint8_t*>& mineral = {});
+                               bool openings = false, const Kokkos::View<const std::uint8_t*>& mineral = {},
+                               const std::optional<Rows>& rows = {});
 
 /// Has the next steps collide with the diffusivities of `parameters`; with a `stretch` other than 1 so that the steps
 /// after it may take `stretch` times as many lattice steps (turning.hpp; D2Q5).
@@ -152,7 +155,7 @@ void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_
 
 /// lagged *= stretch: what lags behind a displacement in steps that take so many times as many lattice steps now.
 template <class T>
-void stretch_lagged(const Exec& exec, double stretch, const ScalarField<T>& lagged);
+void stretch_lagged(const Exec& exec, const Share& list, double stretch, const ScalarField<T>& lagged);
 
 /// `conduct` and `advect` in one go: on a host every part of a row is finished while it is in the nearest cache, since
 /// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes; `theta`

@@ -15,7 +15,7 @@ struct GatherTemperature {
 template <class T>
 void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields,
                          const ScalarField<T>& theta) {
-  for_each_node(exec, "vug::thermal_flow::temperatures", nodes.count,
+  for_each_node(exec, "vug::thermal_flow::temperatures", nodes.near(nodes.count),
                 GatherTemperature<T>{nodes.node, Temperature<T>(fields), theta});
 }
 

@@ -46,9 +46,13 @@ struct FluidNodes {
 
   int own_count = -1;    ///< blocks of the list that this process computes; -1: all
   IndexList own_blocks;  ///< (own) their numbers
+  int near_count = -1;   ///< these and the blocks that our nodes pull from; -1: all
+  IndexList near_blocks;
 
   /// What sweeps run over.
   Share share() const { return {count, own_count, own_blocks.data()}; }
+  /// Of the first `first` nodes ours and those that lie beside them.
+  Share near(int first) const { return {first, near_count, near_blocks.data()}; }
 };
 
 /// Of the link masks of a fluid node those that nothing is carried along: into rock or through a closed side.

@@ -100,13 +100,14 @@ struct TurnBack {
   }
 };
 
-/// Brings the populations f of the first `count` nodes home if they are `turned`, and clears it.
+/// Brings the populations f of the first `count` nodes home if they are `turned`, and clears it; of our nodes and those
+/// beside them where processes share the list.
 template <class Set, class T>
 void bring_home(const Exec& exec, const std::string& label, const FluidNodes& nodes, int count, const ScalarField<T>& f,
                 int& turned) {
   if (!turned) return;
   turned = 0;
-  for_each_node(exec, label, count, TurnBack<T, Set>{f, nodes.source, count, nodes.capacity});
+  for_each_node(exec, label, nodes.near(count), TurnBack<T, Set>{f, nodes.source, count, nodes.capacity});
 }
 
 }  // namespace vug

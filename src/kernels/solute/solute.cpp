@@ -1,5 +1,6 @@
 #include "kernels/solute/solute.hpp"
 
+#include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/scalar/turning.hpp"
 #include "kernels/solute/solute_sweep.hpp"
@@ -37,9 +38,10 @@ struct UniformConcentrationAtRest {
 
 template <class T, class Set>
 SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration) {
-  SoluteFields<T> s{ScalarField<T>("vug::solute::h", std::size_t(Set::Q) * nodes.capacity), 0,
-                    ScalarField<T>("vug::solute::C", nodes.capacity)};
-  for_each_node(exec, "vug::solute::uniform", nodes.count,
+  const bool in_parts = !nodes.share().whole();
+  SoluteFields<T> s{zeros<ScalarField<T>>(exec, "vug::solute::h", std::size_t(Set::Q) * nodes.capacity, in_parts), 0,
+                    zeros<ScalarField<T>>(exec, "vug::solute::C", nodes.capacity, in_parts)};
+  for_each_node(exec, "vug::solute::uniform", nodes.share(),
                 UniformConcentrationAtRest<T, Set>{s.h, s.C, nodes.capacity, T(concentration)});
   return s;
 }

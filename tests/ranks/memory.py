@@ -1,0 +1,45 @@
+"""What each of several ranks takes in memory, at the most, beside one rank: fields are shared out, also after a restart.
+
+    memory.py VUG MPIRUN...
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+VUG, MPIRUN = sys.argv[1], sys.argv[2:]
+# 2.25 million nodes of flow and heat, whose populations are most of the memory
+CASE = ["run", "cases/heated_cavity.toml", "--set", "lattice.size=[0.525,0.525]", "--threads", "1", "--quiet"]
+RANKS = 4
+# Of one rank's: a quarter of the fields, tables of the neighbours of all nodes, libraries; as a checkpoint is read, also
+# one field of all nodes as the file holds it and as it is taken over.
+SHARE = {"run": 0.55, "resumed": 0.85}
+MEASURE = """import resource, subprocess, sys
+code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL).returncode
+print("used", resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, flush=True)
+sys.exit(code)"""
+ENVIRONMENT = os.environ | {"OMP_PROC_BIND": "false", "OMP_WAIT_POLICY": "passive"}
+
+
+def used(ranks, folder, *words):
+    """Largest memory of each rank, KiB, ascending."""
+    run = subprocess.run([*MPIRUN, "-n", str(ranks), sys.executable, "-c", MEASURE, VUG, *CASE, "-o", str(folder), *words],
+                         env=ENVIRONMENT, text=True, capture_output=True, timeout=300)
+    found = sorted(int(line.split()[1]) for line in run.stdout.splitlines() if line.startswith("used"))
+    assert run.returncode == 0 and len(found) == ranks, run.stdout + run.stderr
+    return found
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        one = used(1, folder / "one", "--steps", "2")[0]
+        for what, words in (("run", []), ("resumed", ["--resume"])):
+            several = used(RANKS, folder / "several", "--steps", "2", *words)
+            print(f"{what}: one rank {one >> 10} MiB, each of {RANKS} {[kib >> 10 for kib in several]} MiB")
+            # all but one, the first, which brings together what it writes
+            assert several[-2] < SHARE[what] * one, "memory is not shared out"
+
+
+main()
