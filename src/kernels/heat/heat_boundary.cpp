@@ -56,6 +56,11 @@ struct FillSide {
     const int step = along(side.outward, q);
     return solid(node + step * side.stride) == outside_lattice && !(step < 0 ? side.lower_corner : side.upper_corner);
   }
+  /// On D2Q9: true where another side begins. Between two outflows that took back conduction there waves would grow
+  /// (OutflowStability).
+  KOKKOS_FUNCTION bool at_corner(int node) const {
+    return solid(node - side.stride) == outside_lattice || solid(node + side.stride) == outside_lattice;
+  }
   /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
   /// same kind and of this stretch by the link that crosses q.
   KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
@@ -71,7 +76,7 @@ struct FillSide {
     const int plane = lattice.size(), back = Set::opposite(q);
     SideLink<T> link{leaving(item, node, q),   g(back * plane + node), static_cast<T>(Set::w(q)),
                      kinds.share(node, share), kinds.solid(node),      0};
-    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, node, q);
+    if constexpr (Law::looks_inside) link.slope = at_corner(node) ? 0 : slope_from<T, Set>(kinds, g, lattice, node, q);
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);

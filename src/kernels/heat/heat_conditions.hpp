@@ -1,6 +1,7 @@
 #pragma once
 // The laws of heat_boundary.hpp: what arrives through a link, from what leaves.
 #include "kernels/heat/heat_boundary.hpp"
+#include "kernels/scalar/outflow_slope.hpp"
 
 namespace vug {
 
@@ -12,7 +13,7 @@ struct SideLink {
   T weight;    ///< w of the velocity set
   T share;     ///< of what enters at the node, of a mineral over its heat capacity
   bool solid;  ///< of the one solid that there is
-  T slope;     ///< (tau - 1) times the rise of the temperature from the node before; only where the law looks inside
+  T slope;     ///< outflow_slope(tau) times the rise of the temperature from the node before; only if the law asks
 };
 
 /// What a boundary asks of its nodes: fluid and one solid.
@@ -86,7 +87,7 @@ KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const 
   if (before < 0 || kinds.kind(before) != kinds.kind(node)) return 0;
   const int plane = lattice.size();
   const T rise = sum_of_populations<Set, T>(&g(node), plane) - sum_of_populations<Set, T>(&g(before), plane);
-  return (1 / kinds.rate(node) - 1) * rise;
+  return outflow_slope(1 / kinds.rate(node)) * rise;
 }
 
 /// The condition of a side or an opening, and where what enters is booked.

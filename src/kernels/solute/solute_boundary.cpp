@@ -1,6 +1,7 @@
 #include "kernels/solute/solute_boundary.hpp"
 
 #include "kernels/launch/launch_lists.hpp"
+#include "kernels/scalar/outflow_slope.hpp"
 
 namespace vug {
 
@@ -31,7 +32,7 @@ struct FluxRule {
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T out) const { return out + T(area[link] * flux); }
 };
 
-/// h_in = h*_in of the same node - (tau_1 - 1) w_q (C - C_before). What goes inwards from there may be turned
+/// h_in = h*_in of the same node - outflow_slope(tau_1) w_q (C - C_before). What goes inwards from there may be turned
 /// (streaming.hpp).
 template <class T, class Set>
 struct SoluteOutflowRule {
@@ -130,7 +131,7 @@ template <class T>
 SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
                                      const SoluteFields<T>& s, const ScalarField<double>& gain) {
   SoluteCondition<T> made = condition(SoluteCondition<T>::Kind::outflow, links, s, gain, nullptr, 0);
-  made.slope = static_cast<T>(parameters.tau_1 - 1);
+  made.slope = static_cast<T>(outflow_slope(parameters.tau_1));
   return made;
 }
 

@@ -22,7 +22,7 @@ struct SoluteCondition {
   const double* part = nullptr;             ///< (link) concentration of a profile, area of a flux
   double value = 0;
   const T* C = nullptr;  ///< (fluid) concentrations
-  T slope = 0;           ///< tau_1 - 1
+  T slope = 0;           ///< outflow_slope(tau_1)
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population.
