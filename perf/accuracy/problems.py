@@ -180,6 +180,11 @@ class Rock:
         Choice("preset", "preset = fast, mass_scaling = 1", {"accuracy.preset": "fast", "mechanics.mass_scaling": 1}),
         Choice("preset", "preset = fast, rest_tolerance = 0", {"accuracy.preset": "fast", "mechanics.rest_tolerance": 0}),
         Choice("preset", "preset = reference", {"accuracy.preset": "reference"}),
+        # with what the tolerance chooses beside the intervals
+        Choice("tolerance", "accuracy.tolerance = 1e-4", {"accuracy.preset": "balanced", "accuracy.tolerance": 1e-4}),
+        Choice("tolerance", "accuracy.tolerance = 1e-3",
+               {"accuracy.preset": "fast", "accuracy.precision": "double", "accuracy.tolerance": 1e-3}),
+        Choice("tolerance", "accuracy.tolerance = 1e-2", {"accuracy.preset": "fast", "accuracy.tolerance": 1e-2}),
         Choice("precision", "precision = single", {"accuracy.precision": "single"}),
         Choice("interval", "update_interval = 1", {"accuracy.update_interval": 1}),
         Choice("interval", "update_interval = 50", {"accuracy.update_interval": 50}),
