@@ -14,19 +14,22 @@ CASE = ["run", "cases/heated_cavity.toml", "--set", "lattice.size=[0.525,0.525]"
 RANKS = 4
 # Of one rank's: a quarter of the fields, tables of the neighbours of all nodes, libraries; as a checkpoint is read, also
 # one field of all nodes as the file holds it and as it is taken over.
-SHARE = {"run": 0.55, "resumed": 0.85}
-MEASURE = """import resource, subprocess, sys
-code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL).returncode
-print("used", resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, flush=True)
+SHARE = {"run": 0.65, "resumed": 0.9}
+# A file for each rank: what several print may come out mixed.
+MEASURE = """import os, pathlib, resource, subprocess, sys
+code = subprocess.run(sys.argv[2:], stdout=subprocess.DEVNULL).returncode
+used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+pathlib.Path(sys.argv[1], str(os.getpid())).write_text(str(used))
 sys.exit(code)"""
 ENVIRONMENT = os.environ | {"OMP_PROC_BIND": "false", "OMP_WAIT_POLICY": "passive"}
 
 
 def used(ranks, folder, *words):
     """Largest memory of each rank, KiB, ascending."""
-    run = subprocess.run([*MPIRUN, "-n", str(ranks), sys.executable, "-c", MEASURE, VUG, *CASE, "-o", str(folder), *words],
-                         env=ENVIRONMENT, text=True, capture_output=True, timeout=300)
-    found = sorted(int(line.split()[1]) for line in run.stdout.splitlines() if line.startswith("used"))
+    with tempfile.TemporaryDirectory() as notes:
+        run = subprocess.run([*MPIRUN, "-n", str(ranks), sys.executable, "-c", MEASURE, notes, VUG, *CASE, "-o", str(folder),
+                              *words], env=ENVIRONMENT, text=True, capture_output=True, timeout=300)
+        found = sorted(int(note.read_text()) for note in pathlib.Path(notes).iterdir())
     assert run.returncode == 0 and len(found) == ranks, run.stdout + run.stderr
     return found
 
