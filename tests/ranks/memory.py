@@ -14,7 +14,7 @@ CASE = ["run", "cases/heated_cavity.toml", "--set", "lattice.size=[0.525,0.525]"
 RANKS = 4
 # Of one rank's: a quarter of the fields, tables of the neighbours of all nodes, libraries; as a checkpoint is read, also
 # one field of all nodes as the file holds it and as it is taken over.
-SHARE = {"run": 0.65, "resumed": 0.9}
+SHARE = {"run": 0.55, "resumed": 0.85}
 # A file for each rank: what several print may come out mixed.
 MEASURE = """import os, pathlib, resource, subprocess, sys
 code = subprocess.run(sys.argv[2:], stdout=subprocess.DEVNULL).returncode

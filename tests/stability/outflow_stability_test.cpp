@@ -29,7 +29,7 @@ double noise(int x, int y) {
 /// What grew by a thousandth in a step would be twenty times as large after these.
 constexpr double bound = 4;
 
-/// Noise between three outflows and a side at 0. A slope of tau - 1 at any tau is lost from D = 1.3 on.
+/// Noise between three outflows and a side at 0. With a slope of tau - 1 at any tau D = 2 is lost.
 TEST(OutflowStability, OfHeatHoldsForAnyDiffusivityAndContrast) {
   for (const ScalarVelocitySet set : test::velocity_sets)
     for (const double diffusivity : {1e-4, 0.05, 0.5, 0.99, 1.01, 2.0, 10.0, 1e3})

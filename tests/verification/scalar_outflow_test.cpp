@@ -78,13 +78,19 @@ constexpr int across = 24;
 double wave(int x, int y) {
   return std::sin(0.5 * std::numbers::pi * (x + 0.5) / n) * std::cos(2 * std::numbers::pi * (y + 0.5) / across);
 }
-double decayed(double time) {
-  const double kx = 0.5 * std::numbers::pi / n, ky = 2 * std::numbers::pi / across;
-  return std::exp(-(kx * kx + ky * ky) * time);
+/// How far a field, a function of (x, y), is from the wave with the amplitude that it has in the middle, over that.
+template <class Field>
+double off_wave(const Field& field) {
+  constexpr int x0 = n / 2, y0 = 0;
+  const double amplitude = field(x0, y0) / wave(x0, y0);
+  double off = 0;
+  for (int y = 0; y < across; ++y)
+    for (int x = 0; x < n; ++x) off = std::max(off, std::abs(field(x, y) / amplitude - wave(x, y)));
+  return off;
 }
 
-/// What flows along the side is not what is taken back. At 0.8 the steps are so few that their number counts. D2Q9
-/// loses what its diagonals conduct along the side in the nodes beside it (docs/model.md).
+/// What flows along the side is not what is taken back. Looked at beside the wave in the middle, which knows nothing of
+/// the side yet. D2Q9 loses what its diagonals conduct along the side in the nodes beside it (docs/model.md).
 TEST(Outflow, LeavesConductionAlongTheSide) {
   for (const ScalarVelocitySet set : test::velocity_sets)
     for (const double D : {0.02, 1.0 / 6, 0.8}) {
@@ -94,14 +100,9 @@ TEST(Outflow, LeavesConductionAlongTheSide) {
       const int steps = static_cast<int>(std::lround(14 / D));
       box.run(steps);
       const std::vector<double> theta = box.theta();
-      double off = 0;
-      for (int y = 0; y < across; ++y)
-        for (int x = 0; x < n; ++x) off = std::max(off, std::abs(theta[y * n + x] / decayed(D * steps) - wave(x, y)));
+      const double off = off_wave([&](int x, int y) { return theta[y * n + x]; });
       record("outflow_wave", {{"D", D}, {"directions", set == ScalarVelocitySet::d2q5 ? 5 : 9}, {"off", off}});
-      EXPECT_LT(off, set == ScalarVelocitySet::d2q9 ? 0.08
-                     : D < 0.5                      ? 6e-3
-                                                    : 0.02)
-          << "D " << D << ' ' << test::name_of(set);
+      EXPECT_LT(off, set == ScalarVelocitySet::d2q9 ? 0.055 : most) << "D " << D << ' ' << test::name_of(set);
     }
 }
 
@@ -126,11 +127,10 @@ void expect_wave_of_solute(double D) {
     box.step();
   }
   const auto found = test::host_copy(box.acid.C);
-  double off = 0;
-  for (int i = 0; i < box.nodes.count; ++i)
-    off = std::max(off, std::abs(found(i) / decayed(D * steps) - wave(box.lattice.x(node(i)), box.lattice.y(node(i)))));
+  const auto index = test::host_copy(box.nodes.index);
+  const double off = off_wave([&](int x, int y) { return found(index(box.lattice.node(x, y))); });
   record("solute_outflow_wave", {{"D", D}, {"off", off}});
-  EXPECT_LT(off, D < 0.5 ? 6e-3 : 0.02) << "D " << D;
+  EXPECT_LT(off, most) << "D " << D;
 }
 
 TEST(Outflow, OfSolutesLeavesDiffusionAlongTheSide) {
