@@ -16,6 +16,8 @@ namespace {
 
 constexpr int nx = 48, ny = 24, steps = 4000;
 constexpr double cold = 300, hot = 340;
+/// A tolerance speaks of whole fields; single nodes overshoot by 0.003 more at the most, with either.
+constexpr double alike = 0.005;
 
 /// Hot acid that a flow of this speed at the inlet carries past grains which conduct and react; lattice units.
 std::string grains(double heat, double acid, double contrast, double speed) {
@@ -87,8 +89,7 @@ TEST(ChosenIntervals, LoseNothingThatHoldsWithEveryStep) {
                       word(before).c_str(), tolerance, word(now).c_str());
           if (!before) continue;
           ASSERT_TRUE(now) << heat << " " << acid << " " << contrast << " " << speed;
-          EXPECT_LT(*now, *before + std::max(tolerance, 0.01))
-              << heat << " " << acid << " " << contrast << " " << speed;
+          EXPECT_LT(*now, *before + alike) << heat << " " << acid << " " << contrast << " " << speed;
         }
         (before ? held : lost) += 1;
       }
