@@ -19,7 +19,9 @@ TITLES = {
              "temperature (largest, over 200 K) and the length of the cracks (in the mean over every millisecond; 0.07 where "
              "two of the eight bonds fail 20 and 190 microseconds later than in that computation, on the other side of a look). Rounding "
              "alone, from one build to another, lets a bond fail a mechanical step later; from then on two runs of the same "
-             "equations differ by 1e-5 to 4e-5 in the dissolved volume, so that an error below 5e-5 is as good as none"),
+             "equations differ by 1e-5 to 4e-5 in the dissolved volume, so that an error below 5e-5 is as good as none. "
+             "Rows of `accuracy.tolerance` and `preset = fast` are of after outflows let nothing out by conduction, the others of "
+             "before (another computation to compare with, too)"),
 }
 
 INTRODUCTION = """# Speed against accuracy
