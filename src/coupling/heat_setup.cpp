@@ -1,0 +1,90 @@
+// What the case says of the heat, in the units of its steps: minerals, parameters, conditions at sides and openings.
+#include "coupling/heat_module.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+template <class T>
+void HeatModule<T>::set_up_minerals(const Scene& scene) {
+  const Mineral rock{"rock", section_.solid_diffusivity, section_.solid_density, section_.solid_heat_capacity};
+  minerals_.push_back(rock);
+  bool differ = false;
+  for (const MineralSection& mineral : scene.minerals) {
+    minerals_.push_back({mineral.name, mineral.diffusivity, mineral.density, mineral.heat_capacity});
+    const double held = mineral.density * mineral.heat_capacity, of_rock = rock.density * rock.heat_capacity;
+    const auto other = [](double a, double b) { return std::abs(a - b) > 1e-12 * b; };  // rounding of the reader
+    differ = differ || other(held, of_rock) || other(mineral.diffusivity * held, rock.diffusivity * of_rock);
+  }
+  if (!differ) minerals_.clear();
+  if (!differ || !scene.reaction) return;
+  solid_share_ = ScalarField<double>("vug::minerals::solid_share", minerals_.size());
+  const auto share = Kokkos::create_mirror_view(solid_share_);
+  const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
+  for (std::size_t m = 0; m < minerals_.size(); ++m) {
+    const double solid = minerals_[m].density * minerals_[m].heat_capacity * minerals_[m].diffusivity;
+    share(m) = solid / (fluid + solid);
+  }
+  Kokkos::deep_copy(solid_share_, share);
+}
+
+template <class T>
+HeatParameters HeatModule<T>::parameters() const {
+  const double scale = interval_ / units_.diffusivity();
+  const auto sigma = [&](double density, double capacity) {
+    return density * capacity / (section_.fluid_density * section_.fluid_heat_capacity);
+  };
+  HeatParameters given{scale * section_.fluid_diffusivity,
+                       scale * section_.solid_diffusivity,
+                       sigma(section_.solid_density, section_.solid_heat_capacity),
+                       section_.velocity_set,
+                       {}};
+  for (const Mineral& mineral : minerals_)
+    given.minerals.push_back({scale * mineral.diffusivity, sigma(mineral.density, mineral.heat_capacity)});
+  return given;
+}
+
+template <class T>
+double HeatModule<T>::value_of(const HeatBoundary& heat, double time) const {
+  if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection)
+    return units_.lattice_temperature(heat.temperature.at(time));
+  if (heat.kind != HeatBoundaryKind::flux) return 0;
+  return interval_ * heat.flux.at(time) / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
+}
+
+template <class T>
+double HeatModule<T>::transfer_of(const HeatBoundary& heat) const {
+  return interval_ * heat.coefficient / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
+}
+
+template <class T>
+void HeatModule<T>::widen_range(const HeatBoundary& heat) {
+  if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection) {
+    coldest_ = std::min(coldest_, heat.temperature.lowest());
+    hottest_ = std::max(hottest_, heat.temperature.highest());
+  }
+  heated_ = heated_ || (heat.kind == HeatBoundaryKind::flux && heat.flux.peak() != 0);
+}
+
+template <class T>
+void HeatModule<T>::set_values(double time) {
+  const auto set = [&](auto& surface, const HeatBoundary& heat) {
+    if (!heat.temperature.constant() || !heat.flux.constant()) surface.value = value_of(heat, time);
+  };
+  for (std::size_t s = 0; s < sides_.size(); ++s) set(sides_[s], stretches_[s].conditions.heat);
+  for (std::size_t o = 0; o < openings_.size(); ++o) set(openings_[o], geometry_.openings[o].conditions.heat);
+}
+
+#define VUG_INSTANTIATE(T)                                                    \
+  template void HeatModule<T>::set_up_minerals(const Scene&);                 \
+  template HeatParameters HeatModule<T>::parameters() const;                  \
+  template double HeatModule<T>::value_of(const HeatBoundary&, double) const; \
+  template double HeatModule<T>::transfer_of(const HeatBoundary&) const;      \
+  template void HeatModule<T>::widen_range(const HeatBoundary&);              \
+  template void HeatModule<T>::set_values(double)
+VUG_INSTANTIATE(float);
+VUG_INSTANTIATE(double);
+#undef VUG_INSTANTIATE
+
+}  // namespace vug
