@@ -10,6 +10,7 @@
 #include "io/checkpoint.hpp"
 #include "io/progress.hpp"
 #include "io/require_fields.hpp"
+#include "io/rock_inertia.hpp"
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
@@ -162,6 +163,12 @@ class Run {
     if (folder_ && !folder_->warning().empty()) progress.note("warning: " + folder_->warning());
     if (!ranks_.alone()) progress.note(shares());
     for (const std::string& note : notes_) progress.note(note);
+    if (scene_.mechanics && scene_.mechanics->scaling_chosen)
+      progress.note(
+          fmt::format("note: accuracy.tolerance bears triangles {:g} times as heavy (mechanics.mass_scaling): loads "
+                      "change over {:.3g} s "
+                      "at the quickest",
+                      scene_.mechanics->parameters.mass_scaling, quickest_load(scene_)));
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     const Parts& parts = simulation_.parts();
     for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)

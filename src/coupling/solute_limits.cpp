@@ -3,6 +3,7 @@
 #include "coupling/solute_module.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
+#include "kernels/solute/solute_totals.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "io/detail/case_tables.hpp"
 #include "io/detail/case_text.hpp"
 #include "io/override_scene.hpp"
+#include "io/rock_inertia.hpp"
 #include "io/scene.hpp"
 
 #include <algorithm>
@@ -20,6 +21,14 @@ std::vector<Form> forms_of(const RockRegion& region, const std::vector<MineralSe
     for (const RockRegion& part : mineral.regions)
       if (!region.form && mineral.name == region.mineral && part.form) forms.push_back(*part.form);
   return forms;
+}
+
+/// As heavy as the tolerance allows, if that is more than the preset has.
+void choose_mass_scaling(Scene& scene) {
+  double& scaling = scene.mechanics->parameters.mass_scaling;
+  const double allowed = quasi_static_mass_scaling(scene, scene.accuracy.tolerance);
+  scene.mechanics->scaling_chosen = allowed > scaling;
+  scaling = std::max(scaling, allowed);
 }
 
 }  // namespace
@@ -73,6 +82,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   scene.openings = read_openings(boundary, scene.geometry);
   const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end;
   if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset, may_age, scene.flow.has_value());
+  const bool given = root.table("mechanics").has("mass_scaling");
+  if (scene.mechanics && !scene.laboratory && scene.accuracy.tolerance > 0 && !given) choose_mass_scaling(scene);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }
 

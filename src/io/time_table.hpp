@@ -2,6 +2,7 @@
 // A number of a case that may change in time.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,13 @@ class TimeTable {
   }
   /// When it has taken its last value, s.
   double settled() const { return constant() ? 0 : time_.back(); }
+  /// The shortest time between two points of different values, s; infinity for a number.
+  double quickest() const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < time_.size(); ++k)
+      if (value_[k] != value_[k - 1]) shortest = std::min(shortest, time_[k] - time_[k - 1]);
+    return shortest;
+  }
 
  private:
   std::vector<double> time_;  ///< empty for a number

@@ -89,6 +89,37 @@ TEST(Tolerance, HoldsWhatIsPromisedAndSavesStepsForIt) {
   }
 }
 
+/// A bar that is pressed more and more, and then no more. At rest its end has moved in proportion to what presses on
+/// it.
+const std::string bar =
+    "[lattice]\nsize = [0.1, 0.02]\nspacing = 2.5e-3\ntime_step = 1e-5\n[time]\nsteps = 1000\n"
+    "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 8e-3\n"
+    "[mechanics]\nyoung_modulus = 30e9\npoisson_ratio = 0.2\nlocal_damping = 0.7\nrest_tolerance = 0\n"
+    "bond = { weibull_shape = 0 }\n"
+    "[boundary.left]\ntraction = { support = \"roller\" }\n"
+    "[boundary.right]\ntraction = { normal_stress = [[0, 0], [5e-3, 1e6]] }\n"
+    "[[output.gauges]]\nname = \"end\"\ntype = \"displacement\"\nat = [0.1, 0.01]\n";
+
+/// By which share of its last place its end is off at the worst.
+double off_rest(const std::string& accuracy) {
+  const History found = test::rows_of(parse_scene(bar + accuracy, "case.toml"), 1000, 10);
+  const std::vector<double>&time = column(found, "time_s"), &moved = column(found, "end_x_m");
+  double off = 0;
+  for (std::size_t row = 0; row < time.size(); ++row)
+    off = std::max(off, std::abs(moved[row] / moved.back() - std::min(1.0, time[row] / 5e-3)));
+  return off;
+}
+
+/// 16 and 64 times as heavy it follows as closely as rock_inertia.hpp says, and not much more closely.
+TEST(Tolerance, MakesRockNoHeavierThanItsLoadsBear) {
+  for (const double tolerance : {5e-3, 1e-2}) {
+    const double off = off_rest(with_tolerance(tolerance));
+    std::printf("    tolerance %g: off by %.1e of the load, with every step %.1e\n", tolerance, off, off_rest(finest));
+    EXPECT_LT(off, 6 * tolerance);
+    EXPECT_GT(off, tolerance) << "could be heavier";
+  }
+}
+
 /// The looks are 128 steps apart: what happens all at once is seen at the next.
 TEST(Tolerance, FallsBackWhenSomethingHappens) {
   const Scene scene = parse_scene(slab + with_tolerance(1e-2), "case.toml",

@@ -91,7 +91,7 @@ void warn_about_sides(Scene& scene) {
 void warn_about_mass_scaling(Scene& scene) {
   constexpr double notable = 4;
   const double scaling = scene.mechanics->parameters.mass_scaling;
-  if (scaling <= notable) return;
+  if (scaling <= notable || scene.mechanics->scaling_chosen) return;
   scene.warnings.push_back(
       fmt::format("mechanics.mass_scaling = {:g} makes waves {:.3g} times slower: what breaks is stronger, in a "
                   "compression test by 7 % at 16 and by 17 % at 100",

@@ -78,6 +78,7 @@ struct MechanicsSection {
   double preload_time = 150e-6;    ///< s over which the outer stress is ramped before the run
   double preload_damping = 0.7;    ///< Cundall's alpha until the rock is at rest
   bool from_unloaded = false;      ///< displacements count from the rock before the preload
+  bool scaling_chosen = false;     ///< parameters.mass_scaling is what a tolerance allows (rock_inertia.hpp)
   bool lets_fragments_go = false;  ///< a triangle that has left its place carries and pushes nothing any more
 };
 

@@ -1,0 +1,83 @@
+#include "io/rock_inertia.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vug {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// What starts from `rest`: at once, over a ramp or as its table says.
+double quickest(const TimeTable& table, double rest, double ramp_time = 0) {
+  if (ramp_time > 0) return std::min(ramp_time, table.quickest());
+  return table.at(0) == rest ? table.quickest() : 0;
+}
+
+double quickest(const FlowBoundary& flow, double initial_pressure) {
+  double shortest = quickest(flow.speed, 0, flow.ramp_time);
+  if (flow.kind == FlowBoundaryKind::pressure) shortest = quickest(flow.pressure, initial_pressure, flow.ramp_time);
+  for (const TimeTable& component : flow.velocity)
+    shortest = std::min(shortest, quickest(component, 0, flow.ramp_time));
+  if (flow.flow_rate) shortest = std::min(shortest, quickest(*flow.flow_rate, 0, flow.ramp_time));
+  if (flow.mass_flow_rate) shortest = std::min(shortest, quickest(*flow.mass_flow_rate, 0, flow.ramp_time));
+  return shortest;
+}
+
+/// Stresses of the beginning are borne from the beginning.
+double quickest(const TractionLoad& load) {
+  double shortest = std::min(load.normal_stress.quickest(), load.shear_stress.quickest());
+  for (const TimeTable& component : load.velocity) shortest = std::min(shortest, quickest(component, 0));
+  return shortest;
+}
+
+double quickest(const BoundarySection& side, const Scene& scene) {
+  double shortest = quickest(side.traction.load);
+  for (const TractionPart& part : side.traction.parts) shortest = std::min(shortest, quickest(part.load));
+  return scene.flow ? std::min(shortest, quickest(side.flow, scene.flow->initial_pressure)) : shortest;
+}
+
+bool expands(const MechanicsParameters& rock) {
+  return rock.thermal_expansion > 0 || std::any_of(rock.materials.begin(), rock.materials.end(),
+                                                   [](const auto& m) { return m.thermal_expansion > 0; });
+}
+
+/// Of generated rock; a mesh does not say here how fine it is.
+double heat_through_triangle(const Scene& scene) {
+  double diffusivity = scene.heat->solid_diffusivity;
+  for (const MineralSection& mineral : scene.minerals) diffusivity = std::max(diffusivity, mineral.diffusivity);
+  const double size = scene.rock && !scene.rock->mesh ? scene.rock->element_size / scene.rock->grading : 0;
+  return size * size / diffusivity;
+}
+
+}  // namespace
+
+double quickest_load(const Scene& scene) {
+  if (scene.flow && std::hypot(scene.flow->body_force[0], scene.flow->body_force[1]) > 0) return 0;
+  if (!scene.mechanics->initial_velocities.empty()) return 0;
+  double shortest = scene.heat && expands(scene.mechanics->parameters) ? heat_through_triangle(scene) : never;
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top})
+    shortest = std::min(shortest, quickest(*side, scene));
+  for (const InjectionSection& injection : scene.injections)
+    shortest = std::min(shortest, quickest(injection.conditions, scene));
+  for (const OpeningSection& opening : scene.openings)
+    shortest = std::min(shortest, quickest(opening.conditions, scene));
+  return shortest;
+}
+
+double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
+  constexpr double heaviest = 64, share = 6;
+  const MechanicsParameters& rock = scene.mechanics->parameters;
+  double speed = std::sqrt(rock.bond.normal_modulus / rock.density);
+  for (const RockMaterial& material : rock.materials)
+    speed = std::min(speed, std::sqrt(material.bond.normal_modulus / material.density));
+  const double crossing = std::max(scene.lattice.length_x, scene.lattice.length_y) / speed;
+  const double slower = share * tolerance * quickest_load(scene) / crossing;  // so many times waves may be
+  double scaling = heaviest;
+  while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;
+  return scaling;
+}
+
+}  // namespace vug
