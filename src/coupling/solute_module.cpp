@@ -3,7 +3,6 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/mirror_links.hpp"
 #include "kernels/reaction/dissolution.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "kernels/solute/face_exchange.hpp"
@@ -76,9 +75,8 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
       if (stretch.conditions.solute.kind == SoluteBoundaryKind::flux)
         boundary.area = stretch.opening ? link_areas(exec, geometry_.fluid, *stretch.opening, Set::Q)
                                         : side_link_areas(boundary.links, Set::Q);
-      if (stretch.conditions.solute.kind != SoluteBoundaryKind::outflow) continue;
-      if (Set::Q == D2Q9::Q) boundary.mirror = find_mirror_links(exec, geometry_.fluid, boundary.links);
-      if (&s == &species_[0])  // all have the same links
+      if (stretch.conditions.solute.kind == SoluteBoundaryKind::outflow &&
+          &s == &species_[0])  // all have the same links
         narrow_ = narrow_ || is_narrow(exec, geometry_.fluid, boundary.links);
     }
     if (s.watched.extent(0) > 0) Kokkos::resize(exec, s.watched, geometry_.fluid.capacity);
@@ -92,8 +90,7 @@ template <class T, class Set>
 SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, const StretchLinks& boundary, double time,
                                                    const ScalarField<double>& gain) const {
   const SoluteBoundary& given = boundary.stretch.conditions.solute;
-  if (given.kind == SoluteBoundaryKind::outflow)
-    return outflow_condition(boundary.links, boundary.mirror, s.parameters, s.fields, gain);
+  if (given.kind == SoluteBoundaryKind::outflow) return outflow_condition(boundary.links, s.parameters, s.fields, gain);
   const bool flux = given.kind == SoluteBoundaryKind::flux;
   const auto& values = flux ? given.flux : given.concentration;
   const auto found = values.find(s.section.name);

@@ -26,11 +26,8 @@ std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const {
     const auto fluid = on_host(boundary.links.fluid);
     const auto direction = on_host(boundary.links.direction);
     for (int link = 0; link < boundary.links.count; ++link) {
-      for (int q = 1; q < D2Q5::Q; ++q) {
-        if (D2Q9::c(q, 0) * D2Q9::c(direction(link), 0) + D2Q9::c(q, 1) * D2Q9::c(direction(link), 1) != 1) continue;
-        const int before = source(q * capacity + fluid(link)) - q * capacity;
-        if (before >= 0 && before < capacity) nodes.push_back(before);
-      }
+      const int q = direction(link), before = source(q * capacity + fluid(link)) - q * capacity;
+      if (before >= 0 && before < capacity) nodes.push_back(before);
     }
   }
   return nodes;

@@ -1,7 +1,6 @@
 #pragma once
 // A boundary condition on one stretch at a time, where a run dresses all of its stretches together.
 #include "kernels/flow/open_boundary.hpp"
-#include "kernels/nodes/mirror_links.hpp"
 #include "kernels/solute/solute_boundary.hpp"
 
 namespace vug {
@@ -41,8 +40,7 @@ void dress_concentration(const Exec& exec, const FluidNodes& nodes, const Bounda
 template <class Set, class T>
 void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                    const SoluteParameters& parameters, const SoluteFields<T>& s, const ScalarField<double>& gain) {
-  const IndexList mirror = Set::Q == D2Q9::Q ? find_mirror_links(exec, nodes, links) : IndexList();
-  const SoluteCondition<T> condition = outflow_condition(links, mirror, parameters, s, gain);
+  const SoluteCondition<T> condition = outflow_condition(links, parameters, s, gain);
   dress<Set, T>(exec, nodes, {&condition, 1});
 }
 

@@ -102,7 +102,7 @@ bool dress_between_outflows(int gap) {
   for (const auto& [side, x] : {std::pair{Side::left, 0}, {Side::right, gap - 1}}) {
     links.push_back(find_boundary_links(exec, nodes, side, 0, 39, D2Q5::Q));
     gain.emplace_back("gain", links.back().count);
-    conditions.push_back(outflow_condition(links.back(), {}, solute_parameters(0.2), s, gain.back()));
+    conditions.push_back(outflow_condition(links.back(), solute_parameters(0.2), s, gain.back()));
     narrow = narrow || is_narrow(exec, nodes, links.back());
     const int q = static_cast<int>(side);
     for (int i = x; i < nodes.count; i += gap) h(q * nodes.capacity + i) = h(D2Q5::opposite(q) * nodes.capacity + i);

@@ -26,10 +26,9 @@ std::string channel_between(const std::string& left, const std::string& right, i
     text += rectangle(0, 0, ends, ny, "name = \"left\"") + rectangle(nx - ends, 0, nx, ny, "name = \"right\"");
   text += fmt::format(
       "[flow]\nviscosity = 0.09\ndensity = 1\ninitial_pressure = 0\n"
-      "[heat]\nfluid_diffusivity = 0.05\nsolid_diffusivity = 0.13\ninitial_temperature = 350\nvelocity_set = \"{}\"\n"
+      "[heat]\nfluid_diffusivity = 0.05\nsolid_diffusivity = 0.13\ninitial_temperature = 350\n"
       "[solute]\nvelocity_set = \"{}\"\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.04\n",
-      // on D2Q9 a heated side mirrors what moves diagonally, an opening sends it back (fill_heat_openings)
-      left.find("flux") == std::string::npos ? set : "d2q5", set);
+      set);  // heat on D2Q5: sides of D2Q9 mirror what moves diagonally, openings send it back (fill_heat_openings)
   const std::string shape = ends > 0 ? "shape." : "";
   text += fmt::format("[boundary.{}left]\n{}\n[boundary.{}right]\n{}\n", shape, left, shape, right);
   // corners of the lattice belong to one of two sides: without any, sides and shapes are the same in every link

@@ -56,30 +56,32 @@ struct FillSide {
     const int step = along(side.outward, q);
     return solid(node + step * side.stride) == outside_lattice && !(step < 0 ? side.lower_corner : side.upper_corner);
   }
-  /// The node that a mirror shows beyond the link q of a node: on a diagonal the next one along the side, if that is of
-  /// the same kind and of this stretch, else the node itself.
-  KOKKOS_FUNCTION int mirrored(int item, int node, int q) const {
-    const int step = along(side.outward, q), next = node + step * side.stride;
-    const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
-    return step != 0 && beside && kinds.kind(next) == kinds.kind(node) ? next : node;
+  /// On D2Q9: true where another side begins. Between two outflows that took back conduction there waves would grow
+  /// (OutflowStability).
+  KOKKOS_FUNCTION bool at_corner(int node) const {
+    return solid(node - side.stride) == outside_lattice || solid(node + side.stride) == outside_lattice;
   }
-  /// What leaves a mirrored node by the link that crosses q.
-  KOKKOS_FUNCTION T leaving(int mirrored, int q) const {
+  /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
+  /// same kind and of this stretch by the link that crosses q.
+  KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
+    const int step = along(side.outward, q), plane = lattice.size();
+    const int next = node + step * side.stride;
+    const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
+    if (!Law::mirrors || step == 0 || !beside || kinds.kind(next) != kinds.kind(node)) return g(q * plane + node);
     int crossing = 5;
     while (crossing == q || !crosses(side.outward, crossing)) ++crossing;
-    return g(crossing * lattice.size() + mirrored);
+    return g(crossing * plane + next);
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
-    const int plane = lattice.size(), back = Set::opposite(q), like = Law::mirrors ? mirrored(item, node, q) : node;
-    SideLink<T> link{like == node ? g(q * plane + node) : leaving(like, q),
-                     g(back * plane + like),
+    const int plane = lattice.size(), back = Set::opposite(q);
+    SideLink<T> link{leaving(item, node, q),
+                     g(back * plane + node),
                      static_cast<T>(Set::w(q)),
                      kinds.share(node, share),
                      kinds.solid(node),
                      kinds.kind(node) != 0,
                      0};
-    if constexpr (Law::looks_inside)
-      link.slope = slope_from<T, Set>(kinds, g, plane, node, node_before(lattice, node, side.outward));
+    if constexpr (Law::looks_inside) link.slope = at_corner(node) ? 0 : slope_from<T, Set>(kinds, g, lattice, node, q);
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
@@ -117,7 +119,7 @@ struct FillOpening {
                      kinds.solid(n),
                      kinds.kind(n) != 0,
                      0};
-    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, plane, n, node_before(lattice, n, q));
+    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, n, q);
     const T arriving = law(link);
     g(back * plane + opening.beyond[item]) = arriving;
     return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));

@@ -14,7 +14,7 @@ enum class HeatCondition {
   temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
   convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
   flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
-  outflow       ///< zero gradient. In rock in = A, in fluid the population there, less what it conducts (OutflowIn)
+  outflow       ///< zero gradient. In rock in = A, in fluid the node's own population, less what it conducts (OutflowIn)
 };
 
 /// The node that an outflow through link q of a node looks back at: the one before it, or, where that is outside the
@@ -53,9 +53,9 @@ void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
 
 /// Fills the halo beside the sides in one launch, and books what enters in energy_in of each. On D2Q9 three links of a
 /// node cross the side, which share a flux as 1/6, 2/3, 1/6; where one through a corner is not this side's, its share
-/// goes to the straight link. An adiabatic side, and one with a flux, reflects what moves diagonally between like nodes
-/// as a mirror does: sent back the way it came it would hold back what flows along the side. Sides that are joined come
-/// first.
+/// goes to the straight link. An adiabatic side, one with a flux and an outflow of rock reflect what moves diagonally
+/// between like nodes as a mirror does: sent back the way it came it would hold back what flows along the side. Sides
+/// that are joined come first.
 template <class T>
 void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides);
 

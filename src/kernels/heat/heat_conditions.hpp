@@ -9,7 +9,7 @@ namespace vug {
 template <class T>
 struct SideLink {
   T leaving;   ///< A, the population that leaves through it, or that a mirror sends back through it
-  T inward;    ///< the population of the opposite direction at the node that the mirror shows there
+  T inward;    ///< the node's own population of the opposite direction
   T weight;    ///< w of the velocity set
   T share;     ///< of what enters at the node, of a mineral over its heat capacity
   bool solid;  ///< of the one solid that there is
@@ -71,10 +71,10 @@ struct TemperatureIn {
   }
 };
 
-/// Conducts nothing: in rock in = A. In fluid, which carries heat out, in = the inward population without what that
-/// conducts. At the node the temperature rises half as much as it has since the node before, with the plane of the side
-/// beyond, where it does not: (tau - 1) w of that has the inward population too little, and as much has what leaves too
-/// little. Taken over as it is, it lets heat out as if the fluid went on for 2 (tau - 1) nodes.
+/// Conducts nothing: in rock in = A. In fluid, which carries heat out, in = the node's own inward population without
+/// what it conducts. At the node the temperature rises half as much as it has since the node before, with the plane of
+/// the side beyond, where it does not: (tau - 1) w of that has the inward population too little, and as much has what
+/// leaves too little. Taken over as it is, it lets heat out as if the fluid went on for 2 (tau - 1) nodes.
 template <class T>
 struct OutflowIn {
   static constexpr bool mirrors = true, looks_inside = true;
@@ -83,10 +83,12 @@ struct OutflowIn {
   }
 };
 
-/// SideLink::slope of a node, `before` being the node before (-1: none); none where that is of another kind of matter.
+/// SideLink::slope at the link q of a node; none where the node before is of another kind of matter.
 template <class T, class Set, class Kinds>
-KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, int plane, int node, int before) {
+KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const Lattice& lattice, int node, int q) {
+  const int before = node_before(lattice, node, q);
   if (before < 0 || kinds.kind(before) != kinds.kind(node)) return 0;
+  const int plane = lattice.size();
   const T rise = sum_of_populations<Set, T>(&g(node), plane) - sum_of_populations<Set, T>(&g(before), plane);
   return outflow_slope(1 / kinds.rate(node)) * rise;
 }

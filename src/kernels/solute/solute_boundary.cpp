@@ -32,34 +32,20 @@ struct FluxRule {
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T out) const { return out + T(area[link] * flux); }
 };
 
-/// h_in = h*_in of the node that a mirror shows beyond the link - outflow_slope(tau_1) w_q (C - C_before).
+/// h_in = h*_in of the same node - outflow_slope(tau_1) w_q (C - C_before). What goes inwards from there may be turned
+/// (streaming.hpp).
 template <class T, class Set>
 struct SoluteOutflowRule {
-  SoluteCondition<T> links;
+  const T* h;
+  const T* C;
   Kokkos::View<const int*> source;
-  Kokkos::View<const std::uint16_t*> side_links;
-  int capacity;
-
-  /// Where what arrives at node i in direction q comes from; a wall sends back what leaves, and is no node.
-  KOKKOS_FORCEINLINE_FUNCTION int before(int i, int q) const { return source(q * capacity + i) - q * capacity; }
-  /// What goes inwards from node i, which may be turned (streaming.hpp).
-  KOKKOS_FORCEINLINE_FUNCTION T inward(int i, int q) const {
-    return links.h[links.turned ? source(q * capacity + i) : Set::opposite(q) * capacity + i];
-  }
-  /// The straight direction out of node i by the side that the diagonal q crosses; that along x at a corner.
-  KOKKOS_FORCEINLINE_FUNCTION int straight(int i, int q) const {
-    const int along_x = Set::c(q, 0) > 0 ? 1 : 3, along_y = Set::c(q, 1) > 0 ? 2 : 4;
-    return side_links(i) >> along_x & 1 ? along_x : along_y;
-  }
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T) const {
-    int like = i, out = q;
-    if constexpr (Set::Q == D2Q9::Q) {
-      if (links.mirror[link] >= 0) like = links.fluid[links.mirror[link]];
-      if (q >= D2Q5::Q) out = straight(i, q);
-    }
-    const int from = before(i, out);
-    const T rise = from >= 0 && from < capacity ? links.C[i] - links.C[from] : T(0);
-    return inward(like, q) - T(Set::w(q)) * links.slope * rise;
+  int capacity, turned;
+  T slope;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T) const {
+    const int arriving = source(q * capacity + i), before = arriving - q * capacity;
+    const T inward = h[turned ? arriving : Set::opposite(q) * capacity + i];
+    const bool fluid = before >= 0 && before < capacity;  // else a wall sends back what leaves
+    return fluid ? inward - T(Set::w(q)) * slope * (C[i] - C[before]) : inward;
   }
 };
 
@@ -83,7 +69,6 @@ template <class T, class Set>
 struct DressSolutes {
   using Entry = SoluteCondition<T>;
   Kokkos::View<const int*> source;
-  Kokkos::View<const std::uint16_t*> side_links;
   int capacity;
 
   static int count(const Entry& c) { return c.count; }
@@ -93,7 +78,7 @@ struct DressSolutes {
     using Uniform = ConcentrationRule<T, Set, UniformSideConcentration>;
     using Profile = ConcentrationRule<T, Set, SideConcentrationProfile>;
     if (c.kind == Kind::outflow)
-      run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c, source, side_links, capacity}});
+      run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
     else if (c.kind == Kind::concentration)
       run(DressSolute<T, Uniform>{c, capacity, {{c.value}}});
     else if (c.kind == Kind::concentration_profile)
@@ -119,8 +104,7 @@ SoluteCondition<T> condition(typename SoluteCondition<T>::Kind kind, const Bound
           part,
           value,
           s.C.data(),
-          0,
-          nullptr};
+          0};
 }
 
 }  // namespace
@@ -144,18 +128,16 @@ SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<
 }
 
 template <class T>
-SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const IndexList& mirror,
-                                     const SoluteParameters& parameters, const SoluteFields<T>& s,
-                                     const ScalarField<double>& gain) {
+SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
+                                     const SoluteFields<T>& s, const ScalarField<double>& gain) {
   SoluteCondition<T> made = condition(SoluteCondition<T>::Kind::outflow, links, s, gain, nullptr, 0);
   made.slope = static_cast<T>(outflow_slope(parameters.tau_1));
-  made.mirror = mirror.data();
   return made;
 }
 
 template <class Set, class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions, bool narrow) {
-  const DressSolutes<T, Set> law{nodes.source, nodes.side_links, nodes.capacity};
+  const DressSolutes<T, Set> law{nodes.source, nodes.capacity};
   const std::size_t together = narrow ? 1 : conditions.size();
   for (std::size_t first = 0; first < conditions.size(); first += together)
     for_each_of_lists(exec, "vug::solute_boundary::dress", conditions.subspan(first, together), law);
@@ -177,16 +159,16 @@ bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& l
   return narrow > 0;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                       \
-  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&,      \
-                                                      const ScalarField<double>&);                               \
-  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, const ScalarField<double>&,          \
-                                                      const SoluteFields<T>&, const ScalarField<double>&);       \
-  template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,           \
-                                             const SoluteFields<T>&, const ScalarField<double>&);                \
-  template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const IndexList&, const SoluteParameters&, \
-                                                const SoluteFields<T>&, const ScalarField<double>&);             \
-  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);          \
+#define VUG_INSTANTIATE(T)                                                                                             \
+  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&,            \
+                                                      const ScalarField<double>&);                                     \
+  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, const ScalarField<double>&,                \
+                                                      const SoluteFields<T>&, const ScalarField<double>&);             \
+  template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,                 \
+                                             const SoluteFields<T>&, const ScalarField<double>&);                      \
+  template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteParameters&, const SoluteFields<T>&, \
+                                                const ScalarField<double>&);                                           \
+  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);                \
   template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

@@ -21,9 +21,8 @@ struct SoluteCondition {
   int turned = 0;                           ///< (streaming.hpp)
   const double* part = nullptr;             ///< (link) concentration of a profile, area of a flux
   double value = 0;
-  const T* C = nullptr;         ///< (fluid) concentrations
-  T slope = 0;                  ///< outflow_slope(tau_1)
-  const int* mirror = nullptr;  ///< (link) see mirror_links.hpp; of an outflow on D2Q9
+  const T* C = nullptr;  ///< (fluid) concentrations
+  T slope = 0;           ///< outflow_slope(tau_1)
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population.
@@ -43,13 +42,10 @@ SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<
 
 /// Outflow without gradient: h_in = the node's own population of the incoming direction, less what it diffuses,
 /// (tau_1 - 1) w_q times the rise of C from the node before: at the node the gradient is half of that, beyond it none,
-/// and the population and the one that leaves are both short of it. Along a diagonal of D2Q9 it is the population of
-/// the node beside, which the `mirror` (mirror_links.hpp) shows there: so what diffuses along the side goes on. D2Q5
-/// needs no mirror.
+/// and the population and the one that leaves are both short of it.
 template <class T>
-SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const IndexList& mirror,
-                                     const SoluteParameters& parameters, const SoluteFields<T>& s,
-                                     const ScalarField<double>& gain);
+SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
+                                     const SoluteFields<T>& s, const ScalarField<double>& gain);
 
 /// Dresses the links of all stretches, no link of which is in two, of any number of species: one launch; where fluid is
 /// `narrow` one for each stretch, in their order.
