@@ -1,6 +1,7 @@
 #include "coupling/choices.hpp"
 
 #include "io/presets.hpp"
+#include "io/rock_inertia.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -129,11 +130,14 @@ const std::vector<MeasuredChoice>& measured_choices() {
 
 std::vector<std::string> choice_notes(const Scene& scene) {
   std::vector<std::string> notes;
-  if (scene.accuracy.chooses_intervals())
-    return {
+  if (scene.accuracy.chooses_intervals()) {
+    notes.push_back(
         fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] as the run goes; "
                     "docs/tuning.md has what that gained and cost",
-                    scene.accuracy.tolerance)};
+                    scene.accuracy.tolerance));
+    if (scene.mechanics && scene.mechanics->scaling_chosen) notes.push_back(mass_scaling_note(scene));
+    return notes;
+  }
   for (const MeasuredChoice& choice : measured_choices())
     if (choice.made(scene))
       notes.push_back(fmt::format(

@@ -163,12 +163,7 @@ class Run {
     if (folder_ && !folder_->warning().empty()) progress.note("warning: " + folder_->warning());
     if (!ranks_.alone()) progress.note(shares());
     for (const std::string& note : notes_) progress.note(note);
-    if (scene_.mechanics && scene_.mechanics->scaling_chosen)
-      progress.note(
-          fmt::format("note: accuracy.tolerance bears triangles {:g} times as heavy (mechanics.mass_scaling): loads "
-                      "change over {:.3g} s "
-                      "at the quickest",
-                      scene_.mechanics->parameters.mass_scaling, quickest_load(scene_)));
+    if (scene_.mechanics && scene_.mechanics->scaling_chosen) progress.note("note: " + mass_scaling_note(scene_));
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     const Parts& parts = simulation_.parts();
     for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)

@@ -1,5 +1,7 @@
 #include "io/rock_inertia.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,6 +80,14 @@ double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
   double scaling = heaviest;
   while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;
   return scaling;
+}
+
+std::string mass_scaling_note(const Scene& scene) {
+  const double time = quickest_load(scene);
+  return fmt::format(
+      "accuracy.tolerance = {:g} bears rock {:g} times as heavy (mechanics.mass_scaling): {}", scene.accuracy.tolerance,
+      scene.mechanics->parameters.mass_scaling,
+      time == never ? "no load changes" : fmt::format("no load changes within less than {:.3g} s", time));
 }
 
 }  // namespace vug

@@ -2,6 +2,8 @@
 // How heavy the triangles may be made without anybody noticing: a sub-step may be as much longer as waves are slower.
 #include "io/scene.hpp"
 
+#include <string>
+
 namespace vug {
 
 /// Shortest time (s) in which something that loads the rock changes: a ramp or the points of a table of pressures,
@@ -14,5 +16,8 @@ double quickest_load(const Scene& scene);
 /// crosses the longest side in 6 t of quickest_load at the most. The 6 is from the paper's rock (docs/model.md,
 /// "Intervals from a tolerance").
 double quasi_static_mass_scaling(const Scene& scene, double tolerance);
+
+/// That a tolerance has chosen it, and why: for the log and `vug check`.
+std::string mass_scaling_note(const Scene& scene);
 
 }  // namespace vug
