@@ -82,7 +82,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   scene.openings = read_openings(boundary, scene.geometry);
   const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end;
   if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset, may_age, scene.flow.has_value());
-  const bool given = root.table("mechanics").has("mass_scaling");
+  const auto mechanics = root.table("mechanics");
+  const bool given = mechanics.has("mass_scaling") || mechanics.has("substeps");  // then it would gain nothing
   if (scene.mechanics && !scene.laboratory && scene.accuracy.tolerance > 0 && !given) choose_mass_scaling(scene);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }
