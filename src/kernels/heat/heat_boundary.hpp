@@ -14,7 +14,7 @@ enum class HeatCondition {
   temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
   convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
   flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
-  outflow       ///< zero gradient. In rock in = A, in fluid the node's own population, less what it conducts (OutflowIn)
+  outflow       ///< zero gradient: in rock in = A, in fluid the node's own population, less what it conducts
 };
 
 /// The node that an outflow through link q of a node looks back at: the one before it, or, where that is outside the
