@@ -82,7 +82,7 @@ void sum_runs(const Exec& exec, const std::string& label, const NodeGroups& grou
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, count),
                          detail::RunSumOnHost<T, Store>{groups, list, values, store});
   else
-    for_each_team(exec, label, count, 4, detail::RunSumByTeam<T, Store>{groups, list, values, store}, 8);
+    for_each_team<8>(exec, label, count, 4, detail::RunSumByTeam<T, Store>{groups, list, values, store});
 }
 
 }  // namespace vug

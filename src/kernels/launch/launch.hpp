@@ -16,6 +16,8 @@ namespace vug {
 #endif
 
 inline constexpr int nodes_per_block = 512, shortest_block = 32;
+/// Threads of a GPU that add up a block or a row: two nodes each leave enough loads under way.
+inline constexpr int threads_per_sum = 256;
 
 KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
   return (n + nodes_per_block - 1) / nodes_per_block;
@@ -188,14 +190,15 @@ void for_each_scattered(const Exec& exec, const std::string& label, const Share&
 }
 
 /// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end can give
-/// for this body; of one on a host.
-template <class Body>
-void for_each_team(const Exec& exec, const std::string& label, int count, int threads, const Body& body,
-                   int lanes = 1) {
+/// for this kind of body; of one on a host.
+template <int lanes = 1, class Body>
+void for_each_team(const Exec& exec, const std::string& label, int count, int threads, const Body& body) {
   using Policy = Kokkos::TeamPolicy<Exec>;
-  lanes = std::min(lanes, Policy::vector_length_max());
-  const int most = shares_host_memory ? 1 : Policy(exec, count, 1, lanes).team_size_max(body, Kokkos::ParallelForTag{});
-  Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), lanes), body);
+  const int width = std::min(lanes, Policy::vector_length_max());
+  // asked once, since it takes as long as a launch
+  static const int most =
+      shares_host_memory ? 1 : Policy(exec, count, 1, width).team_size_max(body, Kokkos::ParallelForTag{});
+  Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), width), body);
 }
 
 /// total(block) += sum of body(i) over the block's nodes, for the items i of a list of n; `total` has at least
@@ -211,7 +214,7 @@ void add_per_block(const Exec& exec, const std::string& label, const Share& list
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, blocks),
                          Blocks{{body, total}, n, nodes_per_block, list.block});
   } else {
-    for_each_team(exec, label, blocks, 128, detail::TeamSum<Body>{body, n, total, list.block});
+    for_each_team(exec, label, blocks, threads_per_sum, detail::TeamSum<Body>{body, n, total, list.block});
   }
 }
 

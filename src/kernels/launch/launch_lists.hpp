@@ -157,7 +157,7 @@ void add_per_block_of_lists(const Exec& exec, const std::string& label, std::spa
     if constexpr (runs_on_host)
       Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lists.blocks()), body);
     else
-      for_each_team(exec, label, lists.blocks(), 128, body);
+      for_each_team(exec, label, lists.blocks(), nodes_per_block, body);  // few blocks: as short as can be
   });
 }
 

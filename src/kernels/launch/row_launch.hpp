@@ -101,7 +101,7 @@ void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, rows.first, rows.first + rows.count),
                          detail::RowSum<Body>{body, lattice, total});
   else
-    for_each_team(exec, label, rows.count, 128, detail::TeamRowSum<Body>{body, lattice, rows.first, total});
+    for_each_team(exec, label, rows.count, threads_per_sum, detail::TeamRowSum<Body>{body, lattice, rows.first, total});
 }
 
 }  // namespace vug
