@@ -148,8 +148,8 @@ class Cycle {
   double steps_ = 0;
 };
 
-/// Seconds of a step among `steps` that nobody looks at, and until the host has sent it: a GPU is sent the next while it
-/// works at one.
+/// Seconds of a step among `steps` that nobody looks at, and until the host has sent it: a GPU is sent the next while
+/// it works at one.
 struct Unwatched {
   double sent, done;
 };
