@@ -36,10 +36,13 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   # without them a square root or a choice between two values keeps a loop from vectorising; results and NaN stay
   target_compile_options(vug_options INTERFACE -fno-math-errno -fno-trapping-math)
 endif()
-if(VUG_BACKEND MATCHES "OPENMP|SERIAL")
-  # A node may fall to the vector or to the scalar part of a loop, in which the compiler would fuse other products with
-  # other sums: unfused, where a node stands in a list changes no bits.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  # A node may fall to the vector or to the scalar part of a loop, or to one of two kernels of a GPU, in which the compiler
+  # would fuse other products with other sums: unfused, where a node stands in a list changes no bits.
   target_compile_options(vug_options INTERFACE -ffp-contract=off)
+endif()
+if(VUG_BACKEND STREQUAL "CUDA")
+  target_compile_options(vug_options INTERFACE --fmad=false)  # the same for the device
 endif()
 if(VUG_NATIVE AND NOT VUG_BACKEND STREQUAL "CUDA" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(vug_options INTERFACE -march=native -mprefer-vector-width=512)

@@ -30,9 +30,11 @@ class Tally {
       counting_->overheard_.region_began(label);
     });
     set_begin_fence_callback([](const char* label, std::uint32_t, std::uint64_t*) {
-      // Kokkos itself fences for its tools, and where a host stands in for a GPU before a graph
+      // Kokkos itself fences for its tools, where a host stands in for a GPU before a graph, and for the result of a
+      // reduction on a GPU once more after the wait that counts
       const std::string_view wait = label;
-      for (const char* not_ours : {"Profile Tool Fence", "Kokkos::DefaultGraph::submit"})
+      for (const char* not_ours :
+           {"Profile Tool Fence", "Kokkos::DefaultGraph::submit", "Result Not Device Accessible"})
         if (wait.find(not_ours) != wait.npos) return;
       ++counting_->waits[label];
     });
