@@ -211,20 +211,6 @@ TEST(ExitCodes, DivergingRunGivesThreeAndNamesTheLastGoodState) {
   EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("diverged"));
 }
 
-TEST(Interruption, WritesACheckpointFromWhichTheRunGoesOn) {
-  const TemporaryFolder folder;
-  // strong rock under a low pressure, so that the run would go on for long
-  const std::string more =
-      " --quiet --threads 1 --set time.steps=4000 --set mechanics.bond.normal_strength=15e6"
-      " --set mechanics.bond.cohesion=95e6 --set boundary.injection.flow.pressure=1e6 -o " +
-      (folder / "out");
-  const Outcome interrupted = run_command("OMP_PROC_BIND=false timeout -s TERM 1.5 " VUG_EXECUTABLE " run " +
-                                          small_rock + more + "; echo code $?");
-  EXPECT_THAT(interrupted.output, testing::AnyOf(HasSubstr("code 130"), HasSubstr("code 124"))) << interrupted.output;
-  EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("interrupted"));
-  EXPECT_EQ(run_vug("run " + small_rock + more + " --resume").exit_code, 0);
-}
-
 TEST(Events, AreToldInTheLogAndInTheRecord) {
   const TemporaryFolder folder;
   const Outcome outcome = run_vug("run " + small_rock + " --threads 1 -o " + (folder / "out"));
