@@ -16,7 +16,7 @@ namespace vug {
 #endif
 
 inline constexpr int nodes_per_block = 512, shortest_block = 32;
-/// Threads of a GPU that add up a block or a row: two nodes each leave enough loads under way.
+/// Threads of a GPU that add up a block or a row.
 inline constexpr int threads_per_sum = 256;
 
 KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
