@@ -30,12 +30,15 @@ class Tally {
       counting_->overheard_.region_began(label);
     });
     set_begin_fence_callback([](const char* label, std::uint32_t, std::uint64_t*) {
-      // Kokkos itself fences for its tools, where a host stands in for a GPU before a graph, and for the result of a
-      // reduction on a GPU once more after the wait that counts
+      // Kokkos itself fences for its tools, and where a host stands in for a GPU before a graph
       const std::string_view wait = label;
-      for (const char* not_ours :
-           {"Profile Tool Fence", "Kokkos::DefaultGraph::submit", "Result Not Device Accessible"})
+      for (const char* not_ours : {"Profile Tool Fence", "Kokkos::DefaultGraph::submit"})
         if (wait.find(not_ours) != wait.npos) return;
+      // CUDA waits for the result of a reduction, and Kokkos at once a second time: one wait
+      const bool again = wait.starts_with("Kokkos::parallel_reduce");
+      if (!again) counting_->count_result();
+      counting_->awaited_result_ = wait.find("Result Not Device Accessible") != wait.npos;
+      if (counting_->awaited_result_) return;
       ++counting_->waits[label];
     });
     set_allocate_data_callback([](Kokkos::Profiling::SpaceHandle, const char* label, const void*, std::uint64_t size) {
@@ -61,10 +64,17 @@ class Tally {
   }
 
  private:
+  /// A wait for a result that no second one followed.
+  void count_result() {
+    if (awaited_result_) ++waits["result of a reduction"];
+    awaited_result_ = false;
+  }
   static void launched(const char* label, std::uint32_t device, std::uint64_t* id) {
+    counting_->count_result();
     ++counting_->launches[label];
     counting_->overheard_.launched(label, device, id);
   }
+  bool awaited_result_ = false;
   test::Overheard overheard_;
   inline static Tally* counting_ = nullptr;
 };

@@ -1,5 +1,5 @@
-"""scripts/gpu-check run on this machine: gpu_check.py VUG. The bundle holds this vug and two programs that stand for tests
-of a GPU, one of which fails; what the script says of them, and its exit code, is compared.
+"""scripts/gpu-check run on this machine: gpu_check.py VUG. The bundle holds this vug and three programs that stand for
+tests of a GPU: one passes, one fails, one ends without a word. What the script says of them, and its exit code, is compared.
 """
 import os
 import pathlib
