@@ -1,5 +1,6 @@
 #include "coupling/ageing_module.hpp"
 
+#include "coupling/shared_field.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
@@ -88,15 +89,16 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 }
 
 template <class T, class Set>
-void AgeingModule<T, Set>::gather(const Exec&) {
-  const Split& split = geometry_.split;
-  for (const Watched& watched : watched_) split.bring(split.of_fluid(geometry_.fluid), watched.before);
+template <class Visit>
+void AgeingModule<T, Set>::visit_shares(const Visit& visit) const {
+  const Shares shares(geometry_.split.of_fluid(geometry_.fluid), 1, {});
+  for (std::size_t w = 0; w < watched_.size(); ++w)
+    visit("ageing/before" + std::to_string(w), watched_[w].before, shares);
 }
 
 template <class T, class Set>
 void AgeingModule<T, Set>::let_go() {
-  const Split& split = geometry_.split;
-  for (const Watched& watched : watched_) split.let_go(split.of_fluid(geometry_.fluid), watched.before, 1, 0, {});
+  visit_shares(LetGo{geometry_.split.ranks()});
 }
 
 template <class T, class Set>
@@ -110,7 +112,7 @@ void AgeingModule<T, Set>::state(StateList& list) {
   add_state(list);
   list.add_value("ageing/compared", compared_, {0, static_cast<double>(geometry_.fluid.count)});
   list.add_value("ageing/paid_before", paid_before_);
-  for (std::size_t w = 0; w < watched_.size(); ++w) list.add("ageing/before" + std::to_string(w), watched_[w].before);
+  visit_shares(AddShared{list, geometry_.split.ranks()});
 }
 
 template class AgeingModule<float, D2Q5>;

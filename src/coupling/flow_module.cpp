@@ -223,27 +223,20 @@ void FlowModule<T>::watch(const Exec& exec, const Clock& clock, Changes& changes
 template <class T>
 void FlowModule<T>::fields(FieldList& list) const {
   for (const auto& [name, reference] : {std::pair{"pressure", units_.reference_pressure}, {"gauge_pressure", 0.0}})
-    list.lattice.push_back({name, "Pa", 1, [this, reference = reference](std::span<double> out) {
-                              read_fluid(geometry_.fluid, densities(Exec{}, geometry_.fluid, fields_),
-                                         {units_.pressure() / 3, reference, reference}, out);
+    list.lattice.push_back({name, "Pa", 1, [this, reference = reference] {
+                              const std::array density{densities(Exec{}, geometry_.fluid, fields_)};
+                              return read_fluid(geometry_, density, {units_.pressure() / 3, reference, reference});
                             }});
-  list.lattice.push_back({"velocity", "m/s", 2, [this](std::span<double> out) {
-                            for (int axis = 0; axis < 2; ++axis)
-                              read_fluid(geometry_.fluid, Kokkos::subview(fields_.u, Kokkos::ALL, axis),
-                                         {units_.velocity(), 0, 0}, out, axis, 2);
+  list.lattice.push_back({"velocity", "m/s", 2, [this] {
+                            return read_fluid(geometry_, components(fields_.u), {units_.velocity(), 0, 0});
                           }});
 }
 
 template <class T>
 void FlowModule<T>::state(StateList& list) {
-  list.add("flow/f", fields_.f);
+  shared_state(list);
   list.add_value("flow/turned", fields_.turned, {0, 1});
-  list.add("flow/u", fields_.u);
   list.add("flow/limited", step_.limited);
-  for (std::size_t c = 0; c < carriers_.size(); ++c) {  // in the order in which the modules asked for them
-    const Carrier<T>& carrier = carriers_[c];
-    list.add("flow/carrier" + std::to_string(c) + "/e", carrier.e);
-  }
   for (StretchLinks& boundary : boundaries_) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
     add_state(list, key + "/gain", boundary.gain);

@@ -63,9 +63,11 @@ class FlowModule final : public Module {
   void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);
   void find_halos();
-  /// visit(owners, values, planes, stride, halos that bring some of them) of all that the ranks share out by nodes.
+  /// visit(name in checkpoints, field, Shares) of all that the ranks share out by nodes.
   template <class Visit>
   void visit_shares(const Visit& visit) const;
+  /// What a checkpoint must hold of these.
+  void shared_state(StateList& list) const;
   /// Gives back what our last sweep left in slots of other ranks' nodes, and the other way round.
   void return_populations(const Exec& exec) const;
   /// That of all ranks' nodes; of populations that have been given back.

@@ -1,6 +1,7 @@
 // The flow of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
+#include "coupling/shared_field.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -46,25 +47,27 @@ void FlowModule<T>::find_halos() {
 template <class T>
 template <class Visit>
 void FlowModule<T>::visit_shares(const Visit& visit) const {
-  const FluidNodes& fluid = geometry_.fluid;
-  const Owners nodes = geometry_.split.of_fluid(fluid);
-  const ScalarField<T> f = fields_.f;
-  visit(nodes, f, D2Q9::Q, fluid.capacity, {&populations_, &dressed_, &around_});
-  for (const ScalarField<T>& u : components(fields_.u)) visit(nodes, u, 1, 0, {&velocities_});
-  for (const Carrier<T>& carrier : carriers_) visit(nodes, carrier.e, 1, 0, {&in_rows_});
+  const Owners nodes = geometry_.split.of_fluid(geometry_.fluid);
+  visit("flow/f", fields_.f, Shares(nodes, D2Q9::Q, {populations_, dressed_, around_}));
+  visit("flow/u", fields_.u, Shares::of_vector(nodes, {velocities_}));
+  for (std::size_t c = 0; c < carriers_.size(); ++c)  // in the order in which the modules asked for them
+    visit("flow/carrier" + std::to_string(c) + "/e", carriers_[c].e, Shares(nodes, 1, {in_rows_}));
 }
 
 template <class T>
 void FlowModule<T>::gather(const Exec& exec) {
-  const Split& split = geometry_.split;
   return_populations(exec);
-  visit_shares(Bring{split});
-  split.make_whole(split.of_blocks(), step_.limited);
+  geometry_.split.make_whole(geometry_.split.of_blocks(), step_.limited);
 }
 
 template <class T>
 void FlowModule<T>::let_go() {
-  visit_shares(LetGo{geometry_.split});
+  visit_shares(LetGo{geometry_.split.ranks()});
+}
+
+template <class T>
+void FlowModule<T>::shared_state(StateList& list) const {
+  visit_shares(AddShared{list, geometry_.split.ranks()});
 }
 
 template <class T>
@@ -101,6 +104,7 @@ FlowExtremes FlowModule<T>::extremes(const Exec& exec) const {
   template void FlowModule<T>::find_halos();                          \
   template void FlowModule<T>::gather(const Exec&);                   \
   template void FlowModule<T>::let_go();                              \
+  template void FlowModule<T>::shared_state(StateList&) const;        \
   template void FlowModule<T>::return_populations(const Exec&) const; \
   template double FlowModule<T>::sum_mass() const;                    \
   template double FlowModule<T>::mass() const;                        \

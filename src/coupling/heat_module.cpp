@@ -216,19 +216,18 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
 
 template <class T>
 void HeatModule<T>::fields(FieldList& list) const {
-  list.lattice.push_back(
-      {"temperature", "K", 1, [this](std::span<double> out) {
-         read_dense(geometry_.lattice, temperatures(Exec{}, fields_), {1, units_.reference_temperature, 0}, out);
-       }});
+  list.lattice.push_back({"temperature", "K", 1, [this] {
+                            const auto theta = zeros<ScalarField<T>>(
+                                Exec{}, "vug::heat::theta", geometry_.lattice.size(), !geometry_.split.alone());
+                            take_temperatures(Exec{}, fields_, theta);
+                            return read_dense(geometry_, theta, {1, units_.reference_temperature, 0});
+                          }});
 }
 
 template <class T>
 void HeatModule<T>::state(StateList& list) {
   fresh_ = false;  // other populations may come
-  list.add("heat/g", fields_.g);
-  if (carrier_) list.add("heat/lagged", lagged_);
-  if (watched_.extent(0) > 0) list.add("heat/watched", watched_);
-  if (fluid_theta_.extent(0) > 0) list.add("heat/fluid_theta", fluid_theta_);
+  shared_state(list);
   add_state(list, "heat/created", created_);
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)

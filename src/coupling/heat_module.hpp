@@ -57,6 +57,7 @@ class HeatModule final : public Module {
   /// As FlowModule's.
   template <class Visit>
   void visit_shares(const Visit& visit) const;
+  void shared_state(StateList& list) const;
   /// fluid_theta_ of the nodes that this rank sweeps.
   void take_temperatures_of_fluid(const Exec& exec) const;
   double energy() const;

@@ -1,5 +1,6 @@
 // The heat of one rank among others (docs/scaling.md).
 #include "coupling/heat_module.hpp"
+#include "coupling/shared_field.hpp"
 #include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
@@ -40,22 +41,26 @@ template <class Visit>
 void HeatModule<T>::visit_shares(const Visit& visit) const {
   const Split& split = geometry_.split;
   const Owners rows = split.of_dense(geometry_.lattice);
-  visit(rows, fields_.g, directions(), geometry_.lattice.size(), {&populations_});
-  if (watched_.extent(0) > 0) visit(rows, watched_, 1, 0, {});
-  if (carrier_) visit(split.of_fluid_by_row(geometry_.fluid), lagged_, 1, 0, {});
-  if (fluid_theta_.extent(0) > 0) visit(split.of_fluid(geometry_.fluid), fluid_theta_, 1, 0, {&in_rows_});
+  visit("heat/g", fields_.g, Shares(rows, directions(), {populations_}));
+  if (carrier_) visit("heat/lagged", lagged_, Shares(split.of_fluid_by_row(geometry_.fluid), 1, {}));
+  if (watched_.extent(0) > 0) visit("heat/watched", watched_, Shares(rows, 1, {}));
+  if (fluid_theta_.extent(0) > 0)
+    visit("heat/fluid_theta", fluid_theta_, Shares(split.of_fluid(geometry_.fluid), 1, {in_rows_}));
 }
 
 template <class T>
 void HeatModule<T>::gather(const Exec&) {
-  const Split& split = geometry_.split;
-  visit_shares(Bring{split});
-  if (carrier_) split.make_whole(split.of_rows(), created_);
+  if (carrier_) geometry_.split.make_whole(geometry_.split.of_rows(), created_);
 }
 
 template <class T>
 void HeatModule<T>::let_go() {
-  visit_shares(LetGo{geometry_.split});
+  visit_shares(LetGo{geometry_.split.ranks()});
+}
+
+template <class T>
+void HeatModule<T>::shared_state(StateList& list) const {
+  visit_shares(AddShared{list, geometry_.split.ranks()});
 }
 
 template <class T>
@@ -64,10 +69,11 @@ void HeatModule<T>::take_temperatures_of_fluid(const Exec& exec) const {
   in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});
 }
 
-#define VUG_INSTANTIATE(T)                          \
-  template void HeatModule<T>::find_halos();        \
-  template void HeatModule<T>::gather(const Exec&); \
-  template void HeatModule<T>::let_go();            \
+#define VUG_INSTANTIATE(T)                                     \
+  template void HeatModule<T>::find_halos();                   \
+  template void HeatModule<T>::gather(const Exec&);            \
+  template void HeatModule<T>::let_go();                       \
+  template void HeatModule<T>::shared_state(StateList&) const; \
   template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

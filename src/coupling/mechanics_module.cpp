@@ -250,19 +250,18 @@ void MechanicsModule<T>::state(StateList& list) {
     list.add("mechanics/torque", mechanics_.particles().torque);
   }
   using Progress = std::pair<double, long>;
-  list.add(StateBlock{"mechanics/progress",
-                      [this] {
+  list.add(StateBlock{"mechanics/progress", sizeof(Progress),
+                      [this](const TakeBytes& take) {
                         const Progress progress{mechanics_.time(), mechanics_.steps()};
-                        std::vector<std::byte> bytes(sizeof progress);
-                        std::memcpy(bytes.data(), &progress, sizeof progress);
-                        return bytes;
+                        take(std::as_bytes(std::span(&progress, 1)));
                       },
-                      [this](std::span<const std::byte> bytes) {
+                      [this](const GiveBytes& give) {
+                        std::array<std::byte, sizeof(Progress)> bytes;
+                        give(0, bytes);
+                        detail::require_range<double>("mechanics/time", std::span(bytes).first(sizeof(double)), {});
+                        detail::require_range<long>("mechanics/steps", std::span(bytes).last(sizeof(long)), {0, 1e18});
                         Progress progress;
-                        if (bytes.size() != sizeof progress) throw FileError("mechanics/progress does not fit");
                         std::memcpy(static_cast<void*>(&progress), bytes.data(), sizeof progress);
-                        detail::require_range<double>("mechanics/time", bytes.first(sizeof(double)), {});
-                        detail::require_range<long>("mechanics/steps", bytes.last(sizeof(long)), {0, 1e18});
                         mechanics_.set_time(progress.first);
                         mechanics_.set_steps(progress.second);
                       }});

@@ -38,11 +38,11 @@ class Module {
   virtual void begin(const Exec&) {}
   /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
   virtual void step(const Exec& exec, const Clock& clock) = 0;
-  /// Brings to the first rank what the ranks have computed each for itself, before fields and state are looked at.
-  /// Called by all ranks, as every other function, and only where there are several.
+  /// Brings to each rank what others hold of its part, and to the first one sums and short lists, before fields and
+  /// state are looked at. Called by all ranks, as every other function, and only where there are several.
   virtual void gather(const Exec&) {}
-  /// Where there are several: gives back the memory of what others compute, which `gather`, a checkpoint or the growth
-  /// of the list of fluid nodes has filled.
+  /// Where there are several: gives back the memory of what others compute, which a checkpoint or the growth of the
+  /// list of fluid nodes has filled.
   virtual void let_go() {}
   /// Takes up newborn fluid nodes; called between steps, when the list of fluid nodes has grown.
   virtual void births(const Exec&, const Births&) {}

@@ -229,8 +229,7 @@ void ReactionModule<T, Set>::births(const Exec& exec, const Births&) {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::fields(FieldList& list) const {
-  list.lattice.push_back(
-      {"dissolved_fraction", "1", 1, [this](std::span<double> out) { read_solid(geometry_, dissolved_share, out); }});
+  list.lattice.push_back({"dissolved_fraction", "1", 1, [this] { return read_solid(geometry_, dissolved_share); }});
 }
 
 template <class T, class Set>

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <span>
 
 namespace vug {
 
@@ -130,11 +131,6 @@ class Run {
     resumed_at_ = last_checkpoint_ = record_.first_step = checkpoint->step();
   }
 
-  /// Every rank takes part in the sums of a row.
-  std::vector<HistoryValue> write_row(std::optional<RunFiles>& files) const {
-    return files ? files->write_row() : simulation_.history();
-  }
-
   /// The first rank finds it, all read it.
   std::optional<Checkpoint> latest_checkpoint() const {
     std::optional<Checkpoint> found;
@@ -174,20 +170,15 @@ class Run {
 
   /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.
   void advance(Progress& progress) {
-    std::optional<RunFiles> files;
-    if (ranks_.first())
-      files.emplace(scene_, simulation_, path_, resumed_at_);
-    else
-      simulation_.history();  // for the names of its columns
-    if (files && resumed_at_ && !simulation_.parts().ageing)
-      if (const std::int64_t due = rows_until(scene_, *resumed_at_); files->rows_kept() < due)
+    RunFiles files(scene_, simulation_, path_, resumed_at_);
+    if (ranks_.first() && resumed_at_ && !simulation_.parts().ageing)
+      if (const std::int64_t due = rows_until(scene_, *resumed_at_); files.rows_kept() < due)
         progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", path_,
-                                  files->rows_kept(), due, *resumed_at_));
+                                  files.rows_kept(), due, *resumed_at_));
     if (!resumed_at_) {
       simulation_.begin();
-      simulation_.gather();
-      if (files) files->write_snapshot();
-      write_row(files);
+      files.write_snapshot();
+      files.write_row();
     }
     Events events(simulation_);
     const auto tell = [&](const std::vector<std::string>& news) {
@@ -209,16 +200,12 @@ class Run {
         simulation_.guard();
         tell(events.look(simulation_));
       }
-      if (write_now || save) simulation_.gather();
-      if (files && write_now) files->write_snapshot();
-      if (row) tell(events.look_at_row(simulation_, write_row(files)));
-      if (save) {
-        if (files) write_checkpoint(checkpoints(), simulation_.state(), step, simulation_.clock().time(), owner_);
-        last_checkpoint_ = step;
+      if (write_now) {
         const Phase phase(ranks_, "files");
-        ranks_.most(0);  // nobody ends while it is written
+        files.write_snapshot();
       }
-      simulation_.let_go();
+      if (row) tell(events.look_at_row(simulation_, files.write_row()));
+      if (save) save_state();
       progress.update(step, simulation_.updates_per_step(), clock.ahead);
       if (stop && !ended()) throw Interrupted(stop_reason());
     }
@@ -226,6 +213,19 @@ class Run {
     if (!ranks_.alone())
       for (const std::string& line : traffic_table(ranks_, simulation_.clock().step - record_.first_step))
         progress.note(line);
+  }
+
+  /// All ranks hand on what the first one writes into a checkpoint.
+  void save_state() {
+    const Phase phase(ranks_, "files");
+    const StateList state = simulation_.state();
+    const Clock& clock = simulation_.clock();
+    if (ranks_.first())
+      write_checkpoint(checkpoints(), state, clock.step, clock.time(), owner_);
+    else
+      for (const StateBlock& block : state.blocks) block.save([](std::span<const std::byte>) {});
+    last_checkpoint_ = clock.step;
+    ranks_.most(0);  // nobody ends while it is written
   }
 
   /// Whether the last step is done, or the rock as old as it was to get.

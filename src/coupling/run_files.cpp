@@ -22,18 +22,18 @@ std::vector<std::string> names(const std::vector<HistoryValue>& row) {
 }  // namespace
 
 void Probes::add(std::vector<HistoryValue>& row) const {
-  if (scene_.output.probes.empty()) return;
   const int nx = scene_.lattice.nx, ny = scene_.lattice.ny;
   for (const Field& field : fields_.lattice) {
-    std::vector<double> values(static_cast<std::size_t>(nx) * ny * field.components);
-    field.read(values);
+    if (scene_.output.probes.empty()) return;
+    const ReadItems read = field.open();
     for (const Probe& probe : scene_.output.probes) {
       const int x = std::clamp(static_cast<int>(probe.at[0] / scene_.lattice.spacing), 0, nx - 1);
       const int y = std::clamp(static_cast<int>(probe.at[1] / scene_.lattice.spacing), 0, ny - 1);
+      std::vector<double> values(field.components);
+      read(static_cast<std::size_t>(y) * nx + x, values);
       for (int c = 0; c < field.components; ++c) {
         const std::string axis = field.components == 1 ? "" : c == 0 ? "_x" : "_y";
-        row.push_back({probe.name + "_" + field.name + axis + "_" + field.unit,
-                       values[(static_cast<std::size_t>(y) * nx + x) * field.components + c]});
+        row.push_back({probe.name + "_" + field.name + axis + "_" + field.unit, values[c]});
       }
     }
   }
@@ -41,16 +41,27 @@ void Probes::add(std::vector<HistoryValue>& row) const {
 
 RunFiles::RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
                    std::optional<std::int64_t> resume_step)
-    : simulation_(simulation),
-      fields_(simulation.fields()),
-      probes_(scene, fields_),
-      snapshots_(directory, simulation.parts().geometry.lattice, scene.lattice.spacing, fields_,
-                 {scene.output.fields, scene.output.compress, false, resume_step}, rock_shape(simulation.parts())),
-      history_(directory + "/history.csv", names(row()),
-               resume_step ? std::optional(simulation.clock().time()) : std::nullopt) {}
+    : scene_(scene), simulation_(simulation), fields_(simulation.fields()), probes_(scene, fields_) {
+  const Parts& parts = simulation.parts();
+  const std::vector<std::string> columns = names(row());
+  if (!parts.geometry.split.ranks().first()) return;
+  const SnapshotOptions options{scene.output.fields, scene.output.compress, false, resume_step};
+  snapshots_.emplace(directory, parts.geometry.lattice, scene.lattice.spacing, fields_, options, rock_shape(parts));
+  history_.emplace(directory + "/history.csv", columns,
+                   resume_step ? std::optional(simulation.clock().time()) : std::nullopt);
+}
+
+void RunFiles::write_snapshot() {
+  simulation_.gather();
+  if (snapshots_)
+    snapshots_->write(simulation_.clock().time(), simulation_.clock().step);
+  else
+    read_snapshot(simulation_.parts().geometry.lattice, fields_, scene_.output.fields);
+}
 
 std::vector<HistoryValue> RunFiles::row() const {
   std::vector<HistoryValue> values = simulation_.history();
+  if (!scene_.output.probes.empty()) simulation_.gather();
   probes_.add(values);
   return values;
 }
@@ -59,7 +70,7 @@ std::vector<HistoryValue> RunFiles::write_row() {
   const std::vector<HistoryValue> written = row();
   std::vector<double> values;
   for (const HistoryValue& value : written) values.push_back(value.value);
-  history_.write(values);
+  if (history_) history_->write(values);
   return written;
 }
 

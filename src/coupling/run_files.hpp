@@ -14,7 +14,7 @@ namespace vug {
 class Probes {
  public:
   Probes(const Scene& scene, const FieldList& fields) : scene_(scene), fields_(fields) {}
-  /// Reads each field once.
+  /// Called by all ranks, of which the first gets the values.
   void add(std::vector<HistoryValue>& row) const;
 
  private:
@@ -22,17 +22,17 @@ class Probes {
   const FieldList& fields_;
 };
 
-/// The open files of a run.
+/// The open files of a run: the first rank has them, the others take part in what is read for them.
 class RunFiles {
  public:
   /// With `resume_step` the files of the run are continued from there.
   RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
            std::optional<std::int64_t> resume_step);
 
-  /// Rows of the history that is continued.
-  std::int64_t rows_kept() const { return history_.kept(); }
+  /// Rows of the history that is continued; 0 where it is another rank's.
+  std::int64_t rows_kept() const { return history_ ? history_->kept() : 0; }
 
-  void write_snapshot() { snapshots_.write(simulation_.clock().time(), simulation_.clock().step); }
+  void write_snapshot();
 
   /// Writes and returns a row of the history.
   std::vector<HistoryValue> write_row();
@@ -40,11 +40,12 @@ class RunFiles {
  private:
   std::vector<HistoryValue> row() const;
 
+  const Scene& scene_;
   const Simulation& simulation_;
   FieldList fields_;
   Probes probes_;
-  SnapshotWriter snapshots_;
-  HistoryWriter history_;
+  std::optional<SnapshotWriter> snapshots_;
+  std::optional<HistoryWriter> history_;
 };
 
 }  // namespace vug

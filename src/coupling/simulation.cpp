@@ -97,12 +97,6 @@ void Simulation::gather() const {
   whole_ = true;
 }
 
-void Simulation::let_go() {
-  if (!whole_) return;
-  give_back();
-  whole_ = false;
-}
-
 void Simulation::give_back() {
   if (parts_->geometry.split.alone()) return;
   for (const auto& module : parts_->modules) module->let_go();
@@ -138,7 +132,6 @@ Ledger Simulation::ledger() const {
 
 std::vector<HistoryValue> Simulation::history() const {
   const Phase phase(parts_->geometry.split.ranks(), "rows");
-  if (scene_.output.forces || scene_.output.flows || !scene_.output.probes.empty()) gather();
   std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
   for (const auto& module : parts_->modules) module->history(row);
   if (chooser_) chooser_->history(row);
@@ -166,24 +159,12 @@ FieldList Simulation::fields() const {
   FieldList list;
   const Geometry& geometry = parts_->geometry;
   if (geometry.mineral.extent(0) > 0)
-    list.lattice.push_back({"mineral", "1", 1, [&geometry](std::span<double> out) { read_mineral(geometry, out); }});
+    list.lattice.push_back({"mineral", "1", 1, [&geometry] { return read_mineral(geometry); }});
   for (const auto& module : parts_->modules) module->fields(list);
-  list.lattice.push_back({"node_type", "1", 1, [&geometry](std::span<double> out) {
-                            const auto host = on_host(geometry.type);
-                            const Lattice& lattice = geometry.lattice;
-                            for (int y = 0; y < lattice.ny; ++y)
-                              for (int x = 0; x < lattice.nx; ++x)
-                                out[static_cast<std::size_t>(y) * lattice.nx + x] =
-                                    static_cast<double>(host(lattice.node(x, y)));
-                          }});
-  list.lattice.push_back({"solid_fraction", "1", 1, [&geometry](std::span<double> out) {
-                            if (geometry.volume.extent(0) > 0) return read_solid(geometry, solid_share, out);
-                            const auto type = on_host(geometry.type);
-                            const Lattice& lattice = geometry.lattice;
-                            for (int y = 0; y < lattice.ny; ++y)
-                              for (int x = 0; x < lattice.nx; ++x)
-                                out[static_cast<std::size_t>(y) * lattice.nx + x] =
-                                    type(lattice.node(x, y)) == NodeType::solid ? 1.0 : 0.0;
+  list.lattice.push_back({"node_type", "1", 1, [&geometry] { return read_type(geometry); }});
+  list.lattice.push_back({"solid_fraction", "1", 1, [&geometry] {
+                            return geometry.volume.extent(0) > 0 ? read_solid(geometry, solid_share)
+                                                                 : read_solid(geometry);
                           }});
   return list;
 }
@@ -257,12 +238,8 @@ void Simulation::restore(const std::function<void(StateList&)>& load) {
     for (const auto& module : parts_->modules) module->births(exec_, births);
   }
   StateList everything = state();
-  for (StateBlock& block : everything.blocks) {
-    StateList one;
-    one.add(std::move(block));
-    load(one);
-    give_back();  // what others compute, before the next is read
-  }
+  load(everything);
+  give_back();
   if (parts_->growth) parts_->growth->restored(exec_);
   if (!chooser_) return;
   for (const auto& module : parts_->modules) module->resume(exec_, chooser_->now());

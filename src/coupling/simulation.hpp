@@ -16,10 +16,8 @@ class Simulation {
   void begin();
   /// One lattice step.
   void step();
-  /// Brings the whole state to the first rank: to be called by all before it reads fields or state.
+  /// Brings each rank what others hold for it: to be called by all before fields are read.
   void gather() const;
-  /// Once it has been read, gives back the memory of what other ranks compute.
-  void let_go();
   /// Throws StabilityError when a module has left its bounds.
   void guard();
 
@@ -35,7 +33,7 @@ class Simulation {
   std::vector<HistoryValue> history() const;
   FieldList fields() const;
 
-  /// Everything a restart needs, after any step.
+  /// Everything a restart needs, after any step. Called by all ranks, which save and load all blocks alike.
   StateList state();
   /// Takes a state over, from `load`, which is called with one list of blocks after the other: it makes room for a
   /// grown list of fluid nodes first. Throws FileError for numbers that no state of this scene can have.
@@ -43,6 +41,7 @@ class Simulation {
 
  private:
   StateList geometry_state();
+  /// The memory of what other ranks compute, once something has filled it.
   void give_back();
   /// Before a step: where a look is due, sees how fast things change, and has the modules go on with the intervals that
   /// follow from it.
@@ -57,7 +56,7 @@ class Simulation {
   int update_interval_;
   std::unique_ptr<Parts> parts_;
   std::optional<IntervalChooser> chooser_;
-  mutable bool whole_ = false;                ///< no step since the state was gathered
+  mutable bool whole_ = false;                ///< no step since it was gathered
   int fluid_count_ = 0, fluid_capacity_ = 0;  ///< as read from a checkpoint
 };
 

@@ -195,8 +195,8 @@ void SoluteModule<T, Set>::ledger(Ledger& ledger) const {
 template <class T, class Set>
 void SoluteModule<T, Set>::fields(FieldList& list) const {
   for (const SpeciesState<T>& s : species_)
-    list.lattice.push_back({"concentration_" + s.section.name, "mol/m3", 1, [this, &s](std::span<double> out) {
-                              read_fluid(geometry_.fluid, s.fields.C, {units_.concentration, 0, 0}, out);
+    list.lattice.push_back({"concentration_" + s.section.name, "mol/m3", 1, [this, &s] {
+                              return read_fluid(geometry_, std::array{s.fields.C}, {units_.concentration, 0, 0});
                             }});
 }
 
@@ -204,12 +204,10 @@ template <class T, class Set>
 void SoluteModule<T, Set>::state(StateList& list) {
   if (species_[0].watched.extent(0) > 0)
     list.add_value("solute/compared", compared_, {0, static_cast<double>(geometry_.fluid.count)});
+  shared_state(list);
   for (SpeciesState<T>& s : species_) {
     const std::string key = "solute/" + s.section.name;
-    list.add(key + "/h", s.fields.h);
     list.add_value(key + "/turned", s.fields.turned, {0, 1});
-    list.add(key + "/C", s.fields.C);
-    if (s.watched.extent(0) > 0) list.add(key + "/watched", s.watched);
     add_state(list, key + "/correction", s.correction);
     list.add(key + "/created", s.created);
     list.add_value(key + "/initial", s.initial);

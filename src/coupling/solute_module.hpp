@@ -80,6 +80,7 @@ class SoluteModule final : public Module {
   /// As FlowModule's.
   template <class Visit>
   void visit_shares(const Visit& visit) const;
+  void shared_state(StateList& list) const;
   /// Fluid nodes whose concentrations an outflow looks at.
   std::vector<int> nodes_before_outflow() const;
   SoluteParameters parameters_of(const Species& species) const;

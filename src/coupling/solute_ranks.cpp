@@ -1,4 +1,5 @@
 // Solutes of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
+#include "coupling/shared_field.hpp"
 #include "coupling/solute_module.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -44,12 +45,12 @@ void SoluteModule<T, Set>::exchange(const Exec& exec, const SoluteFields<T>& fie
 template <class T, class Set>
 template <class Visit>
 void SoluteModule<T, Set>::visit_shares(const Visit& visit) const {
-  const FluidNodes& fluid = geometry_.fluid;
-  const Owners nodes = geometry_.split.of_fluid(fluid);
+  const Owners nodes = geometry_.split.of_fluid(geometry_.fluid);
   for (const SpeciesState<T>& s : species_) {
-    visit(nodes, s.fields.h, Set::Q, fluid.capacity, {&populations_});
-    visit(nodes, s.fields.C, 1, 0, {&before_outflow_, &neighbours_});
-    if (s.watched.extent(0) > 0) visit(nodes, s.watched, 1, 0, {});
+    const std::string key = "solute/" + s.section.name;
+    visit(key + "/h", s.fields.h, Shares(nodes, Set::Q, {populations_}));
+    visit(key + "/C", s.fields.C, Shares(nodes, 1, {before_outflow_, neighbours_}));
+    if (s.watched.extent(0) > 0) visit(key + "/watched", s.watched, Shares(nodes, 1, {}));
   }
 }
 
@@ -59,12 +60,16 @@ void SoluteModule<T, Set>::gather(const Exec& exec) {
     if (s.fields.turned) exchange(exec, s.fields);
     gather_sums(s);
   }
-  visit_shares(Bring{geometry_.split});
 }
 
 template <class T, class Set>
 void SoluteModule<T, Set>::let_go() {
-  visit_shares(LetGo{geometry_.split});
+  visit_shares(LetGo{geometry_.split.ranks()});
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::shared_state(StateList& list) const {
+  visit_shares(AddShared{list, geometry_.split.ranks()});
 }
 
 template <class T, class Set>
@@ -90,6 +95,7 @@ double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
   template std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const;            \
   template void SoluteModule<T, Set>::gather(const Exec&);                                 \
   template void SoluteModule<T, Set>::let_go();                                            \
+  template void SoluteModule<T, Set>::shared_state(StateList&) const;                      \
   template void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>&) const;           \
   template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const
 VUG_INSTANTIATE(float, D2Q5);

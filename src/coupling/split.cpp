@@ -173,6 +173,7 @@ Owners Split::of_fluid(const FluidNodes& nodes) const {
 }
 
 Owners Split::of_fluid_by_row(const FluidNodes& nodes) const {
+  if (alone()) return {};
   const auto node = on_host(nodes.node);
   std::vector<int> owner(nodes.count);
   for (int i = 0; i < nodes.count; ++i) owner[i] = rows_.part_of(nodes.lattice.y(node(i)));

@@ -7,7 +7,7 @@
 #include "ranks/halo.hpp"
 #include "ranks/partition.hpp"
 
-#include <initializer_list>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,8 +18,6 @@ template <class T>
 std::array<ScalarField<T>, 2> components(const VectorField<T>& u) {
   return {Kokkos::subview(u, Kokkos::ALL, 0), Kokkos::subview(u, Kokkos::ALL, 1)};
 }
-
-using Halos = std::initializer_list<const Halo*>;
 
 /// Dense nodes belong to the rank that has their row, fluid nodes in blocks of the list to the one that has the row of
 /// their block's first node. What is called here is called by all ranks.
@@ -61,7 +59,8 @@ class Split {
   /// The dense nodes among `nodes` that are not in our rows.
   Halo beyond_rows(const Lattice& lattice, std::vector<int> nodes) const;
 
-  /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows.
+  /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows. Nothing of
+  /// these where one rank has all.
   Owners of_fluid(const FluidNodes& nodes) const;
   Owners of_fluid_by_row(const FluidNodes& nodes) const;
   Owners of_links(const BoundaryLinks& links) const;
@@ -92,23 +91,7 @@ class Split {
     make_whole(of_dense(lattice), values, planes, lattice.size());
   }
 
-  /// The same on the first rank only, which writes files.
-  template <class T>
-  void bring(const Owners& owners, const ScalarField<T>& values, int planes = 1, std::size_t stride = 0) const {
-    for (int p = 0; p < planes; ++p) ranks_.bring(owners, values.data() + p * stride);
-  }
-  /// On a host, gives back the memory of what neither is ours nor comes to us by `halos`, which take slots of `values`.
-  template <class T>
-  void let_go(const Owners& owners, const ScalarField<T>& values, int planes, std::size_t stride,
-              const Halos& halos) const {
-    if (!alone() && runs_on_host)
-      let_go(own_slots(owners, planes, stride), halos, values.data(), sizeof(T), values.extent(0));
-  }
-
  private:
-  /// Ascending.
-  Runs own_slots(const Owners& owners, int planes, std::size_t stride) const;
-  static void let_go(const Runs& own, const Halos& halos, void* values, std::size_t bytes, std::size_t slots);
   bool is_ours(int fluid) const { return owner_of(fluid) == ranks_.rank(); }
   Halo marked(const FluidNodes& nodes, const std::vector<bool>& needed) const;
   void mark_rows(const FluidNodes& nodes, std::vector<bool>& needed) const;
@@ -117,26 +100,6 @@ class Split {
   Ranks ranks_;
   Partition rows_;
   std::vector<int> owner_of_block_;
-};
-
-/// What is done with fields that modules share out, (owners, values, planes, stride, halos) as of Split::let_go: bring
-/// them to the first rank.
-struct Bring {
-  const Split& split;
-  template <class T>
-  void operator()(const Owners& owners, const ScalarField<T>& values, int planes, std::size_t stride,
-                  const Halos&) const {
-    split.bring(owners, values, planes, stride);
-  }
-};
-/// Give back the memory of what others compute.
-struct LetGo {
-  const Split& split;
-  template <class T>
-  void operator()(const Owners& owners, const ScalarField<T>& values, int planes, std::size_t stride,
-                  const Halos& halos) const {
-    split.let_go(owners, values, planes, stride, halos);
-  }
 };
 
 }  // namespace vug

@@ -3,6 +3,7 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/solute_module.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/link_populations.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -40,12 +41,27 @@ DressedBoundary<T> dressing(const Exec& exec, const FluidNodes& fluid, const Str
           Kokkos::create_mirror(typename Exec::memory_space{}, boundary.outflow.level)};
 }
 
+/// The nodes of links, and the slots that leave through them, as others than their ranks get them.
+template <class Boundaries, class Slot>
+Halo halo_of_links(const Split& split, const FluidNodes& fluid, const Boundaries& boundaries, const Slot& slot) {
+  if (split.alone()) return {};
+  std::vector<int> slots;
+  for (const StretchLinks& boundary : boundaries) {
+    const auto node = on_host(boundary.links.fluid);
+    const auto direction = on_host(boundary.links.direction);
+    for (int link = 0; link < boundary.links.count; ++link) slots.push_back(slot(node(link), direction(link)));
+  }
+  return split.slots(fluid, slots);
+}
+
 }  // namespace
 
 template <class T>
 void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const {
   const Exec exec;
   const FluidNodes& fluid = geometry_.fluid;
+  const auto outgoing = [&](int node, int q) { return q * fluid.capacity + node; };
+  halo_of_links(geometry_.split, fluid, boundaries_, outgoing).template exchange<T, 1>(exec, {fields_.f});
   std::vector<DressedBoundary<T>> dressed;
   for (const StretchLinks& boundary : boundaries_) {
     dressed.push_back(dressing(exec, fluid, boundary, fields_.f));
@@ -77,6 +93,7 @@ template <class T>
 void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const {
   if (!wanted.flows) return;
   const Exec exec;
+  populations_.template exchange<T, 1>(exec, {fields_.g});
   const double watt = section_.fluid_density * section_.fluid_heat_capacity * units_.diffusivity() / interval_;
   const auto look = [&](const std::string& name, const HeatBoundary& heat, auto surface, const auto& fill) {
     surface.energy_in = ScalarField<double>("vug::surfaces::energy_in", surface.energy_in.extent(0));
@@ -106,7 +123,13 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
   const FluidNodes& fluid = geometry_.fluid;
   const double mol_per_s = units_.amount() / (interval_ * units_.time_step);
   const VectorField<T> u = carrier_ ? carrier_->u : VectorField<T>();
+  const Split& split = geometry_.split;
+  const auto nodes = [](int node, int) { return node; };
+  const Halo others = halo_of_links(split, fluid, species_[0].boundaries, nodes);  // all have the same links
+  if (carrier_) others.template exchange<T, 2>(exec, components(u));
   for (const SpeciesState<T>& s : species_) {
+    others.template exchange<T, 1>(exec, {s.fields.C});
+    before_outflow_.template exchange<T, 1>(exec, {s.fields.C});
     const auto column = [&](const StretchLinks& boundary, const char* what) {
       return boundary.stretch.name + "_" + s.section.name + "_" + what;
     };
@@ -115,8 +138,11 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
     std::vector<SoluteCondition<T>> conditions;
     for (const DressedBoundary<T>& d : dressed) conditions.push_back(condition(s, d.boundary, clock.time(), d.gain));
     dress<Set, T>(exec, fluid, conditions, narrow_);
-    for (const DressedBoundary<T>& d : dressed)
+    exec.fence("vug::solute::surfaces");
+    for (const DressedBoundary<T>& d : dressed) {
+      if (!split.alone()) split.make_whole(split.of_links(d.boundary.links), d.gain);
       add_value(row, column(d.boundary, "flow_mol_per_m_s"), mol_per_s * sum_in_order(d.gain));
+    }
     for (const DressedBoundary<T>& d : dressed) restore_outgoing(exec, fluid, d.boundary.links, d.outgoing, s.fields.h);
     std::map<std::string, LinkMean> mean;
     for (const StretchLinks& boundary : s.boundaries)

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <span>
+#include <utility>
 
 // The file: "VUGSTATE", then 64-bit words in the byte order of the machine: version (which also tells the byte order),
 // step, time, length of the case's hash; the hash; length of the run's name; the name; number of blocks; for each block
@@ -45,16 +46,27 @@ class Writer {
     static_assert(sizeof(Word) == 8);
     raw({reinterpret_cast<const char*>(&value), sizeof(value)});
   }
-  // The tail goes out with its padding in one word, as the digest wants it.
-  void padded(std::string_view data) {
-    word(static_cast<std::uint64_t>(data.size()));
+  /// Data of `size` bytes are to come, in pieces.
+  void begin(std::size_t size) { word(static_cast<std::uint64_t>(size)); }
+  void piece(std::string_view data) {
+    while (tail_.size() % 8 != 0 && !data.empty()) {
+      tail_ += data.front();
+      data.remove_prefix(1);
+    }
+    if (tail_.size() == 8) raw(std::exchange(tail_, {}));
     const auto whole = data.size() - data.size() % 8;
     raw(data.substr(0, whole));
-    if (whole < data.size()) {
-      char tail[8] = {};
-      std::memcpy(tail, data.data() + whole, data.size() - whole);
-      raw({tail, sizeof(tail)});
-    }
+    tail_ += data.substr(whole);
+  }
+  // The tail goes out with its padding in one word, as the digest wants it.
+  void end() {
+    tail_.resize(tail_.size() + padding(tail_.size()));
+    raw(std::exchange(tail_, {}));
+  }
+  void padded(std::string_view data) {
+    begin(data.size());
+    piece(data);
+    end();
   }
   void finish() {
     word(digest_.value());
@@ -64,13 +76,16 @@ class Writer {
  private:
   detail::NewFile file_;
   detail::DataDigest digest_;
+  std::string tail_;  ///< what pieces until now have beyond whole words
 };
 
 /// Bytes [offset, offset + size) of a file.
+void read_bytes(const detail::BinaryFile& file, std::size_t offset, char* bytes, std::size_t size) {
+  if (file.read(offset, bytes, size) < size) throw FileError(file.path() + ": cannot read: it has become shorter");
+}
 std::string bytes_of(const detail::BinaryFile& file, std::size_t offset, std::size_t size) {
   std::string bytes(size, '\0');
-  if (file.read(offset, bytes.data(), size) < size)
-    throw FileError(file.path() + ": cannot read: it has become shorter");
+  read_bytes(file, offset, bytes.data(), size);
   return bytes;
 }
 
@@ -204,8 +219,11 @@ void write_checkpoint(const std::string& directory, const StateList& state, std:
   out.word(static_cast<std::uint64_t>(state.blocks.size()));
   for (const auto& block : state.blocks) {
     out.padded(block.name);
-    const auto bytes = block.save();
-    out.padded({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    out.begin(block.bytes);
+    block.save([&](std::span<const std::byte> piece) {
+      out.piece({reinterpret_cast<const char*>(piece.data()), piece.size()});
+    });
+    out.end();
   }
   out.finish();
   prune(directory, step, owner);
@@ -258,9 +276,11 @@ void Checkpoint::load(const StateList& state) const {
         std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.name == wanted.name; });
     if (found == blocks_.end())
       throw FileError(fmt::format("{}: the checkpoint has no block '{}'", path_, wanted.name));
-    const std::string data = bytes_of(*file_, found->offset, found->size);
     try {
-      wanted.load(std::as_bytes(std::span(data)));
+      detail::require_size(wanted.name, found->size, wanted.bytes);
+      wanted.load([&](std::size_t at, std::span<std::byte> to) {
+        read_bytes(*file_, found->offset + at, reinterpret_cast<char*>(to.data()), to.size());
+      });
     } catch (const FileError& error) {
       throw FileError(path_ + ": " + error.what());
     }

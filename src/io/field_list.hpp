@@ -1,6 +1,7 @@
 #pragma once
-// What modules offer for output, and what a checkpoint must hold. Both hide the type of the Views behind a function
-// that copies to the host, called only when something is written.
+// What modules offer for output, and what a checkpoint must hold. Both hide the type of the Views behind functions
+// that copy to the host, piece by piece, called only when something is written. Where several ranks share a field, all
+// of them call these alike, and the first one gets the values.
 #include "kernels/base/base.hpp"
 
 #include <cstddef>
@@ -13,12 +14,18 @@
 
 namespace vug {
 
-/// A named array in SI for output: `read` fills items × components values, components fastest.
+/// Fills items × components values, components fastest, from the item `first` on.
+using ReadItems = std::function<void(std::size_t first, std::span<double> values)>;
+
+/// A named array in SI for output.
 struct Field {
   std::string name;  ///< lower case with underscores, for instance "solid_fraction"
   std::string unit;  ///< SI, "1" where there is none
   int components = 1;
-  std::function<void(std::span<double>)> read;
+  std::function<ReadItems()> open;  ///< computes what there is to read, as it is now
+
+  /// All items at once.
+  void read(std::span<double> values) const { open()(0, values); }
 };
 
 /// Fields of one kind of item (lattice nodes row by row without halo, particles, or bonds).
@@ -28,11 +35,21 @@ struct FieldList {
   std::vector<Field> bonds;
 };
 
+/// Takes bytes in their order, piece after piece.
+using TakeBytes = std::function<void(std::span<const std::byte>)>;
+/// Fills in the bytes from `at` on.
+using GiveBytes = std::function<void(std::size_t at, std::span<std::byte>)>;
+
 /// A named block of raw bytes that a restart needs.
 struct StateBlock {
   std::string name;
-  std::function<std::vector<std::byte>()> save;
-  std::function<void(std::span<const std::byte>)> load;  ///< throws FileError when the size does not fit
+  std::size_t bytes;
+  std::function<void(const TakeBytes&)> save;
+  std::function<void(const GiveBytes&)> load;  ///< throws FileError for numbers that cannot be
+
+  /// All bytes at once.
+  std::vector<std::byte> saved() const;
+  void load_all(std::span<const std::byte> bytes) const;  ///< throws FileError also when the size does not fit
 };
 
 /// What the numbers of a block may be. No file can be trusted, and a number out of range may be an index, or the length

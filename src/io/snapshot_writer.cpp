@@ -42,4 +42,9 @@ void SnapshotWriter::write(double time, std::int64_t step) {
   if (rock_) rock_->write(time, step);
 }
 
+void read_snapshot(const Lattice& lattice, const FieldList& fields, const std::vector<std::string>& names) {
+  for (const Field& field : detail::selected(fields.lattice, names))
+    detail::read_along(field, {static_cast<std::size_t>(lattice.ny), static_cast<std::size_t>(lattice.nx)});
+}
+
 }  // namespace vug

@@ -60,4 +60,7 @@ class SnapshotWriter {
   std::unique_ptr<detail::RockSnapshots> rock_;
 };
 
+/// What ranks do that write no files while the first one writes a snapshot: read the same fields of the lattice.
+void read_snapshot(const Lattice& lattice, const FieldList& fields, const std::vector<std::string>& names);
+
 }  // namespace vug

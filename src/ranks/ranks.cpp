@@ -87,46 +87,87 @@ std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>&
   return heard;
 }
 
-void Ranks::complete(const Owners& owners, void* values, std::size_t item, bool all) const {
+void Ranks::complete(const Owners& owners, void* values, std::size_t item) const {
   char* const bytes = static_cast<char*>(values);
-  if constexpr (runs_on_host) return complete_on_host(owners, bytes, item, all);
+  if constexpr (runs_on_host) return complete_on_host(owners, bytes, item);
   using Bytes = Kokkos::View<char*, Exec::memory_space, Kokkos::MemoryUnmanaged>;
   using BytesOnHost = Kokkos::View<char*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
   std::vector<char> copy(end_of(owners) * item);
   Kokkos::deep_copy(BytesOnHost(copy.data(), copy.size()), Bytes(bytes, copy.size()));
-  complete_on_host(owners, copy.data(), item, all);
-  if (all || first()) Kokkos::deep_copy(Bytes(bytes, copy.size()), BytesOnHost(copy.data(), copy.size()));
+  complete_on_host(owners, copy.data(), item);
+  Kokkos::deep_copy(Bytes(bytes, copy.size()), BytesOnHost(copy.data(), copy.size()));
 }
 
-void Ranks::complete_on_host(const Owners& owners, char* bytes, std::size_t item, bool all) const {
+namespace {
+
+/// visit(first, last) of the parts of ascending runs that lie in [first, last).
+template <class Visit>
+void visit_within(const Runs& runs, int first, int last, const Visit& visit) {
+  auto run = std::partition_point(runs.begin(), runs.end(), [&](const auto& r) { return r.second <= first; });
+  for (; run != runs.end() && run->first < last; ++run) visit(std::max(run->first, first), std::min(run->second, last));
+}
+
+int count_within(const Runs& runs, int first, int last) {
+  int count = 0;
+  visit_within(runs, first, last, [&](int from, int to) { count += to - from; });
+  return count;
+}
+
+/// The items of runs, one after the other.
+std::vector<char> packed(const Runs& runs, int first, int last, std::size_t item, const char* items) {
+  std::vector<char> out(count_within(runs, first, last) * item);
+  char* to = out.data();
+  visit_within(runs, first, last, [&](int from, int end) {
+    std::memcpy(to, items + (from - first) * item, (end - from) * item);
+    to += (end - from) * item;
+  });
+  return out;
+}
+
+void unpack(const char* from, const Runs& runs, int first, int last, std::size_t item, char* items) {
+  visit_within(runs, first, last, [&](int at, int end) {
+    std::memcpy(items + (at - first) * item, from, (end - at) * item);
+    from += (end - at) * item;
+  });
+}
+
+constexpr int tag_of_pieces = 1;  // halos have another
+
+}  // namespace
+
+void Ranks::complete_on_host(const Owners& owners, char* bytes, std::size_t item) const {
+  const int end = static_cast<int>(end_of(owners));
   std::vector<int> count(size_), at(size_ + 1);
   for (int r = 0; r < size_; ++r) {
-    for (const auto& [first, last] : owners[r]) count[r] += last - first;
+    count[r] = count_within(owners[r], 0, end);
     at[r + 1] = at[r] + count[r];
   }
-  const bool takes = all || first();
-  std::vector<char> own(count[rank_] * item), whole(takes ? at[size_] * item : 0);
-  char* to = own.data();
-  for (const auto& [first, last] : owners[rank_]) {
-    std::memcpy(to, bytes + first * item, (last - first) * item);
-    to += (last - first) * item;
-  }
-  const Exchange counted = Exchange::of_all(takes ? (at[size_] - count[rank_]) * item : 0);
+  const std::vector<char> own = packed(owners[rank_], 0, end, item, bytes);
+  std::vector<char> whole(at[size_] * item);
+  const Exchange counted = Exchange::of_all((at[size_] - count[rank_]) * item);
   MPI_Datatype type;
   MPI_Type_contiguous(static_cast<int>(item), MPI_BYTE, &type);
   MPI_Type_commit(&type);
-  if (all)
-    MPI_Allgatherv(own.data(), count[rank_], type, whole.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
-  else
-    MPI_Gatherv(own.data(), count[rank_], type, whole.data(), count.data(), at.data(), type, 0, MPI_COMM_WORLD);
+  MPI_Allgatherv(own.data(), count[rank_], type, whole.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
   MPI_Type_free(&type);
-  for (int r = 0; takes && r < size_; ++r) {
-    const char* from = whole.data() + at[r] * item;
-    if (r == rank_) continue;
-    for (const auto& [first, last] : owners[r]) {
-      std::memcpy(bytes + first * item, from, (last - first) * item);
-      from += (last - first) * item;
-    }
+  for (int r = 0; r < size_; ++r)
+    if (r != rank_) unpack(whole.data() + at[r] * item, owners[r], 0, end, item, bytes);
+}
+
+void Ranks::bring(const Owners& owners, int first, int last, std::size_t item, const void* own, void* whole) const {
+  if (alone()) return;
+  if (rank_ > 0) {
+    const std::vector<char> sent = packed(owners[rank_], first, last, item, static_cast<const char*>(own));
+    const Exchange counted = Exchange::of_neighbours(0, 0);
+    if (!sent.empty()) MPI_Send(sent.data(), static_cast<int>(sent.size()), MPI_BYTE, 0, tag_of_pieces, MPI_COMM_WORLD);
+    return;
+  }
+  for (int r = 1; r < size_; ++r) {
+    std::vector<char> got(count_within(owners[r], first, last) * item);
+    if (got.empty()) continue;
+    const Exchange counted = Exchange::of_neighbours(1, static_cast<std::int64_t>(got.size()));
+    MPI_Recv(got.data(), static_cast<int>(got.size()), MPI_BYTE, r, tag_of_pieces, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    unpack(got.data(), owners[r], first, last, item, static_cast<char*>(whole));
   }
 }
 
@@ -144,7 +185,8 @@ std::string Ranks::told(const std::string& text) const {
 std::vector<std::vector<int>> Ranks::traded(const std::vector<std::vector<int>>& lists) const {
   return lists;
 }
-void Ranks::complete(const Owners&, void*, std::size_t, bool) const {}
+void Ranks::complete(const Owners&, void*, std::size_t) const {}
+void Ranks::bring(const Owners&, int, int, std::size_t, const void*, void*) const {}
 
 #endif
 

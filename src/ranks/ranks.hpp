@@ -47,18 +47,15 @@ class Ranks {
   /// ended.
   template <class T>
   void make_whole(const Owners& owners, T* values) const {
-    if (!alone()) complete(owners, values, sizeof(T), true);
+    if (!alone()) complete(owners, values, sizeof(T));
   }
-  /// The same on the first rank only.
-  template <class T>
-  void bring(const Owners& owners, T* values) const {
-    if (!alone()) complete(owners, values, sizeof(T), false);
-  }
+  /// Of items [first, last) of a list, `item` bytes each, `own` holds on every rank its own, `whole` on the first one
+  /// takes those of others; both begin with the item `first`, in the host's memory.
+  void bring(const Owners& owners, int first, int last, std::size_t item, const void* own, void* whole) const;
 
  private:
-  /// On all ranks, or on the first.
-  void complete(const Owners& owners, void* values, std::size_t item, bool all) const;
-  void complete_on_host(const Owners& owners, char* bytes, std::size_t item, bool all) const;
+  void complete(const Owners& owners, void* values, std::size_t item) const;
+  void complete_on_host(const Owners& owners, char* bytes, std::size_t item) const;
 
   int rank_ = 0, size_ = 1;
 };

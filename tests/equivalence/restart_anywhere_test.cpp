@@ -20,7 +20,7 @@ using State = std::map<std::string, Bytes>;
 
 State state_of(Simulation& simulation) {
   State state;
-  for (const StateBlock& block : simulation.state().blocks) state[block.name] = block.save();
+  for (const StateBlock& block : simulation.state().blocks) state[block.name] = block.saved();
   return state;
 }
 
@@ -84,7 +84,7 @@ TEST_P(RestartAnywhere, GivesTheSameBits) {
   for (const auto& [stop, state] : saved) {
     Simulation resumed(scene);
     resumed.restore([&](StateList& list) {
-      for (const StateBlock& block : list.blocks) block.load(state.at(block.name));
+      for (const StateBlock& block : list.blocks) block.load_all(state.at(block.name));
     });
     EXPECT_EQ(difference(state, state_of(resumed)), "") << "restored at step " << stop;
     advance(resumed, scene, stop + 1);

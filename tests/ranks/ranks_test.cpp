@@ -186,8 +186,14 @@ TEST(Ranks, BringAnArrayToTheFirstFromItsOwners) {
   std::vector<double> values(count, -1);
   for (int i = 0; i < count; ++i)
     if (owner[i] == world.rank()) values[i] = 7 * i;
-  world.bring(owners_of(owner, world.size()), values.data());
-  for (int i = 0; i < count; ++i) EXPECT_EQ(values[i], world.first() || owner[i] == world.rank() ? 7 * i : -1) << i;
+  const Owners owners = owners_of(owner, world.size());
+  std::vector<double> whole(count, -2);
+  constexpr int first = 10, last = count - 4;  // a part of it, which cuts what owners have
+  world.bring(owners, first, last, sizeof(double), &values[first], &whole[first]);
+  for (int i = 0; i < count; ++i) {
+    const bool brought = world.first() && owner[i] > 0 && i >= first && i < last;
+    EXPECT_EQ(whole[i], brought ? 7 * i : -2) << i;
+  }
 }
 
 TEST(Ranks, AgreeAndTell) {

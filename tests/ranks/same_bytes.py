@@ -19,6 +19,7 @@ ROCK_OFTEN = "output.interval=2.5e-5"
 COUPLED = "tests/cases/coupled/"
 FINE = ["lattice.spacing=1.25e-4"]  # as many blocks of fluid nodes as ranks
 OFTEN = "output.interval_steps=10"
+SURFACES = ["output.forces=true", "output.flows=true"]
 CASES = {  # case, steps, keys, output at every tenth step
     "channel": ("cases/cylinder.toml", 40, [], "output.interval=1e-2"),
     "cavity": ("cases/heated_cavity.toml", 60, [], "output.interval=4e-3"),
@@ -31,14 +32,14 @@ CASES = {  # case, steps, keys, output at every tenth step
     "tolerance": (COUPLED + "small_rock.toml", 300, FINE + ["accuracy.tolerance=0.1"], ROCK_OFTEN),
     "slits": (COUPLED + "small_rock.toml", 120,
               FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5"], ROCK_OFTEN),
-    "faces": (COUPLED + "small_rock.toml", 120, FINE + ["solute.face_exchange=true"], ROCK_OFTEN),
-    "d2q9": (COUPLED + "small_rock.toml", 120, FINE + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"],
-             ROCK_OFTEN),
+    "faces": (COUPLED + "small_rock.toml", 120, FINE + SURFACES + ["solute.face_exchange=true"], ROCK_OFTEN),
+    "d2q9": (COUPLED + "small_rock.toml", 120,
+             FINE + SURFACES + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"], ROCK_OFTEN),
     "sleep": (COUPLED + "small_rock.toml", 120,
               FINE + ["rock.element_size=1e-3", "mechanics.local_damping=0.7", "mechanics.rest_tolerance=0.3", ROCK_OFTEN],
               ROCK_OFTEN),
     "slow": (COUPLED + "slow_grain.toml", 2900, [], OFTEN),
-    "well": (COUPLED + "well.toml", 200, ["lattice.spacing=2.5e-4"], OFTEN),
+    "well": (COUPLED + "well.toml", 200, SURFACES + ["lattice.spacing=2.5e-4"], OFTEN),
 }
 MANY = "rock"  # the case that is run on more ranks than the others
 COMPARED = [(2, 1), (3, 1), (2, 2)]  # ranks, threads

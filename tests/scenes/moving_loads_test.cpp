@@ -93,9 +93,9 @@ TEST(MovingLoads, GoOnWithTheSameBitsFromAStateTakenAnywhere) {
     for (int step = 0; step < 60; ++step) whole.step();
     for (int step = 0; step < stop; ++step) half.step();
     std::map<std::string, std::vector<std::byte>> state;
-    for (const StateBlock& block : half.state().blocks) state[block.name] = block.save();
+    for (const StateBlock& block : half.state().blocks) state[block.name] = block.saved();
     rest.restore([&](StateList& list) {
-      for (const StateBlock& block : list.blocks) block.load(state.at(block.name));
+      for (const StateBlock& block : list.blocks) block.load_all(state.at(block.name));
     });
     for (int step = stop; step < 60; ++step) rest.step();
     const auto a = whole.history(), b = rest.history();

@@ -234,7 +234,7 @@ TEST(SlowScenes, TimePassesWhenTheRockIsGone) {
 using State = std::map<std::string, std::vector<std::byte>>;
 State state_of(Simulation& simulation) {
   State state;
-  for (const StateBlock& block : simulation.state().blocks) state[block.name] = block.save();
+  for (const StateBlock& block : simulation.state().blocks) state[block.name] = block.saved();
   return state;
 }
 
@@ -250,7 +250,7 @@ TEST(SlowScenes, GoOnWithTheSameBitsAfterARestartAtAnyStep) {
     const State saved = state_of(whole);
     Simulation resumed(scene);
     resumed.restore([&](StateList& list) {
-      for (const StateBlock& block : list.blocks) block.load(saved.at(block.name));
+      for (const StateBlock& block : list.blocks) block.load_all(saved.at(block.name));
     });
     EXPECT_EQ(now(resumed, "dissolved_volume_m3_per_m"), now(whole, "dissolved_volume_m3_per_m"));
     advance(resumed, stop + 2000);

@@ -49,7 +49,7 @@ struct State {
   std::vector<std::byte> all_bytes() {
     std::vector<std::byte> all;
     for (const auto& block : list().blocks) {
-      const auto part = block.save();
+      const auto part = block.saved();
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -5,6 +5,7 @@
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
 #include "kernels/base/require.hpp"
+#include "support/made_field.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -48,10 +49,10 @@ constexpr int side = 100;
 // Numbers that do not compress: a snapshot takes 40 kB and more.
 FieldList noise() {
   FieldList list;
-  list.lattice.push_back({"noise", "1", 1, [](std::span<double> out) {
-                            std::mt19937 random(1);
-                            for (double& value : out) value = static_cast<double>(random()) / 7;
-                          }});
+  std::vector<double> values(side * side);
+  std::mt19937 random(1);
+  for (double& value : values) value = static_cast<double>(random()) / 7;
+  list.lattice.push_back(test::made_field("noise", "1", 1, [values](std::size_t i) { return values[i]; }));
   return list;
 }
 

@@ -3,6 +3,7 @@
 #include "io/rock_generator.hpp"
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
+#include "support/made_field.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
@@ -20,10 +21,9 @@ constexpr int nx = 200, ny = 140;
 constexpr double spacing = 5e-4;
 
 Field on_lattice(const std::string& name, const std::string& unit, double (*value)(double, double)) {
-  return {name, unit, 1, [value](std::span<double> out) {
-            for (int y = 0; y < ny; ++y)
-              for (int x = 0; x < nx; ++x) out[y * nx + x] = value((x + 0.5) * spacing, (y + 0.5) * spacing);
-          }};
+  return test::made_field(name, unit, 1, [value](std::size_t i) {
+    return value((static_cast<double>(i % nx) + 0.5) * spacing, (static_cast<double>(i / nx) + 0.5) * spacing);
+  });
 }
 
 double plume(double x, double y) {
@@ -34,9 +34,7 @@ double plume(double x, double y) {
 FieldList made_up_fields() {
   FieldList list;
   list.lattice.push_back(on_lattice("pressure", "Pa", [](double x, double) { return 2e7 * (1 - x / 0.1); }));
-  list.lattice.push_back({"velocity", "m/s", 2, [](std::span<double> out) {
-                            for (std::size_t i = 0; i < out.size(); ++i) out[i] = i % 2 == 0 ? 0.1 : 0.0;
-                          }});
+  list.lattice.push_back(test::made_field("velocity", "m/s", 2, [](std::size_t i) { return i % 2 == 0 ? 0.1 : 0.0; }));
   list.lattice.push_back(on_lattice("temperature", "K", [](double x, double y) { return 488 - 200 * plume(x, y); }));
   list.lattice.push_back(on_lattice("concentration_L1", "mol/m3", [](double x, double y) { return plume(x, y); }));
   list.lattice.push_back(
@@ -113,13 +111,11 @@ TEST(Plot, DrawsEveryFieldTheOverviewAndTheHistories) {
   auto fields = made_up_fields();
   const auto bonds = rock.bonds;
   const auto assembly = rock.assembly;
-  fields.bonds.push_back({"state", "1", 1, [bonds, assembly](std::span<double> out) {
-                            for (std::size_t i = 0; i < out.size(); ++i) {
-                              const auto& p = assembly.vertices[bonds[i].vertices[0]];
-                              const double distance = std::hypot(p[0] - 0.005, 3 * (p[1] - 0.035));
-                              out[i] = distance < 0.03 ? 3 : distance < 0.045 ? 1 : 0;
-                            }
-                          }});
+  fields.bonds.push_back(test::made_field("state", "1", 1, [bonds, assembly](std::size_t i) {
+    const auto& p = assembly.vertices[bonds[i].vertices[0]];
+    const double distance = std::hypot(p[0] - 0.005, 3 * (p[1] - 0.035));
+    return distance < 0.03 ? 3 : distance < 0.045 ? 1 : 0;
+  }));
   SnapshotWriter writer(folder, Lattice(nx, ny), spacing, fields, {}, rock);
   writer.write(0, 0);
   writer.write(0.08, 800);
@@ -182,13 +178,11 @@ TEST(Plot, DrawsTheCurvesAndTheCracksOfALaboratoryTest) {
   FieldList fields;
   const auto bonds = rock.bonds;
   const auto assembly = rock.assembly;
-  fields.bonds.push_back({"state", "1", 1, [bonds, assembly](std::span<double> out) {
-                            for (std::size_t i = 0; i < out.size(); ++i) {
-                              const auto& p = assembly.vertices[bonds[i].vertices[0]];
-                              const double off = std::abs(p[0] - 0.02 - 0.8 * p[1]);
-                              out[i] = off < 0.002 ? 4 : off < 0.004 ? 3 : off < 0.008 ? 1 : 0;
-                            }
-                          }});
+  fields.bonds.push_back(test::made_field("state", "1", 1, [bonds, assembly](std::size_t i) {
+    const auto& p = assembly.vertices[bonds[i].vertices[0]];
+    const double off = std::abs(p[0] - 0.02 - 0.8 * p[1]);
+    return off < 0.002 ? 4 : off < 0.004 ? 3 : off < 0.008 ? 1 : 0;
+  }));
   SnapshotWriter writer(folder, fields, {}, rock);
   writer.write(0, 0);
   writer.write(1e-3, 20000);

@@ -3,6 +3,7 @@
 #include "io/snapshot_writer.hpp"
 
 #include "kernels/base/require.hpp"
+#include "support/made_field.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -14,28 +15,23 @@
 namespace vug {
 namespace {
 
+using test::made_field;
 using ::testing::HasSubstr;
 
 constexpr int nx = 7, ny = 5;
 constexpr double spacing = 1e-3;
 
-Field made_of(const std::string& name, const std::string& unit, int components,
-              const std::function<double(std::size_t)>& value) {
-  return {name, unit, components, [value](std::span<double> out) {
-            for (std::size_t i = 0; i < out.size(); ++i) out[i] = value(i);
-          }};
-}
-
 // A field whose value says where it is: read_snapshots.py expects the same numbers.
 FieldList numbered_fields() {
   FieldList list;
-  list.lattice.push_back(made_of("pressure", "Pa", 1, [](std::size_t i) { return 1e5 + static_cast<double>(i); }));
-  list.lattice.push_back(made_of("velocity", "m/s", 2, [](std::size_t i) { return 0.5 * static_cast<double>(i); }));
-  list.particles.push_back(made_of("temperature", "K", 1, [](std::size_t i) { return 300 + static_cast<double>(i); }));
-  list.particles.push_back(made_of("displacement", "m", 2, [](std::size_t i) { return i % 2 == 0 ? 0.25 : 0.0; }));
-  list.particles.push_back(made_of("rotation", "1", 1, [](std::size_t) { return std::acos(0.0); }));
-  list.bonds.push_back(made_of("d_m", "1", 1, [](std::size_t i) { return static_cast<double>(i); }));
-  list.bonds.push_back(made_of("stress", "Pa", 2, [](std::size_t i) { return static_cast<double>(i); }));
+  list.lattice.push_back(made_field("pressure", "Pa", 1, [](std::size_t i) { return 1e5 + static_cast<double>(i); }));
+  list.lattice.push_back(made_field("velocity", "m/s", 2, [](std::size_t i) { return 0.5 * static_cast<double>(i); }));
+  list.particles.push_back(
+      made_field("temperature", "K", 1, [](std::size_t i) { return 300 + static_cast<double>(i); }));
+  list.particles.push_back(made_field("displacement", "m", 2, [](std::size_t i) { return i % 2 == 0 ? 0.25 : 0.0; }));
+  list.particles.push_back(made_field("rotation", "1", 1, [](std::size_t) { return std::acos(0.0); }));
+  list.bonds.push_back(made_field("d_m", "1", 1, [](std::size_t i) { return static_cast<double>(i); }));
+  list.bonds.push_back(made_field("stress", "Pa", 2, [](std::size_t i) { return static_cast<double>(i); }));
   return list;
 }
 

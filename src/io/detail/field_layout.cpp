@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
-#include <numeric>
+#include <span>
 
 namespace vug::detail {
 
@@ -15,21 +14,33 @@ std::vector<double> values_of(const Field& field, std::size_t items) {
   return values;
 }
 
+void read_along(const Field& field, const std::vector<std::size_t>& items) {
+  const ReadItems read = field.open();
+  std::vector<double> values;
+  visit_pieces(items, [&](std::size_t first, std::size_t rows) {
+    values.resize(rows * row_size(items) * field.components);
+    read(first * row_size(items), values);
+  });
+}
+
 void FieldLayout::write(Hdf5File& file, const std::string& name, const Field& field,
                         std::vector<Attribute> attributes) const {
-  const auto count = std::accumulate(items.begin(), items.end(), std::size_t{1}, std::multiplies<>());
-  auto values = values_of(field, count);
-  auto shape = items;
-  if (field.components == 2) {
-    std::vector<double> padded(3 * count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) std::copy_n(&values[2 * i], 2, &padded[3 * i]);
-    values = std::move(padded);
-    shape.push_back(3);
-  } else if (field.components != 1) {
-    shape.push_back(static_cast<std::size_t>(field.components));
-  }
+  const ReadItems read = field.open();
+  const auto components = static_cast<std::size_t>(field.components), stored = components == 2 ? 3 : components;
+  std::vector<std::size_t> shape = items;
+  if (stored > 1) shape.push_back(stored);
   attributes.push_back({"units", field.unit});
-  file.write(name, shape, values, type, compress, attributes);
+  std::vector<double> plane;
+  const auto rows = [&](std::size_t first, std::span<double> values) {
+    first *= row_size(items);
+    if (stored == components) return read(first, values);
+    const std::size_t count = values.size() / stored;
+    plane.resize(count * components);
+    read(first, plane);
+    std::fill(values.begin(), values.end(), 0.0);
+    for (std::size_t i = 0; i < count; ++i) std::copy_n(&plane[components * i], components, &values[stored * i]);
+  };
+  file.write(name, shape, rows, type, compress, attributes);
 }
 
 std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<std::string>& names) {

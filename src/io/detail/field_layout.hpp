@@ -12,6 +12,9 @@ namespace vug::detail {
 /// The values of all items.
 std::vector<double> values_of(const Field& field, std::size_t items);
 
+/// Reads a field of items (row, column) in the pieces in which FieldLayout writes it, for a rank that writes nothing.
+void read_along(const Field& field, const std::vector<std::size_t>& items);
+
 /// Shape of the items and how numbers are stored. Vectors of the plane get a third component, zero, which viewers need.
 struct FieldLayout {
   std::vector<std::size_t> items;

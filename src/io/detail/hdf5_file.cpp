@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <numeric>
 
 namespace vug::detail {
 
@@ -132,6 +133,16 @@ void for_each_link(hid_t group, const std::string& path, Visit visit) {
 
 }  // namespace
 
+void visit_pieces(const std::vector<std::size_t>& shape, const std::function<void(std::size_t, std::size_t)>& visit) {
+  if (row_size(shape) == 0) return;
+  const std::size_t rows = chunk_of({shape.begin(), shape.end()})[0];
+  for (std::size_t first = 0; first < shape[0]; first += rows) visit(first, std::min(rows, shape[0] - first));
+}
+
+std::size_t row_size(const std::vector<std::size_t>& shape) {
+  return std::accumulate(shape.begin() + 1, shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
 Hdf5File::Hdf5File(std::string path, Hdf5Id file, std::unique_ptr<NewFile> unfinished)
     : path_(std::move(path)), unfinished_(std::move(unfinished)), file_(file) {}
 
@@ -165,13 +176,14 @@ void Hdf5File::write(const Attribute& attribute) {
   write_attribute(root.id, attribute, path_);
 }
 
-void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const double> values,
-                     StoredAs type, bool compress, const std::vector<Attribute>& attributes) {
+void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
+                     const std::function<void(std::size_t first, std::span<double> values)>& read, StoredAs type,
+                     bool compress, const std::vector<Attribute>& attributes) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
   const int rank = static_cast<int>(extent.size());
   const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, path_, "write");
   const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path_, "write");
-  if (compress && !values.empty()) {
+  if (compress && shape[0] * row_size(shape) > 0) {
     check(H5Pset_chunk(layout.id, rank, chunk_of(extent).data()), path_, "write");
     check(H5Pset_shuffle(layout.id), path_, "write");
     check(H5Pset_deflate(layout.id, 4), path_, "write");
@@ -180,8 +192,17 @@ void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& sh
   check(H5Pset_create_intermediate_group(link.id, 1), path_, "write");
   const Handle data(H5Dcreate2(file_, name.c_str(), file_type(type), space.id, link.id, layout.id, H5P_DEFAULT),
                     H5Dclose, path_, "write");
-  if (!values.empty())
-    check(H5Dwrite(data.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_, "write");
+  std::vector<hsize_t> from(extent.size(), 0), piece = extent;
+  std::vector<double> values;
+  visit_pieces(shape, [&](std::size_t first, std::size_t rows) {
+    from[0] = first;
+    piece[0] = rows;
+    values.resize(rows * row_size(shape));
+    read(first, values);
+    const Handle part(H5Screate_simple(rank, piece.data(), nullptr), H5Sclose, path_, "write");
+    check(H5Sselect_hyperslab(space.id, H5S_SELECT_SET, from.data(), nullptr, piece.data(), nullptr), path_, "write");
+    check(H5Dwrite(data.id, H5T_NATIVE_DOUBLE, part.id, space.id, H5P_DEFAULT, values.data()), path_, "write");
+  });
   for (const auto& attribute : attributes) write_attribute(data.id, attribute, path_);
 }
 

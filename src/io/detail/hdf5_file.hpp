@@ -3,6 +3,7 @@
 #include "io/detail/files.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,13 @@ struct Attribute {
 
 enum class StoredAs { float32, float64, int32 };
 
+/// visit(first row, rows) of the pieces of an array of this shape that are written at once, in order: as many rows as
+/// its chunks have, each of which is compressed once.
+void visit_pieces(const std::vector<std::size_t>& shape, const std::function<void(std::size_t, std::size_t)>& visit);
+
+/// Numbers in a row: those of all dimensions but the first.
+std::size_t row_size(const std::vector<std::size_t>& shape);
+
 /// A new file that takes its name when it is complete (detail/files.hpp), or one that is read. HDF5 changes a file in
 /// several places at once, and a kill in between makes all of it unreadable: so no file is ever changed.
 class Hdf5File {
@@ -37,9 +45,11 @@ class Hdf5File {
 
   /// An attribute of the root.
   void write(const Attribute& attribute);
-  /// A data set with the attributes; groups in its name ("bonds/d_m") are made.
-  void write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const double> values,
-             StoredAs type, bool compress, const std::vector<Attribute>& attributes);
+  /// A data set with the attributes; groups in its name ("bonds/d_m") are made. `read` fills in a piece of its values,
+  /// rows from `first` on.
+  void write(const std::string& name, const std::vector<std::size_t>& shape,
+             const std::function<void(std::size_t first, std::span<double> values)>& read, StoredAs type, bool compress,
+             const std::vector<Attribute>& attributes);
   /// The root of `file`, a path relative to this one, under a name in this one.
   void link(const std::string& name, const std::string& file);
   /// Writes what is still in memory and takes the name; with `sync` all of it has reached the disk before it returns.

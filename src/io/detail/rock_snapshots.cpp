@@ -30,10 +30,10 @@ void RockSnapshots::create() {
 
 void RockSnapshots::write_connectivity(Hdf5File& file) const {
   const auto put = [&](const std::string& name, std::size_t rows, std::size_t columns, auto value) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < rows; ++i)
-      for (std::size_t k = 0; k < columns; ++k) values.push_back(value(i, k));
-    file.write(name, {rows, columns}, values, StoredAs::int32, layout_.compress, {});
+    const auto read = [&](std::size_t first, std::span<double> values) {
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(first + i / columns, i % columns);
+    };
+    file.write(name, {rows, columns}, read, StoredAs::int32, layout_.compress, {});
   };
   const auto& triangles = shape_.assembly.triangles;
   const auto& bonds = shape_.bonds;
@@ -100,11 +100,11 @@ RockSnapshots::Points RockSnapshots::bond_ends(const Points& moved) const {
 
 void RockSnapshots::write_vertices(Hdf5File& file, const std::string& name, const Points& points,
                                    std::vector<Attribute> attributes) const {
-  std::vector<double> values;
-  values.reserve(3 * points.size());
-  for (const auto& p : points) values.insert(values.end(), {p[0], p[1], 0.0});
+  const auto read = [&](std::size_t first, std::span<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = i % 3 < 2 ? points[first + i / 3][i % 3] : 0.0;
+  };
   attributes.push_back({"units", std::string("m")});
-  file.write(name, {points.size(), 3}, values, layout_.type, layout_.compress, attributes);
+  file.write(name, {points.size(), 3}, read, layout_.type, layout_.compress, attributes);
 }
 
 std::string RockSnapshots::part(const Hdf5File& file, const std::string& name, const std::string& items,

@@ -4,6 +4,8 @@
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -47,23 +49,29 @@ void require_range(const std::string& name, std::span<const std::byte> in, State
 }
 }  // namespace detail
 
+inline std::vector<std::byte> StateBlock::saved() const {
+  std::vector<std::byte> all;
+  save([&](std::span<const std::byte> piece) { all.insert(all.end(), piece.begin(), piece.end()); });
+  return all;
+}
+
+inline void StateBlock::load_all(std::span<const std::byte> all) const {
+  detail::require_size(name, all.size(), bytes);
+  load([&](std::size_t at, std::span<std::byte> to) { std::copy_n(all.begin() + at, to.size(), to.begin()); });
+}
+
 template <class ViewType>
 void StateList::add(std::string name, ViewType view, StateRange range) {
   using Value = typename ViewType::non_const_value_type;
   static_assert(std::is_trivially_copyable_v<Value>);
-  const std::size_t bytes = view.span() * sizeof(Value);
-  add(StateBlock{name,
-                 [view, bytes] {
-                   const auto host = on_host(view);
-                   std::vector<std::byte> out(bytes);
-                   if (bytes > 0) std::memcpy(out.data(), host.data(), bytes);
-                   return out;
-                 },
-                 [view, bytes, name, range](std::span<const std::byte> in) {
-                   detail::require_size(name, in.size(), bytes);
-                   detail::require_range<Value>(name, in, range);
+  const auto bytes_of = [](const auto& host) {
+    return std::span(reinterpret_cast<std::byte*>(host.data()), host.span() * sizeof(Value));
+  };
+  add(StateBlock{name, view.span() * sizeof(Value), [=](const TakeBytes& take) { take(bytes_of(on_host(view))); },
+                 [=](const GiveBytes& give) {
                    const auto host = Kokkos::create_mirror_view(view);
-                   if (bytes > 0) std::memcpy(host.data(), in.data(), bytes);
+                   give(0, bytes_of(host));
+                   detail::require_range<Value>(name, bytes_of(host), range);
                    Kokkos::deep_copy(view, host);
                  }});
 }
@@ -71,16 +79,12 @@ void StateList::add(std::string name, ViewType view, StateRange range) {
 template <class Value>
 void StateList::add_value(std::string name, Value& value, StateRange range) {
   static_assert(std::is_trivially_copyable_v<Value>);
-  add(StateBlock{name,
-                 [&value] {
-                   std::vector<std::byte> out(sizeof(Value));
-                   std::memcpy(out.data(), &value, sizeof(Value));
-                   return out;
-                 },
-                 [&value, name, range](std::span<const std::byte> in) {
-                   detail::require_size(name, in.size(), sizeof(Value));
-                   detail::require_range<Value>(name, in, range);
-                   std::memcpy(&value, in.data(), sizeof(Value));
+  add(StateBlock{name, sizeof(Value), [&value](const TakeBytes& take) { take(std::as_bytes(std::span(&value, 1))); },
+                 [&value, name, range](const GiveBytes& give) {
+                   std::array<std::byte, sizeof(Value)> bytes;
+                   give(0, bytes);
+                   detail::require_range<Value>(name, bytes, range);
+                   std::memcpy(&value, bytes.data(), sizeof(Value));
                  }});
 }
 

@@ -77,7 +77,7 @@ void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowF
 template <class T>
 void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const ScalarField<T>& density, FlowFields<T>& fields);
 
-/// (fluid) the density of every node; allocated, for output.
+/// (fluid) the density of every node that this process computes; allocated, for output.
 template <class T>
 ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);
 

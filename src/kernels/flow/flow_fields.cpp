@@ -68,8 +68,9 @@ struct StoreDensity {
 
 template <class T>
 ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields) {
-  const ScalarField<T> density(Kokkos::view_alloc(exec, "vug::flow::density"), nodes.capacity);
-  for_each_node(exec, "vug::flow::densities", nodes.count, StoreDensity<T>{Density<T>(nodes, fields), density});
+  const bool in_parts = !nodes.share().whole();
+  const auto density = zeros<ScalarField<T>>(exec, "vug::flow::density", nodes.capacity, in_parts);
+  for_each_node(exec, "vug::flow::densities", nodes.share(), StoreDensity<T>{Density<T>(nodes, fields), density});
   return density;
 }
 

@@ -1,0 +1,110 @@
+#pragma once
+// Fields with room for all nodes, of which every rank computes its own (docs/scaling.md): what a rank holds of them,
+// and how they get into a checkpoint and back, piece by piece.
+#include "coupling/split.hpp"
+#include "io/field_list.hpp"
+
+#include <cstring>
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+/// Who has what of a field: planes of items that have the same owners, one plane after the other.
+struct Shares {
+  Owners owners;
+  int planes = 1;
+  std::vector<Halo> halos;  ///< that bring a rank items of others
+  bool halos_of_plane =
+      false;  ///< they number the items of one plane, and bring those of all; else slots of all planes
+
+  Shares(Owners owners_, int planes_, std::vector<Halo> halos_)
+      : owners(std::move(owners_)), planes(planes_), halos(std::move(halos_)) {}
+  /// Both components of a vector.
+  static Shares of_vector(Owners owners, std::vector<Halo> halos) {
+    Shares shares(std::move(owners), 2, std::move(halos));
+    shares.halos_of_plane = true;
+    return shares;
+  }
+};
+
+namespace detail {
+
+/// The slots of a View, as bytes: how many of what size; a look at those from `at` on, in the host's memory (`room`
+/// where they are not there); new ones; a check of those that are to come.
+struct Slots {
+  std::size_t count, bytes;
+  std::function<const std::byte*(std::size_t at, std::size_t count, std::vector<std::byte>& room)> look;
+  std::function<void(std::size_t at, std::span<const std::byte>)> put;
+  std::function<void(std::span<const std::byte>)> check;
+};
+
+void save_shared(const Ranks& ranks, const Shares& shares, const Slots& slots, const TakeBytes& take);
+void load_shared(const Ranks& ranks, const Shares& shares, const Slots& slots, const GiveBytes& give);
+void let_go(const Ranks& ranks, const Shares& shares, void* values, std::size_t bytes, std::size_t count);
+
+template <class ViewType>
+Slots slots_of(const std::string& name, const ViewType& view, StateRange range) {
+  using Value = typename ViewType::non_const_value_type;
+  using Flat = Kokkos::View<Value*, typename Exec::memory_space, Kokkos::MemoryUnmanaged>;
+  using FlatOnHost = Kokkos::View<const Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
+  const auto look = [view](std::size_t at, std::size_t count, std::vector<std::byte>& room) {
+    if constexpr (shares_host_memory) return reinterpret_cast<const std::byte*>(view.data() + at);
+    room.resize(count * sizeof(Value));
+    Kokkos::deep_copy(
+        Kokkos::View<Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(reinterpret_cast<Value*>(room.data()), count),
+        Flat(view.data() + at, count));
+    return static_cast<const std::byte*>(room.data());
+  };
+  const auto put = [view](std::size_t at, std::span<const std::byte> bytes) {
+    if constexpr (shares_host_memory) {
+      std::memcpy(view.data() + at, bytes.data(), bytes.size());
+    } else {
+      const std::size_t count = bytes.size() / sizeof(Value);
+      Kokkos::deep_copy(Flat(view.data() + at, count), FlatOnHost(reinterpret_cast<const Value*>(bytes.data()), count));
+    }
+  };
+  const auto check = [name, range](std::span<const std::byte> bytes) { require_range<Value>(name, bytes, range); };
+  return {view.span(), sizeof(Value), look, put, check};
+}
+
+}  // namespace detail
+
+/// Adds a field to what a checkpoint must hold. The file gets the bytes of one rank; a rank takes from it what it
+/// holds.
+template <class ViewType>
+void add_shared(StateList& list, const Ranks& ranks, const std::string& name, const ViewType& view,
+                const Shares& shares, StateRange range = {}) {
+  if (ranks.alone()) return list.add(name, view, range);
+  const detail::Slots slots = detail::slots_of(name, view, range);
+  list.add(StateBlock{name, slots.count * slots.bytes,
+                      [=](const TakeBytes& take) {
+                        Exec().fence("vug::save_shared");
+                        detail::save_shared(ranks, shares, slots, take);
+                      },
+                      [=](const GiveBytes& give) { detail::load_shared(ranks, shares, slots, give); }});
+}
+
+/// What modules do with the fields that they share out, each with its name in checkpoints: put them into one.
+struct AddShared {
+  StateList& list;
+  const Ranks& ranks;
+  template <class ViewType>
+  void operator()(const std::string& name, const ViewType& view, const Shares& shares) const {
+    add_shared(list, ranks, name, view, shares);
+  }
+};
+/// On a host, give back the memory of what neither is ours nor comes to us.
+struct LetGo {
+  const Ranks& ranks;
+  template <class ViewType>
+  void operator()(const std::string&, const ViewType& view, const Shares& shares) const {
+    if (!ranks.alone() && runs_on_host)
+      detail::let_go(ranks, shares, view.data(), sizeof(typename ViewType::value_type), view.span());
+  }
+};
+
+}  // namespace vug
