@@ -128,7 +128,8 @@ TEST(FullDisk, StopsSnapshotsWithTheReasonAndKeepsTheOnesBefore) {
 TEST(FullDisk, StopsCheckpointsWithTheReasonAndKeepsTheOneBefore) {
   const test::TemporaryFolder folder;
   StateList state;
-  state.add({"block", [] { return std::vector<std::byte>(200000); }, [](std::span<const std::byte>) {}});
+  const std::vector<std::byte> bytes(200000);
+  state.add({"block", bytes.size(), [&](const TakeBytes& take) { take(bytes); }, {}});
   write_checkpoint(folder.path(), state, 1, 0, {"abc", "r1"});
   {
     const SmallDisk disk(100 * 1024);
