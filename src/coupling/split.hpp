@@ -59,8 +59,8 @@ class Split {
   /// The dense nodes among `nodes` that are not in our rows.
   Halo beyond_rows(const Lattice& lattice, std::vector<int> nodes) const;
 
-  /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows. Nothing of
-  /// these where one rank has all.
+  /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows. Nothing
+  /// of these where one rank has all.
   Owners of_fluid(const FluidNodes& nodes) const;
   Owners of_fluid_by_row(const FluidNodes& nodes) const;
   Owners of_links(const BoundaryLinks& links) const;
