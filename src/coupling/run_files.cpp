@@ -22,9 +22,9 @@ std::vector<std::string> names(const std::vector<HistoryValue>& row) {
 }  // namespace
 
 void Probes::add(std::vector<HistoryValue>& row) const {
+  if (scene_.output.probes.empty()) return;
   const int nx = scene_.lattice.nx, ny = scene_.lattice.ny;
   for (const Field& field : fields_.lattice) {
-    if (scene_.output.probes.empty()) return;
     const ReadItems read = field.open();
     for (const Probe& probe : scene_.output.probes) {
       const int x = std::clamp(static_cast<int>(probe.at[0] / scene_.lattice.spacing), 0, nx - 1);

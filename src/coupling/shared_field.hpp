@@ -17,9 +17,8 @@ namespace vug {
 struct Shares {
   Owners owners;
   int planes = 1;
-  std::vector<Halo> halos;  ///< that bring a rank items of others
-  bool halos_of_plane =
-      false;  ///< they number the items of one plane, and bring those of all; else slots of all planes
+  std::vector<Halo> halos;      ///< that bring a rank slots of others
+  bool halos_of_plane = false;  ///< they number the items of one plane, and bring those of each
 
   Shares(Owners owners_, int planes_, std::vector<Halo> halos_)
       : owners(std::move(owners_)), planes(planes_), halos(std::move(halos_)) {}
@@ -38,7 +37,7 @@ namespace detail {
 struct Slots {
   std::size_t count, bytes;
   std::function<const std::byte*(std::size_t at, std::size_t count, std::vector<std::byte>& room)> look;
-  std::function<void(std::size_t at, std::span<const std::byte>)> put;
+  std::function<void(std::size_t at, std::span<std::byte>)> put;
   std::function<void(std::span<const std::byte>)> check;
 };
 
@@ -49,22 +48,23 @@ void let_go(const Ranks& ranks, const Shares& shares, void* values, std::size_t 
 template <class ViewType>
 Slots slots_of(const std::string& name, const ViewType& view, StateRange range) {
   using Value = typename ViewType::non_const_value_type;
-  using Flat = Kokkos::View<Value*, typename Exec::memory_space, Kokkos::MemoryUnmanaged>;
-  using FlatOnHost = Kokkos::View<const Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
+  using Slice = Kokkos::View<Value*, typename Exec::memory_space, Kokkos::MemoryUnmanaged>;
+  using SliceOnHost = Kokkos::View<Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
   const auto look = [view](std::size_t at, std::size_t count, std::vector<std::byte>& room) {
-    if constexpr (shares_host_memory) return reinterpret_cast<const std::byte*>(view.data() + at);
-    room.resize(count * sizeof(Value));
-    Kokkos::deep_copy(
-        Kokkos::View<Value*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(reinterpret_cast<Value*>(room.data()), count),
-        Flat(view.data() + at, count));
-    return static_cast<const std::byte*>(room.data());
+    if constexpr (runs_on_host) {
+      return reinterpret_cast<const std::byte*>(view.data() + at);
+    } else {
+      room.resize(count * sizeof(Value));
+      Kokkos::deep_copy(SliceOnHost(reinterpret_cast<Value*>(room.data()), count), Slice(view.data() + at, count));
+      return static_cast<const std::byte*>(room.data());
+    }
   };
-  const auto put = [view](std::size_t at, std::span<const std::byte> bytes) {
-    if constexpr (shares_host_memory) {
+  const auto put = [view](std::size_t at, std::span<std::byte> bytes) {
+    if constexpr (runs_on_host) {
       std::memcpy(view.data() + at, bytes.data(), bytes.size());
     } else {
       const std::size_t count = bytes.size() / sizeof(Value);
-      Kokkos::deep_copy(Flat(view.data() + at, count), FlatOnHost(reinterpret_cast<const Value*>(bytes.data()), count));
+      Kokkos::deep_copy(Slice(view.data() + at, count), SliceOnHost(reinterpret_cast<Value*>(bytes.data()), count));
     }
   };
   const auto check = [name, range](std::span<const std::byte> bytes) { require_range<Value>(name, bytes, range); };
