@@ -98,10 +98,13 @@ void load_shared(const Ranks& ranks, const Shares& shares, const Slots& slots, c
     piece.resize((last - first) * slots.bytes);
     give(first * slots.bytes, piece);
     slots.check(piece);
-    if constexpr (!runs_on_host) return slots.put(first, piece);  // a GPU's memory is there for all
-    for (auto part = run; part != taken.end() && part->first < last; ++part) {
-      const int from = std::max(part->first, first), to = std::min(part->second, last);
-      slots.put(from, std::span(piece).subspan((from - first) * slots.bytes, (to - from) * slots.bytes));
+    if constexpr (!runs_on_host) {
+      slots.put(first, piece);  // a GPU's memory is there for all
+    } else {
+      for (auto part = run; part != taken.end() && part->first < last; ++part) {
+        const int from = std::max(part->first, first), to = std::min(part->second, last);
+        slots.put(from, std::span(piece).subspan((from - first) * slots.bytes, (to - from) * slots.bytes));
+      }
     }
   });
 }
