@@ -173,6 +173,7 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   const Split& split = geometry_.split;
   const FluidNodes& fluid = geometry_.fluid;
   return_populations(exec);
+  gather_sums();  // which links are ours may change
   fit_to_capacity(exec, fluid, births.first, fields_);
   const double before = sum_mass();
   settle(exec, fluid, births.first, fields_);  // the links to new nodes were walls until now
@@ -195,6 +196,7 @@ void FlowModule<T>::ledger(Ledger& ledger) const {
   Balance& balance = ledger.of("fluid_mass", "kg/m");
   balance.initial = kg * initial_mass_;
   balance.stored = kg * mass();
+  gather_sums();
   double entered = 0;
   for (const StretchLinks& boundary : boundaries_)
     if (!boundary.stretch.opening) entered += boundary.total();

@@ -68,6 +68,10 @@ class FlowModule final : public Module {
   void visit_shares(const Visit& visit) const;
   /// What a checkpoint must hold of these.
   void shared_state(StateList& list) const;
+  /// What only its rank has booked at sides and openings, and the levels of outflows, on all of them.
+  void gather_sums() const;
+  /// Has every rank know what leaves through all sides and openings, the velocities that these ask for, and the levels.
+  void bring_to_all_links(const Exec& exec) const;
   /// Gives back what our last sweep left in slots of other ranks' nodes, and the other way round.
   void return_populations(const Exec& exec) const;
   /// That of all ranks' nodes; of populations that have been given back.
@@ -101,8 +105,8 @@ class FlowModule final : public Module {
   bool varies_;        ///< their intervals do (accuracy.tolerance)
   double raised_ = 0;  ///< s, when all conditions have their last values
   SteadyFlow<T> steady_;
-  /// What other ranks compute: populations that our sweep pulls; those that leave through sides and openings, which
-  /// every rank dresses alike; velocities that carry, or that sides need; those of nodes in our rows.
+  /// What other ranks compute: populations that our sweep pulls; those that leave through the images of our links of
+  /// sides and openings; velocities that carry, or that our links need; those of nodes in our rows.
   Halo populations_, dressed_, velocities_, in_rows_, around_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;

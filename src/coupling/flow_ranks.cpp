@@ -16,6 +16,17 @@ bool is_dressed(const FlowBoundary& flow) {
   return flow.kind != FlowBoundaryKind::periodic && (flow.kind != FlowBoundaryKind::wall || flow.peak_speed() != 0);
 }
 
+/// Adds the nodes at links, and those behind them that are not rock: the velocities that all of an outflow depends on.
+void add_nodes_at(const FluidNodes& fluid, const BoundaryLinks& links, std::vector<int>& nodes) {
+  const auto source = on_host(fluid.source), node = on_host(links.fluid);
+  const auto direction = on_host(links.direction);
+  for (int link = 0; link < links.count; ++link) {
+    nodes.push_back(node(link));
+    const int out = direction(link) * fluid.capacity, behind = source(out + nodes.back()) - out;
+    if (behind >= 0 && behind < fluid.count) nodes.push_back(behind);
+  }
+}
+
 }  // namespace
 
 template <class T>
@@ -23,25 +34,42 @@ void FlowModule<T>::find_halos() {
   const Split& split = geometry_.split;
   if (split.alone()) return;
   const FluidNodes& fluid = geometry_.fluid;
-  const auto source = on_host(fluid.source);
   std::vector<int> slots, nodes;
-  for (const StretchLinks& boundary : boundaries_) {
-    const auto node = on_host(boundary.links.fluid);
+  for (StretchLinks& boundary : boundaries_) {
+    if (!is_dressed(boundary.stretch.conditions.flow)) continue;
+    split.share_out(boundary.links, boundary.mirror);
+    const auto node = on_host(boundary.links.fluid), own = on_host(boundary.links.own);
     const auto direction = on_host(boundary.links.direction);
-    for (int link = 0; is_dressed(boundary.stretch.conditions.flow) && link < boundary.links.count; ++link) {
-      nodes.push_back(node(link));
-      const int out = direction(link) * fluid.capacity;
-      slots.push_back(out + nodes.back());
-      if (boundary.outflow.along.extent(0) == 0) continue;
-      const int behind = source(slots.back()) - out;  // not a node beside rock
-      if (behind >= 0 && behind < fluid.count) nodes.push_back(behind);
+    for (int k = 0; k < boundary.links.own_count; ++k) {
+      nodes.push_back(node(own(k)));
+      slots.push_back(direction(own(k)) * fluid.capacity + nodes.back());
     }
+    const bool outflow = boundary.outflow.along.extent(0) > 0;
+    if (outflow && boundary.links.own_count > 0) add_nodes_at(fluid, boundary.links, nodes);
   }
   populations_ = split.populations(fluid, D2Q9::Q);
   dressed_ = split.slots(fluid, slots);
   velocities_ = split.around(fluid, nodes);
   in_rows_ = split.in_rows(fluid);
   if (excess_.extent(0) > 0) around_ = split.populations_around(fluid);
+}
+
+template <class T>
+void FlowModule<T>::bring_to_all_links(const Exec& exec) const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  const FluidNodes& fluid = geometry_.fluid;
+  std::vector<int> slots, nodes;
+  for (const StretchLinks& boundary : boundaries_) {
+    const auto node = on_host(boundary.links.fluid);
+    const auto direction = on_host(boundary.links.direction);
+    for (int link = 0; link < boundary.links.count; ++link)
+      slots.push_back(direction(link) * fluid.capacity + node(link));
+    add_nodes_at(fluid, boundary.links, nodes);
+  }
+  split.slots(fluid, slots).template exchange<T, 1>(exec, {fields_.f});
+  split.slots(fluid, nodes).template exchange<T, 2>(exec, components(fields_.u));
+  gather_sums();
 }
 
 template <class T>
@@ -58,6 +86,23 @@ template <class T>
 void FlowModule<T>::gather(const Exec& exec) {
   return_populations(exec);
   geometry_.split.make_whole(geometry_.split.of_blocks(), step_.limited);
+  gather_sums();
+}
+
+template <class T>
+void FlowModule<T>::gather_sums() const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  for (const StretchLinks& boundary : boundaries_) {
+    const BoundaryLinks& links = boundary.links;
+    split.make_whole(split.of_links(links), boundary.gain);
+    const ScalarField<double>& level = boundary.outflow.level;
+    if (level.extent(0) == 0 || links.count == 0) continue;
+    Owners owners(split.ranks().size());  // the rank that has the first link has dressed some, and knows the level
+    const int first = on_host(Kokkos::subview(links.fluid, std::pair(0, 1)))(0);
+    owners[split.owner_of(first)] = {{0, static_cast<int>(level.extent(0))}};
+    split.make_whole(owners, level);
+  }
 }
 
 template <class T>
@@ -104,6 +149,8 @@ FlowExtremes FlowModule<T>::extremes(const Exec& exec) const {
   template void FlowModule<T>::find_halos();                          \
   template void FlowModule<T>::gather(const Exec&);                   \
   template void FlowModule<T>::let_go();                              \
+  template void FlowModule<T>::gather_sums() const;                   \
+  template void FlowModule<T>::bring_to_all_links(const Exec&) const; \
   template void FlowModule<T>::shared_state(StateList&) const;        \
   template void FlowModule<T>::return_populations(const Exec&) const; \
   template double FlowModule<T>::sum_mass() const;                    \

@@ -36,7 +36,7 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
   Balance& balance = ledger.of("heat", "J/m");
   balance.initial = joule * initial_energy_;
   balance.stored = joule * energy();
-  if (carrier_ && !geometry_.split.alone()) geometry_.split.make_whole(geometry_.split.of_rows(), created_);
+  gather_sums();
   double injected = 0, sides = 0;
   for (std::size_t s = 0; s < sides_.size(); ++s)
     (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();

@@ -54,6 +54,15 @@ class HeatModule final : public Module {
 
  private:
   void find_halos();
+  /// The nodes that outflows of our rows look back at; of those without flow as well.
+  std::vector<int> nodes_before_sides() const;
+  /// What we fill in others' rows for ours to conduct from, beside diagonals and in openings: a checkpoint has it
+  /// there.
+  std::vector<int> slots_filled_beyond() const;
+  /// What only its rank has booked, on all of them: what entered and what was created.
+  void gather_sums() const;
+  /// Of the entries of entered_[boundary].
+  Owners owners_of_entries(std::size_t boundary) const;
   /// As FlowModule's.
   template <class Visit>
   void visit_shares(const Visit& visit) const;
@@ -100,7 +109,8 @@ class HeatModule final : public Module {
   ScalarField<T> watched_;          ///< (node) temperatures at the last look; empty where nobody asks for changes
   ScalarField<T> fluid_theta_;      ///< (fluid) temperatures of now; empty unless the flow asks
   mutable bool fresh_ = false;      ///< no step since
-  Halo populations_;                ///< of other ranks' nodes that we conduct from, or that every rank reads
+  Halo populations_;                ///< of other ranks' nodes that we conduct from or look back at
+  Halo filled_;                     ///< populations in others' rows that we fill in
   Halo in_rows_;                    ///< fluid nodes in our rows that others sweep
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;

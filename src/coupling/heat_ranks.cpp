@@ -8,31 +8,58 @@
 namespace vug {
 
 template <class T>
-void HeatModule<T>::find_halos() {
-  const Split& split = geometry_.split;
-  if (split.alone()) return;
+std::vector<int> HeatModule<T>::nodes_before_sides() const {
   const Lattice& lattice = geometry_.lattice;
-  std::vector<int> nodes;  // at sides and openings, whose heat is summed over all of them, and before these
-  const int beside_x = std::min(2, lattice.nx), beside_y = std::min(2, lattice.ny);
-  for (int y = 0; y < lattice.ny && !periodic_[0]; ++y)
-    for (int k = 0; k < beside_x; ++k) {
-      nodes.push_back(lattice.node(k, y));
-      nodes.push_back(lattice.node(lattice.nx - 1 - k, y));
-    }
+  const int first = geometry_.split.first_row(), last = first + geometry_.split.own_rows() - 1;
+  std::vector<int> nodes;
+  const auto look = [&](int node, int q) {
+    const int y = lattice.y(node), before = node_before(lattice, node, q);
+    if (y >= first && y <= last && before >= 0) nodes.push_back(before);
+  };
+  const auto look_beyond = [&](int x, int y) {
+    for (int q = 1; q < directions(); ++q)
+      if (!lattice.inside(x + D2Q9::c(q, 0), y + D2Q9::c(q, 1))) look(lattice.node(x, y), q);
+  };
+  for (int y = first; y <= last && !periodic_[0]; ++y)
+    for (const int x : {0, lattice.nx - 1}) look_beyond(x, y);
   for (int x = 0; x < lattice.nx && !periodic_[1]; ++x)
-    for (int k = 0; k < beside_y; ++k) {
-      nodes.push_back(lattice.node(x, k));
-      nodes.push_back(lattice.node(x, lattice.ny - 1 - k));
-    }
+    for (const int y : {0, lattice.ny - 1}) look_beyond(x, y);
   for (const HeatOpening& opening : openings_) {
     const auto node = on_host(opening.links.node);
     const auto direction = on_host(opening.links.direction);
-    for (int link = 0; link < opening.links.count; ++link) {
-      nodes.push_back(node(link));
-      if (const int before = node_before(lattice, node(link), direction(link)); before >= 0) nodes.push_back(before);
-    }
+    for (int link = 0; link < opening.links.count; ++link) look(node(link), direction(link));
   }
-  populations_ = split.dense(lattice, directions(), periodic_[1], nodes);
+  return nodes;
+}
+
+template <class T>
+std::vector<int> HeatModule<T>::slots_filled_beyond() const {
+  const Lattice& lattice = geometry_.lattice;
+  const int first = geometry_.split.first_row(), last = first + geometry_.split.own_rows() - 1, plane = lattice.size();
+  std::vector<int> slots;
+  const auto halo = [&](int y, int towards) {
+    for (int q = 1; q < directions() && first <= last && y >= 0 && y < lattice.ny; ++q)
+      if (D2Q9::c(q, 1) == towards && D2Q9::c(q, 0) != 0)
+        slots.push_back(q * plane + lattice.node(D2Q9::c(q, 0) > 0 ? -1 : lattice.nx, y));
+  };
+  halo(first - 1, 1);
+  halo(last + 1, -1);
+  for (const HeatOpening& opening : openings_) {
+    const auto node = on_host(opening.links.node), beyond = on_host(opening.links.beyond);
+    const auto direction = on_host(opening.links.direction);
+    for (int link = 0; link < opening.links.count; ++link)
+      if (const int y = lattice.y(node(link)); y >= first && y <= last)
+        slots.push_back(D2Q9::opposite(direction(link)) * plane + beyond(link));
+  }
+  return slots;
+}
+
+template <class T>
+void HeatModule<T>::find_halos() {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  populations_ = split.dense(geometry_.lattice, directions(), periodic_[1], nodes_before_sides());
+  filled_ = split.beyond_rows(geometry_.lattice, slots_filled_beyond());
   if (carrier_ || fluid_theta_.extent(0) > 0) in_rows_ = split.in_rows(geometry_.fluid);
 }
 
@@ -41,7 +68,7 @@ template <class Visit>
 void HeatModule<T>::visit_shares(const Visit& visit) const {
   const Split& split = geometry_.split;
   const Owners rows = split.of_dense(geometry_.lattice);
-  visit("heat/g", fields_.g, Shares(rows, directions(), {populations_}));
+  visit("heat/g", fields_.g, Shares(rows, directions(), {populations_, filled_}));
   if (carrier_) visit("heat/lagged", lagged_, Shares(split.of_fluid_by_row(geometry_.fluid), 1, {}));
   if (watched_.extent(0) > 0) visit("heat/watched", watched_, Shares(rows, 1, {}));
   if (fluid_theta_.extent(0) > 0)
@@ -49,8 +76,27 @@ void HeatModule<T>::visit_shares(const Visit& visit) const {
 }
 
 template <class T>
-void HeatModule<T>::gather(const Exec&) {
-  if (carrier_) geometry_.split.make_whole(geometry_.split.of_rows(), created_);
+void HeatModule<T>::gather_sums() const {
+  const Split& split = geometry_.split;
+  if (split.alone()) return;
+  if (carrier_) split.make_whole(split.of_rows(), created_);
+  for (std::size_t s = 0; s < entered_.size(); ++s) split.make_whole(owners_of_entries(s), entered_[s]);
+}
+
+template <class T>
+Owners HeatModule<T>::owners_of_entries(std::size_t boundary) const {
+  const Split& split = geometry_.split;
+  const Lattice& lattice = geometry_.lattice;
+  if (boundary < sides_.size()) return split.by_row(lattice, nodes_of(lattice, sides_[boundary]));
+  const DenseLinks& links = openings_[boundary - sides_.size()].links;
+  const auto node = on_host(links.node);
+  return split.by_row(lattice, {node.data(), node.data() + links.count});
+}
+
+template <class T>
+void HeatModule<T>::gather(const Exec& exec) {
+  filled_.template exchange_back<T, 1>(exec, {fields_.g});
+  gather_sums();
 }
 
 template <class T>
@@ -72,6 +118,7 @@ void HeatModule<T>::take_temperatures_of_fluid(const Exec& exec) const {
 #define VUG_INSTANTIATE(T)                                     \
   template void HeatModule<T>::find_halos();                   \
   template void HeatModule<T>::gather(const Exec&);            \
+  template void HeatModule<T>::gather_sums() const;            \
   template void HeatModule<T>::let_go();                       \
   template void HeatModule<T>::shared_state(StateList&) const; \
   template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const

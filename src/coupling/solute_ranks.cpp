@@ -13,8 +13,9 @@ void SoluteModule<T, Set>::find_halos() {
   populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
   if (excess_) neighbours_ = geometry_.split.around(geometry_.fluid, {});
   if (geometry_.split.alone()) return;
-  const std::vector<int> nodes = nodes_before_outflow();  // the same on all ranks
-  before_outflow_ = nodes.empty() ? Halo() : geometry_.split.slots(geometry_.fluid, nodes);
+  for (SpeciesState<T>& s : species_)
+    for (StretchLinks& boundary : s.boundaries) geometry_.split.share_out(boundary.links);
+  before_outflow_ = geometry_.split.slots(geometry_.fluid, nodes_before_outflow());
 }
 
 template <class T, class Set>
@@ -24,10 +25,10 @@ std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const {
   const auto source = on_host(geometry_.fluid.source);
   for (const StretchLinks& boundary : species_[0].boundaries) {  // all have the same links
     if (boundary.stretch.conditions.solute.kind != SoluteBoundaryKind::outflow) continue;
-    const auto fluid = on_host(boundary.links.fluid);
+    const auto fluid = on_host(boundary.links.fluid), own = on_host(boundary.links.own);
     const auto direction = on_host(boundary.links.direction);
-    for (int link = 0; link < boundary.links.count; ++link) {
-      const int q = direction(link), before = source(q * capacity + fluid(link)) - q * capacity;
+    for (int k = 0; k < boundary.links.own_count; ++k) {
+      const int q = direction(own(k)), before = source(q * capacity + fluid(own(k))) - q * capacity;
       if (before >= 0 && before < capacity) nodes.push_back(before);
     }
   }

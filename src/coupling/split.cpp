@@ -14,9 +14,9 @@ void sort_once(std::vector<int>& items) {
 }
 
 /// At least one number, as nobody's are all.
-IndexList block_numbers(const char* label, std::vector<int> blocks) {
-  blocks.resize(std::max<std::size_t>(blocks.size(), 1));
-  return to_device<IndexList>(label, blocks);
+IndexList numbers(const char* label, std::vector<int> list) {
+  list.resize(std::max<std::size_t>(list.size(), 1));
+  return to_device<IndexList>(label, list);
 }
 
 }  // namespace
@@ -43,8 +43,22 @@ void Split::follow(FluidNodes& nodes) {
   }
   nodes.own_count = static_cast<int>(own.size());
   nodes.near_count = static_cast<int>(near.size());
-  nodes.own_blocks = block_numbers("vug::fluid_nodes::own_blocks", own);
-  nodes.near_blocks = block_numbers("vug::fluid_nodes::near_blocks", near);
+  nodes.own_blocks = numbers("vug::fluid_nodes::own_blocks", own);
+  nodes.near_blocks = numbers("vug::fluid_nodes::near_blocks", near);
+}
+
+void Split::share_out(BoundaryLinks& links, const IndexList& mirror) const {
+  if (alone()) return;
+  const auto fluid = on_host(links.fluid), image = on_host(mirror);
+  std::vector<int> own;
+  for (int link = 0; link < links.count; ++link) {
+    if (!is_ours(fluid(link))) continue;
+    own.push_back(link);
+    if (image.extent(0) > 0 && image(link) >= 0) own.push_back(image(link));
+  }
+  sort_once(own);
+  links.own_count = static_cast<int>(own.size());
+  links.own = numbers("vug::boundary::own", own);
 }
 
 Halo Split::populations(const FluidNodes& nodes, int directions) const {
@@ -128,7 +142,7 @@ Halo Split::populations_around(const FluidNodes& nodes) const {
 
 Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const {
   if (alone()) return {};
-  std::vector<int> needed, owner;
+  std::vector<int> needed;
   const auto row = [&](int y, int towards) {
     if (periodic_y) y = (y + lattice.ny) % lattice.ny;
     if (y < 0 || y >= lattice.ny || own_rows() == 0) return;
@@ -140,21 +154,17 @@ Halo Split::dense(const Lattice& lattice, int directions, bool periodic_y, const
   row(first_row() + own_rows(), -1);
   for (const int n : nodes)
     for (int q = 0; q < directions; ++q) needed.push_back(q * lattice.size() + n);
-  sort_once(needed);
-  const auto owner_of_slot = [&](int slot) { return rows_.part_of(lattice.y(slot % lattice.size())); };
-  std::erase_if(needed, [&](int slot) { return owner_of_slot(slot) == ranks_.rank(); });
-  for (const int slot : needed) owner.push_back(owner_of_slot(slot));
-  return Halo(ranks_, needed, owner);
+  return beyond_rows(lattice, needed);
 }
 
-Halo Split::beyond_rows(const Lattice& lattice, std::vector<int> nodes) const {
+Halo Split::beyond_rows(const Lattice& lattice, std::vector<int> slots) const {
   if (alone()) return {};
-  sort_once(nodes);
-  const auto owner_of_row = [&](int node) { return rows_.part_of(lattice.y(node)); };
-  std::erase_if(nodes, [&](int node) { return owner_of_row(node) == ranks_.rank(); });
+  sort_once(slots);
+  const auto owner_of = [&](int slot) { return rows_.part_of(lattice.y(slot % lattice.size())); };
+  std::erase_if(slots, [&](int slot) { return owner_of(slot) == ranks_.rank(); });
   std::vector<int> owner;
-  for (const int node : nodes) owner.push_back(owner_of_row(node));
-  return Halo(ranks_, nodes, owner);
+  for (const int slot : slots) owner.push_back(owner_of(slot));
+  return Halo(ranks_, slots, owner);
 }
 
 Owners Split::of_blocks(std::size_t most) const {
@@ -175,8 +185,12 @@ Owners Split::of_fluid(const FluidNodes& nodes) const {
 Owners Split::of_fluid_by_row(const FluidNodes& nodes) const {
   if (alone()) return {};
   const auto node = on_host(nodes.node);
-  std::vector<int> owner(nodes.count);
-  for (int i = 0; i < nodes.count; ++i) owner[i] = rows_.part_of(nodes.lattice.y(node(i)));
+  return by_row(nodes.lattice, {node.data(), node.data() + nodes.count});
+}
+
+Owners Split::by_row(const Lattice& lattice, const std::vector<int>& nodes) const {
+  std::vector<int> owner;
+  for (const int n : nodes) owner.push_back(rows_.part_of(lattice.y(n)));
   return owners_of(owner, ranks_.size());
 }
 

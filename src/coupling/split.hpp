@@ -42,6 +42,9 @@ class Split {
   /// Shares out a list of fluid nodes that is new or has grown.
   void follow(FluidNodes& nodes);
 
+  /// Tells `links` which of them we dress: those of our nodes, and with a `mirror` (mirror_links.hpp) their images.
+  void share_out(BoundaryLinks& links, const IndexList& mirror = {}) const;
+
   /// The slots of other ranks' nodes that our sweep of so many directions pulls from; after it they are theirs that
   /// pull.
   Halo populations(const FluidNodes& nodes, int directions) const;
@@ -53,16 +56,18 @@ class Split {
   Halo around(const FluidNodes& nodes, const std::vector<int>& more) const;
   /// All populations of the neighbours of our own fluid nodes.
   Halo populations_around(const FluidNodes& nodes) const;
-  /// Of dense populations what `rows` of ours pull from those of others, and all of `nodes`, which every rank reads.
+  /// Of dense populations what our rows pull from those of others, and all of those of `nodes`.
   Halo dense(const Lattice& lattice, int directions, bool periodic_y, const std::vector<int>& nodes) const;
 
-  /// The dense nodes among `nodes` that are not in our rows.
-  Halo beyond_rows(const Lattice& lattice, std::vector<int> nodes) const;
+  /// The dense nodes, or slots of populations at these, that are not in our rows.
+  Halo beyond_rows(const Lattice& lattice, std::vector<int> slots) const;
 
   /// Who has which fluid nodes, by the list or by their rows; links of these nodes; blocks of the list; rows. Nothing
   /// of these where one rank has all.
   Owners of_fluid(const FluidNodes& nodes) const;
   Owners of_fluid_by_row(const FluidNodes& nodes) const;
+  /// Items that lie at dense nodes: (item).
+  Owners by_row(const Lattice& lattice, const std::vector<int>& nodes) const;
   Owners of_links(const BoundaryLinks& links) const;
   /// Those of the fluid neighbours that [first, last), newborn nodes, have among the older ones; and of some dense
   /// nodes.

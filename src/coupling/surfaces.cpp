@@ -41,17 +41,16 @@ DressedBoundary<T> dressing(const Exec& exec, const FluidNodes& fluid, const Str
           Kokkos::create_mirror(typename Exec::memory_space{}, boundary.outflow.level)};
 }
 
-/// The nodes of links, and the slots that leave through them, as others than their ranks get them.
-template <class Boundaries, class Slot>
-Halo halo_of_links(const Split& split, const FluidNodes& fluid, const Boundaries& boundaries, const Slot& slot) {
+/// The nodes of links, as others than their ranks get them.
+template <class Boundaries>
+Halo nodes_at(const Split& split, const FluidNodes& fluid, const Boundaries& boundaries) {
   if (split.alone()) return {};
-  std::vector<int> slots;
+  std::vector<int> nodes;
   for (const StretchLinks& boundary : boundaries) {
     const auto node = on_host(boundary.links.fluid);
-    const auto direction = on_host(boundary.links.direction);
-    for (int link = 0; link < boundary.links.count; ++link) slots.push_back(slot(node(link), direction(link)));
+    nodes.insert(nodes.end(), node.data(), node.data() + boundary.links.count);
   }
-  return split.slots(fluid, slots);
+  return split.slots(fluid, nodes);
 }
 
 }  // namespace
@@ -60,15 +59,17 @@ template <class T>
 void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const {
   const Exec exec;
   const FluidNodes& fluid = geometry_.fluid;
-  const auto outgoing = [&](int node, int q) { return q * fluid.capacity + node; };
-  halo_of_links(geometry_.split, fluid, boundaries_, outgoing).template exchange<T, 1>(exec, {fields_.f});
+  bring_to_all_links(exec);
   std::vector<DressedBoundary<T>> dressed;
   for (const StretchLinks& boundary : boundaries_) {
     dressed.push_back(dressing(exec, fluid, boundary, fields_.f));
     Kokkos::deep_copy(dressed.back().level, boundary.outflow.level);
   }
   std::vector<FlowCondition> conditions;
-  for (const DressedBoundary<T>& d : dressed) conditions.push_back(condition(d.boundary, clock.time(), d.gain));
+  for (const DressedBoundary<T>& d : dressed) {
+    conditions.push_back(condition(d.boundary, clock.time(), d.gain));
+    conditions.back().take_all();
+  }
   dress<T>(exec, fluid, conditions, fields_);
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& stretch = d.boundary.stretch;
@@ -95,24 +96,28 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   const Exec exec;
   populations_.template exchange<T, 1>(exec, {fields_.g});
   const double watt = section_.fluid_density * section_.fluid_heat_capacity * units_.diffusivity() / interval_;
-  const auto look = [&](const std::string& name, const HeatBoundary& heat, auto surface, const auto& fill) {
+  const Split& split = geometry_.split;
+  const auto look = [&](const std::string& name, const HeatBoundary& heat, std::size_t number, auto surface,
+                        const auto& fill) {
     surface.energy_in = ScalarField<double>("vug::surfaces::energy_in", surface.energy_in.extent(0));
     surface.value = value_of(heat, clock.time());
     fill(surface);
-    if (surface.condition != HeatCondition::adiabatic)
-      add_value(row, name + "_heat_flow_W_per_m", watt * sum_in_order(surface.energy_in));
+    if (surface.condition == HeatCondition::adiabatic) return;
+    if (!split.alone()) split.make_whole(owners_of_entries(number), surface.energy_in);
+    add_value(row, name + "_heat_flow_W_per_m", watt * sum_in_order(surface.energy_in));
   };
   for (std::size_t o = 0; o < openings_.size(); ++o)
-    look(geometry_.openings[o].name, geometry_.openings[o].conditions.heat, openings_[o],
+    look(geometry_.openings[o].name, geometry_.openings[o].conditions.heat, sides_.size() + o, openings_[o],
          [&](const HeatOpening& opening) {
            fill_heat_openings(exec, fields_, {&opening, 1});
          });
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    look(stretches_[s].name, stretches_[s].conditions.heat, sides_[s], [&](const HeatSide& side) {
+    look(stretches_[s].name, stretches_[s].conditions.heat, s, sides_[s], [&](const HeatSide& side) {
       fill_heat_sides(exec, fields_, {&side, 1});
     });
+  filled_.template exchange_back<T, 1>(exec, {fields_.g});
 }
 
 template <class T, class Set>
@@ -124,8 +129,7 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
   const double mol_per_s = units_.amount() / (interval_ * units_.time_step);
   const VectorField<T> u = carrier_ ? carrier_->u : VectorField<T>();
   const Split& split = geometry_.split;
-  const auto nodes = [](int node, int) { return node; };
-  const Halo others = halo_of_links(split, fluid, species_[0].boundaries, nodes);  // all have the same links
+  const Halo others = nodes_at(split, fluid, species_[0].boundaries);  // all have the same links
   if (carrier_) others.template exchange<T, 2>(exec, components(u));
   for (const SpeciesState<T>& s : species_) {
     others.template exchange<T, 1>(exec, {s.fields.C});

@@ -37,8 +37,8 @@ struct DressMirrored {
   int capacity;
   Rule rule;
 
-  KOKKOS_FUNCTION void operator()(int link) const {
-    const int image = links.mirror[link];
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int link = links.link(item), image = links.mirror[link];
     if (image < link) return;  // a wall, or dressed from its image
     const T here = returned(link, image), there = returned(image, link), slip = slide(link, image);
     bring_in(link, there - slip);
@@ -110,8 +110,8 @@ struct DressLinks {
   ScalarField<T> f;
   int capacity;
   Rule rule;
-  KOKKOS_FUNCTION void operator()(int link) const {
-    const int i = links.fluid[link], q = links.direction[link];
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int link = links.link(item), i = links.fluid[link], q = links.direction[link];
     const T outgoing = f(q * capacity + i);
     const T incoming = rule(link, i, q, outgoing);
     f(q * capacity + i) = incoming;
@@ -132,7 +132,7 @@ struct DressFlow {
   /// The links of an outflow that has no face, if any, remain walls.
   static int count(const FlowCondition& c) {
     const bool closed = c.kind == Kind::outflow && c.faces == 0;
-    return c.kind == Kind::none || closed ? 0 : c.count;
+    return c.kind == Kind::none || closed ? 0 : c.own_count;
   }
 
   template <class Run>
@@ -151,42 +151,59 @@ struct DressFlow {
   }
 };
 
+namespace {
+
+FlowCondition on_links(Kind kind, const BoundaryLinks& links, const ScalarField<double>& gain) {
+  FlowCondition made;
+  made.kind = kind;
+  made.count = links.count;
+  made.own_count = links.own_count < 0 ? links.count : links.own_count;
+  made.own = links.own_count < 0 ? nullptr : links.own.data();
+  made.fluid = links.fluid.data();
+  made.direction = links.direction.data();
+  made.gain = gain.data();
+  return made;
+}
+
+}  // namespace
+
 FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
                                  const ScalarField<double>& gain) {
-  return {Kind::pressure, links.count, links.fluid.data(), links.direction.data(), gain.data(),
-          mirror.data(),  nullptr,     {pressure, 0}};
+  FlowCondition made = on_links(Kind::pressure, links, gain);
+  made.mirror = mirror.data();
+  made.value[0] = pressure;
+  return made;
 }
 
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
                                  const ScalarField<double>& share, const ScalarField<double>& gain) {
-  const Kind kind = share.extent(0) == 0 ? Kind::velocity : Kind::velocity_profile;
-  return {kind,        links.count, links.fluid.data(), links.direction.data(),
-          gain.data(), nullptr,     share.data(),       {velocity[0], velocity[1]}};
+  const bool uniform = share.extent(0) == 0;
+  FlowCondition made = on_links(uniform ? Kind::velocity : Kind::velocity_profile, links, gain);
+  made.part = share.data();
+  for (int axis = 0; axis < 2; ++axis) made.value[axis] = velocity[axis];
+  return made;
 }
 
 FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
                                      const ScalarField<double>& gain) {
-  return {Kind::normal_speed, links.count, links.fluid.data(), links.direction.data(),
-          gain.data(),        nullptr,     area.data(),        {speed, 0}};
+  FlowCondition made = on_links(Kind::normal_speed, links, gain);
+  made.part = area.data();
+  made.value[0] = speed;
+  return made;
 }
 
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain) {
-  return {Kind::outflow,
-          links.count,
-          links.fluid.data(),
-          links.direction.data(),
-          gain.data(),
-          mirror.data(),
-          nullptr,
-          {0, 0},
-          state.faces,
-          state.speed.data(),
-          state.level.data(),
-          state.along.data(),
-          state.next.data(),
-          state.previous.data(),
-          state.face.data()};
+  FlowCondition made = on_links(Kind::outflow, links, gain);
+  made.mirror = mirror.data();
+  made.faces = state.faces;
+  made.total = state.speed.data();
+  made.level = state.level.data();
+  made.along = state.along.data();
+  made.next = state.next.data();
+  made.previous = state.previous.data();
+  made.face = state.face.data();
+  return made;
 }
 
 void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, OutflowState& state) {

@@ -14,6 +14,8 @@ struct FlowCondition {
   enum class Kind { none, pressure, outflow, velocity, velocity_profile, normal_speed };
   Kind kind = Kind::none;
   int count = 0;                            ///< links
+  int own_count = 0;                        ///< of them, that this process dresses
+  const int* own = nullptr;                 ///< (own) their numbers; null: all
   const int* fluid = nullptr;               ///< (link) fluid index
   const std::uint8_t* direction = nullptr;  ///< (link)
   double* gain = nullptr;                   ///< (link)
@@ -22,6 +24,16 @@ struct FlowCondition {
   double value[2] = {0, 0};
   double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< those of an OutflowState
   const int *next = nullptr, *previous = nullptr, *face = nullptr;         ///< likewise
+
+  /// This process dresses all links.
+  void take_all() {
+    own_count = count;
+    own = nullptr;
+  }
+  /// The number of an own link.
+  KOKKOS_FORCEINLINE_FUNCTION int link(int item) const { return own ? own[item] : item; }
+  /// Links of an outflow of which this process dresses some, and must know all: its conditions follow from their mean.
+  int known() const { return kind == Kind::outflow && faces > 0 && own_count > 0 ? count : 0; }
 };
 
 /// Pressure p (gauge, lattice units) and no velocity along the surface: what comes in along a link is

@@ -22,7 +22,7 @@ template <class T>
 struct OutwardSpeeds {
   using Entry = FlowCondition;
   VectorField<T> u;
-  static int count(const FlowCondition& c) { return c.faces > 0 ? c.count : 0; }
+  static int count(const FlowCondition& c) { return c.known(); }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
     run(OutwardSpeed<T>{c, u});
@@ -49,7 +49,7 @@ struct SetOutflowLevel {
 struct SetOutflowLevels {
   using Entry = FlowCondition;
   double share;
-  static int count(const FlowCondition& c) { return c.faces > 0 ? 1 : 0; }
+  static int count(const FlowCondition& c) { return c.known() > 0 ? 1 : 0; }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
     run(SetOutflowLevel{c, share});
@@ -173,7 +173,7 @@ struct PressuresAlong {
   using Entry = FlowCondition;
   VectorField<T> u;
   Upstream upstream;
-  static int count(const FlowCondition& c) { return c.faces > 0 ? c.count : 0; }
+  static int count(const FlowCondition& c) { return c.known(); }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
     run(PressureAlong<T>{c, u, upstream});

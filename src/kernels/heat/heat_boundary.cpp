@@ -2,7 +2,9 @@
 
 #include "kernels/heat/heat_conditions.hpp"
 #include "kernels/launch/launch_lists.hpp"
+#include "kernels/launch/row_launch.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace vug {
@@ -32,10 +34,28 @@ SideNodes side_nodes(const Lattice& lattice, Side side) {
   }
 }
 
+/// The nodes of a stretch that lie in these rows, by their numbers along it.
+Rows nodes_in_rows(const Lattice& lattice, const HeatSide& side, const Rows& rows) {
+  const int nodes = side.last - side.first + 1, last_row = rows.first + rows.count - 1;
+  if (side.side == Side::bottom || side.side == Side::top) {
+    const int row = side.side == Side::bottom ? 0 : lattice.ny - 1;
+    return {0, row >= rows.first && row <= last_row ? nodes : 0};
+  }
+  const int first = std::max(side.first, rows.first), last = std::min(side.last, last_row);
+  return {first - side.first, std::max(last - first + 1, 0)};
+}
+
 }  // namespace
 
-/// Writes the populations that arrive at one node through a side into the halo and returns the energy they bring in,
-/// the sum of c (in - A). `Law` maps a SideLink to what arrives.
+std::vector<int> nodes_of(const Lattice& lattice, const HeatSide& side) {
+  const auto [origin, stride] = side_nodes(lattice, side.side);
+  std::vector<int> nodes;
+  for (int k = side.first; k <= side.last; ++k) nodes.push_back(origin + k * stride);
+  return nodes;
+}
+
+/// Writes the populations that arrive at one node through a side into the halo and books the energy they bring in, the
+/// sum of c (in - A). `Law` maps a SideLink to what arrives.
 template <class T, class Set, class Law, class Kinds>
 struct FillSide {
   Law law;
@@ -86,9 +106,9 @@ struct FillSide {
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
   }
-  KOKKOS_FUNCTION double operator()(int item) const {
-    const int node = side.first + item * side.stride;
-    if (solid(node) > 1) return 0;
+  KOKKOS_FUNCTION void operator()(int ours) const {
+    const int item = side.begin + ours, node = side.first + item * side.stride;
+    if (solid(node) > 1) return;
     double entered = 0;
     T straight_share = 1;
     for (int q = 5; q < Set::Q; ++q) {
@@ -98,7 +118,7 @@ struct FillSide {
       entered += fill(item, node, q, share);
     }
     entered += fill(item, node, side.outward, straight_share);
-    return kinds.capacity(node) * entered;
+    side.entered[item] += kinds.capacity(node) * entered;
   }
 };
 
@@ -109,9 +129,11 @@ struct FillOpening {
   OpeningEntry opening;
   Kinds kinds;
   Lattice lattice;
+  Rows rows;
   ScalarField<T> g;
-  KOKKOS_FUNCTION double operator()(int item) const {
+  KOKKOS_FUNCTION void operator()(int item) const {
     const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q), plane = lattice.size();
+    if (const int row = lattice.y(n) - rows.first; row < 0 || row >= rows.count) return;
     SideLink<T> link{g(q * plane + n),
                      g(back * plane + n),
                      static_cast<T>(Set::w(q)),
@@ -122,7 +144,7 @@ struct FillOpening {
     if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, n, q);
     const T arriving = law(link);
     g(back * plane + opening.beyond[item]) = arriving;
-    return kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
+    opening.entered[item] += kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
   }
 };
 
@@ -132,17 +154,20 @@ struct FillSides {
   Kinds kinds;
   double capacity_ratio;
   Lattice lattice;
+  Rows rows;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
 
   using Entry = SideEntry;
-  static int count(const HeatSide& side) { return side.last - side.first + 1; }
+  int count(const HeatSide& side) const { return nodes_in_rows(lattice, side, rows).count; }
   Entry entry(const HeatSide& side) const {
     const auto [origin, stride] = side_nodes(lattice, side.side);
-    const bool whole = count(side) == side_length(lattice, side.side);
+    const int nodes = side.last - side.first + 1;
+    const bool whole = nodes == side_length(lattice, side.side);
     return {condition_of(side, capacity_ratio),
             origin + side.first * stride,
-            count(side),
+            nodes,
+            nodes_in_rows(lattice, side, rows).first,
             stride,
             outward(side.side),
             whole,
@@ -163,6 +188,7 @@ struct FillOpenings {
   Kinds kinds;
   double capacity_ratio;
   Lattice lattice;
+  Rows rows;
   ScalarField<T> g;
 
   using Entry = OpeningEntry;
@@ -175,17 +201,23 @@ struct FillOpenings {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, g});
+      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, rows, g});
     });
   }
 };
 
 template <class T>
+Rows own_rows(const HeatFields<T>& fields) {
+  return {fields.first_row, fields.rows};
+}
+
+template <class T>
 void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides) {
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillSides<T, decltype(set), std::decay_t<decltype(kinds)>>;
-    add_per_block_of_lists(exec, "vug::heat::fill_side", sides,
-                           Law{kinds, fields.rates.capacity_ratio, fields.lattice, fields.solid, fields.g});
+    for_each_of_lists(
+        exec, "vug::heat::fill_side", sides,
+        Law{kinds, fields.rates.capacity_ratio, fields.lattice, own_rows(fields), fields.solid, fields.g});
   });
 }
 
@@ -193,8 +225,8 @@ template <class T>
 void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings) {
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
-    add_per_block_of_lists(exec, "vug::heat::fill_opening", openings,
-                           Law{kinds, fields.rates.capacity_ratio, fields.lattice, fields.g});
+    for_each_of_lists(exec, "vug::heat::fill_opening", openings,
+                      Law{kinds, fields.rates.capacity_ratio, fields.lattice, own_rows(fields), fields.g});
   });
 }
 
@@ -205,7 +237,7 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
   const int directions = visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
   HeatOpening made{
       find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}, 0};
-  made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(made.links.count));
+  made.energy_in = ScalarField<double>("vug::heat::energy_in", made.links.count);
   return made;
 }
 

@@ -6,6 +6,7 @@
 #include "kernels/nodes/opening.hpp"
 
 #include <span>
+#include <vector>
 
 namespace vug {
 
@@ -33,7 +34,7 @@ struct HeatSide {
   int last = -1;
   HeatCondition condition = HeatCondition::adiabatic;
   double value = 0;               ///< theta of the wall, or the flux in theta nodes per step, in fluid heat capacities
-  ScalarField<double> energy_in;  ///< (block) heat that entered so far, in fluid heat capacities
+  ScalarField<double> energy_in;  ///< (node of the stretch) heat that entered so far, in fluid heat capacities
   /// D2Q9: whether the diagonal links through the corners at its lower and upper end are this side's.
   std::array<bool, 2> corners{false, false};
   double transfer = 0;  ///< h of convection per step, in fluid heat capacities; then `value` is theta outside
@@ -41,6 +42,9 @@ struct HeatSide {
 
 /// Nodes along a side.
 int side_length(const Lattice& lattice, Side side);
+
+/// Its nodes, in their order along the side.
+std::vector<int> nodes_of(const Lattice& lattice, const HeatSide& side);
 
 /// A whole side, or a stretch of it. Stretches of one side must not overlap.
 HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value = 0);
@@ -51,11 +55,11 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
 /// one-dimensional up to its end.
 void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
 
-/// Fills the halo beside the sides in one launch, and books what enters in energy_in of each. On D2Q9 three links of a
-/// node cross the side, which share a flux as 1/6, 2/3, 1/6; where one through a corner is not this side's, its share
-/// goes to the straight link. An adiabatic side, one with a flux and an outflow of rock reflect what moves diagonally
-/// between like nodes as a mirror does: sent back the way it came it would hold back what flows along the side. Sides
-/// that are joined come first.
+/// Fills the halo beside the rows of `fields` at the sides in one launch, and books what enters in energy_in of each.
+/// On D2Q9 three links of a node cross the side, which share a flux as 1/6, 2/3, 1/6; where one through a corner is not
+/// this side's, its share goes to the straight link. An adiabatic side, one with a flux and an outflow of rock reflect
+/// what moves diagonally between like nodes as a mirror does: sent back the way it came it would hold back what flows
+/// along the side. Sides that are joined come first.
 template <class T>
 void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides);
 
@@ -64,7 +68,7 @@ struct HeatOpening {
   DenseLinks links;
   HeatCondition condition = HeatCondition::adiabatic;
   double value = 0;               ///< as of a side
-  ScalarField<double> energy_in;  ///< (block of links) heat that entered so far, in fluid heat capacities
+  ScalarField<double> energy_in;  ///< (link) heat that entered so far, in fluid heat capacities
   double transfer = 0;            ///< as of a side
 };
 

@@ -97,7 +97,7 @@ KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const 
 struct ConditionOf {
   HeatCondition condition;
   double value, transfer, capacity_ratio;
-  double* total;
+  double* entered;  ///< (item)
 
   template <class T, class Visit>
   KOKKOS_FUNCTION void visit(const Visit& visit) const {
@@ -122,9 +122,9 @@ ConditionOf condition_of(const Boundary& boundary, double capacity_ratio) {
   return {boundary.condition, boundary.value, boundary.transfer, capacity_ratio, boundary.energy_in.data()};
 }
 
-/// A stretch of a side, from its first node.
+/// A stretch of a side, from its first node; of `count` nodes those from number `begin` on are filled.
 struct SideEntry : ConditionOf {
-  int first, count, stride, outward;
+  int first, count, begin, stride, outward;
   bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
 };
 

@@ -9,7 +9,7 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
   if (first < 0 || last < first)
     throw InputError("heat: a stretch of a side from node " + std::to_string(first) + " to " + std::to_string(last));
   HeatSide made{side, first, last, condition, value, {}, {}, 0};
-  made.energy_in = ScalarField<double>("vug::heat::energy_in", block_count(last - first + 1));
+  made.energy_in = ScalarField<double>("vug::heat::energy_in", last - first + 1);
   return made;
 }
 

@@ -95,6 +95,8 @@ struct BoundaryLinks {
   int count = 0;
   IndexList fluid;                        ///< (link) fluid index
   Kokkos::View<std::uint8_t*> direction;  ///< (link) outward direction q whose slot is dressed
+  int own_count = -1;                     ///< links that this process dresses; -1: all
+  IndexList own;                          ///< (own) their numbers, ascending
 
   /// The link of node i in direction q, -1 where it is not in the list. Nodes that lie close to that of link `from` are
   /// close to it in the list.

@@ -55,8 +55,8 @@ struct DressSolute {
   SoluteCondition<T> links;
   int capacity;
   Rule rule;
-  KOKKOS_FUNCTION void operator()(int link) const {
-    const int i = links.fluid[link], q = links.direction[link];
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int link = links.own ? links.own[item] : item, i = links.fluid[link], q = links.direction[link];
     T& slot = links.h[q * capacity + i];
     const T out = slot, in = rule(link, i, q, out);
     slot = in;
@@ -95,7 +95,8 @@ SoluteCondition<T> condition(typename SoluteCondition<T>::Kind kind, const Bound
                              const SoluteFields<T>& s, const ScalarField<double>& gain, const double* part,
                              double value) {
   return {kind,
-          links.count,
+          links.own_count < 0 ? links.count : links.own_count,
+          links.own_count < 0 ? nullptr : links.own.data(),
           links.fluid.data(),
           links.direction.data(),
           gain.data(),

@@ -13,7 +13,8 @@ template <class T>
 struct SoluteCondition {
   enum class Kind { outflow, concentration, concentration_profile, flux };
   Kind kind = Kind::outflow;
-  int count = 0;                            ///< links
+  int count = 0;                            ///< links that this process dresses
+  const int* own = nullptr;                 ///< (own) their numbers; null: all
   const int* fluid = nullptr;               ///< (link) fluid index
   const std::uint8_t* direction = nullptr;  ///< (link)
   double* gain = nullptr;                   ///< (link)
