@@ -23,6 +23,8 @@ SURFACES = ["output.forces=true", "output.flows=true"]
 CASES = {  # case, steps, keys, output at every tenth step
     "channel": ("cases/cylinder.toml", 40, [], "output.interval=1e-2"),
     "cavity": ("cases/heated_cavity.toml", 60, [], "output.interval=4e-3"),
+    "outflow": ("cases/tutorial/heated_channel.toml", 800, ["heat.velocity_set=d2q9", *SURFACES],
+                "output.interval=1.25e-3"),  # of heat, that looks back across cuts
     "diffusion": ("cases/diffusion_reaction.toml", 60, [], "output.interval=0.03"),
     "rock": (COUPLED + "small_rock.toml", 207, FINE, ROCK_OFTEN),  # ends between two births: what walls conduct is set
     "single": (COUPLED + "small_rock.toml", 120, FINE + ["accuracy.precision=single", "flow.collision=bgk"], ROCK_OFTEN),
