@@ -54,8 +54,8 @@ class HeatModule final : public Module {
 
  private:
   void find_halos();
-  /// The nodes that outflows of our rows look back at; of those without flow as well.
-  std::vector<int> nodes_before_sides() const;
+  /// The nodes that outflows of our rows look back at.
+  std::vector<int> nodes_before_outflows() const;
   /// What we fill in others' rows for ours to conduct from, beside diagonals and in openings: a checkpoint has it
   /// there.
   std::vector<int> slots_filled_beyond() const;

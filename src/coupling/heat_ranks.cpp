@@ -8,23 +8,21 @@
 namespace vug {
 
 template <class T>
-std::vector<int> HeatModule<T>::nodes_before_sides() const {
+std::vector<int> HeatModule<T>::nodes_before_outflows() const {
   const Lattice& lattice = geometry_.lattice;
-  const int first = geometry_.split.first_row(), last = first + geometry_.split.own_rows() - 1;
   std::vector<int> nodes;
   const auto look = [&](int node, int q) {
-    const int y = lattice.y(node), before = node_before(lattice, node, q);
-    if (y >= first && y <= last && before >= 0) nodes.push_back(before);
+    const int before = node_before(lattice, node, q);
+    if (geometry_.split.has_row(lattice.y(node)) && before >= 0) nodes.push_back(before);
   };
-  const auto look_beyond = [&](int x, int y) {
-    for (int q = 1; q < directions(); ++q)
-      if (!lattice.inside(x + D2Q9::c(q, 0), y + D2Q9::c(q, 1))) look(lattice.node(x, y), q);
-  };
-  for (int y = first; y <= last && !periodic_[0]; ++y)
-    for (const int x : {0, lattice.nx - 1}) look_beyond(x, y);
-  for (int x = 0; x < lattice.nx && !periodic_[1]; ++x)
-    for (const int y : {0, lattice.ny - 1}) look_beyond(x, y);
+  for (const HeatSide& side : sides_) {
+    if (side.condition != HeatCondition::outflow) continue;
+    for (const int node : nodes_of(lattice, side))
+      for (int q = 1; q < directions(); ++q)
+        if (!lattice.inside(lattice.x(node) + D2Q9::c(q, 0), lattice.y(node) + D2Q9::c(q, 1))) look(node, q);
+  }
   for (const HeatOpening& opening : openings_) {
+    if (opening.condition != HeatCondition::outflow) continue;
     const auto node = on_host(opening.links.node);
     const auto direction = on_host(opening.links.direction);
     for (int link = 0; link < opening.links.count; ++link) look(node(link), direction(link));
@@ -35,21 +33,22 @@ std::vector<int> HeatModule<T>::nodes_before_sides() const {
 template <class T>
 std::vector<int> HeatModule<T>::slots_filled_beyond() const {
   const Lattice& lattice = geometry_.lattice;
-  const int first = geometry_.split.first_row(), last = first + geometry_.split.own_rows() - 1, plane = lattice.size();
+  const Split& split = geometry_.split;
   std::vector<int> slots;
-  const auto halo = [&](int y, int towards) {
-    for (int q = 1; q < directions() && first <= last && y >= 0 && y < lattice.ny; ++q)
-      if (D2Q9::c(q, 1) == towards && D2Q9::c(q, 0) != 0)
-        slots.push_back(q * plane + lattice.node(D2Q9::c(q, 0) > 0 ? -1 : lattice.nx, y));
+  const auto fill = [&](int node, int q) { slots.push_back(q * lattice.size() + node); };
+  const auto fill_halo = [&](int y, int towards) {
+    for (int q = 1; q < directions() && y >= 0 && y < lattice.ny; ++q)
+      if (D2Q9::c(q, 1) == towards && D2Q9::c(q, 0) != 0) fill(lattice.node(D2Q9::c(q, 0) > 0 ? -1 : lattice.nx, y), q);
   };
-  halo(first - 1, 1);
-  halo(last + 1, -1);
+  if (split.own_rows() > 0) {
+    fill_halo(split.first_row() - 1, 1);
+    fill_halo(split.first_row() + split.own_rows(), -1);
+  }
   for (const HeatOpening& opening : openings_) {
     const auto node = on_host(opening.links.node), beyond = on_host(opening.links.beyond);
     const auto direction = on_host(opening.links.direction);
     for (int link = 0; link < opening.links.count; ++link)
-      if (const int y = lattice.y(node(link)); y >= first && y <= last)
-        slots.push_back(D2Q9::opposite(direction(link)) * plane + beyond(link));
+      if (split.has_row(lattice.y(node(link)))) fill(beyond(link), D2Q9::opposite(direction(link)));
   }
   return slots;
 }
@@ -58,7 +57,7 @@ template <class T>
 void HeatModule<T>::find_halos() {
   const Split& split = geometry_.split;
   if (split.alone()) return;
-  populations_ = split.dense(geometry_.lattice, directions(), periodic_[1], nodes_before_sides());
+  populations_ = split.dense(geometry_.lattice, directions(), periodic_[1], nodes_before_outflows());
   filled_ = split.beyond_rows(geometry_.lattice, slots_filled_beyond());
   if (carrier_ || fluid_theta_.extent(0) > 0) in_rows_ = split.in_rows(geometry_.fluid);
 }

@@ -32,6 +32,7 @@ class Split {
   const Partition& rows() const { return rows_; }
   int first_row() const { return rows_.first(ranks_.rank()); }
   int own_rows() const { return rows_.last(ranks_.rank()) - first_row(); }
+  bool has_row(int row) const { return row >= first_row() && row < first_row() + own_rows(); }
   /// Our rows; nothing where one rank has all.
   std::optional<Rows> share_of_rows() const {
     return alone() ? std::nullopt : std::optional(Rows{first_row(), own_rows()});
