@@ -117,20 +117,24 @@ struct SweepBlock {
     else
       return false;
   }
-  /// What it changes passes through memory here, so that the populations of all others need not.
-  static int one_by_one(const Node& node, int first, Pack<T> (&g)[D2Q9::Q]) {
-    alignas(64) T lane[D2Q9::Q][pack_size];
+  /// Only its own copies of the populations have an address, so that those of all other packs stay in registers.
+  KOKKOS_FORCEINLINE_FUNCTION static int one_by_one(const Node& node, int first, Pack<T> (&g)[D2Q9::Q]) {
+    alignas(64) T lanes[D2Q9::Q][pack_size];
     VUG_UNROLL
-    for (int q = 0; q < D2Q9::Q; ++q) PackOf<T>::store(lane[q], g[q]);
+    for (int q = 0; q < D2Q9::Q; ++q) PackOf<T>::store(lanes[q], g[q]);
+    const int uses = collide_lanes(node, first, lanes);
+    VUG_UNROLL
+    for (int q = 0; q < D2Q9::Q; ++q) g[q] = PackOf<T>::load(lanes[q]);
+    return uses;
+  }
+  static int collide_lanes(const Node& node, int first, T (&lanes)[D2Q9::Q][pack_size]) {
     int uses = 0;
     for (int l = 0; l < pack_size; ++l) {
       T own[D2Q9::Q];
-      for (int q = 0; q < D2Q9::Q; ++q) own[q] = lane[q][l];
+      for (int q = 0; q < D2Q9::Q; ++q) own[q] = lanes[q][l];
       uses += node.collide(first + l, own);
-      for (int q = 0; q < D2Q9::Q; ++q) lane[q][l] = own[q];
+      for (int q = 0; q < D2Q9::Q; ++q) lanes[q][l] = own[q];
     }
-    VUG_UNROLL
-    for (int q = 0; q < D2Q9::Q; ++q) g[q] = PackOf<T>::load(lane[q]);
     return uses;
   }
 };

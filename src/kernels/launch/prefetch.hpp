@@ -1,5 +1,6 @@
 #pragma once
-// Telling a processor ahead what it will read in an order that it cannot foresee.
+// Telling a processor ahead what it will read in an order that it cannot foresee. A function that does nothing else
+// must be inlined by force: GCC takes a call of it for one without effect and drops it.
 #include "kernels/base/base.hpp"
 
 namespace vug {

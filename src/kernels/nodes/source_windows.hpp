@@ -79,7 +79,7 @@ struct SourcePacks {
   using P = PackOf<T>;
 
   /// What arrives at nodes i .. i + 7, i a multiple of eight.
-  void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
     if constexpr (by_windows) announce(windows + i + windows_ahead);
     g[0] = P::load(f + i);
     VUG_UNROLL
@@ -111,7 +111,7 @@ struct SourcePacks {
 
   /// Leaves what goes out against direction q where what came in along q was. Stores without a lane cost less than
   /// branches that the processor guesses wrong.
-  void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
     P::store(f + i, g[0]);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
@@ -168,7 +168,7 @@ struct SourcePacks {
   static constexpr int windows_ahead = 8 * nodes_per_window;
 
   /// Among so many streams the processor does not foresee this one.
-  static void announce(const SourceWindow* later) {
+  KOKKOS_FORCEINLINE_FUNCTION static void announce(const SourceWindow* later) {
     constexpr int line = 64, bytes = (Set::Q - 1) * static_cast<int>(sizeof(SourceWindow));
     VUG_UNROLL
     for (int b = 0; b < bytes; b += line) prefetch(reinterpret_cast<const char*>(later) + b);

@@ -43,11 +43,11 @@ template <class T, class Set>
 struct PacksFromTurned {
   int capacity;
 
-  void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) g[q] = PackOf<T>::load(f + Set::opposite(q) * capacity + i);
   }
-  void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) PackOf<T>::store(f + q * capacity + i, g[q]);
   }
@@ -56,7 +56,9 @@ struct PacksFromTurned {
 /// The same from one lattice to the other: pulls as from home, pushes as from turned.
 template <class T, class Set>
 struct PacksOfTwoLattices : SourcePacks<T, Set> {
-  void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const { PacksFromTurned<T, Set>{this->capacity}.push(f, i, g); }
+  KOKKOS_FORCEINLINE_FUNCTION void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
+    PacksFromTurned<T, Set>{this->capacity}.push(f, i, g);
+  }
 };
 
 template <class T, class Set>
