@@ -183,7 +183,7 @@ std::vector<Setting> settings_of(const Scene& scene) {
   add(rock && scene.flow, "accuracy.exchange_interval", {"1", "2", "4", "8"});
   add(rock && !scene.mechanics->substeps, "mechanics.critical_fraction", {"0.3", "0.5"});
   add(rock, "mechanics.mass_scaling", {"1", "4", "16"});
-  add(rock, "mechanics.rest_tolerance", {"0", "1e-3", "2e-3", "5e-3"});
+  add(rock, "mechanics.rest_tolerance", {"0", "2e-3", "5e-3", "1e-2"});
   return settings;
 }
 

@@ -49,8 +49,8 @@ struct MechanicsParameters {
   double thermal_expansion = 8e-6;  ///< 1/K, linear
   double local_damping = 0;         ///< Cundall's alpha, 0 to 1
   double mass_scaling = 1;          ///< density scaling of inertia only, >= 1
-  double rest_tolerance = 0;        ///< unrest below which rock sleeps, over the force that breaks a bond; 0: never
-  bool energy_ledger = false;       ///< keep account of work, fracture, friction and damping (costs about a tenth)
+  double rest_tolerance = 0;   ///< unrest below which rock sleeps, over the force that it bears (rest.hpp); 0: never
+  bool energy_ledger = false;  ///< keep account of work, fracture, friction and damping (costs about a tenth)
   BondParameters bond;
   ContactParameters contact;
   ChemicalDamageLaw chemical;

@@ -8,9 +8,35 @@
 
 namespace vug {
 
+/// Of a group: the largest unrest of a particle, the sum of the forces that would move them, the largest force of a
+/// bond; its own sum in a reduction.
+struct Unrest {
+  double most = 0, x = 0, y = 0, borne = 0;
+  KOKKOS_FORCEINLINE_FUNCTION Unrest& operator+=(const Unrest& other) {
+    most = at_least(most, other.most);
+    x += other.x;
+    y += other.y;
+    borne = at_least(borne, other.borne);
+    return *this;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION bool is_below(double force) const {
+    return most < force && Kokkos::abs(x) < force && Kokkos::abs(y) < force;
+  }
+};
+
+}  // namespace vug
+
+template <>
+struct Kokkos::reduction_identity<vug::Unrest> {
+  KOKKOS_FORCEINLINE_FUNCTION static vug::Unrest sum() { return {}; }
+};
+
+namespace vug {
+
 namespace {
 
 constexpr double asleep_below = 0.25;  // of the unrest that wakes: what has come to rest stays there for a while
+constexpr double least_borne = 0.1;    // of the force that breaks a bond: rock without a load must come to rest too
 
 Groups make_groups(const char* label, int count, int size) {
   Groups groups{count, size, Kokkos::View<std::uint8_t*>(label, (count + size - 1) / size), {}};
@@ -18,10 +44,10 @@ Groups make_groups(const char* label, int count, int size) {
   return groups;
 }
 
-/// One group by one team: its largest unrest, then whether it is awake.
+/// One group by one team: its unrest, then whether it is awake.
 struct LookAtRest {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  double wake_at, mass_scaling, per_step;  ///< N, 1, 1/s
+  double tolerance, strength, mass_scaling, per_step;  ///< 1, N, 1, 1/s
   GatherContacts gather;
   ParticlePush push;
   Groups groups;
@@ -31,7 +57,7 @@ struct LookAtRest {
     const double stop = Kokkos::abs(momentum) * per_step;
     return held ? stop : at_least(Kokkos::abs(force), stop);
   }
-  KOKKOS_FUNCTION double unrest(int i) const {
+  KOKKOS_FUNCTION Unrest unrest(int i) const {
     const Push all = push.total(i, push.outside(i));
     const double mass = mass_scaling * mass_fraction(push.p.solid_fraction(i)) * push.p.mass(i);
     const double gyration = Kokkos::sqrt(push.p.inertia(i) / push.p.mass(i));
@@ -39,23 +65,29 @@ struct LookAtRest {
     const double x = unrest((held & 1) != 0, all.x, mass * push.p.v(i, 0));
     const double y = unrest((held & 2) != 0, all.y, mass * push.p.v(i, 1));
     const double turn = unrest((held & 4) != 0, all.torque / gyration, mass * gyration * push.p.spin(i));
-    return at_least(at_least(x, y), turn);
+    double borne = 0;
+    for (int edge = 0; edge < 3; ++edge) {
+      const Push bond = push.bond(i, edge);
+      borne = at_least(borne, at_least(Kokkos::abs(bond.x), Kokkos::abs(bond.y)));
+    }
+    return {at_least(at_least(x, y), turn), (held & 1) != 0 ? 0 : all.x, (held & 2) != 0 ? 0 : all.y, borne};
   }
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int g = team.league_rank(), first = g * groups.size;
     if (!groups.is_ours(g)) return;
     const auto range =
         Kokkos::TeamThreadRange(team, first, first + groups.size < push.p.count ? first + groups.size : push.p.count);
-    double most = 0;
+    Unrest all;
     Kokkos::parallel_reduce(
         range,
-        [&](int i, double& largest) {
+        [&](int i, Unrest& sum) {
           gather(i);
-          largest = at_least(largest, unrest(i));
+          sum += unrest(i);
         },
-        Kokkos::Max<double>(most));
+        Kokkos::Sum<Unrest>(all));
     const bool was_awake = groups.runs(g) != 0;
-    const bool wakes = !(most < (was_awake ? asleep_below : 1) * wake_at);
+    const double wake_at = tolerance * Kokkos::clamp(all.borne, least_borne * strength, strength);
+    const bool wakes = !all.is_below((was_awake ? asleep_below : 1) * wake_at);
     team.team_barrier();
     Kokkos::single(Kokkos::PerTeam(team), [&] { groups.runs(g) = wakes ? 1 : 0; });
     if (wakes || !was_awake) return;
@@ -84,7 +116,8 @@ struct CountAwake {
 
 Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double tolerance) {
   Rest rest;
-  rest.wake_at = bonds.count == 0 ? 0 : tolerance * normal_strength * sum_in_order(bonds.length) / bonds.count;
+  rest.tolerance = tolerance;
+  rest.strength = bonds.count == 0 ? 0 : normal_strength * sum_in_order(bonds.length) / bonds.count;
   rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);
   rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
   rest.awake = static_cast<int>(rest.particles.runs.extent(0));
@@ -100,7 +133,8 @@ double awake_share(const Rest& rest) {
 
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                   const BoundaryLoads& loads, const Particles& particles, const Rest& rest) {
-  const LookAtRest look{rest.wake_at,
+  const LookAtRest look{rest.tolerance,
+                        rest.strength,
                         control.mass_scaling,
                         1 / control.dt,
                         gather_loads(bonds, contacts),

@@ -11,10 +11,13 @@ inline constexpr int bonds_per_group = runs_on_host ? 8 : 32;  ///< what a proce
 ///
 /// The unrest of a particle is the largest of the forces that would move it along an axis it is free to move along, of
 /// the forces that would stop it within a sub-step, and of the same torques over its radius of gyration. A group wakes
-/// when the unrest of one of its particles passes `wake_at`, and sleeps, without its velocities, below a quarter of
-/// that everywhere. Bonds are asleep with both of their ends: nothing of them is read.
+/// when the unrest of one of its particles, or the sum of the forces on all of them, passes `tolerance` times the
+/// largest force of its bonds, which counts as a tenth of `strength` at least and as `strength` at most; it sleeps,
+/// without its velocities, below a quarter of that. The sum keeps what many particles lack together from adding up.
+/// Bonds are asleep with both of their ends: nothing of them is read.
 struct Rest {
-  double wake_at = 0;  ///< N
+  double tolerance = 0;
+  double strength = 0;  ///< of a bond of mean strength and mean length, N
   Groups particles;
   Groups bonds;
   /// Groups of particles at the last look; a run that is resumed takes all for awake until the next, a GPU always: the
@@ -22,7 +25,7 @@ struct Rest {
   int awake = 0;
 };
 
-/// All awake. They wake at `tolerance` times the force that breaks a bond of this mean strength and of mean length.
+/// All awake; `normal_strength` is the bonds' mean, Pa.
 Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double tolerance);
 
 /// Share of the groups of particles that are awake; for the history, not inside a step.

@@ -44,10 +44,10 @@ inline AccuracySection accuracy_of(Preset preset) {
 inline MechanicsSection mechanics_of(Preset preset) {
   MechanicsSection mechanics;
   if (preset == Preset::fast || preset == Preset::balanced) mechanics.critical_fraction = 0.5;
-  if (preset == Preset::balanced) mechanics.parameters.rest_tolerance = 2e-3;
+  if (preset == Preset::balanced) mechanics.parameters.rest_tolerance = 5e-3;
   if (preset == Preset::fast) {
     mechanics.parameters.mass_scaling = 4;
-    mechanics.parameters.rest_tolerance = 5e-3;
+    mechanics.parameters.rest_tolerance = 1e-2;
   }
   return mechanics;
 }

@@ -110,6 +110,26 @@ double off_rest(const std::string& accuracy) {
   return off;
 }
 
+/// The load is a small share of the strength and the bar many triangles long: what each of them may lack while it
+/// sleeps is a share of what it bears, and what all of a group lack together is looked at too.
+TEST(Tolerance, LetsRockSleepUnderASmallLoad) {
+  const auto end = [](const std::string& share) {
+    return column(
+        test::rows_of(parse_scene(bar + finest, "case.toml", {"mechanics.rest_tolerance=" + share}), 1000, 10),
+        "end_x_m");
+  };
+  const std::vector<double> awake = end("0");
+  for (const std::string share : {"2e-3", "5e-3", "2e-2"}) {
+    const std::vector<double> moved = end(share);
+    double off = 0;
+    for (std::size_t row = 0; row < moved.size(); ++row)
+      off = std::max(off, std::abs(moved[row] - awake[row]) / std::abs(awake.back()));
+    std::printf("    rest_tolerance %s: off by %.1e of the load\n", share.c_str(), off);
+    EXPECT_LT(off, std::stod(share));
+    EXPECT_GT(off, 0) << "sleeps";
+  }
+}
+
 /// 16 and 64 times as heavy it follows as closely as rock_inertia.hpp says, and not much more closely.
 TEST(Tolerance, MakesRockNoHeavierThanItsLoadsBear) {
   for (const double tolerance : {5e-3, 1e-2}) {

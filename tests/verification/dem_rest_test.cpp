@@ -112,7 +112,7 @@ TEST(RestingRock, WakesWhereItIsPushedAndNowhereElse) {
   const Particles& p = rock.particles();
   const int near = particle_at(p, 0.15, 0.005), far = particle_at(p, 0.01, 0.005);
   const auto force = host_copy(p.force);
-  force(near, 0) = 0.01 * breaking_force(rock);
+  force(near, 0) = tolerance * breaking_force(rock);  // ten times what wakes rock without a load
   Kokkos::deep_copy(p.force, force);
   rock.advance(Exec(), 0.5 * rock.critical_step(), 17);
   EXPECT_GT(rock.awake_share(), 0);
