@@ -127,7 +127,8 @@ struct SweepBlock {
     for (int q = 0; q < D2Q9::Q; ++q) g[q] = PackOf<T>::load(lanes[q]);
     return uses;
   }
-  static int collide_lanes(const Node& node, int first, T (&lanes)[D2Q9::Q][pack_size]) {
+  /// Out of line, so that its constants do not take the registers of packs.
+  [[gnu::noinline, gnu::cold]] static int collide_lanes(const Node& node, int first, T (&lanes)[D2Q9::Q][pack_size]) {
     int uses = 0;
     for (int l = 0; l < pack_size; ++l) {
       T own[D2Q9::Q];
