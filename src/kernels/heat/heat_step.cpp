@@ -37,15 +37,12 @@ void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Matte
   Kokkos::parallel_for("vug::heat::rows", all, band);
 }
 
-/// Of a dense node what `body` does where it is fluid.
+/// What `body` does at the fluid node of an entry.
 template <class Body>
-struct WhereFluid {
+struct OfEntry {
   Body body;
-  IndexList index;
-  KOKKOS_FUNCTION double operator()(int node) const {
-    const int i = index(node);
-    return i >= 0 ? body(i) : 0.0;
-  }
+  IndexList fluid;
+  KOKKOS_FUNCTION double operator()(int entry) const { return body(fluid(entry)); }
 };
 
 }  // namespace
@@ -94,8 +91,8 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
     conduct(exec, fields);
     visit_velocity_set(fields.velocity_set, [&](auto set) {
       const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields);
-      add_per_dense_row(exec, "vug::heat::advect", fields.lattice, {fields.first_row, fields.rows},
-                        WhereFluid<std::decay_t<decltype(body)>>{body, nodes.index}, created);
+      add_per_listed_row(exec, "vug::heat::advect", rows.first, {fields.first_row, fields.rows},
+                         OfEntry<std::decay_t<decltype(body)>>{body, rows.fluid}, created);
     });
     if (theta.extent(0) > 0) take_temperatures(exec, fields, theta);
   }

@@ -36,20 +36,32 @@ struct NodeOfRows {
   }
 };
 
+/// The items of a row: its nodes, or the entries of a list.
+struct NodesOfRow {
+  Lattice lattice;
+  KOKKOS_FORCEINLINE_FUNCTION int begin(int y) const { return lattice.node(0, y); }
+  KOKKOS_FORCEINLINE_FUNCTION int end(int y) const { return lattice.node(lattice.nx, y); }
+};
+struct EntriesOfRow {
+  IndexList first;
+  KOKKOS_FORCEINLINE_FUNCTION int begin(int y) const { return first(y); }
+  KOKKOS_FORCEINLINE_FUNCTION int end(int y) const { return first(y + 1); }
+};
+
 /// On a GPU: a team per row.
-template <class Body>
+template <class Items, class Body>
 struct TeamRowSum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Items items;
   Body body;
-  Lattice lattice;
   int first_row;
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int y = first_row + team.league_rank(), first = lattice.node(0, y);
+    const int y = first_row + team.league_rank();
     double sum = 0;
     Kokkos::parallel_reduce(
-        Kokkos::TeamThreadRange(team, first, first + lattice.nx),
-        [&](int node, double& s) { s += static_cast<double>(body(node)); }, sum);
+        Kokkos::TeamThreadRange(team, items.begin(y), items.end(y)),
+        [&](int item, double& s) { s += static_cast<double>(body(item)); }, sum);
     Kokkos::single(Kokkos::PerTeam(team), [&] { total(y) += sum; });
   }
 };
@@ -101,7 +113,17 @@ void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, rows.first, rows.first + rows.count),
                          detail::RowSum<Body>{body, lattice, total});
   else
-    for_each_team(exec, label, rows.count, threads_per_sum, detail::TeamRowSum<Body>{body, lattice, rows.first, total});
+    for_each_team(exec, label, rows.count, threads_per_sum,
+                  detail::TeamRowSum<detail::NodesOfRow, Body>{{lattice}, body, rows.first, total});
+}
+
+/// On a GPU: the same over the entries of a list in the order of the rows, of which row y has [first(y), first(y + 1)).
+template <class Body>
+void add_per_listed_row(const Exec& exec, const std::string& label, const IndexList& first, const Rows& rows,
+                        const Body& body, const ScalarField<double>& total) {
+  if (rows.count <= 0) return;
+  for_each_team(exec, label, rows.count, threads_per_sum / 2,  // rock has some hundred pores in a row
+                detail::TeamRowSum<detail::EntriesOfRow, Body>{{first}, body, rows.first, total});
 }
 
 }  // namespace vug

@@ -54,16 +54,36 @@ struct ListPacks {
   }
 };
 
-FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes) {
+/// Lists the fluid nodes of all rows, one by one.
+struct ListFluid {
+  Lattice lattice;
+  IndexList index;
   FluidRows rows;
+  KOKKOS_FUNCTION void operator()(int place, int& entry, bool final) const {
+    const int x = place % lattice.nx, y = place / lattice.nx;
+    const int i = index(lattice.node(x, y));
+    if (i >= 0) {
+      if (final) rows.fluid(entry) = i;
+      ++entry;
+    }
+    if (final && x == lattice.nx - 1) rows.first(y + 1) = entry;
+  }
+};
+
+FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes) {
+  const Lattice& lattice = nodes.lattice;
+  FluidRows rows;
+  rows.first = IndexList("vug::heat::rows_first", lattice.ny + 1);
   if constexpr (runs_on_host) {
-    const Lattice& lattice = nodes.lattice;
-    rows.first = IndexList("vug::heat::rows_first", lattice.ny + 1);
     const Kokkos::RangePolicy<Exec> all(exec, 0, lattice.ny);
     Kokkos::parallel_for("vug::heat::count_rows", all, CountRow{lattice, nodes.index, rows.first});
     const int entries = accumulate_counts(exec, "vug::heat::rows_offsets", rows.first);
     rows.packs = Kokkos::View<WetPack*>("vug::heat::rows_packs", entries);
     Kokkos::parallel_for("vug::heat::list_rows", all, ListPacks{nodes, rows});
+  } else {
+    rows.fluid = IndexList("vug::heat::rows_fluid", nodes.count);
+    Kokkos::parallel_scan("vug::heat::list_rows", Kokkos::RangePolicy<Exec>(exec, 0, lattice.nx * lattice.ny),
+                          ListFluid{lattice, nodes.index, rows});
   }
   return rows;
 }

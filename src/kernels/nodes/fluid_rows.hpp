@@ -1,6 +1,5 @@
 #pragma once
-// The fluid nodes once more, in the order of the dense lattice: for what a host does to them while a row is in its
-// cache.
+// The fluid nodes once more, in the order of the dense lattice: for what is done to them row by row.
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/packs/pack.hpp"
 
@@ -14,11 +13,12 @@ struct WetPack {
   std::uint8_t closed[8];  ///< (direction - 1) bit per node: nothing is carried along it (closed_links)
 };
 
-/// The fluid nodes of every row, by packs. Empty on a GPU. Holds for as long as the fluid nodes and what is open of
-/// them (mark_open).
+/// The fluid nodes of every row: a host has them by packs, a GPU one by one. Holds for as long as the fluid nodes and
+/// what is open of them (mark_open).
 struct FluidRows {
   IndexList first;               ///< (row + 1) entries of row y are [first(y), first(y + 1))
-  Kokkos::View<WetPack*> packs;  ///< (entry)
+  Kokkos::View<WetPack*> packs;  ///< (entry) on a host
+  IndexList fluid;               ///< (entry) on a GPU: fluid index
 };
 FluidRows fluid_rows(const Exec& exec, const FluidNodes& nodes);
 
