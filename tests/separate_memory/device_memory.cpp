@@ -3,7 +3,9 @@
 // where. It comes full of ones, which are NaN: nor may anybody count on zeros that nobody wrote.
 //
 // Kokkos allocates with one form of operator new, which nobody else here uses, and tells tools when kernels and copies
-// begin and end; between them the memory is locked, by a protection key where the processor has them.
+// begin and end; between them the memory is locked, by a protection key where the processor has them. Elsewhere that
+// takes two calls of the system for every View and kernel: of many kernels every so many are followed by a lock, which
+// finds what a host does again and again.
 #include "mirrors.hpp"
 
 #include <atomic>
@@ -21,7 +23,8 @@
 namespace {
 
 constexpr std::size_t reserved = std::size_t{1} << 40, page = 4096;
-constexpr std::size_t header = 128;  // of Kokkos, before what a View holds; the host may read it
+constexpr std::size_t header = 128;      // of Kokkos, before what a View holds; the host may read it
+constexpr int always = 1000, some = 61;  // without keys: after so many kernels, and of those that follow one in so many
 
 thread_local int on_host = 0;  // AllocatesOnHost
 
@@ -52,7 +55,7 @@ class DeviceMemory {
     if (key_ >= 0) pkey_set(key_, 0);
     std::memset(block + page, 0xff, length - page);
     length_[block + page - header] = length;
-    if (open_ == 0) lock_all();
+    if (locked_) lock_all();
     return block + page - header;
   }
 
@@ -68,11 +71,11 @@ class DeviceMemory {
   /// The host waits for kernels and copies: they never overlap.
   void open() {
     const std::scoped_lock lock(mutex_);
-    if (open_++ == 0) unlock_all();
+    if (open_++ == 0 && locked_) unlock_all();
   }
   void close() {
     const std::scoped_lock lock(mutex_);
-    if (--open_ == 0) lock_all();
+    if (--open_ == 0 && (key_ >= 0 || ++closed_ <= always || closed_ % some == 0)) lock_all();
   }
 
  private:
@@ -83,12 +86,14 @@ class DeviceMemory {
       mprotect(block, length, open ? PROT_READ | PROT_WRITE : PROT_NONE);
   }
   void lock_all() {
+    locked_ = true;
     if (key_ >= 0)
       pkey_set(key_, PKEY_DISABLE_ACCESS);
     else
       for (const auto& [pointer, length] : length_) guard(static_cast<char*>(pointer) + header, length - page, false);
   }
   void unlock_all() {
+    locked_ = false;
     if (key_ >= 0)
       pkey_set(key_, 0);
     else
@@ -98,6 +103,8 @@ class DeviceMemory {
   std::mutex mutex_;
   char *begin_, *end_;
   int key_, open_ = 0;
+  long closed_ = 0;
+  bool locked_ = true;
   std::map<std::size_t, std::vector<char*>> free_;
   std::map<void*, std::size_t> length_;
 };
