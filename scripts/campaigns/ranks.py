@@ -39,32 +39,32 @@ def campaign(site, count):
 
 
 def killed(site, process, ranks, victim, what):
-    """Kills one, and sees to it that all end in time; whether that came before all had ended by themselves."""
+    """Kills one, and sees to it that all ranks end in time; whether that came before all had ended by themselves."""
     try:
         os.kill(ranks[victim], signal.SIGKILL)
     except ProcessLookupError:
         return False
     begun = time.monotonic()
+    while any(runs(site, pid) for pid in ranks) and time.monotonic() - begun < site.patience:
+        time.sleep(0.02)
+    waited = time.monotonic() - begun
+    left = [pid for pid in ranks if runs(site, pid)]
+    if left:
+        site.find(f"{what}: {len(left)} ranks were left behind after {site.patience:g} s")
+    for pid in left:
+        os.kill(pid, signal.SIGKILL)
     try:
         process.wait(timeout=site.patience)
     except subprocess.TimeoutExpired:
-        site.find(f"{what}: no end after {site.patience:g} s")
-    while any(runs(site, pid) for pid in ranks) and time.monotonic() - begun < site.patience:
-        time.sleep(0.02)
-    left = [pid for pid in ranks if runs(site, pid)]
-    if left:
-        site.find(f"{what}: {len(left)} ranks were left behind")
-    for pid in left:
-        os.kill(pid, signal.SIGKILL)
-    if process.poll() is None:
+        # mpirun of Open MPI 4.1 waits for itself in PMIx_server_finalize where a rank has died in MPI_Init; no rank does
+        site.count("launchers that hung after their ranks had ended")
         process.kill()
         process.wait()
     if process.returncode == 0:
         return False
     process.stdout.close()
     site.count("kills")
-    waited = int(1e3 * (time.monotonic() - begun))
-    site.counts["ms to the end at the most"] = max(site.counts["ms to the end at the most"], waited)
+    site.counts["ms to the end at the most"] = max(site.counts["ms to the end at the most"], int(1e3 * waited))
     return True
 
 
