@@ -24,6 +24,7 @@ namespace vug {
 namespace {
 
 constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
+constexpr int most_owed = 16;  // lattice steps: caches gain no more from a longer debt, and who stops a run need not wait
 
 }  // namespace
 
@@ -142,8 +143,9 @@ void MechanicsModule<T>::share_temperatures() {
 template <class T>
 void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   const Particles& particles = mechanics_.particles();
-  const double dt = units_.time_step / substeps_;
-  if (flow_ && clock.step % exchange_interval_ == 0) {
+  const bool pushed = flow_ && clock.step % exchange_interval_ == 0, updated = clock.step % update_interval_ == 0;
+  if (pushed || updated) catch_up(exec);
+  if (pushed) {
     walls_.exchange<T, 1>(exec, {flow_->flow().f});
     exchange_momentum(exec, flow_->flow(), links_, units_.force(), units_.force() * geometry_.spacing, particles.force,
                       particles.torque, our_triangles_);
@@ -151,7 +153,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     forces_.exchange<double, 3>(exec, {x, y, particles.torque});
     flow_->add_slit_drag(exec, particles.x0, particles.force, particles.torque);
   }
-  if (clock.step % update_interval_ == 0) {
+  if (updated) {
     if (heat_) {
       warm_particles(exec, nodes_of_particle_, heat_->temperature(exec, temperatures_), heat_->initial_theta(),
                      particles.temperature_change, our_warmed_);
@@ -160,11 +162,18 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     if (dissolved_) {
       dissolved_->let_go(exec, particles);
       dissolved_->update(exec, *wet_, geometry_.dissolved);
-      mechanics_.dissolve(exec, dt, dissolved_->solid_fraction(), dissolved_->d_c());
+      mechanics_.dissolve(exec, units_.time_step / substeps_, dissolved_->solid_fraction(), dissolved_->d_c());
     }
   }
-  mechanics_.advance(exec, dt, substeps_);
-  if ((clock.step + 1) % update_interval_ == 0) mechanics_.make_positions_whole(exec);
+  const bool looked_at = (clock.step + 1) % update_interval_ == 0;
+  if (++owed_ == most_owed || looked_at) catch_up(exec);
+  if (looked_at) mechanics_.make_positions_whole(exec);
+}
+
+/// All that it owes in one go: rock that moves in every lattice step finds the caches full of the lattice.
+template <class T>
+void MechanicsModule<T>::catch_up(const Exec& exec) {
+  for (; owed_ > 0; --owed_) mechanics_.advance(exec, units_.time_step / substeps_, substeps_);
 }
 
 template <class T>
@@ -220,6 +229,7 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
 template <class T>
 void MechanicsModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
   if (!flow_) return;
+  catch_up(exec);
   mechanics_.make_whole(exec);
   const ForceChange seen = largest_force_change(exec, mechanics_.particles().force, watched_);
   changes.force = share_of(seen.change, seen.force);

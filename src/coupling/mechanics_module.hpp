@@ -23,6 +23,7 @@ class MechanicsModule final : public Module {
   std::string_view name() const override { return "mechanics"; }
   void begin(const Exec& exec) override;
   void step(const Exec& exec, const Clock& clock) override;
+  void catch_up(const Exec& exec) override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -65,6 +66,7 @@ class MechanicsModule final : public Module {
   WallLinks links_;                            ///< of each particle about its centroid; with flow only
   std::optional<DissolvedShares> dissolved_;   ///< with dissolution only
   int substeps_ = 1;
+  int owed_ = 0;  ///< lattice steps whose sub-steps are still to be taken
 };
 
 }  // namespace vug

@@ -38,6 +38,8 @@ class Module {
   virtual void begin(const Exec&) {}
   /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
   virtual void step(const Exec& exec, const Clock& clock) = 0;
+  /// Takes the work that it has put off until somebody looks or what drives it changes. Called by all ranks.
+  virtual void catch_up(const Exec&) {}
   /// Brings to each rank what others hold of its part, and to the first one sums and short lists, before fields and
   /// state are looked at. Called by all ranks, as every other function, and only where there are several.
   virtual void gather(const Exec&) {}

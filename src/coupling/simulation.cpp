@@ -90,7 +90,12 @@ Intervals Simulation::intervals() const {
                               given.update_interval};
 }
 
+void Simulation::catch_up() const {
+  for (const auto& module : parts_->modules) module->catch_up(exec_);
+}
+
 void Simulation::gather() const {
+  catch_up();
   if (parts_->geometry.split.alone() || whole_) return;
   const Phase phase(parts_->geometry.split.ranks(), "gathering");
   for (const auto& module : parts_->modules) module->gather(exec_);
@@ -103,6 +108,7 @@ void Simulation::give_back() {
 }
 
 void Simulation::guard() {
+  catch_up();
   const Phase phase(parts_->geometry.split.ranks(), "guards");
   for (const auto& module : parts_->modules) module->guard(exec_, clock_);
 }
@@ -118,12 +124,14 @@ double Simulation::updates_per_step() const {
 }
 
 LimitTable Simulation::limits() const {
+  catch_up();
   LimitTable table;
   for (const auto& module : parts_->modules) module->limits(table);
   return table;
 }
 
 Ledger Simulation::ledger() const {
+  catch_up();
   Ledger ledger;
   for (const auto& module : parts_->modules) module->ledger(ledger);
   if (parts_->growth) parts_->growth->ledger(ledger, parts_->units.volume());
@@ -131,6 +139,7 @@ Ledger Simulation::ledger() const {
 }
 
 std::vector<HistoryValue> Simulation::history() const {
+  catch_up();
   const Phase phase(parts_->geometry.split.ranks(), "rows");
   std::vector<HistoryValue> row{{"time_s", clock_.time()}, {"step_1", static_cast<double>(clock_.step)}};
   for (const auto& module : parts_->modules) module->history(row);
@@ -156,6 +165,7 @@ std::vector<HistoryValue> Simulation::history() const {
 }
 
 FieldList Simulation::fields() const {
+  catch_up();
   FieldList list;
   const Geometry& geometry = parts_->geometry;
   if (geometry.mineral.extent(0) > 0)
@@ -219,6 +229,7 @@ void Simulation::require_possible(const Kokkos::View<NodeType*>& type, const Ind
 }
 
 void Simulation::restore(const std::function<void(StateList&)>& load) {
+  catch_up();
   Geometry& geometry = parts_->geometry;
   StateList header = geometry_state();
   load(header);

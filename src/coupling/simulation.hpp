@@ -14,8 +14,10 @@ class Simulation {
 
   /// Brings all modules to time zero (tectonic preload). Not called when a checkpoint is loaded instead.
   void begin();
-  /// One lattice step.
+  /// One lattice step; what a module has put off then is done by catch_up().
   void step();
+  /// Brings all modules to now: before parts() are looked at, and done by all that follows here.
+  void catch_up() const;
   /// Brings each rank what others hold for it: to be called by all before fields are read.
   void gather() const;
   /// Throws StabilityError when a module has left its bounds.

@@ -137,19 +137,22 @@ struct ContactForces {
     leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
   }
 
-  /// All pairs of which particle `low` is the lower one; none is listed before a bond has failed. (Bonds::events tells
-  /// that sooner, but bonds write it in this very launch.)
-  KOKKOS_FUNCTION void operator()(int low) const {
-    const int generation = contacts.status(contacts_generation);
+  /// Pairs [first, last), of which particle `low` is the lower one.
+  KOKKOS_FUNCTION void push_pairs(int low, int first, int last, int generation) const {
     PairEnergy energy;
-    const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);
-    if (first < last) {
-      const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
-      const MovingOutline a = body(low, origin);
-      for (int pair = first; pair < last; ++pair) push_pair(low, a, origin, pair, generation, energy);
-    }
+    const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
+    const MovingOutline a = body(low, origin);
+    for (int pair = first; pair < last; ++pair) push_pair(low, a, origin, pair, generation, energy);
     contacts.energy(low) = energy.stored;
     accounts.add_pair_friction(low, energy.friction);
+  }
+
+  /// All pairs of a particle; most have none, and none is listed before a bond has failed. (Bonds::events tells that
+  /// sooner, but bonds write it in this very launch.)
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int low) const {
+    const int generation = contacts.status(contacts_generation);
+    const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);
+    if (first < last) push_pairs(low, first, last, generation);
   }
 };
 

@@ -170,6 +170,7 @@ struct RebuildPairs {
   /// Writes the pairs of which i is the lower one, ordered, with the friction they had in the old list.
   KOKKOS_FUNCTION void list_pairs(int i, int now, int before) const {
     const int first = contacts.first(i, now), last = contacts.first(i + 1, now);
+    if (first == last) contacts.energy(i) = 0;  // no force is computed that would say so
     int count = first;
     for_candidates(i, [&](int j) {
       if (j < i || count == last) return;
