@@ -24,7 +24,8 @@ namespace vug {
 namespace {
 
 constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
-constexpr int most_owed = 16;  // lattice steps: caches gain no more from a longer debt, and who stops a run need not wait
+constexpr int most_owed =
+    16;  // lattice steps: caches gain no more from a longer debt, and who stops a run need not wait
 
 }  // namespace
 
@@ -154,6 +155,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     flow_->add_slit_drag(exec, particles.x0, particles.force, particles.torque);
   }
   if (updated) {
+    rock_ = RockIs::changed;
     if (heat_) {
       warm_particles(exec, nodes_of_particle_, heat_->temperature(exec, temperatures_), heat_->initial_theta(),
                      particles.temperature_change, our_warmed_);
@@ -173,7 +175,10 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
 /// All that it owes in one go: rock that moves in every lattice step finds the caches full of the lattice.
 template <class T>
 void MechanicsModule<T>::catch_up(const Exec& exec) {
-  for (; owed_ > 0; --owed_) mechanics_.advance(exec, units_.time_step / substeps_, substeps_);
+  for (; owed_ > 0; --owed_) {
+    mechanics_.advance(exec, units_.time_step / substeps_, substeps_, rock_);
+    rock_ = RockIs::the_same;
+  }
 }
 
 template <class T>
@@ -259,21 +264,27 @@ void MechanicsModule<T>::state(StateList& list) {
     list.add("mechanics/force", mechanics_.particles().force);
     list.add("mechanics/torque", mechanics_.particles().torque);
   }
-  using Progress = std::pair<double, long>;
+  struct Progress {
+    double time;
+    long steps, all_due;
+  };
   list.add(StateBlock{"mechanics/progress", sizeof(Progress),
                       [this](const TakeBytes& take) {
-                        const Progress progress{mechanics_.time(), mechanics_.steps()};
+                        const Progress progress{mechanics_.time(), mechanics_.steps(), mechanics_.all_due()};
                         take(std::as_bytes(std::span(&progress, 1)));
                       },
                       [this](const GiveBytes& give) {
                         std::array<std::byte, sizeof(Progress)> bytes;
                         give(0, bytes);
                         detail::require_range<double>("mechanics/time", std::span(bytes).first(sizeof(double)), {});
-                        detail::require_range<long>("mechanics/steps", std::span(bytes).last(sizeof(long)), {0, 1e18});
+                        const auto numbers = std::span(bytes).last(2 * sizeof(long));
+                        detail::require_range<long>("mechanics/steps", numbers.first(sizeof(long)), {0, 1e18});
+                        detail::require_range<long>("mechanics/all_due", numbers.last(sizeof(long)), {0, 1});
                         Progress progress;
                         std::memcpy(static_cast<void*>(&progress), bytes.data(), sizeof progress);
-                        mechanics_.set_time(progress.first);
-                        mechanics_.set_steps(progress.second);
+                        mechanics_.set_time(progress.time);
+                        mechanics_.set_steps(progress.steps);
+                        mechanics_.set_all_due(progress.all_due != 0);
                       }});
   // the lightest particles want 2.2 times as many as intact ones
   list.add_value("mechanics/substeps", substeps_, {1, 10.0 * substeps_});

@@ -67,6 +67,7 @@ class MechanicsModule final : public Module {
   std::optional<DissolvedShares> dissolved_;   ///< with dissolution only
   int substeps_ = 1;
   int owed_ = 0;  ///< lattice steps whose sub-steps are still to be taken
+  RockIs rock_ = RockIs::the_same;
 };
 
 }  // namespace vug

@@ -76,7 +76,7 @@ void Mechanics::share(const Ranks& ranks) {
   share_.emplace(ranks, particles_, bonds_, contacts_);
   if (!rest_) return;
   rest_->particles.ours = share_->particles().ours;
-  rest_->bonds.ours = share_->bonds().ours;
+  rest_->bonds.ours = rest_->due.ours = share_->bonds().ours;
 }
 
 void Mechanics::make_positions_whole(const Exec& exec) const {
@@ -91,18 +91,22 @@ double Mechanics::critical_step() const {
   return vug::critical_step(Exec(), parameters_, particles_, bonds_, loads_);
 }
 
-/// All bonds are evaluated before a look at what rests: what they are made of changes while they sleep.
+/// Before a look at what rests bonds that sleep are evaluated, too, where what they are made of has changed meanwhile.
 template <class Keeper>
 void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest,
                      RockShare* share) {
   const bool look = rest && steps_ % steps_between_looks == 0;
   if (steps_++ % steps_between_searches == 0) search_contacts(exec, share);
   if (rest && rest->awake == 0 && !look) return;
-  const Groups* const bonds = rest && !look ? &rest->bonds : share ? &share->bonds() : nullptr;
+  const Groups* const bonds = rest && !look            ? &rest->bonds
+                              : rest && !rest->all_due ? &rest->due
+                              : share                  ? &share->bonds()
+                                                       : nullptr;
   const Groups* const particles = rest ? &rest->particles : share ? &share->particles() : nullptr;
   compute_forces(exec, parameters_, control.dt, particles_, bonds_, contacts_, accounts,
                  {bonds, share ? &share->pairs() : nullptr});
   if (look) {
+    rest->all_due = false;
     look_at_rest(exec, control, bonds_, contacts_, loads_, particles_, *rest);
     if (share) share->tell_rest(exec, *rest);
     wake_bonds(exec, bonds_, *rest);
@@ -133,8 +137,11 @@ void Mechanics::follow_temperature(const Exec& exec) {
                 FollowTemperature{relative_expansion_, particles_});
 }
 
-void Mechanics::advance(const Exec& exec, double dt, int substeps) {
-  follow_temperature(exec);
+void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock) {
+  if (rock == RockIs::changed) {
+    follow_temperature(exec);
+    if (rest_) rest_->all_due = true;
+  }
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
   if (share_) share_->follow_pairs(exec);
   for (int s = 0; s < substeps;) {

@@ -28,6 +28,9 @@ inline constexpr int steps_between_looks = 16;
 /// Sub-steps between two searches for contacts: far less than a quarter of the skin is covered in so many.
 inline constexpr int steps_between_searches = 50;
 
+/// What a call of Mechanics::advance finds.
+enum class RockIs { changed, the_same };
+
 /// How the preload ended.
 struct PreloadReport {
   long steps = 0;
@@ -59,9 +62,10 @@ class Mechanics {
   /// Takes `substeps` steps of dt with outside forces and temperatures held. Two kernels each, one more per servo
   /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
   /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it
-  /// does. On a GPU sub-steps between searches and looks are one launch, unless loads change in time, a servo moves
-  /// platens or there is a ledger.
-  void advance(const Exec& exec, double dt, int substeps);
+  /// does. `rock`: whether temperatures, solid and damage are those of the call before, so that a look need not see
+  /// what sleeps. On a GPU sub-steps between searches and looks are one launch, unless loads change in time, a servo
+  /// moves platens or there is a ledger.
+  void advance(const Exec& exec, double dt, int substeps, RockIs rock = RockIs::changed);
 
   /// What is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what is
   /// gone are booked. Call it between steps of dt.
@@ -117,6 +121,11 @@ class Mechanics {
   /// Steps taken, preload included: contacts are looked for at every fiftieth, so a resumed run must go on counting.
   long steps() const { return steps_; }
   void set_steps(long steps) { steps_ = steps; }
+  /// Whether the next look at what rests sees all bonds; a resumed run must do as the one it goes on with.
+  bool all_due() const { return !rest_ || rest_->all_due; }
+  void set_all_due(bool all_due) {
+    if (rest_) rest_->all_due = all_due;
+  }
 
  private:
   /// `rest` names what sleeps, `share` what others move; null: nothing, as in a preload.
@@ -193,6 +202,7 @@ void Mechanics::visit_state(const Visit& visit) const {
   if (!rest_) return;
   visit("awake", rest_->particles.runs, 0, 1);
   visit("bonds_awake", rest_->bonds.runs, 0, 1);
+  visit("bonds_due", rest_->due.runs, 0, 1);
   visit("stress", bonds_.stress);  // of what sleeps, for pictures and sums until the next look
   visit("contact_energy", contacts_.energy);
   visit("load", bonds_.load);

@@ -97,12 +97,13 @@ struct LookAtRest {
 
 struct WakeBonds {
   Bonds bonds;
-  Groups particles, groups;
+  Groups particles, groups, due;
   KOKKOS_FUNCTION void operator()(int g) const {
     const int first = g * groups.size, last = first + groups.size < bonds.count ? first + groups.size : bonds.count;
     int runs = 0;
     for (int k = first; k < last; ++k)
       runs |= particles.runs(bonds.pair(k, 0) / particles.size) | particles.runs(bonds.pair(k, 1) / particles.size);
+    due.runs(g) = static_cast<std::uint8_t>(runs | groups.runs(g));
     groups.runs(g) = static_cast<std::uint8_t>(runs);
   }
 };
@@ -120,6 +121,7 @@ Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_str
   rest.strength = bonds.count == 0 ? 0 : normal_strength * sum_in_order(bonds.length) / bonds.count;
   rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);
   rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
+  rest.due = make_groups("vug::dem::rest_due", bonds.count, bonds_per_group);
   rest.awake = static_cast<int>(rest.particles.runs.extent(0));
   return rest;
 }
@@ -147,7 +149,7 @@ void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bon
 void wake_bonds(const Exec& exec, const Bonds& bonds, Rest& rest) {
   const int groups = static_cast<int>(rest.particles.runs.extent(0));
   for_each_node(exec, "vug::dem::wake_bonds", static_cast<int>(rest.bonds.runs.extent(0)),
-                WakeBonds{bonds, rest.particles, rest.bonds});
+                WakeBonds{bonds, rest.particles, rest.bonds, rest.due});
   if constexpr (runs_on_host)
     Kokkos::parallel_reduce("vug::dem::count_awake", Kokkos::RangePolicy<Exec>(exec, 0, groups),
                             CountAwake{rest.particles}, rest.awake);

@@ -20,6 +20,9 @@ struct Rest {
   double strength = 0;  ///< of a bond of mean strength and mean length, N
   Groups particles;
   Groups bonds;
+  /// Bonds that a look needs anew: of those that sleep what fell asleep at the last one, with velocities then.
+  Groups due;
+  bool all_due = true;  ///< all of them at the next look: the rock has changed
   /// Groups of particles at the last look; a run that is resumed takes all for awake until the next, a GPU always: the
   /// host would have to wait for the number, and where nothing runs kernels end at once.
   int awake = 0;
@@ -35,7 +38,7 @@ double awake_share(const Rest& rest);
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                   const BoundaryLoads& loads, const Particles& particles, const Rest& rest);
 
-/// Bonds run when one of their ends may move; counts what is awake.
+/// Bonds run when one of their ends may move, and are due then and once more; counts what is awake.
 void wake_bonds(const Exec& exec, const Bonds& bonds, Rest& rest);
 
 }  // namespace vug

@@ -122,6 +122,7 @@ TEST(MovingLoads, AreOneKernelPerSubStepWhereAskedForAndNoneElsewhere) {
           others->launched(label, device, id);
         });
     simulation.step();
+    simulation.catch_up();
     return found;
   };
   EXPECT_GT(launches(parse_scene(moving_loads, "case.toml")), 0);

@@ -123,6 +123,37 @@ TEST(RestingRock, WakesWhereItIsPushedAndNowhereElse) {
   EXPECT_GT(host_copy(p.u)(near, 0), 0);
 }
 
+/// A bond that sleeps has the load that it had, so that looks need not compute it while the rock stays the same.
+TEST(RestingRock, SleepsAlikeWhereLooksPassItOver) {
+  const auto block = [] { return Mechanics(test::block(0.16, 0.01, 2e-3, 0.2), damped(tolerance), clamped()); };
+  Mechanics seen = block(), passed_over = block();
+  const double dt = 0.5 * seen.critical_step();
+  const int pushed = particle_at(seen.particles(), 0.15, 0.005);
+  double least = 1, most = 0;
+  for (int phase = 0; phase < 6; ++phase) {
+    for (Mechanics* rock : {&seen, &passed_over}) {
+      const auto force = host_copy(rock->particles().force);
+      force(pushed, 0) = phase % 2 == 0 ? 0 : (1 + phase) * tolerance * breaking_force(*rock);
+      Kokkos::deep_copy(rock->particles().force, force);
+    }
+    for (int n = 0; n < 40; ++n) {
+      seen.advance(Exec(), dt, 17, RockIs::changed);
+      passed_over.advance(Exec(), dt, 17, RockIs::the_same);
+      least = std::min(least, passed_over.awake_share());
+      most = std::max(most, passed_over.awake_share());
+      ASSERT_EQ(seen.awake_share(), passed_over.awake_share());
+    }
+    const auto u = host_copy(seen.particles().u), other_u = host_copy(passed_over.particles().u);
+    for (int i = 0; i < seen.particles().count; ++i)
+      for (int axis = 0; axis < 2; ++axis) ASSERT_EQ(u(i, axis), other_u(i, axis)) << "phase " << phase;
+    const auto load = host_copy(seen.bonds().load), other_load = host_copy(passed_over.bonds().load);
+    for (int k = 0; k < seen.bonds().count; ++k)
+      for (int c = 0; c < 4; ++c) ASSERT_EQ(load(k, c), other_load(k, c)) << "phase " << phase;
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_GT(most, 0);
+}
+
 TEST(RestingRock, LaunchesNothingBetweenLooks) {
   Mechanics rock = square(tolerance);
   settle(rock);
