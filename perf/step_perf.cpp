@@ -189,7 +189,17 @@ double birth_seconds(Simulation& simulation, int interval) {
 struct Choice {
   const char* name;
   std::vector<std::string> overrides;
+  bool of_coarse = true;  ///< makes sense on the coarse lattice, too
 };
+
+/// A preset with the intervals that scripts/paper/compute.py (FULL_SIZE) takes at full size, where a step is 25 times
+/// shorter than on the coarse lattice for which presets are made.
+Choice of_full_size(const char* name, const char* preset) {
+  return {name,
+          {preset, "accuracy.heat_interval=7", "accuracy.solute_interval=4", "accuracy.exchange_interval=16",
+           "accuracy.wall_interval=400", "accuracy.update_interval=80", "mechanics.mass_scaling=4.1"},
+          false};
+}
 
 void step(benchmark::State& state, const char* path, const Choice& choice) {
   std::vector<std::string> overrides = choice.overrides;
@@ -275,6 +285,8 @@ const Choice choices[] = {
     {"balanced", {"accuracy.preset=balanced"}},
     {"balanced_single", {"accuracy.preset=balanced", "accuracy.precision=single"}},
     {"fast", {"accuracy.preset=fast"}},
+    of_full_size("balanced_long_intervals", "accuracy.preset=balanced"),
+    of_full_size("fast_long_intervals", "accuracy.preset=fast"),
 };
 
 }  // namespace
@@ -284,11 +296,13 @@ int main(int argc, char** argv) {
   Kokkos::ScopeGuard kokkos(argc, argv);
   vug::flush_subnormals();
   for (const Choice& choice : choices) {
-    for (const auto& [lattice, path] : {std::pair{"coarse", coarse}, {"full", full}})
+    for (const auto& [lattice, path] : {std::pair{"coarse", coarse}, {"full", full}}) {
+      if (path == coarse && !choice.of_coarse) continue;
       benchmark::RegisterBenchmark((std::string(lattice) + "/" + choice.name).c_str(), step, path, choice)
           ->UseManualTime()
           ->Iterations(repetitions)
           ->Unit(benchmark::kMillisecond);
+    }
   }
   benchmark::Initialize(&argc, argv);
   benchmark::AddCustomContext("back end", Exec::name());
