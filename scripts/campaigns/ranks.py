@@ -7,6 +7,7 @@ import time
 
 SMALL, FULL = 3, 50
 RANKS = (2, 3, 4)
+OPEN_MPI = ["--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-q"]  # what its mpirun needs here
 
 
 def campaign(site, count):
@@ -56,8 +57,11 @@ def killed(site, process, ranks, victim, what):
     try:
         process.wait(timeout=site.patience)
     except subprocess.TimeoutExpired:
-        # mpirun of Open MPI 4.1 waits for itself in PMIx_server_finalize where a rank has died in MPI_Init; no rank does
-        site.count("launchers that hung after their ranks had ended")
+        if OPEN_MPI[0] in process.args:
+            # mpirun of Open MPI 4.1 waits for itself in PMIx_server_finalize where a rank has died in MPI_Init; no rank does
+            site.count("launchers that hung after their ranks had ended")
+        else:
+            site.find(f"{what}: the launcher has not ended after {site.patience:g} s")
         process.kill()
         process.wait()
     if process.returncode == 0:
@@ -81,7 +85,7 @@ def launcher_of(build):
     program = found["MPIEXEC_EXECUTABLE"]
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=False).stdout
     open_mpi = "Open MPI" in version or "OpenRTE" in version
-    return [program] + (["--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-q"] if open_mpi else [])
+    return [program] + (OPEN_MPI if open_mpi else [])
 
 
 def start(site, launcher, number, name, *more):
