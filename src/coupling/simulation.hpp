@@ -16,7 +16,7 @@ class Simulation {
   void begin();
   /// One lattice step; what a module has put off then is done by catch_up().
   void step();
-  /// Brings all modules to now: before parts() are looked at, and done by all that follows here.
+  /// Brings all modules to now: before parts(), or fields listed earlier, are looked at. All that follows here does it.
   void catch_up() const;
   /// Brings each rank what others hold for it: to be called by all before fields are read.
   void gather() const;
