@@ -135,6 +135,7 @@ TEST_F(BudgetOfAStep, OfAnUpdateOfThePoresIsTwoNumbers) {
   EXPECT_EQ(tally.launches.count("vug::pathways::look"), 1u);
   EXPECT_EQ(Tally::sum(tally.copies), 0) << Tally::list(tally.copies);
   EXPECT_EQ(Tally::sum(tally.allocations), 0) << Tally::list(tally.allocations);
+  // the sub-steps that are due come with it, and with them as many looks
   EXPECT_LE(Tally::sum(tally.waits), 2 + looks_of_host(tally)) << Tally::list(tally.waits);
 }
 
