@@ -73,11 +73,11 @@ inline std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& 
   // forces, stiffness, reference, supports (32 + 24 + 32 + 32 + 17); u, v, angle, spin and rotation both ways,
   // reaction.
   const double bond = 232, particle = 64 + 12 + 137 + 2 * 64 + 16;
-  // What sleeps is evaluated at looks alone, and its particles are not moved.
-  const double looks = (1 - s.awake) / steps_between_looks, looked_at = 64 + 12 + 137;
-  bytes[mechanics] =
-      s.substeps * (s.bonds * bond * (s.awake + looks) + s.particles * (particle * s.awake + looked_at * looks)) +
-      (s.nodes * T + s.surface * 12) / every;  // temperatures, dissolved shares
+  // Every look has the particles that sleep, and their bonds the one after an update of the pores.
+  const double asleep = 1 - s.awake, looks = s.substeps / steps_between_looks, looked_at = 64 + 12 + 137;
+  bytes[mechanics] = s.awake * s.substeps * (s.bonds * bond + s.particles * particle) +
+                     asleep * (s.bonds * bond * std::min(looks, 1 / every) + s.particles * looked_at * looks) +
+                     (s.nodes * T + s.surface * 12) / every;  // temperatures, dissolved shares
   bytes[pores] = s.surface * (4 + 8) / every;
   return bytes;
 }
