@@ -4,6 +4,7 @@
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/recording.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -16,16 +17,22 @@ struct Groups {
   Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
   Kokkos::View<std::uint8_t*> ours;  ///< (group) 0: another process does it; empty: all are ours
 
+  KOKKOS_FORCEINLINE_FUNCTION int number() const { return (count + size - 1) / size; }
   KOKKOS_FORCEINLINE_FUNCTION int group_of(int item) const { return item / size; }
   KOKKOS_FORCEINLINE_FUNCTION bool is_ours(int group) const { return ours.data() == nullptr || ours(group) != 0; }
   KOKKOS_FORCEINLINE_FUNCTION bool runs_here(int group) const { return runs(group) != 0 && is_ours(group); }
+  /// How many run here.
+  KOKKOS_FORCEINLINE_FUNCTION int running() const {
+    int sum = 0;
+    for (int group = 0; group < number(); ++group) sum += runs_here(group);
+    return sum;
+  }
 };
 
 /// What a launch runs: on a host blocks of a list, on a GPU its items. Made by moving: a copy of a body counts the
 /// references of all its Views, which took a sixth of a step on a small lattice.
-template <class Body, class Schedule = Kokkos::Schedule<Kokkos::Static>>
+template <class Body>
 struct Work {
-  using Policy = Kokkos::RangePolicy<Exec, Schedule>;
   Body body;
   int count = 0;
 };
@@ -53,22 +60,27 @@ struct NodesInTurn {
   }
 };
 
-/// The groups of a block.
+/// One of equal shares of the groups that run, in their order: a thread has the same ones in every launch until others
+/// run, so that they stay in its caches.
 template <class First, class Second>
 struct GroupLoops {
   First first;
   Second second;
   Groups groups;
-  KOKKOS_FUNCTION void operator()(int begin, int end) const {
+  int shares;
+  KOKKOS_FUNCTION void operator()(int share) const {
     const First one = first;
     const Second two = second;
-    for (int i = begin; i < end; i += groups.size) {
-      if (!groups.runs_here(groups.group_of(i))) continue;
-      const int last = i + groups.size < end ? i + groups.size : end;
+    const std::int64_t running = groups.running();
+    const auto begin = running * share / shares, end = running * (share + 1) / shares;
+    std::int64_t seen = 0;
+    for (int g = 0; seen < end; ++g) {
+      if (!groups.runs_here(g) || seen++ < begin) continue;
+      const int from = g * groups.size, to = from + groups.size < groups.count ? from + groups.size : groups.count;
       VUG_VECTORISE
-      for (int k = i; k < last; ++k) one(k);
+      for (int k = from; k < to; ++k) one(k);
       VUG_VECTORISE
-      for (int k = i; k < last; ++k) two(k);
+      for (int k = from; k < to; ++k) two(k);
     }
   }
 };
@@ -139,16 +151,13 @@ auto in_turn(int n, First first, Second second) {
   }
 }
 
-/// The same over the groups that run. Threads take blocks as they come, since those groups may lie together.
+/// The same over the groups that run, of which every thread of a host takes a share.
 template <class First, class Second>
 auto in_turn(const Groups& groups, First first, Second second) {
-  using AsTheyCome = Kokkos::Schedule<Kokkos::Dynamic>;
   const int n = groups.count;
   if constexpr (runs_on_host) {
-    using Loops = detail::GroupLoops<First, Second>;
-    const int size = (block_of_list(n) + groups.size - 1) / groups.size * groups.size;
-    return Work<detail::Block<Loops>, AsTheyCome>{{{std::move(first), std::move(second), groups}, n, size},
-                                                  detail::blocks_of(n, size)};
+    const int shares = std::min(detail::blocks_of(n, block_of_list(n)), Exec().concurrency());
+    return Work<detail::GroupLoops<First, Second>>{{std::move(first), std::move(second), groups, shares}, shares};
   } else {
     return Work<detail::NodesOfGroups<First, Second>>{{std::move(first), std::move(second), groups}, n};
   }
@@ -160,19 +169,19 @@ auto each(const Groups& groups, Body body) {
   return in_turn(groups, std::move(body), detail::Nothing{});
 }
 
-/// Two lists at once, on the schedule of the first; neither may read what the other writes.
-template <class One, class Schedule, class Other, class OtherSchedule>
-auto side_by_side(Work<One, Schedule> one, Work<Other, OtherSchedule> other) {
+/// Two lists at once; neither may read what the other writes.
+template <class One, class Other>
+auto side_by_side(Work<One> one, Work<Other> other) {
   const int ones = one.count, others = other.count, most = ones > others ? ones : others;
-  return Work<detail::SideBySide<One, Other>, Schedule>{
-      {std::move(one.body), std::move(other.body), ones, others, most}, runs_on_host ? most : ones + others};
+  return Work<detail::SideBySide<One, Other>>{{std::move(one.body), std::move(other.body), ones, others, most},
+                                              runs_on_host ? most : ones + others};
 }
 
 /// Runs it in one launch, or records that; the shortest without waking other threads of a host. Nothing is fenced.
-template <class Body, class Schedule>
-void launch(const Queue& queue, const std::string& label, const Work<Body, Schedule>& work) {
+template <class Body>
+void launch(const Queue& queue, const std::string& label, const Work<Body>& work) {
   if (work.count <= 0) return;
-  const typename Work<Body, Schedule>::Policy policy(queue.exec, 0, work.count);
+  const Kokkos::RangePolicy<Exec> policy(queue.exec, 0, work.count);
   if (queue.recording) return queue.recording->add(label, policy, work.body);
   if (runs_on_host && work.count == 1)
     Kokkos::parallel_for(label, Kokkos::RangePolicy<ShortExec>(0, 1), work.body);
