@@ -85,7 +85,9 @@ struct CollideAndStream {
 };
 
 /// A block of nodes on a host, by packs that stay in registers from pull to push. The root and the quotient of the
-/// limiter would cost every node as much as its collision: it runs lane by lane, where one of a pack is too fast.
+/// limiter would cost every node as much as its collision: it runs lane by lane, where one of a pack is too fast. Where
+/// the runs of slots of neighbouring packs overlap, the next is pulled before this one is pushed: a load of what
+/// overlaps a store just done would have to wait for it.
 template <class T, class Node, class NodePacks>
 struct SweepBlock {
   Node node;
@@ -96,14 +98,21 @@ struct SweepBlock {
     const Node local = node;
     const NodePacks nodes = packs;
     int uses = 0, i = first;
+    Pack<T> g[D2Q9::Q], next[D2Q9::Q];
+    if (NodePacks::runs_overlap && i + pack_size <= last) nodes.pull(local.f.data(), i, next);
     for (; i + pack_size <= last; i += pack_size) {
-      Pack<T> g[D2Q9::Q];
-      nodes.pull(local.f.data(), i, g);
+      if constexpr (NodePacks::runs_overlap) {
+        VUG_UNROLL
+        for (int q = 0; q < D2Q9::Q; ++q) g[q] = next[q];
+      } else {
+        nodes.pull(local.f.data(), i, g);
+      }
       const Macroscopic<Pack<T>> m = local.moments(i, g);
       if (has_fast_node(local, m)) [[unlikely]]
         uses += one_by_one(local, i, g);
       else
         local.collide(i, g, m);
+      if (NodePacks::runs_overlap && i + 2 * pack_size <= last) nodes.pull(local.f.data(), i + pack_size, next);
       nodes.push(local.f_next.data(), i, g);
     }
     for (; i < last; ++i) uses += local(i);

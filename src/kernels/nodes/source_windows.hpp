@@ -78,6 +78,9 @@ struct SourcePacks {
 
   using P = PackOf<T>;
 
+  /// Whether a pack loads what the one before it stores to, if other lanes of it.
+  static constexpr bool runs_overlap = by_windows;
+
   /// What arrives at nodes i .. i + 7, i a multiple of eight.
   KOKKOS_FORCEINLINE_FUNCTION void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
     if constexpr (by_windows) announce(windows + i + windows_ahead);

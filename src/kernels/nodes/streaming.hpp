@@ -43,6 +43,8 @@ template <class T, class Set>
 struct PacksFromTurned {
   int capacity;
 
+  static constexpr bool runs_overlap = false;
+
   KOKKOS_FORCEINLINE_FUNCTION void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) g[q] = PackOf<T>::load(f + Set::opposite(q) * capacity + i);
@@ -56,6 +58,7 @@ struct PacksFromTurned {
 /// The same from one lattice to the other: pulls as from home, pushes as from turned.
 template <class T, class Set>
 struct PacksOfTwoLattices : SourcePacks<T, Set> {
+  static constexpr bool runs_overlap = false;
   KOKKOS_FORCEINLINE_FUNCTION void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
     PacksFromTurned<T, Set>{this->capacity}.push(f, i, g);
   }
