@@ -62,10 +62,14 @@ class Run:
     def snapshot(self, name):
         with h5py.File(self.directory / "fields.h5", "r") as fields:
             try:
-                with h5py.File(self.directory / "particles.h5", "r") as particles:
-                    return Snapshot(fields[name], particles[name]["bonds"])
-            except (OSError, KeyError):
+                particles = h5py.File(self.directory / "particles.h5", "r")
+            except OSError:
                 return Snapshot(fields[name], None)
+            with particles:
+                bonds = particles[name]["bonds"] if name in particles else None
+                if bonds is not None and "state" not in bonds:  # or every bond would count as intact
+                    raise SystemExit(f"{self.directory}: its snapshots lack the state of the bonds, which output.fields left out")
+                return Snapshot(fields[name], bonds)
 
     def snapshot_at(self, time):
         """The newest snapshot that is not later than `time` in s."""

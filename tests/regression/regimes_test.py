@@ -1,14 +1,17 @@
 """The regime classifier on rock drawn by hand: each type is told, wherever the noise falls."""
 import pathlib
 import sys
+import tempfile
 import unittest
 
+import h5py
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 sys.dont_write_bytecode = True
 from paper.members import PARTS  # noqa: E402
 from paper.regimes import measure, reached_area, thirds  # noqa: E402
+from paper.run_data import FAILED, Run  # noqa: E402
 
 DX = 2.5e-4
 HOLE = ((0.0, 0.033), (0.004, 0.037))
@@ -103,6 +106,29 @@ class Regimes(unittest.TestCase):
         self.assertGreater(found.cavity_area, 0.5 * beyond_the_hole)
         self.assertEqual(found.failed_bonds, len(segments))
         self.assertAlmostEqual(found.fracture_length, np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
+
+
+class Runs(unittest.TestCase):
+    def written(self, folder, state):
+        """A run of one snapshot with one bond, failed, whose state has been kept or left out."""
+        with h5py.File(folder / "fields.h5", "w") as fields:
+            snapshot = fields.create_group("step_0")
+            snapshot.attrs["time"] = 0.0
+            snapshot["node_type"] = np.zeros((2, 3))
+            snapshot["node_type"].attrs["dx"] = DX
+        with h5py.File(folder / "particles.h5", "w") as particles:
+            bonds = particles.create_group("step_0/bonds")
+            bonds["vertices"] = np.array([[0, 0, 0], [DX, 0, 0.0]])
+            if state is not None:
+                bonds["state"] = np.array([float(state)])
+        return Run(folder)
+
+    def test_failed_bonds_are_told_or_missed_aloud(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            self.assertEqual(len(self.written(folder, state=FAILED[0]).snapshot("step_0").bonds(FAILED)), 1)
+            with self.assertRaisesRegex(SystemExit, "lack the state of the bonds"):
+                self.written(folder, state=None).snapshot("step_0")
 
 
 class Members(unittest.TestCase):
