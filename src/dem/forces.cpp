@@ -18,12 +18,13 @@ void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces
   CohesiveForces<Law, Keeper> hold{model};
   BondFailure<Law, Keeper> fail{std::move(model)};
   if (only.pairs)
-    return launch(
-        queue, label,
-        side_by_side(in_turn(*only.bonds, std::move(hold), std::move(fail)), each(*only.pairs, std::move(touch))));
+    return launch(queue, label,
+                  side_by_side(in_turn(queue.exec, *only.bonds, std::move(hold), std::move(fail)),
+                               each(queue.exec, *only.pairs, std::move(touch))));
   auto pairs = each(particles, std::move(touch));
   if (only.bonds)
-    launch(queue, label, side_by_side(in_turn(*only.bonds, std::move(hold), std::move(fail)), std::move(pairs)));
+    launch(queue, label,
+           side_by_side(in_turn(queue.exec, *only.bonds, std::move(hold), std::move(fail)), std::move(pairs)));
   else
     launch(queue, label, side_by_side(in_turn(bonds, std::move(hold), std::move(fail)), std::move(pairs)));
 }

@@ -89,7 +89,7 @@ void integrate(const Queue& queue, const StepControl& control, const Bonds& bond
   Integrate<Keeper> move{
       control, particle_push(control.load_factor, control.surroundings, bonds, contacts, loads, particles), accounts};
   if (awake)
-    launch(queue, label, in_turn(*awake, std::move(gather), std::move(move)));
+    launch(queue, label, in_turn(queue.exec, *awake, std::move(gather), std::move(move)));
   else
     launch(queue, label, in_turn(particles.count, std::move(gather), std::move(move)));
 }

@@ -42,6 +42,15 @@ std::vector<Groups> some_groups(int count) {
           groups_of(count, [last](int g) { return g > last / 3 && g < last / 2; })};
 }
 
+/// By one thread and by several, each of which takes a share.
+std::vector<Exec> some_execs() {
+#if defined(KOKKOS_ENABLE_OPENMP)
+  return {Exec(1), Exec(2), Exec(3), Exec(4)};
+#else
+  return {Exec()};  // elsewhere there is no number of threads to choose
+#endif
+}
+
 void expect_each(const Groups& groups, const Kokkos::View<int*>& visits, int times) {
   const auto runs = test::host_copy(groups.runs);
   const auto seen = test::host_copy(visits);
@@ -50,36 +59,34 @@ void expect_each(const Groups& groups, const Kokkos::View<int*>& visits, int tim
 }
 
 TEST(GroupsInTurn, VisitEveryItemOfWhatRunsOnce) {
-  const Exec exec;
-  const Queue queue(exec);
-  for (const int count : {1, 8, 13, 700, 2000, 17001})
-    for (const Groups& groups : some_groups(count)) {
-      const Kokkos::View<int*> visits("visits", count);
-      launch(queue, "in turn", in_turn(groups, Visit{visits}, Double{visits}));
-      expect_each(groups, visits, 2);
-    }
+  for (const Exec& exec : some_execs())
+    for (const int count : {1, 8, 13, 700, 2000, 17001})
+      for (const Groups& groups : some_groups(count)) {
+        const Kokkos::View<int*> visits("visits", count);
+        launch(Queue(exec), "in turn", in_turn(exec, groups, Visit{visits}, Double{visits}));
+        expect_each(groups, visits, 2);
+      }
 }
 
 TEST(GroupsInTurn, VisitEveryItemBesideAnotherList) {
-  const Exec exec;
-  const Queue queue(exec);
-  for (const int others : {0, 1, 40, 5000})
-    for (const Groups& groups : some_groups(3001)) {
-      const Kokkos::View<int*> visits("visits", groups.count), other("other", others);
-      launch(queue, "beside", side_by_side(each(groups, Visit{visits}), each(others, Visit{other})));
-      expect_each(groups, visits, 1);
-      expect_each(groups_of(others, [](int) { return true; }), other, 1);
-    }
+  for (const Exec& exec : some_execs())
+    for (const int others : {0, 1, 40, 5000})
+      for (const Groups& groups : some_groups(3001)) {
+        const Kokkos::View<int*> visits("visits", groups.count), other("other", others);
+        launch(Queue(exec), "beside", side_by_side(each(exec, groups, Visit{visits}), each(others, Visit{other})));
+        expect_each(groups, visits, 1);
+        expect_each(groups_of(others, [](int) { return true; }), other, 1);
+      }
 }
 
 TEST(GroupsInTurn, LeaveToOthersWhatIsNotOurs) {
-  const Exec exec;
-  const Queue queue(exec);
   Groups groups = groups_of(5000, [](int g) { return g % 3 != 0; });
   groups.ours = groups_of(5000, [](int g) { return g % 2 == 0; }).runs;
-  const Kokkos::View<int*> visits("visits", groups.count);
-  launch(queue, "ours", each(groups, Visit{visits}));
-  expect_each(groups_of(5000, [](int g) { return g % 3 != 0 && g % 2 == 0; }), visits, 1);
+  for (const Exec& exec : some_execs()) {
+    const Kokkos::View<int*> visits("visits", groups.count);
+    launch(Queue(exec), "ours", each(exec, groups, Visit{visits}));
+    expect_each(groups_of(5000, [](int g) { return g % 3 != 0 && g % 2 == 0; }), visits, 1);
+  }
 }
 
 }  // namespace

@@ -153,10 +153,10 @@ auto in_turn(int n, First first, Second second) {
 
 /// The same over the groups that run, of which every thread of a host takes a share.
 template <class First, class Second>
-auto in_turn(const Groups& groups, First first, Second second) {
+auto in_turn([[maybe_unused]] const Exec& exec, const Groups& groups, First first, Second second) {
   const int n = groups.count;
   if constexpr (runs_on_host) {
-    const int shares = std::min(detail::blocks_of(n, block_of_list(n)), Exec().concurrency());
+    const int shares = std::min(detail::blocks_of(n, block_of_list(n)), exec.concurrency());
     return Work<detail::GroupLoops<First, Second>>{{std::move(first), std::move(second), groups, shares}, shares};
   } else {
     return Work<detail::NodesOfGroups<First, Second>>{{std::move(first), std::move(second), groups}, n};
@@ -165,8 +165,8 @@ auto in_turn(const Groups& groups, First first, Second second) {
 
 /// body(i) for the items of the groups that run.
 template <class Body>
-auto each(const Groups& groups, Body body) {
-  return in_turn(groups, std::move(body), detail::Nothing{});
+auto each(const Exec& exec, const Groups& groups, Body body) {
+  return in_turn(exec, groups, std::move(body), detail::Nothing{});
 }
 
 /// Two lists at once; neither may read what the other writes.
