@@ -3,6 +3,7 @@
 // when the nodes of the row before dense node `end` are conducted, and end() after the last of them.
 #include "kernels/heat/heat_kernels.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/launch/prefetch.hpp"
 
 namespace vug {
 
@@ -24,6 +25,7 @@ struct ConvectRows {
     KOKKOS_FORCEINLINE_FUNCTION void up_to(int end) {
       for (; k < last && all.rows.packs(k).node < end; ++k) {
         const WetPack& pack = all.rows.packs(k);
+        announce(local, pack);
         if (pack.fluid >= 0) [[likely]]
           convect(local, pack, sum);
         else
@@ -35,6 +37,18 @@ struct ConvectRows {
   KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const { return {*this, advect, y, rows.first(y), rows.first(y + 1)}; }
 
  private:
+  /// What comes later in the list and in the fluid's fields: beside the streams of conduction the processor does not
+  /// foresee these.
+  KOKKOS_FORCEINLINE_FUNCTION static void announce(const Advect<T, Set>& at, const WetPack& pack) {
+    constexpr int packs_ahead = 16, nodes_ahead = 64;
+    prefetch(&pack + packs_ahead);
+    const int later = pack.fluid + nodes_ahead;
+    prefetch(at.lagged.data() + later);
+    prefetch(at.defect.data() + later);
+    prefetch(&at.u.u(0, 0) + later);
+    prefetch(&at.u.u(0, 1) + later);
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION static void one_by_one(const Advect<T, Set>& at, const IndexList& index,
                                                      const WetPack& pack, double (&sum)[pack_size]) {
     for (int l = 0; l < pack_size; ++l)

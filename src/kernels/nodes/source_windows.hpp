@@ -105,10 +105,16 @@ struct SourcePacks {
     for (int n = 0; n < 2; ++n)
       for (int l = 0; l < some; l += pack_size) P::store(value[n][0] + l, P::load(fields[n] + i + l));
     if constexpr (by_windows) {
-      for (int l = 0; l < some; l += pack_size) upstream_by_windows(fields, i, value, l, matters);
+      for (int l = 0; l < some; l += pack_size) {
+        announce(windows + i + l + windows_ahead);
+        upstream_by_windows(fields, i, value, l, matters);
+      }
     } else {
       VUG_UNROLL
-      for (int q = 1; q < Set::Q; ++q) upstream_one_by_one<some>(fields, q, i, value, 0, matters);
+      for (int q = 1; q < Set::Q; ++q) {
+        for (int l = 0; l < some; l += pack_size) prefetch(source + q * capacity + i + l + windows_ahead);
+        upstream_one_by_one<some>(fields, q, i, value, 0, matters);
+      }
     }
   }
 
@@ -163,9 +169,34 @@ struct SourcePacks {
       const int from = source[plane + first + l] - plane;
       node[l] = static_cast<unsigned>(from) < static_cast<unsigned>(capacity) ? from : first + l;
     }
+    if (Set::c(q, 1) == 0 && along_row<count>(fields, q, node, first, value, at, matters)) return;
     for (int l = 0; l < count; l += pack_size)
       for (int n = 0; n < 2; ++n)
         if (matters(q, n)) P::store(value[n][q] + at + l, P::gather(fields[n], node + l));
+  }
+
+  /// The same where every one of these nodes is its own or its neighbour in the list, as in a row but at its ends and
+  /// among newborn nodes: loads of whole packs instead of single numbers. False, and nothing done, elsewhere.
+  template <int count, int some, class Matters>
+  KOKKOS_FORCEINLINE_FUNCTION bool along_row(const std::array<const T*, 2>& fields, int q, const int (&node)[count],
+                                             int first, T (&value)[2][Set::Q][some], int at,
+                                             const Matters& matters) const {
+    const int step = -Set::c(q, 0);
+    if (first + step < 0 || first + step + count > capacity) return false;
+    int elsewhere = 0;
+    for (int l = 0; l < count; ++l) elsewhere |= (node[l] != first + l) & (node[l] != first + l + step);
+    if (elsewhere != 0) [[unlikely]]
+      return false;
+    for (int n = 0; n < 2; ++n) {
+      if (!matters(q, n)) continue;
+      const T *const own = fields[n] + first, *const next = own + step;
+      T* const to = value[n][q] + at;
+      for (int l = 0; l < count; ++l) {
+        const T here = own[l], there = next[l];
+        to[l] = node[l] == first + l ? here : there;
+      }
+    }
+    return true;
   }
 
   static constexpr int windows_ahead = 8 * nodes_per_window;
