@@ -171,7 +171,7 @@ struct Convection {
     if constexpr (Set::Q == D2Q5::Q)
       return temperature * (rate * odd);
     else
-      return temperature * (rate * odd + (2 - rate) * scalar_even_part<Set, T>(q, ux, uy));
+      return temperature * (rate * odd + (2 - rate) * scalar_even_part<T>(q, ux, uy));
   }
   /// What is added to population q, over w_q; nothing is carried towards walls.
   template <class V>

@@ -27,7 +27,7 @@ struct AdvectiveDefect {
     if constexpr (Set::Q == D2Q5::Q)
       return odd;
     else
-      return odd + even_weight * T(Set::w(q)) * scalar_even_part<Set, T>(q, ux, uy);
+      return odd + even_weight * T(Set::w(q)) * scalar_even_part<T>(q, ux, uy);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
