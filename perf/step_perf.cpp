@@ -6,7 +6,7 @@
 #include "kernels/host/memory.hpp"
 #include "kernels/host/subnormals.hpp"
 #include "measure.hpp"
-#include "step_bytes.hpp"
+#include "step_lines.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -174,12 +174,15 @@ void step(benchmark::State& state, const char* path, const Choice& choice) {
   sizes.awake = std::accumulate(awake.begin(), awake.end(), 0.0) / static_cast<double>(awake.size());
   state.counters["awake"] = sizes.awake;
   const auto bytes = bytes_of(scene, sizes);
+  const double number = accuracy.precision == Precision::single_precision ? sizeof(float) : sizeof(double);
+  const auto lines = lines_of(scene, sizes, scattered_bytes(simulation.parts().geometry, number), bytes);
   double limit = 0, known = 0;
   for (std::size_t p = 0; p < part_count; ++p) {
     const std::string name = part_names[p];
     const double time = cycle.part(p);
     state.counters[name + "_ms"] = 1e3 * time;
     state.counters[name + "_limit_ms"] = 1e3 * bytes[p] * byte_time;
+    if (lines[p] > 0) state.counters[name + "_lines_ms"] = 1e3 * lines[p] * byte_time;
     state.counters[name + "_launches"] = cycle.launches(p);
     limit += bytes[p] * byte_time;
     known += time;
