@@ -1,5 +1,9 @@
-"""The regime classifier on rock drawn by hand: each type is told, wherever the noise falls."""
+"""What is read from runs of the acid-fracturing rock: the classifier of regimes on rock drawn by hand, the true surface.
+
+  regimes_test.py EXECUTABLE
+"""
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -7,11 +11,13 @@ import unittest
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
 sys.dont_write_bytecode = True
 from paper.members import PARTS  # noqa: E402
-from paper.regimes import measure, reached_area, thirds  # noqa: E402
+from paper.regimes import dissolved_of, measure, reached_area, thirds  # noqa: E402
 from paper.run_data import FAILED, Run  # noqa: E402
+from paper.surface import true_area  # noqa: E402
 
 DX = 2.5e-4
 HOLE = ((0.0, 0.033), (0.004, 0.037))
@@ -81,10 +87,11 @@ class Regimes(unittest.TestCase):
         self.assertEqual(type_of(0 * X), "none")
 
     def test_area_that_acid_has_reached(self):
-        solid = np.ones(X.shape, bool)
-        solid[100:140, 50:80] = False  # a pore of 30 x 40 nodes, acid in its lower half
-        acid = np.where(np.arange(280)[:, None] < 120, 1.0, 0.0) * ~solid
-        self.assertAlmostEqual(reached_area(solid, acid, DX), (30 + 2 * 20) * DX)
+        pore = np.hypot(X - 0.05, Y - 0.035) < 40.3 * DX
+        for below, share in ((1, 1), (0.035, 0.5), (0, 0)):  # m: acid in all of it, in its lower half, nowhere
+            acid = np.where(pore & (Y < below), 1.0, 0.0)
+            area = reached_area(~pore, 0 * X, acid, DX)
+            self.assertAlmostEqual(area, share * 2 * np.pi * 40.3 * DX, delta=0.015 * share * 2 * np.pi * 40.3 * DX)
 
     def test_thirds_of_a_growth(self):
         time = np.linspace(0, 9, 10)
@@ -106,6 +113,41 @@ class Regimes(unittest.TestCase):
         self.assertGreater(found.cavity_area, 0.5 * beyond_the_hole)
         self.assertEqual(found.failed_bonds, len(segments))
         self.assertAlmostEqual(found.fracture_length, np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
+
+
+class TrueArea(unittest.TestCase):
+    def test_walls_of_any_slope(self):
+        for angle in np.linspace(0, np.pi / 2, 13):
+            c, s = np.cos(angle), np.sin(angle)
+            across, along = (X - 0.05) * c + (Y - 0.035) * s, (Y - 0.035) * c - (X - 0.05) * s
+            wet = (across > 0) & (abs(along) < 100.2 * DX)
+            area = true_area(across <= 0, np.where(across <= 0, 1.0, 0.0), wet)
+            self.assertAlmostEqual(area / 200.4, 1, delta=0.02)  # of the staircase up to 1.41
+
+    def test_discs_and_what_has_no_normal(self):
+        for radius in (20, 40, 80):
+            disc = np.hypot(X - 0.05, Y - 0.035) < radius * DX
+            self.assertAlmostEqual(true_area(disc, 1.0 * disc, ~disc) / (2 * np.pi * radius), 1, delta=0.01)
+        lone = (X == X[140, 200]) & (Y == Y[140, 200])
+        self.assertAlmostEqual(true_area(lone, 1.0 * lone, ~lone), np.pi)
+
+    def test_is_that_of_the_solver(self):
+        """A rock of which a fifth of the pores' rims has dissolved, pixels of all shares left."""
+        with tempfile.TemporaryDirectory() as folder:
+            settings = ["lattice.spacing=1e-3", "lattice.time_step=4e-5", "flow.pressure_scale=400", "rock.element_size=6e-3",
+                        "boundary.injection.flow.ramp_time=4e-4", "mechanics.preload_time=2e-5", "accuracy.update_interval=1",
+                        "reaction.molar_volume=1e-2", "reaction.damkohler=1.5", "time.end=0.024", "output.interval=8e-3",
+                        "output.checkpoint_interval=8e-3"]
+            subprocess.run([sys.argv[1], "run", ROOT / "cases/acid_fracturing/coarse/p20_da1.5e-3.toml", "-o", folder, "--quiet",
+                            "--threads", "1", *(word for setting in settings for word in ("--set", setting))], check=True)
+            run = Run(folder)
+            history = run.history()
+            for name in run.steps:
+                snapshot = run.snapshot(name)
+                row = np.argmin(np.abs(history["time_s"] - snapshot.time))
+                area = true_area(snapshot.solid, 1 - dissolved_of(snapshot), ~snapshot.solid) * snapshot.dx
+                self.assertAlmostEqual(area / history["reactive_area_m2_per_m"][row], 1, delta=1e-4)
+            self.assertGreater(snapshot.field["dissolved_fraction"].sum(), 50)
 
 
 class Runs(unittest.TestCase):
@@ -144,4 +186,4 @@ class Members(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])
