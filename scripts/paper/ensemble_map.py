@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 TYPES = {"permeation": "#2166ac", "permeation-cavity": "#f4a582", "cavity": "#b2182b", "none": "#cccccc"}
 
 
-def draw(rows, folder):
+def draw(rows, lattice, path):
     """rows: members with pressure_MPa, Da, type, cavity_share; a pie of types for each condition, below it their number."""
     conditions = collections.defaultdict(list)
     for row in rows:
@@ -30,9 +30,9 @@ def draw(rows, folder):
     axes.set_yticks(range(len(numbers)), [f"{da:g}" for da in numbers])
     axes.set_xlabel("injection pressure, MPa")
     axes.set_ylabel("Da")
-    axes.set_title("types of dissolution at 0.16 s, 400 x 280; below: members and shares in cavities", fontsize=9)
+    axes.set_title(f"types of dissolution at 0.16 s, {lattice}; below: members and shares in cavities", fontsize=9)
     shown = {m["type"] for members in conditions.values() for m in members}
     axes.legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c, label=kind) for kind, c in TYPES.items() if kind in shown],
                 loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
-    figure.savefig(folder / "ensemble_map.png", dpi=110)
+    figure.savefig(path, dpi=110)
     plt.close(figure)

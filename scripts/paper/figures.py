@@ -6,10 +6,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection
 
+from .regimes import CAVITY, dissolved_of, share_in_pores
 from .run_data import DAMAGED, FAILED, NOTCH
 
 CM = 100  # per m
 ROCK = "#d9d5cc"
+WIDTHS = [w * 1e-3 for w in (0.3, 0.45, 0.6, 0.8, 1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 3, 3.5, 4)]  # m
 
 
 def concentration(snapshot):
@@ -114,7 +116,28 @@ def reactive_area(curves, folder):
     plt.close(figure)
 
 
-def evolution(snapshots, folder, name):
+def pore_widths(snapshots, folder):
+    """How much of what has dissolved lies in pores of a width and more, snapshots[(pressure in MPa, Da)]; a panel per Da."""
+    numbers = sorted({da for _, da in snapshots})
+    figure, row = plt.subplots(1, len(numbers), squeeze=False, constrained_layout=True, sharey=True, figsize=(4.4 * len(numbers), 3.4))
+    for axes, da in zip(row[0], numbers):
+        for (p, _), s in sorted((key, s) for key, s in snapshots.items() if key[1] == da):
+            widths = [w for w in WIDTHS if w >= 4 * s.dx]
+            shares = [share_in_pores(s.solid, dissolved_of(s), w / s.dx) for w in widths]
+            axes.plot([1000 * w for w in widths], shares, "o-", markersize=3, label=f"{p} MPa")
+        axes.axvline(1000 * CAVITY, color="grey", linewidth=0.8)
+        axes.axhline(0.5, color="grey", linewidth=0.8)
+        axes.set_title(f"Da = {da:g}")
+        axes.set_xlabel("width of pore / mm")
+        axes.set_xlim(0, 1000 * max(WIDTHS))
+        axes.set_ylim(0, 1)
+        axes.legend(frameon=False)
+    row[0][0].set_ylabel("share of what has dissolved")
+    figure.savefig(folder / "pore_widths.png", dpi=110)
+    plt.close(figure)
+
+
+def evolution(snapshots, path, name):
     """Fig. 13: reactant and fractures of one condition as it goes on."""
     figure, grid = plt.subplots(-(-len(snapshots) // 2), 2, squeeze=False, constrained_layout=True, figsize=(9.6, 6.4))
     for axes in grid.flat[len(snapshots):]:
@@ -124,5 +147,5 @@ def evolution(snapshots, folder, name):
         axes.set_title(f"t = {snapshot.time:.3g} s", fontsize=10)
     figure.colorbar(image, ax=grid, label="reactant L1 / (mol/L)", shrink=0.6)
     figure.suptitle(name)
-    figure.savefig(folder / "fig13_evolution.png", dpi=110)
+    figure.savefig(path, dpi=110)
     plt.close(figure)

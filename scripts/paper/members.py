@@ -1,4 +1,4 @@
-"""What is varied to see what a condition's type depends on: members of an ensemble on the coarse lattice."""
+"""What is varied to see what the type of a condition depends on: members of an ensemble."""
 import dataclasses
 import re
 

@@ -2,10 +2,10 @@
 
 The paper tells the types by eye, "according to the dissolution morphology". Here they follow from two numbers:
 
-  cavity share     the share of the dissolved volume that lies in cavities. A cavity is pore space in which a disc three
-                   pathways wide has room (the morphological opening of the pores by that disc): rock that is gone
-                   wholesale. A pathway that acid has widened a little, or rock that is eaten at everywhere and still
-                   stands, is none.
+  cavity share     the share of the dissolved volume that lies in cavities. A cavity is pore space in which a disc of
+                   CAVITY has room (the morphological opening of the pores by that disc): rock that is gone wholesale. A
+                   pathway that acid has widened a little, or rock that is eaten at everywhere and still stands, is none.
+                   The disc is the same on every lattice, three pathways wide on the coarse one.
   fractured share  the share of the dissolved volume on failed bonds (within two and a half pathways' widths) and farther
                    from the hole than twice the distance to which the same volume would reach if it went evenly: what the
                    fractures carry into the rock.
@@ -21,6 +21,7 @@ import numpy as np
 
 from .surface import true_area
 
+CAVITY = 2.25e-3  # m: a pore in which a disc of this diameter has room; the hole is 4 mm wide
 ACID_FRONT = 0.05  # of the inlet's concentration
 TOUCHED = 1e-3  # of it: a node where acid touches the wall; where the wall is fast the acid beside it is thin
 
@@ -71,18 +72,26 @@ def dilate(mask, radius):
     """True within `radius` nodes of a True node; nothing comes from beyond the edges of the array."""
     ny, nx = mask.shape
     reach = int(radius)
-    padded = np.pad(mask, reach)
+    before = np.zeros((ny, nx + 2 * reach + 1), np.int32)  # how many of a row lie before a place
+    np.cumsum(np.pad(mask, ((0, 0), (reach, reach))), axis=1, out=before[:, 1:])
     found = np.zeros_like(mask)
     for dy in range(-reach, reach + 1):
-        for dx in range(-reach, reach + 1):
-            if dx * dx + dy * dy <= radius * radius:
-                found |= padded[reach + dy:reach + dy + ny, reach + dx:reach + dx + nx]
+        half = math.isqrt(math.floor(radius * radius - dy * dy))  # of the disc's width at this height
+        some = before[:, reach + half + 1:reach + half + 1 + nx] > before[:, reach - half:reach - half + nx]
+        to, of = (slice(max(-dy, 0), ny + min(-dy, 0)), slice(max(dy, 0), ny + min(dy, 0)))
+        found[to] |= some[of]
     return found
 
 
 def cavities(solid, diameter):
     """The pores in which a disc of that many nodes has room (it may stick out of the lattice)."""
     return dilate(~dilate(solid, diameter / 2), diameter / 2) & ~solid
+
+
+def share_in_pores(solid, dissolved, diameter):
+    """Of what has dissolved the share that lies in cavities() of that diameter."""
+    total = float(dissolved.sum())
+    return float(dissolved[cavities(solid, diameter)].sum()) / total if total > 0 else 0.0
 
 
 def even_reach(distances, volume):
@@ -103,10 +112,10 @@ def thirds(time, area):
     return np.diff(marks) / growth if growth != 0 else np.zeros(3)
 
 
-def measure(solid, dissolved, acid, failed, hole, dx, pathway):
+def measure(solid, dissolved, acid, failed, hole, dx, pathway, cavity=CAVITY):
     """Morphology of arrays over the nodes: solid (bool), dissolved (share of a pixel that was rock), acid (of the inlet's
     concentration); failed: ends of the failed bonds, (n, 2, 2) m; hole: its two corners, m; dx: spacing, m; pathway: its
-    width in nodes."""
+    width in nodes; cavity: diameter of the disc, m."""
     ny, nx = solid.shape
     x, y = np.meshgrid((np.arange(nx) + 0.5) * dx, (np.arange(ny) + 0.5) * dx)
     distance = distance_to_rectangle(x, y, *hole)
@@ -115,17 +124,17 @@ def measure(solid, dissolved, acid, failed, hole, dx, pathway):
     def share(where):
         return float(dissolved[where].sum()) / total if total > 0 else 0.0
 
-    cavity = cavities(solid, 3 * pathway)
+    wide = cavities(solid, cavity / dx)
     even_distance = even_reach(distance[distance > 0], total)
     on_fracture = near_segments(x, y, failed, 2.5 * pathway * dx) & (distance > 2 * even_distance)
     reached = distance[acid > ACID_FRONT]
     middle = failed.mean(axis=1) if len(failed) else np.empty((0, 2))
     return Morphology(
         dissolved_volume=total * dx**2,
-        cavity_share=share(cavity),
+        cavity_share=share(wide),
         fractured_share=share(on_fracture),
         even_distance=even_distance,
-        cavity_area=float((cavity & (distance > 0)).sum()) * dx**2,
+        cavity_area=float((wide & (distance > 0)).sum()) * dx**2,
         mean_distance=float((dissolved * distance).sum()) / total if total > 0 else 0.0,
         acid_reach=float(reached.max()) if reached.size else 0.0,
         failed_bonds=len(failed),
@@ -149,10 +158,10 @@ def reached_in(snapshot, inlet_concentration):
     return reached_area(snapshot.solid, dissolved_of(snapshot), acid_of(snapshot, inlet_concentration), snapshot.dx)
 
 
-def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway):
+def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway, cavity=CAVITY):
     """Morphology of a snapshot of a run."""
     return measure(snapshot.solid, dissolved_of(snapshot), acid_of(snapshot, inlet_concentration), snapshot.bonds(failed_states), hole,
-                   snapshot.dx, pathway)
+                   snapshot.dx, pathway, cavity)
 
 
 def area_over_time(run, inlet_concentration, until=math.inf):
