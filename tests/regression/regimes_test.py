@@ -79,6 +79,16 @@ class Regimes(unittest.TestCase):
             segments, along = branches(seed)
             self.assertEqual(type_of(np.maximum(half_disc(0.006), along * 0.2), segments), "permeation-cavity")
 
+    def test_a_cavity_is_as_wide_on_any_lattice(self):
+        """Pores of 1.2 and 6 mm in the middle of rock, with pathways of three nodes whatever their spacing."""
+        for refined in (1, 3):
+            dx = DX / refined
+            x, y = np.meshgrid((np.arange(160 * refined) + 0.5) * dx, (np.arange(160 * refined) + 0.5) * dx)
+            for radius, share in ((6e-4, 0), (3e-3, 1)):
+                pore = np.hypot(x - 0.02, y - 0.02) < radius
+                found = measure(~pore, 1.0 * pore, 0 * x, NOTHING, ((0, 0.018), (0.004, 0.022)), dx, 3)
+                self.assertAlmostEqual(found.cavity_share, share, delta=0.1)
+
     def test_fractures_that_carry_nothing_leave_a_cavity(self):
         segments, _ = branches(1)
         self.assertEqual(type_of(half_disc(0.006), segments), "cavity")
