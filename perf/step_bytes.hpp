@@ -39,10 +39,15 @@ inline Sizes sizes_of(const Simulation& simulation) {
           substeps};
 }
 
+/// Of a lattice number.
+inline double bytes_of_number(const Scene& scene) {
+  return scene.accuracy.precision == Precision::single_precision ? sizeof(float) : sizeof(double);
+}
+
 /// Bytes that each part must move in one lattice step: every number once, what is written without its allocation. `T`
 /// is the size of a lattice number, 8 and 4 are those of a double and an index.
 inline std::array<double, part_count> bytes_of(const Scene& scene, const Sizes& s) {
-  const double T = scene.accuracy.precision == Precision::single_precision ? 4 : 8;
+  const double T = bytes_of_number(scene);
   const double every = scene.accuracy.update_interval, species = static_cast<double>(scene.solute->species.size());
   const double heat_every = scene.accuracy.heat_interval, solute_every = scene.accuracy.solute_interval;
   const double carriers = heat_every == solute_every ? 1 / heat_every : 1 / heat_every + 1 / solute_every;

@@ -58,9 +58,10 @@ inline ScatteredBytes scattered_bytes(const Geometry& geometry, double T) {
 }
 
 /// bytes_of() with whole lines where a part does not read in order; 0 for the other parts.
-inline std::array<double, part_count> lines_of(const Scene& scene, const Sizes& s, const ScatteredBytes& lines,
+inline std::array<double, part_count> lines_of(const Scene& scene, const Sizes& s, const Geometry& geometry,
                                                const std::array<double, part_count>& bytes) {
-  const double T = scene.accuracy.precision == Precision::single_precision ? 4 : 8;
+  const double T = bytes_of_number(scene);
+  const ScatteredBytes lines = scattered_bytes(geometry, T);
   const double every = scene.accuracy.update_interval;
   std::array<double, part_count> result{};
   // volumes and what has dissolved: around each surface node for its normal, of its own both ways for its turnover

@@ -174,8 +174,7 @@ void step(benchmark::State& state, const char* path, const Choice& choice) {
   sizes.awake = std::accumulate(awake.begin(), awake.end(), 0.0) / static_cast<double>(awake.size());
   state.counters["awake"] = sizes.awake;
   const auto bytes = bytes_of(scene, sizes);
-  const double number = accuracy.precision == Precision::single_precision ? sizeof(float) : sizeof(double);
-  const auto lines = lines_of(scene, sizes, scattered_bytes(simulation.parts().geometry, number), bytes);
+  const auto lines = lines_of(scene, sizes, simulation.parts().geometry, bytes);
   double limit = 0, known = 0;
   for (std::size_t p = 0; p < part_count; ++p) {
     const std::string name = part_names[p];
