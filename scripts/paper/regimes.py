@@ -112,10 +112,10 @@ def thirds(time, area):
     return np.diff(marks) / growth if growth != 0 else np.zeros(3)
 
 
-def measure(solid, dissolved, acid, failed, hole, dx, pathway, cavity=CAVITY):
+def measure(solid, dissolved, acid, failed, hole, dx, pathway):
     """Morphology of arrays over the nodes: solid (bool), dissolved (share of a pixel that was rock), acid (of the inlet's
     concentration); failed: ends of the failed bonds, (n, 2, 2) m; hole: its two corners, m; dx: spacing, m; pathway: its
-    width in nodes; cavity: diameter of the disc, m."""
+    width in nodes."""
     ny, nx = solid.shape
     x, y = np.meshgrid((np.arange(nx) + 0.5) * dx, (np.arange(ny) + 0.5) * dx)
     distance = distance_to_rectangle(x, y, *hole)
@@ -124,7 +124,7 @@ def measure(solid, dissolved, acid, failed, hole, dx, pathway, cavity=CAVITY):
     def share(where):
         return float(dissolved[where].sum()) / total if total > 0 else 0.0
 
-    wide = cavities(solid, cavity / dx)
+    wide = cavities(solid, CAVITY / dx)
     even_distance = even_reach(distance[distance > 0], total)
     on_fracture = near_segments(x, y, failed, 2.5 * pathway * dx) & (distance > 2 * even_distance)
     reached = distance[acid > ACID_FRONT]
@@ -158,10 +158,10 @@ def reached_in(snapshot, inlet_concentration):
     return reached_area(snapshot.solid, dissolved_of(snapshot), acid_of(snapshot, inlet_concentration), snapshot.dx)
 
 
-def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway, cavity=CAVITY):
+def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway):
     """Morphology of a snapshot of a run."""
     return measure(snapshot.solid, dissolved_of(snapshot), acid_of(snapshot, inlet_concentration), snapshot.bonds(failed_states), hole,
-                   snapshot.dx, pathway, cavity)
+                   snapshot.dx, pathway)
 
 
 def area_over_time(run, inlet_concentration, until=math.inf):
