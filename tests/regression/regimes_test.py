@@ -142,7 +142,7 @@ class TrueArea(unittest.TestCase):
         self.assertAlmostEqual(true_area(lone, 1.0 * lone, ~lone), np.pi)
 
     def test_is_that_of_the_solver(self):
-        """A rock of which a fifth of the pores' rims has dissolved, pixels of all shares left."""
+        """A rock that dissolves: pixels of all shares left."""
         with tempfile.TemporaryDirectory() as folder:
             settings = ["lattice.spacing=1e-3", "lattice.time_step=4e-5", "flow.pressure_scale=400", "rock.element_size=6e-3",
                         "boundary.injection.flow.ramp_time=4e-4", "mechanics.preload_time=2e-5", "accuracy.update_interval=1",
