@@ -62,4 +62,13 @@ void keep_pages_small(void* data, std::size_t bytes) {
 #endif
 }
 
+void take_large_pages(void* data, std::size_t bytes) {
+#if defined(MADV_HUGEPAGE) && defined(MADV_DONTNEED)
+  const Pages pages(data, bytes);
+  if (advise(pages, MADV_HUGEPAGE)) advise(pages, MADV_DONTNEED);
+#else
+  (void)data, (void)bytes;
+#endif
+}
+
 }  // namespace vug

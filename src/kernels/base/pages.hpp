@@ -1,5 +1,6 @@
 #pragma once
-// Memory of a host that nobody writes takes no room: how a rank among others has fields of all nodes and holds its own.
+// Pages of a host's memory. What nobody writes takes no room: how a rank among others has fields of all nodes and holds
+// its own. Large fields lie in large pages, which a processor finds faster.
 #include "kernels/base/base.hpp"
 
 #include <cstddef>
@@ -13,6 +14,10 @@ void give_back_pages(void* data, std::size_t bytes);
 
 /// From now on pages there are small ones, of which a few numbers take no more than they must.
 void keep_pages_small(void* data, std::size_t bytes);
+
+/// From now on pages there are large ones (2 MiB) where the system grants it, none of the small ones that an earlier
+/// use of this memory has left; what was in them is lost.
+void take_large_pages(void* data, std::size_t bytes);
 
 /// A View (item) of zeros; `in_parts`: those of its items that are never written take no memory on a host.
 template <class ViewType>

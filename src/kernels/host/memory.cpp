@@ -1,14 +1,11 @@
 #include "kernels/host/memory.hpp"
 
 #include "kernels/base/base.hpp"
+#include "kernels/base/pages.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <cstring>
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 namespace vug {
 
@@ -16,23 +13,15 @@ namespace {
 
 std::atomic<std::int64_t> bytes{0};
 
-/// Asks for pages of 2 MiB where a field is large: a sweep walks through some twenty arrays at once, and pages of 4 KiB
-/// cost it a tenth of its speed. A wish: where the system does not grant it nothing changes.
-void wish_large_pages(const Kokkos::Profiling::SpaceHandle& space, const void* data, std::uint64_t size) {
-#if defined(MADV_HUGEPAGE)
-  constexpr std::uint64_t large = 2u << 20, small = 4096;
-  if (size < 2 * large || std::strcmp(space.name, Kokkos::HostSpace::name()) != 0) return;
-  const auto first = reinterpret_cast<std::uintptr_t>(data);
-  const std::uintptr_t begin = (first + small - 1) / small * small, end = (first + size) / small * small;
-  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#else
-  (void)space, (void)data, (void)size;
-#endif
-}
+/// What a field is large from on, bytes: a sweep walks through some twenty arrays at once, and pages of 4 KiB cost it a
+/// tenth of its speed or more.
+constexpr std::uint64_t large = 4u << 20;
 
+/// Kokkos calls it before anything is written there.
 void allocated(Kokkos::Profiling::SpaceHandle space, const char*, const void* data, std::uint64_t size) {
   bytes += static_cast<std::int64_t>(size);
-  wish_large_pages(space, data, size);
+  if (size >= large && std::strcmp(space.name, Kokkos::HostSpace::name()) == 0)
+    take_large_pages(const_cast<void*>(data), size);
 }
 
 void freed(Kokkos::Profiling::SpaceHandle, const char*, const void*, std::uint64_t size) {
