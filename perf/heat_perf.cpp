@@ -36,22 +36,6 @@ void conduct_all(benchmark::State& state, const Geometry* geometry, ScalarVeloci
     measure<T, D2Q9::Q>(state, s.count, bytes, step);
 }
 
-/// Q populations read and written, velocity and defect read, the lagged defect read and written, node, links.
-template <class T>
-void advect_fluid(benchmark::State& state, const Geometry* geometry, ScalarVelocitySet set) {
-  HeatSetting<T> s(*geometry, set);
-  const FluidNodes nodes = make_fluid_nodes(s.exec, s.lattice, s.type);
-  const VectorField<T> u("u", nodes.capacity);
-  const ScalarField<T> defect("defect", nodes.capacity), lagged("lagged", nodes.capacity);
-  Kokkos::deep_copy(u, T(1e-4));
-  const double bytes = (2 * directions_of(set) + 5) * sizeof(T) + sizeof(int) + 3 * sizeof(std::uint16_t);
-  const auto step = [&] { advect(s.exec, nodes, u, defect, lagged, s.fields, {}); };
-  if (set == ScalarVelocitySet::d2q5)
-    measure<T, D2Q5::Q>(state, nodes.count, bytes, step);
-  else
-    measure<T, D2Q9::Q>(state, nodes.count, bytes, step);
-}
-
 /// A whole step where fluid flows: what `conduct_all` moves, and the velocity, defect, its lag, row and links of the
 /// fluid.
 template <class T>
@@ -81,8 +65,6 @@ void step_of_rows(benchmark::State& state, const Geometry* geometry, ScalarVeloc
       add("heat/conduct_" + name + "/float/" + geometry.name, conduct_all<float>, &geometry, set);
       add("heat/step_" + name + "/double/" + geometry.name, step_of_rows<double>, &geometry, set);
       add("heat/step_" + name + "/float/" + geometry.name, step_of_rows<float>, &geometry, set);
-      add("heat/advect_" + name + "/double/" + geometry.name, advect_fluid<double>, &geometry, set);
-      add("heat/advect_" + name + "/float/" + geometry.name, advect_fluid<float>, &geometry, set);
     }
   return true;
 }();

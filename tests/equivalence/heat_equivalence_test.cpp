@@ -205,7 +205,8 @@ void expect_convection_node_by_node(int nx, int ny, int bands, double tolerance)
     conduct_and_advect(exec, nodes, fluid_rows(exec, nodes), {u, 2}, defect, lagged, rows, created, theta);
     join_heat_sides(exec, apart, 0);
     conduct(exec, apart);
-    advect(exec, nodes, {u, 2}, defect, lagged_apart, apart, created_apart);
+    add_per_block(exec, "node by node", nodes.count, advect_body<T, Set>(nodes, {u, 2}, defect, lagged_apart, apart),
+                  created_apart);
     exec.fence();
   }
   const auto expect_near = [&](const auto& a, const auto& b, int first, int last, const char* what) {

@@ -122,12 +122,7 @@ class HeatBox {
         conduct(exec, fields);
         continue;
       }
-      if (by_rows) {
-        conduct_and_advect(exec, nodes, rows, u, defect, lagged, fields, created);
-      } else {
-        conduct(exec, fields);
-        advect(exec, nodes, u, defect, lagged, fields, created);
-      }
+      conduct_and_advect(exec, nodes, rows, u, defect, lagged, fields, created);
       // of the velocity that the next step streams with
       if (directions() == D2Q5::Q)
         advective_defect<D2Q5>(exec, nodes, u, defect);
@@ -177,7 +172,6 @@ class HeatBox {
   ScalarField<T> defect, lagged;
   ScalarField<double> created;
   FluidRows rows;
-  bool by_rows = true;  ///< as a run does; or all conduct, then all convect
   std::vector<HeatSide> sides;
 
  private:

@@ -2,9 +2,9 @@
 // Conjugate heat on every node of the lattice, fluid and solid alike: D2Q5 or D2Q9, two relaxation times with Lambda =
 // 1/4.
 //
-// One step: fill the halo (heat_boundary.hpp), `conduct` on all nodes, then `advect` on the fluid nodes where there is
-// flow. Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the
-// fluid's volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
+// One step: fill the halo (heat_boundary.hpp), then `conduct`, or `conduct_and_advect` where there is flow.
+// Temperatures are deviations from a reference, so that float keeps its digits; energies are per unit of the fluid's
+// volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
 #include "kernels/launch/row_launch.hpp"
 #include "kernels/nodes/fluid_rows.hpp"
 #include "kernels/scalar/displacement.hpp"
@@ -143,23 +143,16 @@ T even_defect_weight(const HeatFields<T>& fields) {
   return fields.velocity_set == ScalarVelocitySet::d2q9 ? (2 - fields.rates.fluid) / fields.rates.fluid : T(1);
 }
 
-/// Adds to the populations of fluid nodes what the flow does, right after `conduct`. `u` is the displacement in this
-/// step, `defect` (fluid) the e of kernels/scalar/advective_form.hpp for that in the heat step before, its even part
-/// weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the start and at births,
-/// part of a checkpoint. `created` (block) grows by the energy that the advective form adds; give an empty View to
-/// leave it out.
-template <class T>
-void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
-            const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
-            const ScalarField<double>& created);
-
 /// lagged *= stretch: what lags behind a displacement in steps that take so many times as many lattice steps now.
 template <class T>
 void stretch_lagged(const Exec& exec, const Share& list, double stretch, const ScalarField<T>& lagged);
 
-/// `conduct` and `advect` in one go: on a host every part of a row is finished while it is in the nearest cache, since
-/// the fluid nodes of rock lie scattered. `created` has an entry per row at least, and one per block of nodes; `theta`
-/// as in `conduct`.
+/// `conduct`, and then what the flow adds to the populations of fluid nodes: on a host row by row, so that every part
+/// of one is finished while it is in the nearest cache, since the fluid nodes of rock lie scattered. `u` is the
+/// displacement in this step, `defect` (fluid) the e of kernels/scalar/advective_form.hpp for that in the heat step
+/// before, its even part weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
+/// start and at births, part of a checkpoint. `created` (an entry per row at least, and one per block of nodes) grows
+/// by the energy that the advective form adds; `theta` as in `conduct`.
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
                         const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,

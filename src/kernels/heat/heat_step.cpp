@@ -64,19 +64,6 @@ void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t
 }
 
 template <class T>
-void advect(const Exec& exec, const FluidNodes& nodes, const std::type_identity_t<Displacement<T>>& u,
-            const ScalarField<T>& defect, const ScalarField<T>& lagged, HeatFields<T>& fields,
-            const ScalarField<double>& created) {
-  visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const auto body = advect_body<T, decltype(set)>(nodes, u, defect, lagged, fields);
-    if (created.extent(0) > 0)
-      add_per_block(exec, "vug::heat::advect", nodes.count, body, created);
-    else
-      for_each_node(exec, "vug::heat::advect", nodes.count, body);
-  });
-}
-
-template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
                         const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,
                         const ScalarField<T>& lagged, HeatFields<T>& fields, const ScalarField<double>& created,
@@ -100,8 +87,6 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
 
 #define VUG_INSTANTIATE(T)                                                                                   \
   template void conduct(const Exec&, HeatFields<T>&, const ScalarField<T>&);                                 \
-  template void advect(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&,        \
-                       const ScalarField<T>&, HeatFields<T>&, const ScalarField<double>&);                   \
   template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const Displacement<T>&, \
                                    const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,             \
                                    const ScalarField<double>&, const ScalarField<T>&)
