@@ -7,12 +7,9 @@
 namespace vug::perf {
 namespace {
 
-/// What a sweep moves per node: 18 populations, the stored velocity, indices (in place by windows, and in every second
-/// step only); write-allocation not counted.
+/// What a sweep moves per node: 18 populations, the stored velocity, indices by windows in every second step.
 template <class T>
-constexpr double sweep_bytes(Streaming streaming) {
-  return 20 * sizeof(T) + (streaming == Streaming::in_place ? index_bytes(8) / 2 : 8 * sizeof(int));
-}
+constexpr double sweep_bytes = 20 * sizeof(T) + index_bytes(8) / 2;
 
 struct Case {
   const Geometry* geometry;
@@ -26,9 +23,9 @@ struct Setting {
   FluidNodes nodes;
   FlowFields<T> fields;
   FlowStep<T> step;
-  explicit Setting(const Case& c, Streaming streaming = Streaming::in_place) {
+  explicit Setting(const Case& c) {
     nodes = make_fluid_nodes(exec, c.lattice, node_types(*c.geometry, c.lattice));
-    fields = make_flow_fields<T>(exec, nodes, streaming);
+    fields = make_flow_fields<T>(exec, nodes);
     const ScalarField<T> density("density", nodes.capacity);
     Kokkos::deep_copy(exec, density, T(1e-3));
     Kokkos::deep_copy(exec, fields.u, T(1e-4));
@@ -38,23 +35,23 @@ struct Setting {
 };
 
 template <class T>
-void sweep(benchmark::State& state, const Case& c, Streaming streaming, Collision collision, bool limited) {
-  Setting<T> s(c, streaming);
+void sweep(benchmark::State& state, const Case& c, Collision collision, bool limited) {
+  Setting<T> s(c);
   s.step.collision = collision;
   s.step.rates = relaxation_rates(collision, 0.764);
   if (limited) {
     s.step.speed_limit = T(0.2);
     s.step.limited = ScalarField<double>("limited", block_count(s.nodes.count));
   }
-  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>(streaming),
+  measure<T, D2Q9::Q>(state, s.nodes.count, sweep_bytes<T>,
                       [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); });
 }
 
-/// Each in turn with the sweep written by hand over the same list (hand_written_flow.hpp).
+/// In turn with the sweep written by hand over the same list (hand_written_flow.hpp).
 template <class T>
 void in_place(benchmark::State& state, const Case& c) {
   Setting<T> s(c);
-  FlowFields<T> other = make_flow_fields<T>(s.exec, s.nodes, Streaming::in_place);
+  FlowFields<T> other = make_flow_fields<T>(s.exec, s.nodes);
   Kokkos::deep_copy(other.f, s.fields.f);
   const TwoRelaxationTimes<T> relax(s.step.rates);
   T* f = other.f.data();
@@ -69,25 +66,8 @@ void in_place(benchmark::State& state, const Case& c) {
     at_home = !at_home;
   };
   measure<T, D2Q9::Q>(
-      state, s.nodes.count, sweep_bytes<T>(Streaming::in_place),
-      [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); }, hand_written);
-}
-
-template <class T>
-void two_lattices(benchmark::State& state, const Case& c) {
-  Setting<T> s(c, Streaming::two_lattices);
-  FlowFields<T> other = make_flow_fields<T>(s.exec, s.nodes, Streaming::two_lattices);
-  Kokkos::deep_copy(other.f, s.fields.f);
-  const TwoRelaxationTimes<T> relax(s.step.rates);
-  const auto hand_written = [&] {
-    for_each_node(
-        s.exec, "vug::perf::two_lattices", s.nodes.count,
-        HandWrittenTwoLattices<T>{other.f.data(), other.f_next.data(), s.nodes.source.data(), s.nodes.capacity, relax});
-    std::swap(other.f, other.f_next);
-  };
-  measure<T, D2Q9::Q>(
-      state, s.nodes.count, sweep_bytes<T>(Streaming::two_lattices),
-      [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); }, hand_written);
+      state, s.nodes.count, sweep_bytes<T>, [&] { collide_and_stream(s.exec, s.nodes, s.fields, s.step); },
+      hand_written);
 }
 
 template <class T>
@@ -96,10 +76,9 @@ void add_precision(const std::string& precision) {
     const Case c{&geometry, timed_lattice()};
     const std::string suffix = "/" + precision + "/" + geometry.name;
     add("flow/in_place" + suffix, in_place<T>, c);
-    add("flow/two_lattices" + suffix, two_lattices<T>, c);
-    add("flow/in_place_limited" + suffix, sweep<T>, c, Streaming::in_place, Collision::trt, true);
-    add("flow/in_place_lallemand_luo" + suffix, sweep<T>, c, Streaming::in_place, Collision::lallemand_luo, false);
-    add("flow/in_place_regularised" + suffix, sweep<T>, c, Streaming::in_place, Collision::regularised, false);
+    add("flow/in_place_limited" + suffix, sweep<T>, c, Collision::trt, true);
+    add("flow/in_place_lallemand_luo" + suffix, sweep<T>, c, Collision::lallemand_luo, false);
+    add("flow/in_place_regularised" + suffix, sweep<T>, c, Collision::regularised, false);
   }
 }
 

@@ -1,26 +1,10 @@
 #pragma once
 // The flow sweep over the fluid list written by hand with raw pointers, without stored moments: what the layout itself
-// can do, as a yardstick for the kernel of the library. Two lattices, and in place (two kinds of steps in turn).
+// can do, as a yardstick for the kernel of the library.
 #include "kernels/flow/mrt.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug::perf {
-
-template <class T>
-struct HandWrittenTwoLattices {
-  const T* f;
-  T* g;
-  const int* source;
-  int capacity;
-  TwoRelaxationTimes<T> relax;
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(int i) const {
-    T v[9];
-    v[0] = f[i];
-    for (int q = 1; q < 9; ++q) v[q] = f[source[q * capacity + i]];
-    relax(v, macroscopic(v), NoForce<T>{});
-    for (int q = 0; q < 9; ++q) g[q * capacity + i] = v[q];
-  }
-};
 
 /// In place: one kind of step pulls from and pushes to the neighbours, the other stays on the node.
 template <class T, bool at_home>

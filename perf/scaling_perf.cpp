@@ -30,7 +30,7 @@ FluidNodes open_box(int n) {
 
 template <class T>
 Step flow_step(const FluidNodes& nodes) {
-  auto fields = std::make_shared<FlowFields<T>>(make_flow_fields<T>(Exec{}, nodes, Streaming::in_place));
+  auto fields = std::make_shared<FlowFields<T>>(make_flow_fields<T>(Exec{}, nodes));
   const ScalarField<T> density("density", nodes.capacity);
   Kokkos::deep_copy(density, T(1e-3));
   Kokkos::deep_copy(fields->u, T(1e-4));

@@ -44,7 +44,7 @@ class SpecimenPictures {
     if (due) next_ += *scene_.output.interval;
     if (!writer_) {
       writer_.emplace(directory_, fields_of_rock(scene_, rock),
-                      SnapshotOptions{scene_.output.fields, scene_.output.compress, false, {}},
+                      SnapshotOptions{scene_.output.fields, scene_.output.compress, {}},
                       shape_of_rock(specimen_, rock.bonds()));
     }
     writer_->write(rock.time(), rock.steps());
@@ -87,6 +87,15 @@ const char* name_of(LaboratoryTest test) {
   }
 }
 
+/// Columns of the curve and results of the record.
+const std::vector<std::string> energy_columns{"work_J_per_m",     "elastic_energy_J_per_m", "kinetic_energy_J_per_m",
+                                              "fracture_J_per_m", "friction_J_per_m",       "damping_J_per_m",
+                                              "missing_J_per_m"};
+
+std::vector<double> values_of(const Energies& e) {
+  return {e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance()};
+}
+
 /// One specimen of a loading test.
 struct LoadedSpecimen {
   PlatenResult result;
@@ -97,6 +106,7 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
                              HistoryWriter& curve, std::ostream* progress) {
   MechanicsParameters parameters = scene.mechanics->parameters;
   parameters.bond.seed += static_cast<std::uint64_t>(number);
+  parameters.energy_ledger = scene.laboratory->energies;
   SpecimenPictures pictures(scene, specimen, directory);
   const PlatenTest test = platen_test(scene);
   LoadedSpecimen loaded;
@@ -105,9 +115,17 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
       Exec(), specimen, parameters, test, [&](const Mechanics& rock, const PlatenResult& so_far, bool last) {
         const double strain = so_far.strain.back(), stress = so_far.stress.back();
         const BondCounts bonds = rock.bond_counts();
-        curve.write(std::vector<double>{strain, stress, static_cast<double>(parameters.bond.seed),
-                                        static_cast<double>(bonds.failed_in_tension),
-                                        static_cast<double>(bonds.failed_in_shear), so_far.confinement.back()});
+        std::vector<double> row{strain,
+                                stress,
+                                static_cast<double>(parameters.bond.seed),
+                                static_cast<double>(bonds.failed_in_tension),
+                                static_cast<double>(bonds.failed_in_shear),
+                                so_far.confinement.back()};
+        if (parameters.energy_ledger) {
+          const std::vector<double> energies = values_of(rock.energies(Exec()));
+          row.insert(row.end(), energies.begin(), energies.end());
+        }
+        curve.write(row);
         if (number == 0) pictures.look(rock, last);
         if (last) loaded.along_load = share_along_load(rock.bonds());
         if (progress && (last || strain >= next_line)) {
@@ -126,8 +144,10 @@ std::string line(const char* what, const Spread& s, double unit, const char* nam
 
 std::string load_all(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
                      const std::string& directory, Results& results) {
-  HistoryWriter curve(directory + "/stress_strain.csv", {"strain_1", "stress_Pa", "seed_1", "failed_in_tension_1",
-                                                         "failed_in_shear_1", "confinement_Pa"});
+  std::vector<std::string> columns{"strain_1",          "stress_Pa",     "seed_1", "failed_in_tension_1",
+                                   "failed_in_shear_1", "confinement_Pa"};
+  if (scene.laboratory->energies) columns.insert(columns.end(), energy_columns.begin(), energy_columns.end());
+  HistoryWriter curve(directory + "/stress_strain.csv", columns);
   std::vector<LoadedSpecimen> specimens;
   for (int s = 0; s < options.seeds; ++s)
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
@@ -163,6 +183,15 @@ std::string load_all(const Scene& scene, const LaboratoryOptions& options, const
   results.insert(results.end(), {{"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
                                  {"failed_in_shear_1", static_cast<double>(end.failed_in_shear)},
                                  {"failed_along_load_1", first.along_load}});
+  if (scene.laboratory->energies) {
+    const Energies& e = first.result.energies;
+    const std::vector<double> energies = values_of(e);
+    for (std::size_t i = 0; i < energies.size(); ++i) results.emplace_back(energy_columns[i], energies[i]);
+    text += fmt::format(
+        "energy at the end     {:.4g} J/m at the start and {:.4g} of work are {:.4g} elastic, {:.4g} kinetic, {:.4g} "
+        "fracture, {:.4g} friction, {:.4g} damping; {:.2g} missing\n",
+        e.initial, e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance());
+  }
   return text;
 }
 

@@ -73,6 +73,7 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
           unit::none, range::positive_to(1));
   read_if(!thermal || test == Test::heating, table, "sample_strain", "is of a test with a curve of stress and strain",
           laboratory.sample_strain, unit::none, range::positive_to(0.1));
+  read_if(!thermal, table, "energies", "is of a test between moving platens", laboratory.energies);
   read_if(quenched, table, "samples", "is only for test = \"quench\"", laboratory.samples, range::between(10, 1e6));
   return laboratory;
 }

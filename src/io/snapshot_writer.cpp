@@ -9,8 +9,7 @@ namespace vug {
 SnapshotWriter::SnapshotWriter(const std::string& directory, const Lattice& lattice, double spacing, FieldList fields,
                                const SnapshotOptions& options, std::optional<RockShape> rock) {
   require_fields(fields, options.fields);
-  const auto type = options.double_precision ? detail::StoredAs::float64 : detail::StoredAs::float32;
-  const detail::FieldLayout layout{{}, type, options.compress};
+  const detail::FieldLayout layout{{}, options.compress};
   lattice_ = std::make_unique<detail::LatticeSnapshots>(directory, lattice, spacing,
                                                         detail::selected(fields.lattice, options.fields), layout);
   if (rock)
@@ -27,8 +26,7 @@ SnapshotWriter::SnapshotWriter(const std::string& directory, const Lattice& latt
 SnapshotWriter::SnapshotWriter(const std::string& directory, FieldList fields, const SnapshotOptions& options,
                                RockShape rock) {
   require_fields(fields, options.fields);
-  const auto type = options.double_precision ? detail::StoredAs::float64 : detail::StoredAs::float32;
-  const detail::FieldLayout layout{{}, type, options.compress};
+  const detail::FieldLayout layout{{}, options.compress};
   rock_ = std::make_unique<detail::RockSnapshots>(directory, fields, options.fields, layout, std::move(rock));
   rock_->create();
 }

@@ -33,7 +33,6 @@ struct RockShape {
 struct SnapshotOptions {
   std::vector<std::string> fields;  ///< names to write; empty: all
   bool compress = true;
-  bool double_precision = false;  ///< store as double instead of float
   /// Continue the files of a run: snapshots after this step are dropped, the next ones appended.
   std::optional<std::int64_t> resume_step;
 };

@@ -136,8 +136,14 @@ struct ReactiveBox {
     }
   }
 
-  double acid_total() const { return total_solute<Set>(exec, nodes, acid); }
-  double product_total() const { return total_solute<Set>(exec, nodes, product); }
+  double total(const SoluteFields<T>& species) const {
+    const ScalarField<double> sums("sums", block_count(nodes.count));
+    add_solute<Set>(exec, nodes, species, sums);
+    exec.fence();
+    return sum_in_order(sums);
+  }
+  double acid_total() const { return total(acid); }
+  double product_total() const { return total(product); }
   double solid_total() const { return sum_in_order(V); }
   double gained() const {
     long double sum = gained_before;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 namespace vug {
 namespace {
@@ -48,6 +49,35 @@ TEST(Laboratory, FindsTheCohesionOfAStrength) {
       VUG_PYTHON " -c \"import json; r = json.load(open('" + (folder / "out") +
       "/run.json'))['results']; print(abs(r['strength_Pa'] / 70e6 - 1) < 0.01, 30e6 < r['cohesion_Pa'] < 70e6)\"");
   EXPECT_EQ(check.output, "True True\n");
+}
+
+/// What the platens have done by the curve itself: stress over the strain of what lies between them, its height being
+/// that of the specimen less the centroids' distance from its ends.
+constexpr const char* compare_energies = R"(
+import csv, sys
+rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(open(sys.argv[1]))]
+width, height = 0.012, 0.024
+strain, stress = [0] + [r['strain_1'] for r in rows], [0] + [r['stress_Pa'] for r in rows]
+area = sum((b - a) * (s + t) / 2 for a, b, s, t in zip(strain, strain[1:], stress, stress[1:]))
+end, kinds = rows[-1], ('elastic_energy', 'kinetic_energy', 'fracture', 'friction', 'damping')
+held = end['work_J_per_m'] / (width * area)
+stored = max(r['elastic_energy_J_per_m'] / r['work_J_per_m'] for r in rows[5:])
+print(0.92 * height < held < height, abs(end['missing_J_per_m']) < 1e-3 * end['work_J_per_m'],
+      0.9 < stored < 1, end['fracture_J_per_m'] > 0.1 * end['work_J_per_m'], all(end[k + '_J_per_m'] >= 0 for k in kinds))
+)";
+
+TEST(Laboratory, KeepsAccountOfThePlatensWork) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_vug("lab " VUG_SOURCE_DIR
+                                  "/cases/laboratory/tension.toml --quiet --set laboratory.energies=true"
+                                  " --set laboratory.size=[0.012,0.024] -o " +
+                                  (folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr(" missing\n"));
+  std::ofstream(folder / "compare.py") << compare_energies;
+  EXPECT_EQ(
+      run_command(VUG_PYTHON " " + (folder / "compare.py") + " " + (folder / "out") + "/stress_strain.csv").output,
+      "True True True True True\n");
 }
 
 TEST(Laboratory, IsToldFromARunAndDivergesWithThree) {

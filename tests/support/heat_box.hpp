@@ -49,11 +49,13 @@ class HeatBox {
       : lattice(nx, ny), periodic_(periodic), type("type", lattice.size()) {
     set_type(is_solid);
     fields = make_heat_fields<T>(exec, lattice, parameters, type, periodic, 0.0);
-    const ScalarField<T> start("start", lattice.size());
-    const auto host = Kokkos::create_mirror_view(start);
-    for_all([&](int x, int y) { host(lattice.node(x, y)) = static_cast<T>(theta(x, y)); });
-    Kokkos::deep_copy(start, host);
-    start_heat(exec, start, fields);
+    edit(fields.g, [&](const auto& g) {
+      for_all([&](int x, int y) {
+        for (int q = 0; q < directions(); ++q)
+          g(q * lattice.size() + lattice.node(x, y)) =
+              T(directions() == D2Q5::Q ? D2Q5::w(q) : D2Q9::w(q)) * static_cast<T>(theta(x, y));
+      });
+    });
   }
 
   void set_type(const IsSolid& is_solid) {
@@ -97,7 +99,7 @@ class HeatBox {
       host(i, 1) = static_cast<T>(v[1]);
     }
     Kokkos::deep_copy(u, host);
-    created = ScalarField<double>("created", std::max((lattice.nx * lattice.ny) / 512 + 1, lattice.ny));
+    created = ScalarField<double>("created", lattice.ny);
     rows = fluid_rows(exec, nodes);
   }
 

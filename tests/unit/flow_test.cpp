@@ -242,51 +242,5 @@ TEST(FlowGuard, NamesTheFirstBadNodeAndTheExtremes) {
   EXPECT_EQ(flow_extremes(flow.exec, flow.nodes, flow.fields, 0.4, 1).bad, 11);
 }
 
-TEST(Streaming, InPlaceIsTwoLatticesAfterAnyNumberOfSteps) {
-  const Lattice lattice(7, 6);
-  const auto type = draw(lattice, {"..#....", ".......", "#..##..", "...#...", ".......", "..#...."});
-  const auto state = [](int x, int y) { return Macroscopic<double>{0.01 * x, 0.01 * y, -0.02 * x}; };
-  Flow<double> in_place(lattice, type, {true, false}), two(lattice, type, {true, false});
-  two.fields = make_flow_fields<double>(two.exec, two.nodes, Streaming::two_lattices);
-  in_place.set(state);
-  two.set(state);
-  const BoundaryLinks top = in_place.side(Side::top), bottom = in_place.side(Side::bottom);
-  const IndexList top_mirror = in_place.mirror(top);
-  for (int t = 0; t < 7; ++t) {
-    for (Flow<double>* flow : {&in_place, &two}) {
-      dress_pressure(flow->exec, flow->nodes, top, top_mirror, 0.01, flow->fields, flow->gain);
-      dress_velocity(flow->exec, flow->nodes, bottom, {0.01, 0.02}, flow->fields, flow->gain);
-      flow->sweep();
-    }
-    EXPECT_NEAR(in_place.mass(), two.mass(), 1e-14);
-    EXPECT_EQ(sum_in_order(in_place.gain), sum_in_order(two.gain));
-    const auto density = host_copy(densities(in_place.exec, in_place.nodes, in_place.fields));
-    const auto expected = host_copy(densities(two.exec, two.nodes, two.fields));
-    for (int i = 0; i < two.nodes.count; ++i) EXPECT_NEAR(density(i), expected(i), 1e-15) << "step " << t;
-  }
-  ASSERT_EQ(in_place.fields.turned, 1);
-  for (int i = 0; i < two.nodes.count; ++i)
-    for (int q = 0; q < 9; ++q) EXPECT_NEAR(populations(in_place, i)[q], populations(two, i)[q], 1e-16);
-}
-
-TEST(Births, InTheMiddleOfTwoStepsInPlaceAreThoseOfTwoLattices) {
-  const Lattice lattice(6, 5);
-  const auto before = draw(lattice, {"......", ".##...", ".##...", "......", "...#.."});
-  const auto after = draw(lattice, {"......", "......", ".#....", "......", "......"});
-  Flow<double> in_place(lattice, before, {true, true}), two(lattice, before, {true, true});
-  two.fields = make_flow_fields<double>(two.exec, two.nodes, Streaming::two_lattices);
-  for (Flow<double>* flow : {&in_place, &two}) {
-    flow->set([](int x, int y) { return Macroscopic<double>{0.01 * x, 0.01 * y, -0.02 * x}; });
-    for (int t = 0; t < 3; ++t) flow->sweep();
-    const int old = flow->nodes.count;
-    ASSERT_GT(append_births(flow->exec, after, flow->nodes), 0);
-    fit_to_capacity(flow->exec, flow->nodes, old, flow->fields);
-    initialise_births(flow->exec, flow->nodes, old, flow->nodes.count, flow->fields);
-    for (int t = 0; t < 3; ++t) flow->sweep();
-  }
-  for (int i = 0; i < two.nodes.count; ++i)
-    for (int q = 0; q < 9; ++q) EXPECT_NEAR(populations(in_place, i)[q], populations(two, i)[q], 1e-16);
-}
-
 }  // namespace
 }  // namespace vug

@@ -1,6 +1,6 @@
 """Reads a folder of snapshots as a user would and checks every number and every reference.
 
-Usage: read_snapshots.py [--double] FOLDER STEP...   (fails with an assertion)
+Usage: read_snapshots.py [--uncompressed] FOLDER STEP...   (fails with an assertion)
 """
 import os
 import sys
@@ -12,14 +12,15 @@ import numpy as np
 NX, NY, SPACING = 7, 5, 1e-3
 
 
-def check_lattice(folder, steps, dtype):
+def check_lattice(folder, steps, compressed):
     with h5py.File(os.path.join(folder, "fields.h5"), "r") as file:
         assert sorted(file) == [f"step_{s:012d}" for s in steps], list(file)
         for step in steps:
             group = file[f"step_{step:012d}"]
             pressure = group["pressure"]
-            assert pressure.shape == (NY, NX) and pressure.dtype == dtype
-            assert np.array_equal(pressure[:], (1e5 + np.arange(NX * NY)).reshape(NY, NX).astype(dtype))
+            assert pressure.shape == (NY, NX) and pressure.dtype == np.float32
+            assert (pressure.compression is not None) == compressed
+            assert np.array_equal(pressure[:], 1e5 + np.arange(NX * NY).reshape(NY, NX))
             velocity = group["velocity"][:]
             assert velocity.shape == (NY, NX, 3)
             assert np.array_equal(velocity[..., :2], 0.5 * np.arange(2 * NX * NY).reshape(NY, NX, 2))
@@ -30,7 +31,7 @@ def check_lattice(folder, steps, dtype):
             assert attributes["dx"] == SPACING and list(attributes["origin"]) == [0, 0]
 
 
-def check_particles(folder, steps, dtype):
+def check_particles(folder, steps):
     with h5py.File(os.path.join(folder, "particles.h5"), "r") as file:
         assert np.array_equal(file["rock/triangles"], [[0, 1, 2], [3, 4, 5]])
         assert np.array_equal(file["rock/triangle_vertex_numbers"], [[0, 1, 2], [0, 2, 3]])
@@ -41,7 +42,7 @@ def check_particles(folder, steps, dtype):
             # a quarter turn about the centroids (2, 1) and (1, 2), then 0.25 to the right
             expected = [[3.25, -1], [3.25, 2], [0.25, 2], [3.25, 1], [0.25, 4], [0.25, 1]]
             vertices = group["triangles/vertices"]
-            assert vertices.dtype == dtype
+            assert vertices.dtype == np.float32
             assert np.allclose(vertices[:, :2], expected, atol=1e-6)
             # the bond joins vertices 0 and 2: midway between where the two triangles took them
             assert np.allclose(group["bonds/vertices"][:, :2], [[3.25, 0], [0.25, 3]], atol=1e-6)
@@ -75,12 +76,10 @@ def check_xdmf(folder, stem, steps):
 
 
 def main():
-    arguments = sys.argv[1:]
-    dtype = np.float64 if "--double" in arguments else np.float32
-    arguments = [a for a in arguments if a != "--double"]
+    arguments = [a for a in sys.argv[1:] if a != "--uncompressed"]
     folder, steps = arguments[0], [int(s) for s in arguments[1:]]
-    check_lattice(folder, steps, dtype)
-    check_particles(folder, steps, dtype)
+    check_lattice(folder, steps, compressed="--uncompressed" not in sys.argv)
+    check_particles(folder, steps)
     for stem in ("fields", "particles"):
         check_xdmf(folder, stem, steps)
 

@@ -50,13 +50,12 @@ TEST(SnapshotWriter, WritesWhatH5pyReadsAndXdmfNames) {
   EXPECT_EQ(python("read_snapshots.py " + folder.path() + " 0 10 20"), 0);
 }
 
-TEST(SnapshotWriter, StoresDoublesUncompressedWhenAsked) {
+TEST(SnapshotWriter, StoresUncompressedWhenAsked) {
   const test::TemporaryFolder folder;
   SnapshotOptions options;
   options.compress = false;
-  options.double_precision = true;
   SnapshotWriter(folder.path(), Lattice(nx, ny), spacing, numbered_fields(), options, two_triangles()).write(0, 0);
-  EXPECT_EQ(python("read_snapshots.py --double " + folder.path() + " 0"), 0);
+  EXPECT_EQ(python("read_snapshots.py --uncompressed " + folder.path() + " 0"), 0);
 }
 
 TEST(SnapshotWriter, ContinuesAfterTheCheckpointWithoutLaterSnapshots) {

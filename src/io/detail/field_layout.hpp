@@ -18,11 +18,11 @@ void read_along(const Field& field, const std::vector<std::size_t>& items);
 /// Shape of the items and how numbers are stored. Vectors of the plane get a third component, zero, which viewers need.
 struct FieldLayout {
   std::vector<std::size_t> items;
-  StoredAs type = StoredAs::float32;
   bool compress = true;
+  static constexpr StoredAs type = StoredAs::float32;
+  static constexpr int bytes = 4;  ///< of a number
 
   void write(Hdf5File& file, const std::string& name, const Field& field, std::vector<Attribute> attributes) const;
-  int bytes() const { return type == StoredAs::float64 ? 8 : 4; }
 };
 
 /// Those of `fields` that `names` has; all when it is empty.

@@ -105,8 +105,7 @@ void write_attribute(hid_t object, const Attribute& attribute, const std::string
 }
 
 hid_t file_type(StoredAs type) {
-  if (type == StoredAs::float32) return H5T_IEEE_F32LE;
-  return type == StoredAs::float64 ? H5T_IEEE_F64LE : H5T_STD_I32LE;
+  return type == StoredAs::float32 ? H5T_IEEE_F32LE : H5T_STD_I32LE;
 }
 
 // Chunks of at most 64 k values: whole small arrays, tiles of large ones.

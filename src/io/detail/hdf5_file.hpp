@@ -21,7 +21,7 @@ struct Attribute {
   std::variant<std::string, std::int64_t, double, std::vector<double>> value;
 };
 
-enum class StoredAs { float32, float64, int32 };
+enum class StoredAs { float32, int32 };
 
 /// visit(first row, rows) of the pieces of an array of this shape that are written at once, in order: as many rows as
 /// its chunks have, each of which is compressed once.

@@ -109,7 +109,7 @@ void RockSnapshots::write_vertices(Hdf5File& file, const std::string& name, cons
 
 std::string RockSnapshots::part(const Hdf5File& file, const std::string& name, const std::string& items,
                                 const std::string& topology, std::size_t count, std::size_t corners) const {
-  const int bytes = layout_.bytes();
+  const int bytes = layout_.bytes;
   const XdmfArray connectivity{series_.file_name("rock") + ":/" + items, {count, corners}, true, 4};
   const XdmfArray vertices{fmt::format("{}:/{}/vertices", name, items), {corners * count, 3}, false, bytes};
   return fmt::format(

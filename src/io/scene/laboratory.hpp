@@ -27,6 +27,7 @@ struct LaboratorySection {
   double largest_strain = 0.02;  ///< where a loading test ends at the latest
   double sample_strain = 1e-5;   ///< between two points of its curve
   int samples = 200;             ///< temperatures of a quench
+  bool energies = false;         ///< keep account of where the platens' work goes
 };
 
 /// Of the moving platen, m/s; when it is not given, so slow that strengths are within 4 % of those at a quarter of it.

@@ -34,12 +34,11 @@ struct SpeedLimiter {
 
 /// The sweep: populations after streaming, f_q(x, t+1) = f*_q(x - c_q, t) or bounced back, then collided.
 /// Conserves sum rho' to rounding; adds the body force to the momentum. Moves per node 2 x 9 populations, the velocity
-/// and 8 indices (4 on average in place): 176 bytes in double and 96 in float in place, 192 and 112 with two lattices,
-/// without the write-allocate of what it stores.
+/// and 8 indices in every second step: 176 bytes in double and 96 in float. Every slot that it reads it writes, so that
+/// nothing comes on top for lines that are only stored.
 template <class T, class Slots, class Relaxation, class Force, class Limiter>
 struct CollideAndStream {
-  Kokkos::View<const T*> f;
-  ScalarField<T> f_next;
+  ScalarField<T> f;
   VectorField<T> u;
   Slots slots;
   Relaxation relax;
@@ -78,8 +77,8 @@ struct CollideAndStream {
     T g[9];
     pull(i, g);
     const int limited = collide(i, g);
-    f_next(i) = g[0];
-    for (int q = 1; q < D2Q9::Q; ++q) f_next(slots.leaving(q, i)) = g[q];
+    f(i) = g[0];
+    for (int q = 1; q < D2Q9::Q; ++q) f(slots.leaving(q, i)) = g[q];
     return limited;
   }
 };
@@ -113,7 +112,7 @@ struct SweepBlock {
       else
         local.collide(i, g, m);
       if (NodePacks::runs_overlap && i + 2 * pack_size <= last) nodes.pull(local.f.data(), i + pack_size, next);
-      nodes.push(local.f_next.data(), i, g);
+      nodes.push(local.f.data(), i, g);
     }
     for (; i < last; ++i) uses += local(i);
     if constexpr (Node::limits) limited(first / nodes_per_block) += uses;
@@ -178,24 +177,19 @@ struct Sweep {
 
   template <class Relaxation, class Force>
   void stream(const Relaxation& relax, const Force& force) const {
-    if (fields.f_next.extent(0) > 0) {
-      limit(TwoLattices<D2Q9>{nodes.source, nodes.capacity}, fields.f_next, relax, force);
-      std::swap(fields.f, fields.f_next);
-    } else if (fields.turned) {
-      limit(InPlaceFromTurned<D2Q9>{nodes.capacity}, fields.f, relax, force);
-      fields.turned = 0;
-    } else {
-      limit(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity}, fields.f, relax, force);
-      fields.turned = 1;
-    }
+    if (fields.turned)
+      limit(InPlaceFromTurned<D2Q9>{nodes.capacity}, relax, force);
+    else
+      limit(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity}, relax, force);
+    fields.turned = 1 - fields.turned;
   }
 
   template <class Slots, class Relaxation, class Force>
-  void limit(const Slots& slots, const ScalarField<T>& target, const Relaxation& relax, const Force& force) const {
+  void limit(const Slots& slots, const Relaxation& relax, const Force& force) const {
     const char* label = "vug::flow::collide_and_stream";
     const auto body = [&](auto limiter) {
-      return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{fields.f, target, fields.u, slots,
-                                                                              relax,    force,  limiter};
+      return CollideAndStream<T, Slots, Relaxation, Force, decltype(limiter)>{fields.f, fields.u, slots,
+                                                                              relax,    force,    limiter};
     };
     const bool limits = step.speed_limit > T(0);
     assert(!limits || static_cast<int>(step.limited.extent(0)) >= block_count(nodes.count));

@@ -14,10 +14,9 @@ namespace vug {
 /// Populations and velocity of the fluid nodes, lattice units, as deviations from rest at the reference pressure.
 template <class T>
 struct FlowFields {
-  ScalarField<T> f;       ///< (q * capacity + fluid) after collision
-  ScalarField<T> f_next;  ///< (q * capacity + fluid) of the sweep with two lattices, exchanged with f; else empty
-  int turned = 0;         ///< 1 after an odd number of steps in place (see settle); belongs to f in a checkpoint
-  VectorField<T> u;       ///< (fluid, axis) velocity, with half the body force
+  ScalarField<T> f;  ///< (q * capacity + fluid) after collision
+  int turned = 0;    ///< 1 after an odd number of steps in place (see settle); belongs to f in a checkpoint
+  VectorField<T> u;  ///< (fluid, axis) velocity, with half the body force
 };
 
 /// rho' = 3 p' of a node: the sum of what it sent out in the last sweep, until something is dressed.
@@ -55,15 +54,9 @@ struct FlowStep {
   ScalarField<double> limited;  ///< (block) uses of the limiter are added to it; needed with a speed limit
 };
 
-/// How a sweep gets by without overwriting what it still has to read.
-enum class Streaming {
-  in_place,     ///< steps of two kinds in turn (after Bailey et al. 2009): half the memory, a third less traffic
-  two_lattices  ///< reads f, writes f_next
-};
-
 /// Fields for `nodes` at rest at the reference pressure.
 template <class T>
-FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Streaming streaming = Streaming::in_place);
+FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes);
 
 /// Brings every population home to slot q * capacity + i of its node, links to nodes from `count` on left as they are.
 template <class T>

@@ -19,13 +19,11 @@ struct SetRest {
 };
 
 template <class T>
-FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes, Streaming streaming) {
+FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes) {
   const auto populations = static_cast<std::size_t>(D2Q9::Q) * nodes.capacity;
   const bool in_parts = !nodes.share().whole();
   FlowFields<T> fields;
   fields.f = zeros<ScalarField<T>>(exec, "vug::flow::f", populations, in_parts);
-  if (streaming == Streaming::two_lattices)
-    fields.f_next = zeros<ScalarField<T>>(exec, "vug::flow::f_next", populations, in_parts);
   fields.u = zeros<VectorField<T>>(exec, "vug::flow::u", nodes.capacity, in_parts);
   if (in_parts) for_each_node(exec, "vug::flow::rest", nodes.share(), SetRest<T>{fields.f, fields.u, nodes.capacity});
   return fields;
@@ -36,7 +34,6 @@ void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowF
   const int old = static_cast<int>(fields.u.extent(0));
   if (old == nodes.capacity) return;
   fields.f = restride(exec, fields.f, D2Q9::Q, count, old, nodes.capacity);
-  if (fields.f_next.extent(0) > 0) Kokkos::resize(exec, fields.f_next, fields.f.extent(0));
   Kokkos::resize(exec, fields.u, nodes.capacity);
 }
 
@@ -119,7 +116,7 @@ void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fi
 }
 
 #define VUG_INSTANTIATE(T)                                                                              \
-  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&, Streaming);                   \
+  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&);                              \
   template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                            \
   template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);                   \
   template void set_equilibrium(const Exec&, const FluidNodes&, const ScalarField<T>&, FlowFields<T>&); \

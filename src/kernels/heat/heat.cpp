@@ -158,39 +158,27 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
 }
 
 /// Populations at rest, g_q = w_q theta, of the nodes from `first` on.
-template <class T, class Set, class Theta>
+template <class T, class Set>
 struct StartHeat {
   int first, plane;
-  Theta theta;
+  T theta;
   ScalarField<T> g;
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int node = first + item;
-    for (int q = 0; q < Set::Q; ++q) g(q * plane + node) = T(Set::w(q)) * theta(node);
+    for (int q = 0; q < Set::Q; ++q) g(q * plane + first + item) = T(Set::w(q)) * theta;
   }
 };
 
-template <class T>
-struct UniformTemperature {
-  T theta;
-  KOKKOS_FUNCTION T operator()(int) const { return theta; }
-};
-
 /// Over the nodes of our rows and the halo beside them.
-template <class T, class Theta>
-void start_rows(const Exec& exec, const Theta& theta, HeatFields<T>& fields) {
+template <class T>
+void start_heat(const Exec& exec, T theta, HeatFields<T>& fields) {
   const Lattice& lattice = fields.lattice;
   const int last_row = fields.first_row + fields.rows;
   const int first = fields.first_row == 0 ? 0 : lattice.node(-1, fields.first_row);
   const int last = last_row == lattice.ny ? lattice.size() : lattice.node(lattice.nx, last_row - 1) + 1;
   visit_velocity_set(fields.velocity_set, [&](auto set) {
     for_each_node(exec, "vug::heat::start", last - first,
-                  StartHeat<T, decltype(set), Theta>{first, lattice.size(), theta, fields.g});
+                  StartHeat<T, decltype(set)>{first, lattice.size(), theta, fields.g});
   });
-}
-
-template <class T>
-void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields) {
-  start_rows(exec, Kokkos::View<const T*>(theta), fields);
 }
 
 template <class T>
@@ -246,7 +234,7 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   fields.solid = Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::solid"), size);
   if (!parameters.minerals.empty()) fields.matter = make_matter(exec, parameters, size, mineral);
   set_heat_geometry(exec, type, periodic, fields);
-  if (fields.rows > 0) start_rows(exec, UniformTemperature<T>{static_cast<T>(theta)}, fields);
+  if (fields.rows > 0) start_heat(exec, static_cast<T>(theta), fields);
   return fields;
 }
 
@@ -257,7 +245,6 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                    \
                                              const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool,     \
                                              const Kokkos::View<const std::uint8_t*>&, const std::optional<Rows>&); \
-  template void start_heat(const Exec&, const ScalarField<T>&, HeatFields<T>&);                                     \
   template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                        \
   template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                          \
   template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                   \

@@ -107,10 +107,6 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
 template <class T>
 void set_heat_rates(const HeatParameters& parameters, double stretch, HeatFields<T>& fields);
 
-/// Sets populations at rest from the temperatures theta (node).
-template <class T>
-void start_heat(const Exec& exec, const ScalarField<T>& theta, HeatFields<T>& fields);
-
 /// theta (node) = temperature of every node of our rows, 0 in openings.
 template <class T>
 void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta);
@@ -151,7 +147,7 @@ void stretch_lagged(const Exec& exec, const Share& list, double stretch, const S
 /// of one is finished while it is in the nearest cache, since the fluid nodes of rock lie scattered. `u` is the
 /// displacement in this step, `defect` (fluid) the e of kernels/scalar/advective_form.hpp for that in the heat step
 /// before, its even part weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
-/// start and at births, part of a checkpoint. `created` (an entry per row at least, and one per block of nodes) grows
+/// start and at births, part of a checkpoint. `created` (row) grows
 /// by the energy that the advective form adds; `theta` as in `conduct`.
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,

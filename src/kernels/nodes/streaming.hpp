@@ -2,9 +2,10 @@
 // Where a sweep finds the population that arrives in direction q at fluid node i, and where it leaves the one that goes
 // out in direction q. Every slot is read and written by one node only, which reads all of its slots before it writes.
 //
-// In place a population at home lies in slot q * capacity + i of the node it leaves; after an odd number of steps one
-// that is about to move to a fluid neighbour is exchanged with the one that moves the other way (*turned*), while one
-// that leaves the fluid is at home always: what dresses walls and openings need not know.
+// Steps of two kinds in turn work in place (after Bailey et al. 2009): a population at home lies in slot q * capacity +
+// i of the node it leaves; after an odd number of steps one that is about to move to a fluid neighbour is exchanged
+// with the one that moves the other way (*turned*), while one that leaves the fluid is at home always: what dresses
+// walls and openings need not know.
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
@@ -12,14 +13,6 @@
 #include <string>
 
 namespace vug {
-
-template <class Set>
-struct TwoLattices {
-  Kokkos::View<const int*> source;
-  int capacity;
-  KOKKOS_FORCEINLINE_FUNCTION int arriving(int q, int i) const { return source(q * capacity + i); }
-  KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
-};
 
 /// In place, populations at home: takes them from the neighbours and leaves its own in the slots it emptied.
 template <class Set>
@@ -55,15 +48,6 @@ struct PacksFromTurned {
   }
 };
 
-/// The same from one lattice to the other: pulls as from home, pushes as from turned.
-template <class T, class Set>
-struct PacksOfTwoLattices : SourcePacks<T, Set> {
-  static constexpr bool runs_overlap = false;
-  KOKKOS_FORCEINLINE_FUNCTION void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
-    PacksFromTurned<T, Set>{this->capacity}.push(f, i, g);
-  }
-};
-
 template <class T, class Set>
 SourcePacks<T, Set> packs_of(const InPlaceFromHome<Set>& slots, const FluidNodes& nodes) {
   return {nodes.windows.data(), slots.source.data(), slots.capacity};
@@ -71,10 +55,6 @@ SourcePacks<T, Set> packs_of(const InPlaceFromHome<Set>& slots, const FluidNodes
 template <class T, class Set>
 PacksFromTurned<T, Set> packs_of(const InPlaceFromTurned<Set>& slots, const FluidNodes&) {
   return {slots.capacity};
-}
-template <class T, class Set>
-PacksOfTwoLattices<T, Set> packs_of(const TwoLattices<Set>& slots, const FluidNodes& nodes) {
-  return {{nodes.windows.data(), slots.source.data(), slots.capacity}};
 }
 
 /// Sum of the slots of node i in double: what it holds, or, turned, what is about to arrive there.

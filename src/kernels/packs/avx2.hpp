@@ -28,12 +28,6 @@ inline constexpr auto ranks_in_lanes = [] {
   return ranks;
 }();
 
-/// Numbers `width` bits wide, the first eight of `order`.
-inline __m256i fields_of(std::uint32_t order, int width) {
-  const __m256i lane = _mm256_setr_epi32(0, width, 2 * width, 3 * width, 4 * width, 5 * width, 6 * width, 7 * width);
-  return _mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(order)), lane);
-}
-
 }  // namespace detail
 
 template <>
@@ -54,14 +48,6 @@ struct PackOf<float> : PortablePack<float, 32> {
     const __m256i rank = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(detail::ranks_in_lanes[lanes])));
     const __m256 spread = _mm256_permutevar8x32_ps(load(p, first(lanes)), rank);
     return _mm256_and_ps(spread, _mm256_castsi256_ps(detail::mask_of_eight(lanes)));
-  }
-  static Pack pick(std::uint32_t order, const Pack& a, const Pack& b) {
-    const __m256i number = detail::fields_of(order, 4);
-    const __m256 of_b = _mm256_castsi256_ps(_mm256_slli_epi32(number, 28));  // bit 3 as the sign
-    return _mm256_blendv_ps(_mm256_permutevar8x32_ps(a, number), _mm256_permutevar8x32_ps(b, number), of_b);
-  }
-  static Pack pick(std::uint32_t order, const Pack& a) {
-    return _mm256_permutevar8x32_ps(a, detail::fields_of(order, 3));
   }
 };
 

@@ -10,14 +10,6 @@ void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>
   add_per_block(exec, "vug::solute_totals::sum", nodes.share(), SumOfSlots<T, Set>{s.h, nodes.capacity}, total);
 }
 
-template <class Set, class T>
-double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s) {
-  const ScalarField<double> total("vug::solute_totals::total", block_count(nodes.count));
-  add_solute<Set>(exec, nodes, s, total);
-  exec.fence();
-  return sum_in_order(total);
-}
-
 template <class T>
 struct ChangeOfNode {
   Kokkos::View<const T*> C;
@@ -72,8 +64,6 @@ FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Shar
                                     const ScalarField<double>&);                                  \
   template void add_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,       \
                                     const ScalarField<double>&);                                  \
-  template double total_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&);  \
-  template double total_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&);  \
   template FieldRange field_range<T>(const Exec&, const ScalarField<T>&, const Share&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

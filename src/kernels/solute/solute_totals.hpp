@@ -4,11 +4,8 @@
 
 namespace vug {
 
-/// Solute in the fluid: the sum of all populations, in double and in a fixed order. Right at any moment of a step.
-template <class Set, class T>
-double total_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s);
-
-/// total(block) += the sum of its nodes, of our share.
+/// total(block) += the solute in its nodes, of our share: the sum of all populations, in double and in a fixed order.
+/// Right at any moment of a step.
 template <class Set, class T>
 void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s, const ScalarField<double>& total);
 
