@@ -9,6 +9,7 @@
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "coupling/specimen.hpp"
+#include "io/json_text.hpp"
 #include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"
 #include "kernels/base/base.hpp"
@@ -95,26 +96,6 @@ std::string duration(double seconds) {
   if (seconds < 7200) return fmt::format("{:.3g} min", seconds / 60);
   return fmt::format("{:.3g} h", seconds / 3600);
 }
-
-std::string json_number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null";
-}
-
-std::string json_string(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
-}  // namespace
-
-namespace {
 
 /// Of a laboratory test: its specimen, before it is loaded.
 CheckReport check_specimen(const Scene& scene) {

@@ -1,6 +1,7 @@
 #include "front/schema.hpp"
 
 #include "io/case_keys.hpp"
+#include "io/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -25,12 +26,6 @@ struct Node {
     return children.back();
   }
 };
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-  return out + "\"";
-}
 
 /// Limits of a number, from the words of the documentation: "> 0, <= 1", "0 ... 10".
 std::string limits_of(const std::string& range) {
@@ -81,7 +76,7 @@ std::string value_schema(const KeyDescription& key) {
   std::string words;
   std::istringstream text(key.range);
   for (std::string word; std::getline(text, word, ',');)
-    words += (words.empty() ? "" : ", ") + quoted(word.substr(word.find_first_not_of(' ')));
+    words += (words.empty() ? "" : ", ") + json_string(word.substr(word.find_first_not_of(' ')));
   return fmt::format("{{\"enum\": [{}]}}", words);
 }
 
@@ -99,7 +94,7 @@ std::string schema_of(const Node& node, const std::string& indent);
 std::string properties_of(const Node& node, const std::string& indent) {
   std::string properties, others = "false";
   const auto add = [&](const std::string& name, const Node& child) {
-    properties += fmt::format("{}\n{}  {}: {}", properties.empty() ? "" : ",", indent, quoted(name),
+    properties += fmt::format("{}\n{}  {}: {}", properties.empty() ? "" : ",", indent, json_string(name),
                               schema_of(child, indent + "  "));
   };
   for (const Node& child : node.children) {
@@ -117,7 +112,7 @@ std::string schema_of(const Node& node, const std::string& indent) {
   if (node.key != nullptr) {
     const std::string value = value_schema(*node.key);
     return fmt::format("{}, \"description\": {}}}", value.substr(0, value.size() - 1),
-                       quoted(description_of(*node.key)));
+                       json_string(description_of(*node.key)));
   }
   if (node.children.size() == 1 && node.children[0].name == "N")
     return fmt::format("{{\"type\": \"array\", \"items\": {}}}", schema_of(node.children[0], indent));

@@ -1,6 +1,7 @@
 #include "front/watch.hpp"
 
 #include "io/detail/nearest_name.hpp"
+#include "io/progress.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -50,14 +51,6 @@ std::vector<int> chosen_columns(const History& history, const WatchView& view) {
   return chosen;
 }
 
-/// A duration as people say it.
-std::string duration(double seconds) {
-  const auto whole = static_cast<long>(std::lround(seconds));
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
-
 double number(const std::string& text) {
   return text.empty() ? 0 : std::strtod(text.c_str(), nullptr);
 }
@@ -75,7 +68,7 @@ std::string state_of(const WatchedRun& run) {
                    : fmt::format(", step {:.0f}", step);
   if (begun) text += fmt::format(", {:.4g} s of physical time", run.history.time().back());
   if (running && run.alive && step > first && last > step)
-    text += ", " + duration(run.seconds * (last - step) / (step - first)) + " left";
+    text += ", " + duration_text(run.seconds * (last - step) / (step - first)) + " left";
   if (!summary.exit_reason.empty()) text += "\n" + summary.exit_reason;
   return text;
 }

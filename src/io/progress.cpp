@@ -12,7 +12,9 @@ namespace {
 
 constexpr double window_seconds = 30;
 
-std::string duration(double seconds) {
+}  // namespace
+
+std::string duration_text(double seconds) {
   if (!std::isfinite(seconds) || seconds > 1e8) return "unknown";
   const auto s = static_cast<std::int64_t>(std::llround(seconds));
   if (s < 60) return fmt::format("{} s", s);
@@ -20,8 +22,6 @@ std::string duration(double seconds) {
   if (s < 86400) return fmt::format("{} h {:02d} min", s / 3600, s / 60 % 60);
   return fmt::format("{} d {} h", s / 86400, s / 3600 % 24);
 }
-
-}  // namespace
 
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -78,7 +78,7 @@ void Progress::finish(std::string_view reason) {
   if (terminal_) out_ << "\r\x1b[K";
   const double wall = wall_time();
   out_ << fmt::format("{} at t = {:.4g} s, step {}: {} steps in {}, {:.1f} MLUPS", reason, simulated(), step_,
-                      step_ - run_.first_step, duration(wall), mlups())
+                      step_ - run_.first_step, duration_text(wall), mlups())
        << '\n'
        << std::flush;
 }
@@ -100,7 +100,7 @@ std::string Progress::line() const {
   return fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  step {}  {:.4g} steps/s  {:.1f} MLUPS  ETA {}",
                      std::floor(100 * fraction()), simulated(), end(), step_, speed,
                      1e-6 * speed * run_.updates_per_step,
-                     duration(pace > 0 ? (end() - simulated()) / pace : INFINITY));
+                     duration_text(pace > 0 ? (end() - simulated()) / pace : INFINITY));
 }
 
 std::string Progress::bar() const {

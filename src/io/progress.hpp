@@ -12,6 +12,9 @@ namespace vug {
 /// Seconds on a clock that never goes back.
 double steady_seconds();
 
+/// A duration as people say it: "42 s", "3 min 20 s", "5 h 07 min", "2 d 3 h"; "unknown" where there is none.
+std::string duration_text(double seconds);
+
 /// Reports time, steps per second, MLUPS and the time left, from the speed of the last half minute. On a terminal one
 /// line is redrawn five times a second; in a log a line is added every 5 % but at most every two seconds, and when that
 /// takes long, after 5, 10, 20, 40 and then every 60 seconds.

@@ -3,11 +3,11 @@
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
+#include "io/json_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <ctime>
 #include <random>
 #include <sys/resource.h>
@@ -15,26 +15,6 @@
 namespace vug {
 
 namespace {
-
-// A JSON string. Bytes that are no UTF-8 would make the file unreadable; the case reader accepts only UTF-8.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += {'\\', c};
-    else if (c == '\n')
-      out += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null";
-}
 
 std::int64_t peak_memory_bytes() {
   rusage usage{};
@@ -86,44 +66,44 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   };
   const auto list = [](const std::vector<std::string>& entries) {
     std::vector<std::string> all;
-    for (const auto& entry : entries) all.push_back(quoted(entry));
+    for (const auto& entry : entries) all.push_back(json_string(entry));
     return fmt::format("[{}]", fmt::join(all, ", "));
   };
-  put("run", quoted(r.run));
-  put("status", quoted(r.status));
-  put("exit_reason", quoted(r.exit_reason));
+  put("run", json_string(r.run));
+  put("status", json_string(r.status));
+  put("exit_reason", json_string(r.exit_reason));
   put("exit_code", fmt::format("{}", r.exit_code));
-  put("started", quoted(r.started));
-  put("ended", quoted(r.ended));
-  put("wall_time_s", number(r.wall_time));
+  put("started", json_string(r.started));
+  put("ended", json_string(r.ended));
+  put("wall_time_s", json_number(r.wall_time));
   put("first_step", fmt::format("{}", r.first_step));
   put("steps", fmt::format("{}", r.steps));
   if (r.last_step > 0) put("last_step", fmt::format("{}", r.last_step));
-  put("simulated_time_s", number(r.simulated_time));
-  put("mlups", number(r.mlups));
+  put("simulated_time_s", json_number(r.simulated_time));
+  put("mlups", json_number(r.mlups));
   if (!r.events.empty()) put("events", list(r.events));
   if (!r.results.empty()) {
     std::vector<std::string> results;
-    for (const auto& [name, value] : r.results) results.push_back(quoted(name) + ": " + number(value));
+    for (const auto& [name, value] : r.results) results.push_back(json_string(name) + ": " + json_number(value));
     put("results", fmt::format("{{{}}}", fmt::join(results, ", ")));
   }
   put("peak_memory_bytes", fmt::format("{}", peak_memory_bytes()));
-  put("version", quoted(r.version));
-  put("commit", quoted(r.commit));
-  put("compiler", quoted(r.compiler));
-  put("backend", quoted(r.backend));
-  put("device", quoted(r.device));
-  put("precision", quoted(r.precision));
+  put("version", json_string(r.version));
+  put("commit", json_string(r.commit));
+  put("compiler", json_string(r.compiler));
+  put("backend", json_string(r.backend));
+  put("device", json_string(r.device));
+  put("precision", json_string(r.precision));
   put("threads", fmt::format("{}", r.threads));
-  put("case_path", quoted(r.case_path));
-  put("case_hash", quoted(case_hash(r.case_text, r.overrides, r.inputs)));
+  put("case_path", json_string(r.case_path));
+  put("case_hash", json_string(case_hash(r.case_text, r.overrides, r.inputs)));
   put("overrides", list(r.overrides));
   std::vector<std::string> inputs;
   for (const auto& input : r.inputs)
-    inputs.push_back(fmt::format("{{\"path\": {}, \"bytes\": {}, \"hash\": {}}}", quoted(input.path), input.bytes,
-                                 quoted(input.hash)));
+    inputs.push_back(fmt::format("{{\"path\": {}, \"bytes\": {}, \"hash\": {}}}", json_string(input.path), input.bytes,
+                                 json_string(input.hash)));
   put("inputs", fmt::format("[{}]", fmt::join(inputs, ", ")));
-  put("case_text", quoted(r.case_text));
+  put("case_text", json_string(r.case_text));
   detail::replace_file(directory + "/run.json", text + "\n}\n", true);
 }
 

@@ -4,9 +4,9 @@
 // Flow and solutes store populations direction-major over this list: the population of direction q at fluid node i is
 // entry q * capacity + i (a *slot*). A sweep pulls population q from slot source(q, i), and knows nothing else:
 //   - a link to a fluid neighbour points to the neighbour's slot of the same direction;
-//   - every other link (solid neighbour, edge of the lattice, opening) points to the node's own opposite slot, which is
-//   halfway
+//   - every other link (solid neighbour, edge of the lattice, opening) points to the node's own opposite slot: halfway
 //     bounce-back.
+//
 // All other boundary conditions *dress* that outgoing population before the sweep: a pressure opening, a moving or a
 // reactive wall overwrites slot (opposite(q), i), which nobody else reads, and the plain bounce-back brings it back.
 #include "kernels/base/base.hpp"
