@@ -47,8 +47,12 @@ void describe(CLI::App& app, CommandLine& line) {
   line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
   line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
   line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
-  line.check->add_flag("--json", line.json, "Machine-readable");
+  CLI::Option* const json = line.check->add_flag("--json", line.json, "Machine-readable");
   line.check->add_option("--preview", line.preview, "Draw rock and pores into this PNG file");
+  line.check->add_flag("--schedule", line.schedule, "List what a lattice step does, what it reads and what it writes")
+      ->excludes(json);
+  line.check->add_flag("--explain", line.explain, "List what the numbers of the case are on its lattice")
+      ->excludes(json);
   line.lab = app.add_subcommand("lab", "Run the laboratory test of a case: compression, tension, splitting, heat");
   line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
   line.lab->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the case file>)");

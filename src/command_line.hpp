@@ -27,7 +27,8 @@ struct CommandLine {
   std::vector<std::string> columns;  ///< of watch and tune
   double tolerance = 1e-3;           ///< of tune
   bool once = false;                 ///< of watch
-  bool resume = false, overwrite = false, quiet = false, json = false, error_bars = false, cite = false;
+  bool resume = false, overwrite = false, quiet = false, json = false, error_bars = false, cite = false,
+       schedule = false, explain = false;
   CLI::App* run = nullptr;
   CLI::App* check = nullptr;
   CLI::App* lab = nullptr;

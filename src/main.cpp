@@ -97,6 +97,10 @@ int lab(const CommandLine& line) {
 int check(const CommandLine& line) {
   const vug::CheckReport report = vug::check_case(scene_of(line), line.preview);
   vug::print(line.json ? vug::to_json(report) : vug::to_text(report));
+  if ((line.schedule || line.explain) && report.nx == 0)
+    throw vug::InputError("--schedule and --explain are of a lattice, and a laboratory test has none");
+  if (line.schedule) vug::print('\n' + vug::to_text(report.schedule));
+  if (line.explain) vug::print('\n' + report.explanation);
   return done;
 }
 

@@ -13,6 +13,7 @@ class AgeingModule final : public Ageing {
                const FlowModule<T>* flow);
 
   void step(const Exec& exec, const Clock& clock) override;
+  void tasks(std::vector<Task>& schedule) const override;
   void let_go() override;
   void births(const Exec& exec, const Births& births) override;
   void state(StateList& list) override;

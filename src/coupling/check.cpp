@@ -1,6 +1,7 @@
 #include "coupling/check.hpp"
 
 #include "coupling/choices.hpp"
+#include "coupling/explain.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/fluid_picture.hpp"
 #include "coupling/limit_text.hpp"
@@ -139,6 +140,8 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   for (const std::string& warning : find_flow_paths(scene, parts.geometry, parts.units).warnings)
     report.warnings.push_back(warning);
   report.choices = choice_notes(scene);
+  report.schedule = simulation.schedule();
+  report.explanation = explain(scene, parts.units);
   report.nx = scene.lattice.nx;
   report.ny = scene.lattice.ny;
   report.fluid_nodes = parts.geometry.fluid.count;

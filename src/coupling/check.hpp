@@ -1,6 +1,7 @@
 #pragma once
 // `vug check`: what a case amounts to, before a single step.
 #include "coupling/limits.hpp"
+#include "coupling/task.hpp"
 #include "io/image_reader.hpp"
 #include "io/scene.hpp"
 
@@ -14,6 +15,8 @@ namespace vug {
 /// Derived numbers, size and cost of a case.
 struct CheckReport {
   LimitTable limits;
+  std::vector<Task> schedule;  ///< empty of a laboratory test
+  std::string explanation;     ///< what its numbers are on the lattice (explain.hpp); likewise
   std::vector<std::string> warnings;
   std::vector<std::string> choices;  ///< what those of the case gain and cost, as measured
   double spacing = 0;                ///< m

@@ -22,6 +22,7 @@ class FlowModule final : public Module {
 
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec& exec) override;
   void let_go() override;
   void births(const Exec& exec, const Births& births) override;

@@ -24,6 +24,7 @@ class HeatModule final : public Module {
 
   std::string_view name() const override { return "heat"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec& exec) override;
   void let_go() override;
   void births(const Exec& exec, const Births& births) override;

@@ -23,6 +23,7 @@ class MechanicsModule final : public Module {
   std::string_view name() const override { return "mechanics"; }
   void begin(const Exec& exec) override;
   void step(const Exec& exec, const Clock& clock) override;
+  void tasks(std::vector<Task>& schedule) const override;
   void catch_up(const Exec& exec) override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;

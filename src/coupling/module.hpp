@@ -4,6 +4,7 @@
 #include "coupling/intervals.hpp"
 #include "coupling/ledger.hpp"
 #include "coupling/limits.hpp"
+#include "coupling/task.hpp"
 #include "io/field_list.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/base.hpp"
@@ -38,6 +39,8 @@ class Module {
   virtual void begin(const Exec&) {}
   /// One lattice step: launches kernels; no fence, no allocation, no copy to the host.
   virtual void step(const Exec& exec, const Clock& clock) = 0;
+  /// Adds what a step does, in its order (tasks.cpp).
+  virtual void tasks(std::vector<Task>& schedule) const = 0;
   /// Takes the work that it has put off until somebody looks or what drives it changes. Called by all ranks.
   virtual void catch_up(const Exec&) {}
   /// Brings to each rank what others hold of its part, and to the first one sums and short lists, before fields and

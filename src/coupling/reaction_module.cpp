@@ -77,7 +77,8 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
   }
   find_links(exec);
   std::vector<ReactingSpecies<T>> reacting;
-  for (Attack<T>& attack : attacks_) reacting.push_back({&attack.wall, &attack.links, attack.reactant, attack.product});
+  for (Attack<T>& attack : attacks_)
+    reacting.push_back({&attack.wall, &attack.links, attack.reactant, attack.product, attack.state_key()});
   solutes.react(std::move(reacting));
 }
 
@@ -244,7 +245,7 @@ void ReactionModule<T, Set>::state(StateList& list) {
   for (std::size_t m = 0; m < solids_.size(); ++m)
     list.add("reaction/lost/" + std::to_string(m), losses_.of_minerals.lost[m]);
   for (Attack<T>& attack : attacks_) {
-    const std::string key = attack.key.empty() ? "reaction" : "reaction/" + attack.key;
+    const std::string key = attack.state_key();
     add_state(list, key + "/consumed", attack.consumed);
     if (watches_) list.add_value(key + "/watched", attack.watched);
     if (attack.sums.released.extent(0) > 0) list.add(key + "/released", attack.sums.released);

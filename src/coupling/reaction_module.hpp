@@ -35,6 +35,9 @@ struct Attack {
   ReactionLedger sums;
   double watched = 0;          ///< reactant that had reacted at the last look
   std::vector<AgedAcid> aged;  ///< (mineral) of all rock where there are none
+
+  /// What its states begin with.
+  std::string state_key() const { return key.empty() ? "reaction" : "reaction/" + key; }
 };
 
 /// How fast every link at a wall reacts, and what that has dissolved. The solutes react at the links when they step:
@@ -48,6 +51,7 @@ class ReactionModule final : public Module {
 
   std::string_view name() const override { return "reaction"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec&) override;
   void births(const Exec& exec, const Births& births) override;
   void limits(LimitTable& table) const override;
@@ -59,6 +63,9 @@ class ReactionModule final : public Module {
   void take(const Exec& exec, const Intervals& intervals) override;
   void resume(const Exec& exec, const Intervals& intervals) override;
   void state(StateList& list) override;
+
+  /// Names of what each reactant has at its links and of it, as in a checkpoint: "reaction/link_acid".
+  std::vector<std::string> names(std::initializer_list<const char*> parts) const;
 
   /// Takes what has reacted off the solid nodes.
   void book(const Exec& exec);
@@ -164,6 +171,7 @@ class TurnoverModule final : public Module {
   void step(const Exec& exec, const Clock& clock) override {
     if (clock.every(update_interval_)) reaction_.book(exec);
   }
+  void tasks(std::vector<Task>& schedule) const override;
   void take(const Exec&, const Intervals& intervals) override { update_interval_ = intervals.update; }
   void resume(const Exec& exec, const Intervals& intervals) override { take(exec, intervals); }
 

@@ -130,6 +130,18 @@ LimitTable Simulation::limits() const {
   return table;
 }
 
+std::vector<Task> Simulation::schedule() const {
+  std::vector<Task> tasks;
+  for (const auto& module : parts_->modules) module->tasks(tasks);
+  if (parts_->growth)
+    tasks.push_back({"new pores: nodes that have dissolved or that damage opens, what newborn fluid begins with",
+                     update_interval_,
+                     {"reaction/volume", "mechanics/d_m"},
+                     {"geometry", "growth"},
+                     {}});
+  return tasks;
+}
+
 Ledger Simulation::ledger() const {
   catch_up();
   Ledger ledger;

@@ -30,6 +30,8 @@ class Simulation {
   /// Lattice-node updates of one step, all fields together, for MLUPS.
   double updates_per_step() const;
   LimitTable limits() const;
+  /// What a step does, in its order.
+  std::vector<Task> schedule() const;
   Ledger ledger() const;
   /// One row of history.csv at this moment: time, step, what the modules say, the balances.
   std::vector<HistoryValue> history() const;

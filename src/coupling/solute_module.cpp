@@ -102,7 +102,7 @@ SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, con
 template <class T, class Set>
 void SoluteModule<T, Set>::step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier) {
   for (SpeciesState<T>& s : species_) advance_solute<Set>(exec, geometry_.fluid, carrier, s.stepping());
-  for (const auto& [wall, links, reactant, product] : reacting_)
+  for (const auto& [wall, links, reactant, product, key] : reacting_)
     react_at_wall<Set>(exec, geometry_.fluid, *wall, *links, reactant->fields, product ? &product->fields : nullptr);
 }
 
@@ -137,7 +137,7 @@ void SoluteModule<T, Set>::sweep(const Exec& exec) {
   const FluidNodes& fluid = geometry_.fluid;
   const bool one_pair = reacting_.size() == 1, many_pairs = reacting_.size() > 1;
   const ReactingSpecies<T> none, &pair = one_pair ? reacting_[0] : none;
-  const auto& [wall, links, reactant, product] = pair;
+  const auto& [wall, links, reactant, product, key] = pair;
   for (SpeciesState<T>& s : species_) {
     exchange(exec, s.fields);
     if (!many_pairs && &s != reactant && &s != product) advance_solute<Set>(exec, fluid, carrier, s.stepping());

@@ -36,6 +36,7 @@ struct ReactingSpecies {
   const ReactiveLinks<T>* links = nullptr;
   SpeciesState<T>* reactant = nullptr;
   SpeciesState<T>* product = nullptr;
+  std::string key{};  ///< of the states of the links
 };
 
 /// The most cells that the fluid may go in a step, nothing faster was tried, and the largest diffusivity
@@ -52,6 +53,7 @@ class SoluteModule final : public Module {
 
   std::string_view name() const override { return "solute"; }
   void step(const Exec& exec, const Clock& clock) override;
+  void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec& exec) override;
   void let_go() override;
   void births(const Exec& exec, const Births& births) override;
