@@ -3,6 +3,7 @@
 #include "io/presets.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/require.hpp"
+#include "unit/image_setup.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,6 +129,28 @@ flow = { type = "pressure", pressure = "1bar", ramp_time = "5 ms" }
   EXPECT_DOUBLE_EQ(scene.lattice.time_step, 1e-4);
   EXPECT_EQ(scene.lattice.nx, 10);
   EXPECT_EQ(scene.lattice.ny, 20);
+}
+
+/// nu = mu / rho, whichever of the two stands first.
+TEST(CaseTables, DynamicViscosityIsDividedByTheDensity) {
+  const std::string lattice = open_flow.substr(0, open_flow.find("viscosity"));
+  for (const char* flow :
+       {"dynamic_viscosity = \"3 mPa s\"\ndensity = 800\n", "density = 800\ndynamic_viscosity = 3e-3\n"})
+    EXPECT_DOUBLE_EQ(parse_scene(lattice + flow, "a.toml").flow->viscosity, 3.75e-6) << flow;
+}
+
+/// Bytes 1 and 2 are 1 + 2 x 256 where the least significant comes first.
+TEST(CaseTables, RawImagesSayWhichByteComesFirst) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "a.raw", "\1\2");
+  const auto value = [&](const std::string& order) {
+    return test::values_of(parsed("[geometry]\ntype = \"image\"\nraw_size = [1, 1]\nraw_type = \"uint16\"\nfile = \"" +
+                                  (folder / "a.raw") + "\"\n" + order)
+                               .geometry.image);
+  };
+  EXPECT_THAT(value(""), ElementsAre(513));
+  EXPECT_THAT(value("raw_order = \"little\""), ElementsAre(513));
+  EXPECT_THAT(value("raw_order = \"big\""), ElementsAre(258));
 }
 
 TEST(CaseTables, ShapesKeepTheirOrderAndMaterial) {
