@@ -67,6 +67,27 @@ TEST(Cantilever, CarriesItsLoadThroughEverySection) {
   EXPECT_NEAR(run.now("half_yy_Pa"), 0, 0.02 * 20e3);
 }
 
+/// The beam's axis turns as it sags, so that of two points on it the outer one lies lower; its upper half is stretched.
+TEST(Cantilever, SlidesAndIsStretchedAsABeamIs) {
+  constexpr double L = 0.1, h = 0.01, P = 20e3 * h;
+  const CoupledRun run(rock_case(
+      "cantilever", {"output.gauges=[{ name = \"out\", type = \"opening\", points = [[0.05, 0.005], [0.1, 0.005]] }, "
+                     "{ name = \"in\", type = \"opening\", points = [[0.1, 0.005], [0.05, 0.005]] }, "
+                     "{ name = \"upper\", type = \"stress\", at = [0.03, 0.0085] }, "
+                     "{ name = \"lower\", type = \"stress\", at = [0.03, 0.0015] }]"}));
+  const auto sag = [&](double x) {
+    return P * x * x * (3 * L - x) / (6 * E * second_moment(h)) + P * x / shear_stiffness(h);
+  };
+  const double slid = sag(L / 2) - sag(L), bending = P * (L - 0.03) * 0.0035 / second_moment(h);
+  std::printf("    sliding %.4f of Timoshenko's, stress above %.4f and below %.4f of bending theory's\n",
+              run.now("out_sliding_m") / slid, run.now("upper_xx_Pa") / bending, run.now("lower_xx_Pa") / -bending);
+  EXPECT_NEAR(run.now("out_sliding_m"), slid, 0.03 * std::abs(slid));  // down is right of the way out: negative
+  EXPECT_NEAR(run.now("in_sliding_m"), slid, 0.03 * std::abs(slid));   // up is right of the way back
+  EXPECT_NEAR(run.now("out_opening_m"), 0, 0.03 * std::abs(slid));
+  EXPECT_NEAR(run.now("upper_xx_Pa"), bending, 0.15 * bending);  // of single triangles, which differ by some per cent
+  EXPECT_NEAR(run.now("lower_xx_Pa"), -bending, 0.15 * bending);
+}
+
 /// Between walls the layers have the modulus E / (1 - nu^2).
 double confined(double young) {
   return young / (1 - nu * nu);
