@@ -1,0 +1,105 @@
+// What a case with a [laboratory] asks of the press.
+#include "coupling/specimen.hpp"
+
+#include "coupling/laboratory_run.hpp"
+#include "support/history.hpp"
+#include "unit/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+Scene laboratory(const std::string& test, const std::vector<std::string>& overrides = {}) {
+  return parse_scene("[laboratory]\nsize = [0.015, 0.03]\ntest = \"" + test +
+                         "\"\n[rock]\nelement_size = 2.5e-3\n[mechanics]\nyoung_modulus = \"30 GPa\"\n"
+                         "thermal_expansion = 8e-6\n[mechanics.bond]\nnormal_strength = 1e12\ncohesion = 1e12\n",
+                     "a.toml", overrides);
+}
+
+TEST(PlatenTestOfACase, PressesPullsAndSplits) {
+  EXPECT_EQ(platen_test(laboratory("compression", {"laboratory.platen_speed=0.3"})).speed, 0.3);
+  EXPECT_EQ(platen_test(laboratory("tension", {"laboratory.platen_speed=0.3"})).speed, -0.3);
+}
+
+TEST(PlatenTestOfACase, SoaksAndConfinesAsItSays) {
+  const PlatenTest plain = platen_test(laboratory("compression"));
+  EXPECT_EQ(plain.confinement, 0);
+  EXPECT_EQ(plain.chemical_damage, 0);
+  EXPECT_EQ(plain.flanks, Support::free);
+  const std::vector<std::string> held{"laboratory.confinement=10 MPa", "laboratory.chemical_damage=0.3",
+                                      "mechanics.preload_time=2e-4", "mechanics.preload_damping=0.6"};
+  const PlatenTest membrane = platen_test(laboratory("compression", held));
+  EXPECT_EQ(membrane.confinement, 10e6);
+  EXPECT_EQ(membrane.chemical_damage, 0.3);
+  EXPECT_EQ(membrane.flanks, Support::free);
+  EXPECT_EQ(membrane.confining_time, 2e-4);
+  EXPECT_EQ(membrane.confining_damping, 0.6);
+  const auto servo = platen_test(laboratory("compression", {held[0], "laboratory.confinement_by=servo"}));
+  EXPECT_EQ(servo.flanks, Support::servo);
+}
+
+TEST(PlatenTestOfACase, WarmsByItsChangeInItsDuration) {
+  const PlatenTest test =
+      platen_test(laboratory("heating", {"laboratory.temperature_change=50", "laboratory.duration=2e-3"}));
+  EXPECT_EQ(test.speed, 0);
+  EXPECT_DOUBLE_EQ(test.heating_rate, 25e3);      // 50 K in 2 ms
+  EXPECT_DOUBLE_EQ(test.largest_strain, 400e-6);  // alpha dT
+}
+
+TEST(QuenchTestOfACase, IsThatOfItsKeys) {
+  const QuenchTest test = quench_test(
+      laboratory("quench", {"laboratory.temperature_change=50", "laboratory.duration=2e-3", "laboratory.biot=3",
+                            "laboratory.diffusion_length=4e-3", "laboratory.samples=70",
+                            "laboratory.chemical_damage=0.3", "mechanics.critical_fraction=0.2"}));
+  EXPECT_EQ(test.drop, 50);
+  EXPECT_EQ(test.duration, 2e-3);
+  EXPECT_EQ(test.biot, 3);
+  EXPECT_EQ(test.final_length, 4e-3);
+  EXPECT_EQ(test.samples, 70);
+  EXPECT_EQ(test.chemical_damage, 0.3);
+  EXPECT_EQ(test.step_fraction, 0.2);
+}
+
+/// Rows of stress_strain.csv of a test.
+class Curve {
+ public:
+  explicit Curve(const Scene& scene) {
+    LaboratoryOptions options;
+    options.directory = folder_ / "out";
+    run_laboratory(scene, options);
+    curve_ = read_history(options.directory + "/stress_strain.csv");
+  }
+  double last(const std::string& column) const { return curve_.values.at(curve_.find(column)).back(); }
+
+ private:
+  test::TemporaryFolder folder_;
+  History curve_;
+};
+
+/// Between platens that stand still: E alpha dT, with flanks that are free.
+TEST(LaboratoryOfACase, HeatsToTheStressOfItsModulus) {
+  const Scene scene = laboratory("heating", {"laboratory.temperature_change=50", "laboratory.sample_strain=2e-5"});
+  ASSERT_DOUBLE_EQ(platen_test(scene).heating_rate, 50 / 1e-3);  // more slowly it would not end
+  const Curve curve(scene);
+  EXPECT_NEAR(curve.last("strain_1"), 8e-6 * 50, 2e-5);
+  EXPECT_NEAR(curve.last("stress_Pa"), 30e9 * curve.last("strain_1"), 0.05 * 30e9 * 8e-6 * 50);
+}
+
+/// Hooke's law with and without: sigma_1 = E epsilon_1 + nu sigma_3.
+TEST(LaboratoryOfACase, ConfinesBetweenPlatensOfAServo) {
+  const std::vector<std::string> elastic{"laboratory.largest_strain=4e-4", "laboratory.sample_strain=2e-5",
+                                         "mechanics.poisson_ratio=0.25"};
+  std::vector<std::string> held = elastic;
+  held.insert(held.end(), {"laboratory.confinement=20 MPa", "laboratory.confinement_by=servo"});
+  const Curve plain(laboratory("compression", elastic)), confined(laboratory("compression", held));
+  EXPECT_NEAR(confined.last("confinement_Pa"), 20e6, 0.02 * 20e6);
+  EXPECT_NEAR(confined.last("stress_Pa") - plain.last("stress_Pa"), 0.25 * 20e6, 0.15 * 0.25 * 20e6);
+}
+
+}  // namespace
+}  // namespace vug
