@@ -52,7 +52,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   if (section_.wall == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9",
                      attacks_[0].reactant->parameters.diffusivity(), "lattice", 0.05, 1,
-                     "use reaction.wall = \"kinetic\" or solute.velocity_set = \"D2Q5\" (docs/stability.md)"});
+                     "use reaction.wall = \"kinetic\" or solute.velocity_set = \"d2q5\" (docs/stability.md)"});
 }
 
 template <class T, class Set>

@@ -1,0 +1,168 @@
+// The numbers that `vug check` prints, against their definitions in SI, and what it advises.
+#include "coupling/simulation.hpp"
+#include "io/case_keys.hpp"
+#include "support/case_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vug {
+namespace {
+
+constexpr double dx = 2e-3, dt = 1e-3, height = 20 * dx;
+const double speed_of_sound = dx / dt / std::sqrt(3.0);
+
+/// A channel, the lower half of whose middle is rock: warm acid is pressed through it. Heat has steps of four, acid of
+/// two.
+const std::string acid_channel = R"(
+[lattice]
+size = [0.08, 0.04]
+spacing = 2e-3
+time_step = 1e-3
+[time]
+steps = 1
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "rectangle"
+from = [0.03, 0]
+to = [0.05, 0.02]
+[flow]
+density = 800
+viscosity = 4e-4
+initial_pressure = 0
+gravity = [0, -9.81]
+thermal_expansion = 2e-4
+reference_temperature = 300
+[heat]
+fluid_diffusivity = 2e-4
+solid_diffusivity = 6e-4
+initial_temperature = 300
+[[solute.species]]
+name = "A"
+diffusivity = 3e-4
+[reaction]
+reactant = "A"
+rate_constant = 5e-3
+activation_energy = 30000
+reference_temperature = 300
+molar_volume = 4e-5
+stoichiometry = 2
+[boundary.left]
+flow = { type = "pressure", pressure = 200 }
+heat = { type = "temperature", temperature = 320 }
+solute = { type = "concentration", concentration = { A = 1000 } }
+[boundary.right]
+flow = { type = "pressure", pressure = 0 }
+heat = { type = "temperature", temperature = 260 }
+[accuracy]
+heat_interval = 4
+solute_interval = 2
+dissolution_factor = 50
+)";
+
+using Overrides = std::vector<std::string>;
+
+LimitTable limits_of(const Overrides& overrides, const std::string& text = acid_channel) {
+  return Simulation(parse_scene(text, "a.toml", overrides)).limits();
+}
+
+const Limit& of(const LimitTable& limits, const std::string& module, const std::string& name) {
+  for (const Limit& limit : limits)
+    if (limit.module == module && limit.name.starts_with(name)) return limit;
+  throw std::invalid_argument("no limit " + module + ": " + name);
+}
+
+TEST(LimitValues, OfAPressureAreThoseOfBernoulli) {
+  const LimitTable limits = limits_of({});
+  const double speed = std::sqrt(2 * 200 / 800.0);
+  EXPECT_NEAR(of(limits, "flow", "Mach number of Bernoulli's bound").value, speed / speed_of_sound, 1e-9);
+  EXPECT_NEAR(of(limits, "flow", "pressure difference").value, 200 / 800.0 * dt * dt / (dx * dx), 1e-9);
+  EXPECT_NEAR(of(limits, "flow", "relaxation time tau_f").value, 0.5 + 4e-4 * dt / (dx * dx) * 3, 1e-9);
+}
+
+TEST(LimitValues, OfFreeConvectionAreThoseOfItsFall) {
+  const double speed = std::sqrt(9.81 * 2e-4 * (320 - 260) * height);
+  EXPECT_NEAR(of(limits_of({}), "flow", "Mach number of free convection").value, speed / speed_of_sound, 1e-9);
+}
+
+/// Half of the height is open beside the rock.
+TEST(LimitValues, OfAVelocityAreTwiceAsHighInTheNarrows) {
+  const LimitTable limits = limits_of({"boundary.left.flow={ type = \"velocity\", velocity = [0.1, 0] }"});
+  EXPECT_NEAR(of(limits, "flow", "Mach number of the prescribed velocities").value, 0.1 / speed_of_sound, 1e-9);
+  EXPECT_NEAR(of(limits, "flow", "Mach number in the narrowest passage").value, 0.2 / speed_of_sound, 1e-9);
+}
+
+/// tau = 1/2 + 3 D dt / dx^2 of a step as long as the interval says.
+TEST(LimitValues, OfHeatAndAcidCountTheirOwnSteps) {
+  const LimitTable limits = limits_of({});
+  EXPECT_NEAR(of(limits, "heat", "relaxation time, fluid").value, 0.5 + 3 * 2e-4 * 4 * dt / (dx * dx), 1e-9);
+  EXPECT_NEAR(of(limits, "heat", "relaxation time, solid").value, 0.5 + 3 * 6e-4 * 4 * dt / (dx * dx), 1e-9);
+  const double D = 3e-4 * 2 * dt / (dx * dx);
+  EXPECT_NEAR(of(limits, "solute", "A diffusivity").value, D, 1e-9);
+  EXPECT_NEAR(of(limits, "solute", "A relaxation time tau_1").value, 0.5 + 3 * D, 1e-9);
+  EXPECT_NEAR(of(limits, "solute", "A relaxation time tau_h").value, 0.5 + 0.25 / (3 * D), 1e-9);  // Lambda = 1/4
+}
+
+TEST(LimitValues, OfAReactionAreItsDamkohlerNumbersAndWhatAcidDissolves) {
+  const LimitTable limits = limits_of({});
+  const auto damkohler = [](double kelvin) {
+    return 5e-3 * std::exp(-30000 / 8.314462618 * (1 / kelvin - 1 / 300.0)) * dx / 3e-4;
+  };
+  const std::string number = "Damkohler number of a node, k dx/D, ";
+  EXPECT_NEAR(of(limits, "reaction", number + "coldest").value, damkohler(260), 1e-9);
+  EXPECT_NEAR(of(limits, "reaction", number + "hottest").value, damkohler(320), 1e-9);
+  EXPECT_EQ(of(limits, "reaction", "lowest temperature").value, 260);
+  EXPECT_EQ(of(limits, "reaction", "highest temperature").value, 320);
+  // a mole of rock takes two of acid; it ages fifty times as fast
+  EXPECT_NEAR(of(limits, "reaction", "volume dissolved per volume").value, 50 * 4e-5 * 1000 / 2, 1e-9);
+}
+
+TEST(LimitValues, OfRockAreThoseOfItsMostBrittleMaterial) {
+  const auto longest = [](const Overrides& overrides) {
+    return of(limits_of(overrides,
+                        "[lattice]\nsize = [0.02, 0.02]\nspacing = 1e-3\ntime_step = 1e-5\n[time]\nsteps = 1\n"
+                        "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 2e-3\n[mechanics]\n"
+                        "[mechanics.bond]\nnormal_strength = 10e6\n"),
+              "mechanics", "mean edge of the bonds")
+        .high;
+  };
+  const auto half_of = [](const std::string& strength) {
+    return "mechanics.material=[{ type = \"rectangle\", from = [0, 0], to = [0.01, 0.02], bond = { normal_strength = " +
+           strength + " } }]";
+  };
+  const double plain = longest({});
+  EXPECT_NEAR(longest({half_of("20e6")}), plain / 4, 1e-9 * plain);  // E G / sigma^2
+  EXPECT_NEAR(longest({half_of("5e6")}), plain, 1e-9 * plain);
+}
+
+/// Every key that an advice names is one of the case file's, and every value one that the same case takes.
+TEST(Advice, IsWhatTheCaseReaderAccepts) {
+  const std::regex setting("([a-z_]+\\.[a-z_]+)(?: = (\"[^\"]*\"|[a-z0-9]+))?");
+  const Overrides paper{"solute.velocity_set=d2q9", "solute.relaxation_time=0.9", "reaction.wall=paper",
+                        "reaction.order=1", "reaction.surface_normal=false"};
+  int values = 0;
+  for (const Overrides& overrides : {Overrides{}, paper})
+    for (const Limit& limit : limits_of(overrides))
+      for (std::sregex_iterator found(limit.advice.begin(), limit.advice.end(), setting), end; found != end; ++found) {
+        const std::string key = (*found)[1], value = (*found)[2];
+        if (key.ends_with(".md")) continue;  // a page
+        EXPECT_TRUE(std::any_of(case_keys().begin(), case_keys().end(), [&](const auto& k) { return k.key == key; }))
+            << limit.advice;
+        if (value.empty()) continue;
+        ++values;
+        Overrides advised = overrides;
+        advised.push_back(key + "=" + value);
+        EXPECT_NO_THROW(parse_scene(acid_channel, "a.toml", advised)) << limit.advice;
+      }
+  EXPECT_GE(values, 3);
+}
+
+}  // namespace
+}  // namespace vug
