@@ -22,8 +22,9 @@ struct ErrorBar {
 ///     bar = 1.25 |d| / (ratio^p - 1)
 ///
 /// (Roache 1994, grid convergence index), p held between 1/2 and the 2 of the schemes. Where the numbers oscillate
-/// (d/D < 0) the bar is the larger of 3 |d| and |D|; where they do not converge (|d| >= |D|) it is 3 times the larger;
-/// without `coarser`, that of first order with Roache's factor of 3 for two lattices: 3 |d| / (ratio - 1).
+/// (d/D < 0) the bar is the larger of 3 |d| and |D|; where the first two agree (d = 0) it is |D|; where they do
+/// not converge (|d| >= |D|), and without `coarser`, that of first order with Roache's factor of 3 for two lattices:
+/// 3 |d| / (ratio - 1).
 inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coarser, double ratio) {
   const double d = std::abs(coarse - fine);
   if (!coarser) return {3 * d / (ratio - 1), std::nullopt, Convergence::unknown};

@@ -41,6 +41,14 @@ TEST(ErrorBar, GrowsWhereTheLatticesAgreeOnNoOrder) {
   EXPECT_EQ(error_bar(1, 1, 1, 2).bar, 0);
 }
 
+/// Two lattices that agree by chance do not make a number exact: the third says how far it may be off.
+TEST(ErrorBar, IsNotZeroWhereTwoOfThreeLatticesAgree) {
+  for (const double coarser : {1.4, 0.6}) {
+    EXPECT_NEAR(error_bar(1, 1, coarser, 2).bar, 0.4, 1e-12);
+    EXPECT_FALSE(error_bar(1, 1, coarser, 2).order);
+  }
+}
+
 const std::string slab = R"(
 [lattice]
 size = [0.024, 0.012]
@@ -93,6 +101,70 @@ TEST(Twins, TakeAnotherRatioWhereTwoDoesNotFit) {
   EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.027, 0.018]"})).twins.size(), 2u);
   EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.028, 0.014]"})).twins.size(), 1u);
   EXPECT_THROW(find_twins(file.scene({"lattice.size=[0.029, 0.013]"})), InputError);
+}
+
+const std::string rock_file = VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml";
+const std::vector<std::string> rock_intervals{"accuracy.update_interval=6",   "accuracy.wall_interval=15",
+                                              "accuracy.heat_interval=4",     "accuracy.solute_interval=2",
+                                              "accuracy.exchange_interval=1", "accuracy.precision=single"};
+
+/// A coarser lattice would be another rock.
+TEST(TwinsOfRock, HaveHalfTheIntervalsOnTheSameLattice) {
+  const Scene scene = read_scene(rock_file, rock_intervals);
+  const Twins found = find_twins(scene);
+  EXPECT_EQ(found.ratio, 0);
+  ASSERT_EQ(found.twins.size(), 1u);
+  const Scene& finer = found.twins[0].scene;
+  EXPECT_EQ(finer.accuracy.update_interval, 3);
+  EXPECT_EQ(finer.accuracy.wall_interval, 7);
+  EXPECT_EQ(finer.accuracy.heat_interval, 2);
+  EXPECT_EQ(finer.accuracy.solute_interval, 1);
+  EXPECT_EQ(finer.accuracy.exchange_interval, 1);
+  EXPECT_EQ(finer.accuracy.precision, Precision::double_precision);
+  EXPECT_EQ(finer.lattice.nx, scene.lattice.nx);
+  EXPECT_EQ(finer.lattice.time_step, scene.lattice.time_step);
+  EXPECT_EQ(last_step(finer), last_step(scene));
+}
+
+TEST(TwinsOfRock, HaveHalfTheToleranceWhereThatChoosesIntervals) {
+  const Twins found = find_twins(read_scene(rock_file, {"accuracy.tolerance=4e-3", "accuracy.precision=single"}));
+  ASSERT_EQ(found.twins.size(), 1u);
+  EXPECT_DOUBLE_EQ(found.twins[0].scene.accuracy.tolerance, 2e-3);
+  EXPECT_EQ(found.twins[0].scene.accuracy.precision, Precision::double_precision);
+}
+
+TEST(TwinsOfRock, AreNoneWhereEveryStepIsTaken) {
+  EXPECT_THROW(find_twins(read_scene(rock_file, {"accuracy.preset=reference"})), InputError);
+}
+
+/// Of first order in the interval: half of the error is left, and the bar is a quarter longer than all of it.
+TEST(ErrorBarsOfRock, AreAQuarterLongerThanTheErrorOfTheirIntervals) {
+  const double exact = 7, error = -0.4;
+  const ErrorBars bars = find_error_bars({{"time_s", "a_m"}, {{0, 1}, {exact, exact + error}}},
+                                         {{{"time_s", "a_m"}, {{0, 1}, {exact, exact + error / 2}}}}, 0);
+  ASSERT_EQ(bars.names, std::vector<std::string>{"a_m"});
+  EXPECT_EQ(bars.bar[0][0], 0);
+  EXPECT_NEAR(bars.bar[0][1], 1.25 * std::abs(error), 1e-12);
+}
+
+TEST(ErrorBarsOfRock, StandBesideItsHistory) {
+  const test::TemporaryFolder folder;
+  RunOptions options;
+  options.directory = folder / "run";
+  std::vector<std::string> overrides = rock_intervals;
+  overrides.insert(overrides.end(), {"time.steps=30", "output.interval=2.5e-5"});
+  const std::string report = run_with_error_bars(read_scene(rock_file, overrides), options);
+  EXPECT_NE(report.find("one comparison only"), std::string::npos) << report;
+  const History run = read_history(options.directory + "/history.csv");
+  const History finer = read_history(options.directory + "/error_bars/finer/history.csv");
+  const History bars = read_history(options.directory + "/error_bars.csv");
+  const auto last = [](const History& history, const std::string& name) {
+    return history.values.at(static_cast<std::size_t>(history.find(name))).back();
+  };
+  const char* stored = "heat_stored_J_per_m";
+  EXPECT_NE(last(run, stored), last(finer, stored));
+  EXPECT_NEAR(last(bars, std::string("bar_of_") + stored), 2.5 * std::abs(last(run, stored) - last(finer, stored)),
+              1e-9 * std::abs(last(run, stored)));
 }
 
 TEST(ErrorBarsOfARun, StandBesideEveryAmountOfItsHistory) {

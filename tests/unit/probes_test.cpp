@@ -3,10 +3,11 @@
 #include "support/case_shapes.hpp"
 #include "support/coupled_run.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 namespace vug {
 namespace {

@@ -2,12 +2,11 @@
 #include "coupling/specimen.hpp"
 
 #include "coupling/laboratory_run.hpp"
-#include "support/history.hpp"
+#include "io/history_reader.hpp"
 #include "unit/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
