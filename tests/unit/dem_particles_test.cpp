@@ -31,6 +31,19 @@ TEST(SpheroTriangle, ErodedEdgesLieOneRadiusInside) {
   }
 }
 
+/// An eroded outline has the shape of its triangle, smaller by the radius over the inradius.
+TEST(SpheroTriangle, IsAsRoundAsItIsTold) {
+  const double l = 2e-3, inradius = l / (2 * std::sqrt(3.0));
+  MechanicsParameters parameters;
+  for (const double factor : {0.1, 0.4}) {
+    parameters.contact.radius_factor = factor;
+    const Particles p = make_particles(test::pair_of_triangles(l), parameters);
+    EXPECT_NEAR(p.radius, factor * inradius, 1e-12 * inradius);
+    const auto eroded = host_copy(p.eroded);
+    EXPECT_NEAR(std::hypot(eroded(1, 2, 0), eroded(1, 2, 1)), (1 - factor) * 2 * inradius, 1e-12 * inradius);
+  }
+}
+
 TEST(Rotation, KeepsTheDigitsOfTinyAngles) {
   const Rotation q = Rotation::by(1e-9);
   EXPECT_DOUBLE_EQ(q.cos_minus_1, -0.5e-18);
