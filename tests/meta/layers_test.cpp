@@ -31,13 +31,16 @@ int check_includes(const std::string& root, const Allowed& allowed) {
   const std::regex include("#include \"" + root + "([a-z]+)/");
   int checked = 0;
   for (const auto& [file, text] : sources()) {
-    if (file.rfind(root, 0) != 0) continue;
-    const std::string folder = file.substr(root.size(), file.find('/', root.size()) - root.size());
+    const auto slash = file.find('/', root.size());
+    if (file.rfind(root, 0) != 0 || slash == std::string::npos) continue;  // elsewhere, or the program's own
+    const std::string folder = file.substr(root.size(), slash - root.size());
     const auto layer = allowed.find(folder);
-    if (layer == allowed.end()) continue;
+    if (layer == allowed.end()) {
+      ADD_FAILURE() << file << " lies in a folder whose layer nobody has named";
+      continue;
+    }
     for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match, ++checked)
-      EXPECT_TRUE(!allowed.count((*match)[1]) || layer->second.count((*match)[1]) || (*match)[1] == folder)
-          << file << " includes " << (*match)[0];
+      EXPECT_TRUE(layer->second.count((*match)[1]) || (*match)[1] == folder) << file << " includes " << (*match)[0];
   }
   return checked;
 }
@@ -47,6 +50,8 @@ TEST(Layers, IncludeOnlyWhatLiesBelow) {
                                            {"ranks", {"kernels"}},
                                            {"dem", {"ranks", "kernels"}},
                                            {"io", {"dem", "kernels"}},
+                                           {"study", {"io", "kernels"}},
+                                           {"front", {"io", "kernels"}},
                                            {"coupling", {"io", "dem", "ranks", "kernels"}}});
   EXPECT_GT(includes, 150);
 }
