@@ -1,45 +1,13 @@
 // One bond between two triangles, its faces moved by hand: the law as the kernel applies it.
-#include "dem/bond_law.hpp"
 #include "dem/crack_aperture.hpp"
-#include "dem/forces.hpp"
-#include "dem_support.hpp"
+#include "support/one_bond.hpp"
 #include "support/record.hpp"
-
-#include <gtest/gtest.h>
 
 namespace {
 
 using namespace vug;
 using vug::test::host_copy;
-
-class OneBond : public ::testing::Test {
- protected:
-  static constexpr double l = 2e-3;
-
-  OneBond() {
-    parameters.bond.weibull_shape = 0;
-    parameters.bond.damping = 0;
-    const Assembly assembly = test::pair_of_triangles(l);
-    particles = make_particles(assembly, parameters);
-    bonds = make_bonds(assembly, particles, parameters);
-  }
-
-  double bond_length() const { return parameters.bond.length_factor * l / std::sqrt(3.0); }
-
-  /// Mean stress (normal, tangential) after particle b has moved to (u_n, u_t).
-  std::array<double, 2> stress_at(double u_n, double u_t) {
-    test::place(particles, 1, u_n, u_t);
-    compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds), NoAccounts{});
-    const auto load = host_copy(bonds.load);
-    return {load(0, 0) / l, load(0, 1) / l};
-  }
-
-  BondState state() const { return host_copy(bonds.state)(0); }
-
-  MechanicsParameters parameters;
-  Particles particles;
-  Bonds bonds;
-};
+using vug::test::OneBond;
 
 TEST_F(OneBond, ModeOneReleasesExactlyItsFractureEnergyAndPeaksAtItsStrength) {
   const double delta_f = 2 * 20 / 15e6;
@@ -107,17 +75,20 @@ TEST_F(OneBond, PureShearSnapsAndReleasesWhatItHasStored) {
 }
 
 TEST_F(OneBond, ShortBondSoftensInShearAndReleasesG2) {
-  parameters.bond.length_factor = 0.1e-3 / (l / std::sqrt(3.0));
-  constexpr int steps = 20000;
-  const double end = 2 * 64 / 95e6;
-  double work = 0, before = 0;
-  for (int k = 1; k <= steps; ++k) {
-    const double stress = stress_at(0, 1.001 * end * k / steps)[1];
-    work += 0.5 * (before + stress) * 1.001 * end / steps;
-    before = stress;
-  }
+  set_bond_length(0.1e-3);
   // onset at 2/3 of the way, then a steep fall: the kink's cell errs by 3 / steps^2 of the area
-  EXPECT_NEAR(work, 64, 64 * 1e-6);
+  EXPECT_NEAR(work_until(0, 1.001 * 2 * 64 / 95e6), 64, 64 * 1e-6);
+}
+
+/// Mohr-Coulomb: pressed by sigma a bond bears a shear stress of c + tan(phi) sigma, a crack the contact's mu sigma.
+TEST_F(OneBond, BearsMoreShearByItsInternalFrictionWherePressed) {
+  const double k_n = 24.03e9 / bond_length(), k_t = 10.68e9 / bond_length();
+  const double sigma = 40e6, strength = 95e6 + 0.47 * sigma;
+  EXPECT_NEAR(stress_at(-sigma / k_n, 0.999 * strength / k_t)[1], 0.999 * strength, 1);
+  EXPECT_EQ(state(), BondState::intact);
+  EXPECT_NEAR(stress_at(-sigma / k_n, 1.001 * strength / k_t)[0], -sigma, 1);
+  EXPECT_EQ(state(), BondState::failed_in_shear);
+  EXPECT_NEAR(stress_at(-sigma / k_n, 2 * strength / k_t)[1], 0.3 * sigma, 1);
 }
 
 TEST_F(OneBond, UnloadsToTheOriginAndReloadsAlongTheSecant) {
@@ -148,29 +119,6 @@ TEST_F(OneBond, BrokenFacesRubByTheContactsFriction) {
   EXPECT_NEAR(stress_at(-1e-6, 1e-8)[1], k_t * 1e-8, 1e-6 * k_t * 1e-8);
   EXPECT_NEAR(stress_at(-1e-6, 1e-5)[1], 0.3 * k_n * 1e-6, 1e-6 * k_n * 1e-6);
   EXPECT_NEAR(stress_at(-1e-6, 0.99e-5)[1], 0.3 * k_n * 1e-6 - k_t * 1e-7, 1e-6 * k_n * 1e-6);  // sticks going back
-}
-
-TEST_F(OneBond, DissolutionSoftensWeakensAndFinallyFailsIt) {
-  const double k_n = 24.03e9 / bond_length();
-  Kokkos::deep_copy(bonds.d_c, 0.3);
-  EXPECT_NEAR(stress_at(1e-8, 0)[0], 0.7 * k_n * 1e-8, 1e-9 * k_n * 1e-8);
-  EXPECT_NEAR(stress_at(-1e-8, 0)[0], -0.7 * k_n * 1e-8, 1e-9 * k_n * 1e-8);
-  double peak = 0;
-  for (int k = 1; k <= 4000; ++k) peak = std::max(peak, stress_at(k * 1e-9, 0)[0]);
-  EXPECT_NEAR(peak, 15e6 * 0.9104 / 0.98, 15e6 * 2e-3);
-  Kokkos::deep_copy(bonds.d_c, 0.95);
-  stress_at(0, 0);
-  EXPECT_TRUE(has_failed(state()));
-}
-
-/// What has dissolved weakens the cohesion as it weakens the tensile strength, by f1 (Eq. 27).
-TEST_F(OneBond, DissolutionWeakensItInShear) {
-  Kokkos::deep_copy(bonds.d_c, 0.3);
-  const double cohesion = 95e6 * 0.9104 / 0.98, onset = cohesion / (0.7 * 10.68e9 / bond_length());
-  EXPECT_NEAR(stress_at(0, 0.999 * onset)[1], 0.999 * cohesion, 1);
-  EXPECT_FALSE(has_failed(state()));
-  EXPECT_EQ(stress_at(0, 1.001 * onset)[1], 0);
-  EXPECT_EQ(state(), BondState::failed_in_shear);
 }
 
 TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
