@@ -32,17 +32,18 @@ Coefficients cylinder(int cells) {
   return found;
 }
 
+/// 10 cells make such a staircase of the circle that the lift, a five-hundredth of the drag, is 17 % off.
 TEST(Cylinder, DragAndLiftAtReynolds20) {
-  const Coefficients found = cylinder(10);
-  EXPECT_NEAR(found.drag, 5.5795, 0.03 * 5.5795);
-  EXPECT_NEAR(found.lift, 0.010619, 0.2 * 0.010619);
-  EXPECT_NEAR(found.mass_error, 0, 1e-4);
+  const Coefficients coarse = cylinder(10), fine = cylinder(20);
+  EXPECT_NEAR(coarse.drag, 5.5795, 0.025 * 5.5795);
+  EXPECT_NEAR(coarse.lift, 0.010619, 0.2 * 0.010619);
+  EXPECT_NEAR(coarse.mass_error, 0, 1e-4);
+  EXPECT_NEAR(fine.drag, 5.5795, 0.0125 * 5.5795);
+  EXPECT_NEAR(fine.lift, 0.010619, 0.06 * 0.010619);
 }
 
-TEST(CylinderLong, DragAndLiftAtReynolds20OnFinerLattices) {
-  const Coefficients coarse = cylinder(20), fine = cylinder(40);
-  EXPECT_NEAR(coarse.drag, 5.5795, 0.015 * 5.5795);
-  EXPECT_NEAR(coarse.lift, 0.010619, 0.08 * 0.010619);
+TEST(CylinderLong, DragAndLiftAtReynolds20OnAFinerLattice) {
+  const Coefficients fine = cylinder(40);
   EXPECT_NEAR(fine.drag, 5.5795, 0.01 * 5.5795);
   EXPECT_NEAR(fine.lift, 0.010619, 0.08 * 0.010619);
 }
