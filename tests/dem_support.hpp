@@ -55,6 +55,15 @@ inline Assembly block(double width, double height, double l, double jitter, std:
   return out;
 }
 
+/// Rock that does not break and whose bonds take no energy.
+inline MechanicsParameters elastic(double local_damping = 0) {
+  MechanicsParameters p;
+  p.bond.normal_strength = p.bond.cohesion = 1e15;
+  p.bond.damping = 0;
+  p.local_damping = local_damping;
+  return p;
+}
+
 /// Displaces one particle (from the assembly) and lets it rest there.
 inline void place(const Particles& p, int i, double ux, double uy, double angle = 0) {
   const auto u = host_copy(p.u);

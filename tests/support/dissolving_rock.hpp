@@ -6,14 +6,6 @@
 
 namespace vug::test {
 
-inline MechanicsParameters elastic(double local_damping) {
-  MechanicsParameters p;
-  p.bond.normal_strength = p.bond.cohesion = 1e15;
-  p.bond.damping = 0;
-  p.local_damping = local_damping;
-  return p;
-}
-
 /// How much of a piece of rock is left: 1 all, 0 nothing.
 using Left = std::function<double(Vec2)>;
 

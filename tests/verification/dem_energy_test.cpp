@@ -8,14 +8,8 @@
 namespace {
 
 using namespace vug;
+using vug::test::elastic;
 using vug::test::host_copy;
-
-MechanicsParameters elastic() {
-  MechanicsParameters p;
-  p.bond.normal_strength = p.bond.cohesion = 1e15;
-  p.bond.damping = 0;
-  return p;
-}
 
 TEST(EnergyLedger, ClosesThroughBreakingAndItsErrorFallsWithTheStep) {
   const auto imbalance = [](double fraction) {
