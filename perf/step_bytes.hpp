@@ -1,6 +1,7 @@
 #pragma once
 // What a coupled step of a rock must move at least: the bytes of each of its parts, by how often nodes and links occur.
 #include "coupling/simulation.hpp"
+#include "kernels/base/host_and_device.hpp"
 #include "step_parts.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct Sizes {
 inline Sizes sizes_of(const Simulation& simulation) {
   const Parts& parts = simulation.parts();
   const FluidNodes& fluid = parts.geometry.fluid;
-  const auto links = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fluid.solid_links);
+  const auto links = on_host(fluid.solid_links);
   double links9 = 0, links5 = 0;
   for (int i = 0; i < fluid.count; ++i)
     for (int q = 1; q < D2Q9::Q; ++q)

@@ -30,10 +30,9 @@ struct ScatteredBytes {
 };
 
 inline ScatteredBytes scattered_bytes(const Geometry& geometry, double T) {
-  const auto host = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
   const FluidNodes& fluid = geometry.fluid;
-  const auto links = host(fluid.solid_links);
-  const auto fluid_node = host(fluid.node), surface_node = host(geometry.surface.node);
+  const auto links = on_host(fluid.solid_links);
+  const auto fluid_node = on_host(fluid.node), surface_node = on_host(geometry.surface.node);
   const auto dense = static_cast<std::size_t>(geometry.lattice.size());
   TouchedLines population(D2Q9::Q * static_cast<std::size_t>(fluid.capacity), T), temperature(dense, T);
   TouchedLines volume(dense, sizeof(double)), around(dense, sizeof(double));

@@ -1,5 +1,6 @@
 // Loads over time: what they do, from where a run may be resumed, and that they cost nothing where nobody asked.
 #include "support/coupled_run.hpp"
+#include "support/host_copy.hpp"
 #include "support/overheard.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@ namespace {
 
 using namespace vug;
 using test::CoupledRun;
+using test::host_copy;
 
 /// A block whose top is pressed by a table and whose right side is moved by one.
 const char* const moving_loads =
@@ -34,8 +36,8 @@ TEST(MovingLoads, MoveAPlatenByTheIntegralOfItsTable) {
   CoupledRun run(moving_loads);
   EXPECT_NEAR(run.now("floor_y_N_per_m"), 1e6 * 0.013 + 2e6 * 0.007, 1e-6 * 27e3);  // at rest under the first values
   run.steps(45);                                                                    // 9 us
-  const auto u = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run.rock().particles().u);
-  const auto reference = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run.rock().particles().u_reference);
+  const auto u = host_copy(run.rock().particles().u);
+  const auto reference = host_copy(run.rock().particles().u_reference);
   const double way = -0.5 * 2e-6 / 2 + 0.5 * (-0.5 + 0.2) * 7e-6;
   int held = 0;
   for (const BoundaryEdge& edge : run.rock().boundary()) {
@@ -67,9 +69,8 @@ TEST(MovingLoads, EndLikeTheSameLoadsAtRest) {
   const CoupledRun grown = settled("[[0, 0], [1e-5, 6e6]]", "[[0, 1e6], [1e-5, -2e6]]", 2000);
   EXPECT_NEAR(grown.now("floor_x_N_per_m"), 2e6 * 0.007, 1e-4 * 62e3);
   EXPECT_NEAR(grown.now("floor_y_N_per_m"), 6e6 * 0.007 + 2e6 * 0.010, 1e-4 * 62e3);
-  const auto copy = [](const auto& view) { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto u = copy(grown.rock().particles().u), u_still = copy(still.rock().particles().u);
-  const auto angle = copy(grown.rock().particles().angle), angle_still = copy(still.rock().particles().angle);
+  const auto u = host_copy(grown.rock().particles().u), u_still = host_copy(still.rock().particles().u);
+  const auto angle = host_copy(grown.rock().particles().angle), angle_still = host_copy(still.rock().particles().angle);
   double moved = 0, turned = 0, off = 0, off_turned = 0;
   for (std::size_t i = 0; i < u.extent(0); ++i) {
     for (int axis = 0; axis < 2; ++axis) {

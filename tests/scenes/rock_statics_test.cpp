@@ -4,6 +4,7 @@
 #include "dem/mean_stress.hpp"
 #include "io/form.hpp"
 #include "support/coupled_run.hpp"
+#include "support/host_copy.hpp"
 #include "support/record.hpp"
 
 #include <fmt/format.h>
@@ -137,7 +138,7 @@ TEST(LayeredRock, UnderHeatIsAsLaminateTheoryHasIt) {
   Mechanics warm(rock.assembly, scene.mechanics->parameters, loads);
   Kokkos::deep_copy(warm.particles().temperature_change, 50.0);
   ASSERT_TRUE(warm.preload_statically(Exec()));
-  const auto x0 = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, warm.particles().x0);
+  const auto x0 = test::host_copy(warm.particles().x0);
   std::vector<int> core, rind;
   for (int i = 0; i < warm.particles().count; ++i) {
     if (x0(i, 0) < 0.03 || x0(i, 0) > 0.05) continue;

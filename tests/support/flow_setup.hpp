@@ -1,5 +1,6 @@
 #pragma once
 // Small flows for the tests: geometry drawn with characters, fields read and written on the host.
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/mirror_links.hpp"
@@ -81,9 +82,9 @@ struct Flow {
 
   /// Moments of the last sweep at fluid node (x, y); throws where there is rock.
   Macroscopic<double> at(int x, int y) const {
-    const auto index = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.index);
-    const auto rho = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, densities(exec, nodes, fields));
-    const auto u = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, fields.u);
+    const auto index = on_host(nodes.index);
+    const auto rho = on_host(densities(exec, nodes, fields));
+    const auto u = on_host(fields.u);
     const int i = index(lattice.node(x, y));
     if (i < 0) throw std::out_of_range("Flow::at: there is rock");
     return {rho(i), u(i, 0), u(i, 1)};

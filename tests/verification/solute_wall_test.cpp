@@ -22,8 +22,8 @@ constexpr double D = 0.03;  // the paper's
 /// Populations of both species as one vector.
 template <class Set>
 reference::State pack(const ReactiveBox<Set, double>& box) {
-  const auto acid = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, box.acid.h);
-  const auto product = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, box.product.h);
+  const auto acid = test::host_copy(box.acid.h);
+  const auto product = test::host_copy(box.product.h);
   const std::size_t n = acid.extent(0), all = box.has_product ? 2 * n : n;
   reference::State state(all);
   for (std::size_t k = 0; k < all; ++k) state[k] = k < n ? acid(k) : product(k - n);
