@@ -129,6 +129,11 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   if (scene.laboratory && !preview.empty())
     throw InputError("--preview draws a lattice, and a laboratory test has none");
   if (scene.laboratory) return check_specimen(scene);
+  if (!preview.empty()) {
+    std::vector<std::string> files = input_files(scene);
+    files.push_back(scene.path);
+    require_place_for_picture(preview, files);
+  }
   CheckReport report;
   const double before = allocated_bytes();
   Simulation simulation(scene);

@@ -36,7 +36,8 @@ struct CheckReport {
 
 /// Builds the case (of a laboratory test its specimen: then nx, ny are 0, and steps are those of its mechanics at
 /// most), measures a few steps of it that are then forgotten, and writes nothing but, where `preview` names one, a PNG
-/// of the geometry at the start: rock, pores that are joined from one side to another, others, openings.
+/// of the geometry at the start: rock, pores that are joined from one side to another, others, openings. Throws
+/// InputError for a preview in place of a file of the case, or of anything but a PNG.
 CheckReport check_case(const Scene& scene, const std::string& preview = "");
 
 /// The report as text for a person, or as JSON.

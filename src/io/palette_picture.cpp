@@ -2,13 +2,17 @@
 
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
+#include "io/message.hpp"
 #include "kernels/base/require.hpp"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
+#include <cctype>
 #include <csetjmp>
 #include <filesystem>
+#include <string_view>
 
 namespace vug {
 
@@ -41,6 +45,24 @@ struct PngWriter {
 
 }  // namespace
 
+void require_place_for_picture(const std::string& path, const std::vector<std::string>& inputs) {
+  namespace fs = std::filesystem;
+  const std::string shown = one_line(path);
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending != ".png") throw InputError(shown + ": the picture is a PNG file; give a name that ends in .png");
+  if (!fs::exists(path)) return;
+  for (const std::string& input : inputs)
+    if (fs::exists(input) && fs::equivalent(path, input))
+      throw InputError(fmt::format("{}: is a file of the case ({}), which the picture would replace", shown, input));
+  if (const std::string why = detail::why_no_file(path); !why.empty()) throw InputError(shown + ": " + why);
+  constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+  std::string beginning(signature.size(), '\0');
+  const detail::BinaryFile file(path);
+  if (file.read(0, beginning.data(), beginning.size()) < beginning.size() || beginning != signature)
+    throw InputError(shown + ": is there already and is no PNG; give another name");
+}
+
 void write_palette_picture(const std::string& path, int width, std::span<const std::uint8_t> pixels,
                            std::span<const Colour> palette) {
   constexpr int enough = 600;  // pixels along the longer edge
@@ -59,8 +81,6 @@ void write_palette_picture(const std::string& path, int width, std::span<const s
   if (!PngWriter().write(out, width * scale, height * scale, colours.data(), static_cast<int>(colours.size()),
                          rows.data()))
     throw FileError(path + ": cannot make the picture");
-  if (std::filesystem::exists(path))
-    if (const std::string why = detail::why_no_file(path); !why.empty()) throw FileError(path + ": " + why);
   detail::replace_file(path, out, false);
 }
 

@@ -10,6 +10,10 @@ namespace vug {
 
 using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
+/// Whether a picture may be written as `path`: a new PNG file, or one in place of another PNG, that is none of
+/// `inputs`. Throws InputError where it may not, FileError.
+void require_place_for_picture(const std::string& path, const std::vector<std::string>& inputs);
+
 /// Writes `path` as a PNG of `width` columns; `pixels` are indices into `palette`, row by row from the bottom. Pictures
 /// of few pixels are enlarged. Throws FileError.
 void write_palette_picture(const std::string& path, int width, std::span<const std::uint8_t> pixels,

@@ -64,8 +64,35 @@ TEST(Pictures, ArePreviewedOrSayWhyNot) {
   EXPECT_EQ(full.exit_code, 4) << full.output;
   EXPECT_THAT(full.output, HasSubstr("full.png"));
   EXPECT_FALSE(std::filesystem::exists(folder / "full.png"));
-  EXPECT_EQ(test::run_vug("check" + slice + "--preview /dev/null").exit_code, 4);
+  EXPECT_EQ(test::run_vug("check" + slice + "--preview /dev/null").exit_code, 2);
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null")) << "a device is left alone";
+}
+
+TEST(Pictures, ReplacePicturesOnlyAndNoneOfTheCase) {
+  const test::TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  fs::copy(VUG_SOURCE_DIR "/cases/ct_slice", folder / "slice", fs::copy_options::recursive);
+  const std::string text = folder / "slice/ct_slice.toml", case_of = "check " + text;
+  test::write_text(folder / "mine.png", "mine");
+  fs::create_symlink(text, folder / "case.png");
+  fs::create_symlink(folder / "slice/slice.tif", folder / "image.png");
+  const struct {
+    std::string file, why;
+  } refused[] = {{text, "the picture is a PNG file; give a name that ends in .png"},
+                 {folder / "notes", "ends in .png"},
+                 {folder / "case.png", "is a file of the case"},
+                 {folder / "image.png", "is a file of the case"},
+                 {folder / "mine.png", "is there already and is no PNG"}};
+  for (const auto& [file, why] : refused) {
+    const std::string before = test::contents(file);
+    const test::Outcome outcome = test::run_vug(case_of + " --preview " + file);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr(why));
+    EXPECT_EQ(test::contents(file), before);
+  }
+  for (int twice = 0; twice < 2; ++twice)
+    EXPECT_EQ(test::run_vug(case_of + " --preview " + (folder / "new.png")).exit_code, 0) << "one preview over another";
 }
 
 }  // namespace
