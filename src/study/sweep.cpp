@@ -77,6 +77,26 @@ std::vector<const Member*> open_members(const std::vector<Member>& members, cons
   return open;
 }
 
+/// What a sweep writes beside its runs.
+constexpr const char *copy_of_study = "study.toml", *table = "table.csv", *failures = "failures.csv";
+
+/// Throws InputError where the folder holds files of these names that no sweep has written, or another sweep has.
+void require_own_files(const Study& study, const std::vector<Member>& members, const std::string& directory,
+                       bool resume) {
+  const bool begun = std::any_of(members.begin(), members.end(),
+                                 [](const Member& member) { return state_of(member) != MemberState::missing; });
+  const bool swept = begun || fs::exists(directory + "/sweep.lock");
+  if (swept && resume) return;
+  for (const char* name : {copy_of_study, table, failures}) {
+    const std::string path = directory + "/" + name;
+    if (!fs::exists(fs::symlink_status(path))) continue;
+    if (swept)
+      throw InputError(fmt::format("{}: holds a study; --resume continues it, -o DIR leaves it alone", directory));
+    if (name == copy_of_study && fs::is_regular_file(path) && detail::read_file(path) == study.text) continue;
+    throw InputError(fmt::format("{}: is in the way, and no sweep wrote it; choose another folder with -o DIR", path));
+  }
+}
+
 std::string said_of(const Ended& ended, const Member& member, const Study& study) {
   std::string line =
       fmt::format("run {} {}", member.name, ended.code == 0 ? "done" : fmt::format("failed ({})", ended.code));
@@ -92,10 +112,11 @@ int sweep(const std::string& path, const SweepOptions& options) {
   const std::string directory = directory_of(path, options);
   const std::vector<Member> members = members_of(study, directory);
   open_members(members, directory, options.resume);  // looks before it writes
+  require_own_files(study, members, directory, options.resume);
   make_directory(directory + "/runs");
   const SweepLock lock(directory, options.progress);
   const std::vector<const Member*> open = open_members(members, directory, options.resume);
-  detail::replace_file(directory + "/study.toml", study.text, false);
+  detail::replace_file(directory + "/" + copy_of_study, study.text, false);
   std::vector<Job> jobs;
   for (const Member* member : open) jobs.push_back({words_of(study, *member), member->log});
   std::size_t ended = members.size() - open.size();
@@ -109,8 +130,8 @@ int sweep(const std::string& path, const SweepOptions& options) {
       *options.progress << fmt::format("[{}/{}] {}", ended, members.size(), said_of(job, *open[job.job], study))
                         << std::endl;
   });
-  detail::replace_file(directory + "/table.csv", table_text(study, members), false);
-  detail::replace_file(directory + "/failures.csv", failures_text(study, members), false);
+  detail::replace_file(directory + "/" + table, table_text(study, members), false);
+  detail::replace_file(directory + "/" + failures, failures_text(study, members), false);
   if (stop_requested()) throw Interrupted(stop_reason() + "; --resume continues the study");
   return static_cast<int>(std::count_if(members.begin(), members.end(),
                                         [](const Member& member) { return state_of(member) != MemberState::done; }));

@@ -71,5 +71,27 @@ TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --member 6").exit_code, 2);
 }
 
+/// A folder's study.toml, table.csv and failures.csv are a sweep's, or the user's: then they stay.
+TEST(Sweep, LeavesFilesOfOthersAlone) {
+  const test::TemporaryFolder folder;
+  const std::string study = study_file(folder);
+  for (const char* name : {"study.toml", "table.csv", "failures.csv"})
+    for (const char* resume : {"", " --resume"}) {
+      const std::string out = folder / "mine";
+      std::filesystem::create_directories(out);
+      test::write_text(out + "/" + name, "mine");
+      const test::Outcome refused = test::run_vug("sweep " + study + " -o " + out + " --quiet" + resume);
+      EXPECT_EQ(refused.exit_code, 2) << refused.output;
+      EXPECT_NE(refused.output.find(std::string(name) + ": is in the way, and no sweep wrote it"), std::string::npos)
+          << refused.output;
+      EXPECT_EQ(test::contents(out + "/" + name), "mine");
+      EXPECT_FALSE(std::filesystem::exists(out + "/runs"));
+      std::filesystem::remove_all(out);
+    }
+  // the folder of the study itself will do: its copy is the study
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + folder.path() + " --quiet").exit_code, 3);
+  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + folder.path() + " --quiet --resume").exit_code, 3);
+}
+
 }  // namespace
 }  // namespace vug
