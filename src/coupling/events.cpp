@@ -9,6 +9,7 @@ namespace vug {
 namespace {
 
 constexpr double breakthrough = 0.01;  // of what was injected
+const std::string breakthrough_of = "breakthrough of ";
 
 struct Count {
   std::string what;
@@ -56,9 +57,12 @@ std::string species_of(const std::string& column, const std::string& gain) {
 
 }  // namespace
 
-Events::Events(const Simulation& simulation) {
+Events::Events(const Simulation& simulation, const std::vector<std::string>& earlier) {
   look(simulation);
   begun_ = true;
+  for (const std::string& line : earlier)  // no state tells that it has come
+    if (const auto at = line.find(breakthrough_of); at != std::string::npos)
+      next_.try_emplace(line.substr(at, line.find(':', at) - at), 0);
 }
 
 std::vector<std::string> Events::look(const Simulation& simulation) {
@@ -107,9 +111,9 @@ std::vector<std::string> Events::look_at_row(const Simulation& simulation, const
     if (species.empty()) continue;
     for (const HistoryValue& other : row) {
       if (species_of(other.name, "injected") != species || !(-value.value > breakthrough * other.value)) continue;
-      if (other.value > 0 && next_.try_emplace("breakthrough of " + species, 0).second)
-        news.push_back(fmt::format("{}breakthrough of {}: {:.2g} % of what was injected has left",
-                                   at(simulation.clock()), species, -100 * value.value / other.value));
+      if (other.value > 0 && next_.try_emplace(breakthrough_of + species, 0).second)
+        news.push_back(fmt::format("{}{}{}: {:.2g} % of what was injected has left", at(simulation.clock()),
+                                   breakthrough_of, species, -100 * value.value / other.value));
     }
   }
   return news;

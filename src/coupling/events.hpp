@@ -12,8 +12,8 @@ namespace vug {
 /// damage has opened; and breakthrough, when a species leaves through an outflow with 1 % of what was injected of it.
 class Events {
  public:
-  /// What has happened before is no news.
-  explicit Events(const Simulation& simulation);
+  /// What has happened before is no news; `earlier` is what has been told of it.
+  explicit Events(const Simulation& simulation, const std::vector<std::string>& earlier = {});
 
   /// News of the counts, one line each; copies the states of the bonds to the host.
   std::vector<std::string> look(const Simulation& simulation);

@@ -21,6 +21,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <span>
@@ -118,6 +119,7 @@ class Run {
     if (!options_.resume) return;
     const std::optional<Checkpoint> checkpoint = latest_checkpoint();
     if (!checkpoint) {
+      if (folder_) folder_->require_dispensable();
       notes_.push_back(
           fmt::format("note: {} has no checkpoint to continue from: the run begins at its first step", path_));
       owner_.run = record_.run;
@@ -128,7 +130,18 @@ class Run {
     if (simulation_.clock().step != checkpoint->step())
       throw FileError(checkpoint->path() + ": the checkpoint is of another step than it says");
     owner_.run = record_.run = checkpoint->run();
-    resumed_at_ = last_checkpoint_ = record_.first_step = checkpoint->step();
+    continue_record(checkpoint->step());
+    if (last_ < checkpoint->step())
+      notes_.push_back(fmt::format("note: --steps {}: the run is at step {} already", last_, checkpoint->step()));
+    last_ = std::max(last_, checkpoint->step());
+    resumed_at_ = record_.last_checkpoint = record_.first_step = record_.steps = checkpoint->step();
+  }
+
+  /// What happened until the checkpoint belongs to the run, and the time that its earlier parts have taken.
+  void continue_record(std::int64_t step) {
+    if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return;
+    record_.events = folder_->held()->events_until(step);
+    earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
   }
 
   /// The first rank finds it, all read it.
@@ -180,7 +193,7 @@ class Run {
       files.write_snapshot();
       files.write_row();
     }
-    Events events(simulation_);
+    Events events(simulation_, record_.events);
     const auto tell = [&](const std::vector<std::string>& news) {
       for (const std::string& line : news) progress.note(line);
       record_.events.insert(record_.events.end(), news.begin(), news.end());
@@ -205,7 +218,7 @@ class Run {
         files.write_snapshot();
       }
       if (row) tell(events.look_at_row(simulation_, files.write_row()));
-      if (save) save_state();
+      if (save) save_state(progress);
       progress.update(step, simulation_.updates_per_step(), clock.ahead);
       if (stop && !ended()) throw Interrupted(stop_reason());
     }
@@ -216,16 +229,19 @@ class Run {
   }
 
   /// All ranks hand on what the first one writes into a checkpoint.
-  void save_state() {
+  void save_state(const Progress& progress) {
     const Phase phase(ranks_, "files");
     const StateList state = simulation_.state();
     const Clock& clock = simulation_.clock();
+    if (folder_) write_record(progress);  // first, that what goes on from the checkpoint finds what happened until then
     if (ranks_.first())
       write_checkpoint(checkpoints(), state, clock.step, clock.time(), owner_);
     else
       for (const StateBlock& block : state.blocks) block.save([](std::span<const std::byte>) {});
-    last_checkpoint_ = clock.step;
-    ranks_.most(0);  // nobody ends while it is written
+    const bool first = !record_.last_checkpoint;
+    record_.last_checkpoint = clock.step;
+    if (folder_ && first) write_run_record(path_, record_);  // that there has been one, should it get lost
+    ranks_.most(0);                                          // nobody ends while it is written
   }
 
   /// Whether the last step is done, or the rock as old as it was to get.
@@ -237,8 +253,9 @@ class Run {
   std::string checkpoints() const { return path_ + "/checkpoint"; }
 
   std::string last_good() const {
-    if (!last_checkpoint_) return "there is no checkpoint yet";
-    return fmt::format("the last good state is the checkpoint of step {} in {}", *last_checkpoint_, checkpoints());
+    if (!record_.last_checkpoint) return "there is no checkpoint yet";
+    return fmt::format("the last good state is the checkpoint of step {} in {}", *record_.last_checkpoint,
+                       checkpoints());
   }
 
   void fail(const Progress& progress, const std::string& reason, int code) {
@@ -256,9 +273,14 @@ class Run {
     record_.exit_reason = reason;
     record_.exit_code = code;
     record_.ended = utc_now();
+    write_record(progress);
+  }
+
+  /// With how far the run is now.
+  void write_record(const Progress& progress) {
     record_.steps = simulation_.clock().step;
     record_.simulated_time = simulation_.clock().time();
-    record_.wall_time = progress.wall_time();
+    record_.wall_time = earlier_time_ + progress.wall_time();
     record_.mlups = progress.mlups();
     write_run_record(path_, record_);
   }
@@ -273,7 +295,8 @@ class Run {
   std::int64_t last_;
   Simulation simulation_;
   std::vector<std::string> notes_;  ///< of what happened before there was a log
-  std::optional<std::int64_t> resumed_at_, last_checkpoint_;
+  std::optional<std::int64_t> resumed_at_;
+  double earlier_time_ = 0;                                              ///< s that earlier parts of the run have taken
   std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< to say so when the memory does not suffice
 };
 

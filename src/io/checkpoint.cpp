@@ -146,14 +146,18 @@ void require_sound(const detail::BinaryFile& file) {
   if (stored != digest.value()) fail("the checkpoint is damaged (its digest does not fit)");
 }
 
-// Complete checkpoints of a folder, newest first: the names sort by step.
+// What has the name of a checkpoint in a folder, newest first: the names sort by step. A folder that cannot be read is
+// not one without checkpoints: whoever took it for such would begin anew where a run lies.
 std::vector<fs::path> checkpoints(const std::string& directory) {
   std::vector<fs::path> paths;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(directory, error))
-    if (entry.path().extension() == extension && detail::is_step_name(entry.path().stem().string()) &&
-        entry.is_regular_file(error))
-      paths.push_back(entry.path());
+  if (fs::symlink_status(directory, error).type() == fs::file_type::not_found) return paths;
+  fs::directory_iterator entry;
+  if (!error) entry = fs::directory_iterator(directory, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (entry->path().extension() == extension && detail::is_step_name(entry->path().stem().string()))
+      paths.push_back(entry->path());
+  if (error) throw FileError(fmt::format("{}: cannot look for checkpoints: {}", directory, error.message()));
   std::sort(paths.rbegin(), paths.rend());
   return paths;
 }

@@ -31,7 +31,7 @@ class Checkpoint {
  public:
   /// The newest sound one of its owner in `directory`; nothing where there is no checkpoint at all. Damaged ones and
   /// those of others are passed over and listed in refused(). Throws FileError, with the reason for each, when none is
-  /// left.
+  /// left, and when the folder is there and cannot be read.
   static std::optional<Checkpoint> latest(const std::string& directory, const CheckpointOwner& owner);
   /// That of a file. Throws FileError when it is truncated, changed, no checkpoint, or somebody else's.
   static Checkpoint open(const std::string& path, const CheckpointOwner& owner);

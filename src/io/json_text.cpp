@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 namespace vug {
 
@@ -19,6 +21,30 @@ std::string json_string(const std::string& text) {
       out += c;
   }
   return out + "\"";
+}
+
+std::vector<std::string> json_texts(const std::string& list) {
+  std::vector<std::string> texts;
+  std::string text;
+  bool inside = false;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const char c = list[i];
+    if (c == '"') {
+      if (inside) texts.push_back(std::move(text));
+      text.clear();
+      inside = !inside;
+    } else if (!inside) {
+      continue;
+    } else if (c != '\\') {
+      text += c;
+    } else if (list.compare(i + 1, 1, "u") == 0) {  // a control character: two digits of four are not zero
+      text += static_cast<char>(std::strtol(list.substr(i + 2, 4).c_str(), nullptr, 16));
+      i += 5;
+    } else if (++i < list.size()) {
+      text += list[i] == 'n' ? '\n' : list[i];
+    }
+  }
+  return texts;
 }
 
 std::string json_number(double value) {

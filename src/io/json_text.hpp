@@ -1,6 +1,7 @@
 #pragma once
 // Numbers and strings as JSON text.
 #include <string>
+#include <vector>
 
 namespace vug {
 
@@ -10,5 +11,8 @@ std::string json_string(const std::string& text);
 
 /// All digits of a double; null when it is not finite.
 std::string json_number(double value);
+
+/// The texts of a list of what json_string gives, ["a", "b"]; as many as are whole.
+std::vector<std::string> json_texts(const std::string& list);
 
 }  // namespace vug

@@ -2,12 +2,14 @@
 
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
+#include "io/json_text.hpp"
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -93,12 +95,29 @@ std::optional<RunSummary> read_run_summary(const std::string& directory) {
   std::error_code none;
   if (!fs::is_regular_file(path, none)) return std::nullopt;
   const std::string json = detail::read_file(path);
-  RunSummary summary{value_of(json, "run"),         value_of(json, "status"),     value_of(json, "case_hash"),
-                     value_of(json, "inputs"),      value_of(json, "steps"),      value_of(json, "started"),
-                     value_of(json, "exit_reason"), value_of(json, "first_step"), value_of(json, "last_step")};
+  RunSummary summary{value_of(json, "run"),         value_of(json, "status"),
+                     value_of(json, "case_hash"),   value_of(json, "inputs"),
+                     value_of(json, "steps"),       value_of(json, "started"),
+                     value_of(json, "exit_reason"), value_of(json, "first_step"),
+                     value_of(json, "last_step"),   value_of(json, "last_checkpoint"),
+                     value_of(json, "wall_time_s"), json_texts(value_of(json, "events"))};
   if (summary.status.empty() || summary.case_hash.empty())
     throw InputError(path + ": is no record of a run of vug; choose another folder");
   return summary;
+}
+
+bool RunSummary::had_checkpoint() const {
+  const auto counts = [](const std::string& number) { return !number.empty() && number != "0"; };
+  // before there was last_checkpoint: these have one at their end, and what was resumed began at one
+  const bool ended_with_one = counts(steps) && (status == "done" || status == "interrupted");
+  return !last_checkpoint.empty() || ended_with_one || counts(first_step);
+}
+
+std::vector<std::string> RunSummary::events_until(std::int64_t step) const {
+  std::vector<std::string> kept;
+  for (const std::string& event : events)
+    if (long long at = 0; std::sscanf(event.c_str(), "step %lld,", &at) == 1 && at <= step) kept.push_back(event);
+  return kept;
 }
 
 bool is_in_use(const std::string& directory) {
@@ -125,9 +144,21 @@ void RunFolder::look() {
   held_ = read_run_summary(path_);
   if (held_ && use_ == Use::fresh)
     throw InputError(fmt::format("{}: holds a run ({} at step {}); {}", path_, held_->status, held_->steps, offer_));
-  if (held_ || use_ == Use::resume) return;
+  if (!held_ && use_ != Use::resume) refuse_results_of_others();
+}
+
+void RunFolder::refuse_results_of_others() const {
   for (const fs::path& file : results_in(path_))
     throw InputError(file.string() + ": is in the way, and no run.json says that vug wrote it; choose another folder");
+}
+
+void RunFolder::require_dispensable() const {
+  if (!held_) return refuse_results_of_others();
+  if (held_->had_checkpoint())
+    throw InputError(fmt::format(
+        "{}: holds a run ({} at step {}) and no checkpoint to continue it from; bring its checkpoints back, "
+        "or --overwrite replaces it, -o DIR leaves it alone",
+        path_, held_->status, held_->steps));
 }
 
 void RunFolder::lock(bool create) {

@@ -1,7 +1,9 @@
 #pragma once
 // The folder of a run: who may write into it, and which of its files are the run's own.
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vug {
 
@@ -12,6 +14,14 @@ struct RunSummary {
   std::string steps;
   std::string started, exit_reason;
   std::string first_step, last_step;  ///< the latter empty where none is said
+  std::string last_checkpoint;        ///< empty where there has been none
+  std::string wall_time;
+  std::vector<std::string> events;
+
+  /// Whether the run has written a checkpoint, wherever that may be now.
+  bool had_checkpoint() const;
+  /// Its events up to a step. What was said at an end is of no step, and is said again at the next.
+  std::vector<std::string> events_until(std::int64_t step) const;
 };
 
 /// That of `directory`; nothing where there is no run.json. Throws InputError when that is none of vug's.
@@ -38,6 +48,9 @@ class RunFolder {
   /// Makes the folder, locks it, and looks again: what has come meanwhile is not touched either. To overwrite, clears
   /// it. Throws InputError and FileError.
   void take();
+  /// Whether nothing is lost when the run begins anew though it was to be continued: where it ended before its first
+  /// checkpoint. Throws InputError where it has had one, and where no run.json says whose results there are.
+  void require_dispensable() const;
   /// Removes what a run has written, by the names that vug gives; other files stay, and run.json until it is replaced.
   void clear() const;
 
@@ -49,6 +62,8 @@ class RunFolder {
 
  private:
   void look();
+  void clear_error_bars() const;
+  void refuse_results_of_others() const;
   void lock(bool create);
 
   std::string path_;

@@ -79,6 +79,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("first_step", fmt::format("{}", r.first_step));
   put("steps", fmt::format("{}", r.steps));
   if (r.last_step > 0) put("last_step", fmt::format("{}", r.last_step));
+  if (r.last_checkpoint) put("last_checkpoint", fmt::format("{}", *r.last_checkpoint));
   put("simulated_time_s", json_number(r.simulated_time));
   put("mlups", json_number(r.mlups));
   if (!r.events.empty()) put("events", list(r.events));

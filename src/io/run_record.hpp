@@ -1,6 +1,9 @@
 #pragma once
 // run.json: where the results of a run come from.
 #include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,14 +31,16 @@ struct RunRecord {
   std::string status = "running";  ///< running, done, interrupted, diverged or failed
   std::string exit_reason;         ///< one line; empty while running
   int exit_code = 0;
-  std::string started, ended;       ///< UTC, ISO 8601
-  std::int64_t first_step = 0;      ///< more than 0 after --resume
-  std::int64_t steps = 0;           ///< lattice steps reached
-  std::int64_t last_step = 0;       ///< at which it will be done
+  std::string started, ended;   ///< UTC, ISO 8601
+  std::int64_t first_step = 0;  ///< more than 0 after --resume
+  std::int64_t steps = 0;       ///< lattice steps reached
+  std::int64_t last_step = 0;   ///< at which it will be done
+  /// Step of the newest checkpoint when this was written; none before the first one.
+  std::optional<std::int64_t> last_checkpoint;
   double simulated_time = 0;        ///< s reached
-  double wall_time = 0;             ///< s
-  double mlups = 0;                 ///< million lattice-node updates per second of wall time
-  std::vector<std::string> events;  ///< one line each: first failed bond, breakthrough, ...; since first_step
+  double wall_time = 0;             ///< s, all parts of a run that was resumed together
+  double mlups = 0;                 ///< million lattice-node updates per second, since first_step
+  std::vector<std::string> events;  ///< one line each: first failed bond, breakthrough, ...
   /// What a laboratory test found, names with their units; absent from the file when empty.
   std::vector<std::pair<std::string, double>> results;
 };

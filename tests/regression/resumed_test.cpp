@@ -1,0 +1,238 @@
+// What --resume takes up, what it says is missing, and what it leaves alone.
+#include "support/background_vug.hpp"
+#include "support/channel_runs.hpp"
+
+#include <gmock/gmock.h>
+
+namespace vug {
+namespace {
+
+using test::expect_refused;
+using test::files_of;
+using test::Outcome;
+using test::rows_of;
+using test::run_channel;
+using test::run_vug;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+/// A run that is begun anew where a longer one was goes on from its own state, not from the other one's end.
+TEST(Resumed, RunTakesNoStateOfAnother) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", old = folder / "old";
+  ASSERT_EQ(run_channel(old, "").exit_code, 0);
+  ASSERT_EQ(run_channel(out, "--steps 150").exit_code, 0);
+  for (const auto& entry : fs::directory_iterator(old + "/checkpoint"))
+    fs::copy(entry.path(), out + "/checkpoint/" + entry.path().filename().string());
+  const Outcome resumed = run_channel(out, "--resume");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
+  EXPECT_THAT(resumed.output, HasSubstr("step_000000001000.checkpoint: the checkpoint belongs to another run"));
+  EXPECT_THAT(test::contents(out + "/run.json"), HasSubstr("\"first_step\": 150,"));
+  EXPECT_EQ(rows_of(out), 12) << "rows at 0, 100, 150, 200, ..., 1000";
+}
+
+TEST(Resumed, InAnEmptyFolderBeginsAndSaysSo) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "there");
+  ASSERT_EQ(run_channel(folder / "whole", "").exit_code, 0);
+  for (const std::string name : {"there", "missing"}) {
+    const Outcome outcome = run_channel(folder / name, "--resume");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("has no checkpoint to continue from: the run begins at its first step"));
+    EXPECT_EQ(test::difference(folder / "whole", folder / name), "");
+  }
+}
+
+/// A run that was killed before its first checkpoint has none: the same call takes it up, from the first step.
+TEST(Resumed, AfterAKillBeforeTheFirstCheckpointBeginsAnew) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out",
+                    endless = " --set time.steps=1000000000 --set output.interval_steps=1000000000";
+  test::BackgroundVug killed("run " + test::channel + " --quiet --threads 1 -o " + out + endless, folder / "log");
+  ASSERT_TRUE(killed.wait_for_file(out + "/fields.xdmf")) << killed.log();
+  killed.signal(SIGKILL);
+  killed.wait();
+  const Outcome again = run_vug("run " + test::channel + " --threads 1 --steps 0 --resume -o " + out + endless);
+  EXPECT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_THAT(again.output, HasSubstr("has no checkpoint to continue from: the run begins at its first step"));
+}
+
+/// Where a run has had a checkpoint that is gone, or nobody knows whose results these are, nothing is begun anew.
+TEST(Resumed, WithoutTheCheckpointThatThereWasIsRefused) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", running = folder / "running";
+  ASSERT_EQ(run_channel(out, "").exit_code, 0);
+  fs::remove_all(out + "/checkpoint");
+  const auto before = files_of(out);
+  expect_refused(run_channel(out, "--resume"), "holds a run (done at step 1000) and no checkpoint to continue it from");
+  EXPECT_EQ(files_of(out), before);
+  fs::remove(out + "/run.json");
+  expect_refused(run_channel(out, "--resume"), "is in the way, and no run.json says that vug wrote it");
+  EXPECT_TRUE(fs::exists(out + "/history.csv"));
+
+  test::BackgroundVug killed("run " + test::channel + " --quiet --threads 1 --set time.steps=1000000000 -o " + running +
+                                 " --set output.interval_steps=100",
+                             folder / "log");
+  ASSERT_TRUE(killed.wait_for([&] {
+    return test::contents(running + "/run.json").find("\"last_checkpoint\": 100,") != std::string::npos;
+  })) << killed.log();
+  killed.signal(SIGKILL);
+  killed.wait();
+  fs::remove_all(running + "/checkpoint");
+  expect_refused(run_vug("run " + test::channel + " --resume --set time.steps=1000000000 -o " + running +
+                         " --set output.interval_steps=100"),
+                 "holds a run (running at step");
+}
+
+/// What cannot be read is not absent.
+TEST(Resumed, WithCheckpointsThatCannotBeReadIsAFailureOfTheFiles) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", checkpoints = out + "/checkpoint";
+  ASSERT_EQ(run_channel(out, "--steps 300").exit_code, 0);
+  fs::rename(checkpoints, folder / "elsewhere");
+  const auto refused = [&](const std::string& why) {
+    const auto before = files_of(out);
+    const Outcome outcome = run_channel(out, "--quiet --resume");
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("vug: " + checkpoints + ": cannot look for checkpoints: " + why));
+    EXPECT_EQ(files_of(out), before);
+  };
+  fs::create_symlink(folder / "unmounted", checkpoints);
+  refused("No such file");
+  fs::remove(checkpoints);
+  test::write_text(checkpoints, "mine");
+  refused("Not a directory");
+  fs::remove(checkpoints);
+  fs::create_symlink(folder / "elsewhere", checkpoints);
+  EXPECT_EQ(run_channel(out, "--resume").exit_code, 0) << "they are there again";
+}
+
+/// A key's line of run.json.
+std::string line_of(const std::string& folder, const std::string& key) {
+  const std::string record = test::contents(folder + "/run.json");
+  const auto at = record.find("\n  \"" + key + "\": ");
+  return at == std::string::npos ? "" : record.substr(at, record.find('\n', at + 1) - at);
+}
+
+double wall_time_of(const std::string& folder) {
+  return std::stod(line_of(folder, "wall_time_s").substr(std::string("\n  \"wall_time_s\": ").size()));
+}
+
+TEST(Resumed, KeepsTheEventsAndAddsUpTheTime) {
+  const TemporaryFolder folder;
+  const std::string whole = folder / "whole", parts = folder / "parts",
+                    rock =
+                        "run " + test::small_rock + " --quiet --threads 1 --set output.checkpoint_interval=2.5e-5 -o ";
+  ASSERT_EQ(run_vug(rock + whole).exit_code, 0);
+  ASSERT_THAT(line_of(whole, "events"), HasSubstr("bonds have failed"));
+  double before = 0;
+  for (const char* steps : {" --steps 200", " --resume --steps 390", " --resume"}) {
+    ASSERT_EQ(run_vug(rock + parts + steps).exit_code, 0);
+    EXPECT_GT(wall_time_of(parts), before);
+    before = wall_time_of(parts);
+  }
+  EXPECT_EQ(line_of(parts, "events"), line_of(whole, "events"));
+  std::string newest;
+  for (const auto& entry : fs::directory_iterator(parts + "/checkpoint"))
+    newest = std::max(newest, entry.path().string());
+  fs::remove(newest);
+  ASSERT_EQ(run_vug(rock + parts + " --resume").exit_code, 0);
+  EXPECT_EQ(line_of(parts, "events"), line_of(whole, "events")) << "what comes again is told once";
+}
+
+TEST(Resumed, WithFewerStepsThanThereAreAddsNothing) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out";
+  ASSERT_EQ(run_channel(out, "").exit_code, 0);
+  const Outcome outcome = run_channel(out, "--resume --steps 100");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("note: --steps 100: the run is at step 1000 already"));
+  EXPECT_THAT(run_vug("watch " + out).output, HasSubstr("done, step 1000 of 1000 (100 %)"));
+  EXPECT_EQ(rows_of(out), 11);
+}
+
+TEST(Resumed, AnotherCaseIsRefused) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out";
+  ASSERT_EQ(run_channel(out, "--steps 300").exit_code, 0);
+  const auto before = files_of(out);
+  expect_refused(run_channel(out, "--resume --set flow.density=999"),
+                 "another case, which this one cannot continue: the text");
+  EXPECT_EQ(files_of(out), before);
+}
+
+TEST(Resumed, AChangedImageOrMeshIsRefusedByName) {
+  const TemporaryFolder folder;
+  const std::string complete = VUG_SOURCE_DIR "/tests/cases/complete/";
+  for (const auto& [name, input] :
+       {std::pair<std::string, std::string>{"image", "pores.raw"}, {"mesh", "square.msh"}}) {
+    const std::string text = folder / (name + ".toml"), out = folder / name;
+    fs::copy(complete + name + ".toml", text);
+    fs::copy(complete + input, folder / input);
+    ASSERT_EQ(run_vug("run " + text + " --quiet --steps 3 -o " + out).exit_code, 0) << name;
+    EXPECT_THAT(test::contents(out + "/run.json"), HasSubstr(input + "\", \"bytes\": "));
+    std::string changed = test::contents(folder / input);
+    if (name == "image")
+      std::reverse(changed.begin(), changed.end());
+    else
+      changed += "\n";
+    test::write_text(folder / input, changed);
+    const auto before = files_of(out);
+    expect_refused(run_vug("run " + text + " --quiet --resume --steps 5 -o " + out), input + " has changed since");
+    EXPECT_EQ(files_of(out), before);
+  }
+}
+
+TEST(Resumed, PassesOverADamagedCheckpointAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", newest = out + "/checkpoint/step_000000001000.checkpoint";
+  ASSERT_EQ(run_channel(out, "").exit_code, 0);
+  ASSERT_EQ(run_channel(folder / "whole", "").exit_code, 0);
+  std::string bytes = test::contents(newest);
+  bytes[bytes.size() / 2] ^= 1;
+  test::write_text(newest, bytes);
+  const Outcome outcome = run_channel(out, "--resume");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("warning: passed over: " + newest + ": the checkpoint is damaged"));
+  EXPECT_EQ(test::difference(folder / "whole", out), "");
+}
+
+/// A history that was cut off goes on, and the log says what is missing.
+TEST(Resumed, SaysThatTheHistoryHasLostRows) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", history = out + "/history.csv";
+  ASSERT_EQ(run_channel(out, "").exit_code, 0);
+  const std::string whole = test::contents(history);
+  const auto rows = std::count(whole.begin(), whole.end(), '\n') - 1;
+  EXPECT_THAT(run_channel(out, "--resume").output, Not(HasSubstr("lost")));
+  test::write_text(history, whole.substr(0, whole.size() - 1));  // a row without its end
+  EXPECT_THAT(run_channel(out, "--resume").output,
+              HasSubstr("warning: " + history + " has lost rows: " + std::to_string(rows - 1) + " of " +
+                        std::to_string(rows) + " up to step 1000 are left"));
+}
+
+TEST(Checkpoints, AreThereAtTheEndWhateverTheIntervals) {
+  const TemporaryFolder folder;
+  const std::string odd = " --set accuracy.update_interval=1000000 --set output.interval_steps=1000";
+  ASSERT_EQ(run_channel(folder / "out", "--steps 7" + odd).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/checkpoint/step_000000000007.checkpoint"));
+}
+
+TEST(Checkpoints, FromWhichARunWasResumedAreNamedWhenItDiverges) {
+  const TemporaryFolder folder;
+  // a viscosity far below what the pressure allows, and no limiter to save it
+  const std::string out = folder / "out",
+                    wild = "run " + test::small_rock +
+                           " --quiet --set flow.viscosity=2e-6 --set flow.speed_limit=0 --set flow.pressure_scale=1"
+                           " --set accuracy.guard_interval=10 -o " +
+                           out;
+  ASSERT_EQ(run_vug(wild + " --steps 1").exit_code, 0);
+  const Outcome diverged = run_vug(wild + " --resume");
+  EXPECT_EQ(diverged.exit_code, 3) << diverged.output;
+  EXPECT_THAT(diverged.output, HasSubstr("the last good state is the checkpoint of step 1 in " + out));
+}
+
+}  // namespace
+}  // namespace vug
