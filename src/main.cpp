@@ -29,6 +29,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -241,6 +242,8 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     return fail(ranks, out_of_memory, error.what());
   } catch (const std::bad_alloc&) {
     return fail(ranks, out_of_memory, "out of memory: " + vug::memory_taken());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(ranks, file_failed, vug::reason_of(error));
   } catch (const std::runtime_error& error) {  // Kokkos has no type of its own for this
     if (std::string_view(error.what()).find("failed to allocate") == std::string_view::npos) throw;
     return fail(ranks, out_of_memory, fmt::format("out of memory: {}; {}", error.what(), vug::memory_taken()));

@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -218,7 +219,6 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
 }
 
 std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, Results& results) {
-  if (scene.laboratory->test == LaboratoryTest::quench) throw InputError("lab: a quench has no strength to fit");
   const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene),
                                          *options.fit_strength, options.seeds, fit_tolerance);
   results = {{"cohesion_Pa", found.cohesion},
@@ -234,6 +234,8 @@ std::string fit(const Scene& scene, const LaboratoryOptions& options, const Asse
 }  // namespace
 
 std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options) {
+  if (options.fit_strength && scene.laboratory->test == LaboratoryTest::quench)
+    throw InputError(scene.path + ": a quench has no strength to fit");
   const std::string directory = run_directory(scene, options.directory);
   RunFolder folder(directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
                    "--overwrite replaces it, -o DIR leaves it alone");
@@ -244,34 +246,39 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   folder.take();
   write_run_record(directory, record);
   const auto start = std::chrono::steady_clock::now();
-  const auto finish = [&](const char* status, const std::string& reason, int code) {
-    record.status = status;
-    record.exit_reason = reason;
-    record.exit_code = code;
+  const auto finish = [&] {
     record.ended = utc_now();
     record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_run_record(directory, record);
   };
-  if (options.progress && !folder.warning().empty()) *options.progress << "warning: " << folder.warning() << '\n';
-  if (options.progress)
-    for (const std::string& warning : scene.warnings) *options.progress << "warning: " << warning << '\n';
+  const auto finish_as = [&](const char* status, const std::string& reason, int code) {
+    record.status = status;
+    record.exit_reason = reason;
+    record.exit_code = code;
+    finish();
+  };
+  if (std::ostream* log = options.progress ? options.progress : options.warnings) {
+    if (!folder.warning().empty()) *log << "warning: " << folder.warning() << '\n';
+    for (const std::string& warning : scene.warnings) *log << "warning: " << warning << '\n';
+  }
   try {
     const std::string found = options.fit_strength ? fit(scene, options, specimen, record.results)
                               : scene.laboratory->test == LaboratoryTest::quench
                                   ? quench_specimen(scene, options, specimen, directory, record.results)
                                   : load_all(scene, options, specimen, directory, record.results);
-    finish("done", "the test has ended", 0);
+    finish_as("done", "the test has ended", 0);
     return fmt::format("{:<22}{}, {} triangles\n{}{:<22}{}\n", "test", name_of(scene.laboratory->test),
                        specimen.triangles.size(), found, "files", directory);
   } catch (const StabilityError& error) {
-    finish("diverged", error.what(), 3);
+    finish_as("diverged", error.what(), 3);
     throw;
   } catch (const Interrupted& stop) {
-    finish("interrupted", stop.what(), 130);
+    finish_as("interrupted", stop.what(), 130);
     throw;
-  } catch (const FileError& error) {
+  } catch (const std::exception& error) {  // a search that has found nothing among them
     try {
-      finish("failed", error.what(), 4);
+      note_failure(record, error);
+      finish();
     } catch (const FileError&) {
       // the disk that refused the results refuses the record as well
     }

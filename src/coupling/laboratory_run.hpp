@@ -15,6 +15,7 @@ struct LaboratoryOptions {
   int seeds = 1;                       ///< specimens, which differ in the scatter of their bonds alone
   std::optional<double> fit_strength;  ///< Pa: search for the cohesion of this mean strength instead
   std::ostream* progress = nullptr;    ///< null: quiet
+  std::ostream* warnings = nullptr;    ///< where warnings go of a quiet test; null: nowhere
 };
 
 /// Runs the test of `scene`, which has a [laboratory], and returns what it found as text for people. The directory then

@@ -84,11 +84,8 @@ class Run {
       const std::string reason = fmt::format("{}; {}", error.what(), last_good());
       finish(progress, "diverged", reason, 3);
       throw StabilityError(reason);
-    } catch (const FileError& error) {
-      fail(progress, error.what(), 4);
-      throw;
-    } catch (const std::exception& error) {  // memory that did not suffice after all
-      fail(progress, error.what(), 5);
+    } catch (const std::exception& error) {
+      fail(progress, error);
       throw;
     }
   }
@@ -258,20 +255,25 @@ class Run {
                        checkpoints());
   }
 
-  void fail(const Progress& progress, const std::string& reason, int code) {
+  void fail(const Progress& progress, const std::exception& error) {
     reserve_.reset();
     try {
-      finish(progress, "failed", reason, code);
+      note_failure(record_, error);
+      finish(progress);
     } catch (const FileError&) {
       // the disk that refused the results refuses the record as well; the first error is the one to report
     }
   }
 
   void finish(const Progress& progress, const std::string& status, const std::string& reason, int code) {
-    if (!folder_) return;
     record_.status = status;
     record_.exit_reason = reason;
     record_.exit_code = code;
+    finish(progress);
+  }
+
+  void finish(const Progress& progress) {
+    if (!folder_) return;
     record_.ended = utc_now();
     write_record(progress);
   }

@@ -4,6 +4,7 @@
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/json_text.hpp"
+#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -57,6 +58,23 @@ std::string utc_now() {
   char text[32];
   std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
+}
+
+void note_failure(RunRecord& record, const std::exception& error) {
+  record.status = "failed";
+  record.exit_reason = error.what();
+  record.exit_code = 5;
+  if (dynamic_cast<const InputError*>(&error) != nullptr) record.exit_code = 2;
+  if (dynamic_cast<const FileError*>(&error) != nullptr) record.exit_code = 4;
+  if (const auto* refused = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    record.exit_reason = reason_of(*refused);
+    record.exit_code = 4;
+  }
+}
+
+std::string reason_of(const std::filesystem::filesystem_error& error) {
+  const std::string path = error.path1().string();
+  return fmt::format("{}: {}", path.empty() ? "the current folder" : path, error.code().message());
 }
 
 void write_run_record(const std::string& directory, const RunRecord& r) {

@@ -51,6 +51,20 @@ TEST(Laboratory, FindsTheCohesionOfAStrength) {
   EXPECT_EQ(check.output, "True True\n");
 }
 
+TEST(Laboratory, SaysInTheRecordThatNoCohesionWasFound) {
+  const TemporaryFolder folder;
+  const std::string lab = "lab " VUG_SOURCE_DIR
+                          "/cases/laboratory/compression.toml --quiet --set rock.element_size=3e-3 --seeds 1"
+                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2"
+                          " --set laboratory.largest_strain=3e-4 --fit-cohesion 700 -o " +
+                          (folder / "out");
+  const Outcome outcome = run_vug(lab);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("no cohesion found"));
+  EXPECT_THAT(test::contents(folder / "out/run.json"), HasSubstr("\"status\": \"failed\""));
+  EXPECT_THAT(run_vug("watch " + (folder / "out")).output, HasSubstr("failed, step 0"));
+}
+
 /// What the platens have done by the curve itself: stress over the strain of what lies between them, its height being
 /// that of the specimen less the centroids' distance from its ends.
 constexpr const char* compare_energies = R"(
