@@ -30,8 +30,8 @@ fs::path finished(const fs::path& path) {
 }
 
 bool is_result(const fs::path& path) {
-  for (const char* name :
-       {"history.csv", "stress_strain.csv", "cracks.csv", "fields.h5", "fields.xdmf", "particles.h5", "particles.xdmf"})
+  for (const char* name : {"history.csv", "stress_strain.csv", "cracks.csv", "error_bars.csv", "fields.h5",
+                           "fields.xdmf", "particles.h5", "particles.xdmf"})
     if (path.filename() == name) return true;
   return false;
 }
@@ -57,6 +57,28 @@ std::vector<fs::path> results_in(const std::string& folder) {
   add(folder + "/particles", is_snapshot);
   add(folder, is_result);
   return found;
+}
+
+bool is_run(const std::string& folder) {
+  try {
+    return read_run_summary(folder).has_value();
+  } catch (const InputError&) {
+    return false;  // a run.json of somebody else
+  }
+}
+
+/// Runs beside a run, for its error bars.
+std::vector<std::string> twins_of(const std::string& folder) {
+  std::vector<std::string> twins;
+  for (const char* twin : {"coarse", "coarser", "finer"})
+    if (const std::string path = fmt::format("{}/error_bars/{}", folder, twin); is_run(path)) twins.push_back(path);
+  return twins;
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
 }
 
 /// The value of a key of run.json, which has one key a line; a text without its quotes.
@@ -185,15 +207,25 @@ void RunFolder::take() {
   if (::ftruncate(lock_.value, 0) != 0 || ::pwrite(lock_.value, name.data(), name.size(), 0) < 0) {
     // no room for a name: the lock holds without it
   }
-  if (use_ == Use::overwrite) clear();
+  if (use_ != Use::overwrite) return;
+  for (const std::string& twin : twins_of(path_))
+    if (is_in_use(twin)) throw InputError(twin + ": is in use by another process; choose another folder");
+  clear();
+  clear_error_bars();
 }
 
 void RunFolder::clear() const {
-  std::error_code error;
-  for (const fs::path& file : results_in(path_)) {
-    fs::remove(file, error);
-    if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
+  for (const fs::path& file : results_in(path_)) remove_file(file);
+}
+
+void RunFolder::clear_error_bars() const {
+  std::error_code kept;  // folders in which there are files of others
+  for (const std::string& twin : twins_of(path_)) {
+    for (const fs::path& file : results_in(twin)) remove_file(file);
+    for (const char* file : {"run.json", "run.lock"}) remove_file(twin + "/" + file);
+    for (const char* folder : {"/checkpoint", "/fields", "/particles", ""}) fs::remove(twin + folder, kept);
   }
+  fs::remove(path_ + "/error_bars", kept);
 }
 
 }  // namespace vug

@@ -46,7 +46,7 @@ class RunFolder {
   RunFolder& operator=(const RunFolder&) = delete;
 
   /// Makes the folder, locks it, and looks again: what has come meanwhile is not touched either. To overwrite, clears
-  /// it. Throws InputError and FileError.
+  /// it, error bars of the run with the runs that were made for them included. Throws InputError and FileError.
   void take();
   /// Whether nothing is lost when the run begins anew though it was to be continued: where it ended before its first
   /// checkpoint. Throws InputError where it has had one, and where no run.json says whose results there are.

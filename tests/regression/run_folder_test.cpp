@@ -56,6 +56,22 @@ TEST(RunFolder, IsOverwrittenOnDemandButForFilesOfOthers) {
   EXPECT_EQ(rows_of(out), 11);
 }
 
+TEST(RunFolder, IsOverwrittenWithItsErrorBars) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", few = "--overwrite --quiet --steps 100 ";
+  for (const std::string& run : {out, out + "/error_bars/coarse"})  // as --error-bars leaves them
+    ASSERT_EQ(run_channel(run, few).exit_code, 0);
+  test::write_text(out + "/error_bars.csv", "time_s\n");
+  test::write_text(out + "/error_bars/coarse/notes.txt", "mine");
+  fs::create_directories(out + "/error_bars/finer");
+  test::write_text(out + "/error_bars/finer/run.json", "mine");
+  ASSERT_EQ(run_channel(out, few + "--set flow.viscosity=2e-6").exit_code, 0);
+  std::vector<std::string> left;
+  for (const auto& [path, text] : files_of(out + "/error_bars")) left.push_back(path.substr(out.size()));
+  EXPECT_THAT(left, testing::ElementsAre("/error_bars/coarse/notes.txt", "/error_bars/finer/run.json"));
+  EXPECT_FALSE(fs::exists(out + "/error_bars.csv"));
+}
+
 TEST(RunFolder, WithFilesOfAnotherProgramIsRefused) {
   const TemporaryFolder folder;
   for (const std::string name : {"history.csv", "fields.h5", "fields/step_000000000100.h5"}) {
