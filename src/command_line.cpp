@@ -42,7 +42,7 @@ void describe(CLI::App& app, CommandLine& line) {
   line.run->add_flag("--overwrite", line.overwrite, "Replace the run that the run directory holds")->excludes(resume);
   line.run->add_flag("--error-bars", line.error_bars,
                      "Run coarser lattices as well (rock: finer intervals) and tell how wrong the numbers are");
-  line.run->add_flag("--quiet", line.quiet, "No progress");
+  line.run->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
   line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
   line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
@@ -64,7 +64,7 @@ void describe(CLI::App& app, CommandLine& line) {
       ->check(positive);
   line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
   line.lab->add_flag("--overwrite", line.overwrite, "Replace the results that the directory holds");
-  line.lab->add_flag("--quiet", line.quiet, "No progress");
+  line.lab->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
   line.info->add_flag("--json", line.json, "Machine-readable");
   line.sweep = app.add_subcommand("sweep", "Run a study: many runs of a case that differ in some keys");
@@ -76,7 +76,7 @@ void describe(CLI::App& app, CommandLine& line) {
   line.sweep->add_option("--batch", line.batch, "Run nothing; print a script for this batch system: slurm")
       ->check(CLI::IsMember({"slurm"}));
   line.sweep->add_option("--member", line.member, "Run only this one, counted from 0, in this process");
-  line.sweep->add_flag("--quiet", line.quiet, "No progress");
+  line.sweep->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.start = app.add_subcommand(
       "new", "Write a case to begin with: channel, reactive_channel, heated_channel, rock, fracture");
   line.start->add_option("template", line.name, "Name of the template")->required();
@@ -99,7 +99,7 @@ void describe(CLI::App& app, CommandLine& line) {
       ->delimiter(',');
   line.tune->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
   line.tune->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
-  line.tune->add_flag("--quiet", line.quiet, "No progress");
+  line.tune->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.watch = app.add_subcommand("watch", "Follow a run under way: how far it is, and the course of its numbers");
   line.watch->add_option("directory", line.directory, "Run directory")->required();
   line.watch->add_option("--columns", line.columns, "Columns of history.csv (default: those that change)")

@@ -90,6 +90,7 @@ int lab(const CommandLine& line) {
   options.seeds = line.seeds > 0 ? line.seeds : line.fit_cohesion ? 5 : 1;
   if (line.fit_cohesion) options.fit_strength = 1e6 * *line.fit_cohesion;
   options.progress = line.quiet ? nullptr : &std::cerr;
+  options.warnings = &std::cerr;
   options.overwrite = line.overwrite;
   vug::print(vug::run_laboratory(scene, options));
   return done;
@@ -114,6 +115,7 @@ int run(const CommandLine& line, const vug::Ranks& ranks) {
   options.overwrite = line.overwrite;
   options.terminal = isatty(STDERR_FILENO) != 0;
   options.progress = line.quiet || !ranks.first() ? nullptr : &std::cerr;
+  options.warnings = ranks.first() ? &std::cerr : nullptr;
   options.ranks = ranks;
   if (line.error_bars)
     vug::print(vug::run_with_error_bars(scene, options));

@@ -7,7 +7,7 @@
     pressure = run[-1]["pressure"]         # of the last snapshot; nothing is read before it is used
     pressure.values, pressure.units, pressure.x, pressure.y
 """
-from .errors import (CaseError, Diverged, FileTrouble, Interrupted, OutOfMemory, VugError)
+from .errors import (CaseError, Diverged, FileTrouble, Interrupted, OutOfMemory, VugError, VugWarning)
 from .field import Field
 from .history import History
 from .launch import check, executable, run, sweep
@@ -17,4 +17,4 @@ from .study import Study
 open = Run  # noqa: A001 (vug.open reads as what it does)
 
 __all__ = ["CaseError", "Diverged", "Field", "FileTrouble", "History", "Interrupted", "OutOfMemory", "Rock", "Run",
-           "Snapshot", "Study", "VugError", "check", "executable", "open", "run", "sweep"]
+           "Snapshot", "Study", "VugError", "VugWarning", "check", "executable", "open", "run", "sweep"]

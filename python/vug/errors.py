@@ -37,4 +37,8 @@ class Interrupted(VugError):
     exit_code = 130
 
 
+class VugWarning(UserWarning):
+    """What vug has warned of, for instance a number outside the range in which it was found safe."""
+
+
 BY_CODE = {error.exit_code: error for error in (CaseError, Diverged, FileTrouble, OutOfMemory, Interrupted)}

@@ -5,8 +5,9 @@ import os
 import pathlib
 import shutil
 import subprocess
+import warnings
 
-from .errors import BY_CODE, Diverged, VugError
+from .errors import BY_CODE, Diverged, VugError, VugWarning
 from .run_folder import Run
 from .study import Study
 
@@ -21,8 +22,11 @@ def executable():
 
 
 def _call(words):
-    """Runs vug; returns what it has printed, raises what it ended with."""
+    """Runs vug; returns what it has printed, passes its warnings on, raises what it ended with."""
     done = subprocess.run([executable(), *words], capture_output=True, text=True, check=False)
+    for line in done.stderr.splitlines():
+        if "warning: " in line and not line.startswith("vug: "):
+            warnings.warn(line.replace("warning: ", "", 1), VugWarning, stacklevel=3)
     if done.returncode == 0:
         return done.stdout
     lines = [line for line in done.stderr.splitlines() if line.strip()]

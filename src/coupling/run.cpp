@@ -68,8 +68,10 @@ class Run {
       write_run_record(path_, record_);
     }
     std::ostream silent(nullptr);
-    Progress progress(options_.progress ? *options_.progress : silent, options_.terminal && options_.progress,
-                      {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step()});
+    std::ostream* const log = options_.progress ? options_.progress : options_.warnings;
+    Progress progress(log ? *log : silent, options_.terminal && options_.progress,
+                      {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step(),
+                       options_.progress == nullptr});
     try {
       warn(progress);
       advance(progress);

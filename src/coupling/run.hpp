@@ -18,6 +18,7 @@ struct RunOptions {
   bool overwrite = false;  ///< replace the run that `directory` holds
   bool terminal = false;   ///< the progress goes to a terminal
   std::ostream* progress = nullptr;  ///< null: quiet
+  std::ostream* warnings = nullptr;  ///< where warnings go of a quiet run; null: nowhere
   Ranks ranks{};                     ///< who computes the case together; the first of them writes
 };
 

@@ -59,7 +59,7 @@ void Progress::update(std::int64_t step, double updates_per_step, double ahead) 
   const double now = clock_();
   if (now - window_.back().time >= 0.1 || window_.size() < 2) window_.push_back({now, step, simulated()});
   while (window_.size() > 2 && now - window_.front().time > window_seconds) window_.pop_front();
-  if (!due(now)) return;
+  if (run_.quiet || !due(now)) return;
   if (now - shown_ >= interval_) interval_ = std::min(60.0, 2 * interval_);
   shown_ = now;
   shown_fraction_ = fraction();
@@ -70,11 +70,13 @@ void Progress::update(std::int64_t step, double updates_per_step, double ahead) 
 }
 
 void Progress::note(std::string_view text) {
+  if (run_.quiet && text.find("warning: ") == std::string_view::npos) return;
   if (terminal_) out_ << "\r\x1b[K";
   out_ << text << '\n' << std::flush;
 }
 
 void Progress::finish(std::string_view reason) {
+  if (run_.quiet) return;
   if (terminal_) out_ << "\r\x1b[K";
   const double wall = wall_time();
   out_ << fmt::format("{} at t = {:.4g} s, step {}: {} steps in {}, {:.1f} MLUPS", reason, simulated(), step_,

@@ -24,6 +24,7 @@ class Progress {
     std::int64_t first_step = 0, last_step = 0;
     double time_step = 0;         ///< s
     double updates_per_step = 0;  ///< lattice-node updates, all fields together
+    bool quiet = false;           ///< warnings only
   };
   Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds);
 
@@ -31,7 +32,7 @@ class Progress {
   /// by how much the time is more than that of the steps.
   void update(std::int64_t step, double updates_per_step, double ahead = 0);
   void update(std::int64_t step) { update(step, run_.updates_per_step); }
-  /// A line of its own: something physical has happened.
+  /// A line of its own: something physical has happened, or a warning ("warning: ..." at its start, or after the step).
   void note(std::string_view line);
   /// The last line, with the averages of the whole run.
   void finish(std::string_view reason);

@@ -71,6 +71,18 @@ TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --member 6").exit_code, 2);
 }
 
+TEST(Sweep, KeepsTheWarningsOfItsRunsInTheirLogs) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "viscous.toml",
+                   "[study]\ncase = \"" + std::filesystem::absolute(VUG_SOURCE_DIR "/cases/poiseuille.toml").string() +
+                       "\"\nset = [\"time.steps=2000\"]\n[[study.keys]]\nkey = "
+                       "\"flow.viscosity\"\nvalues = [1e-5]\n");
+  ASSERT_EQ(test::run_vug("sweep " + (folder / "viscous.toml") + " -o " + (folder / "study") + " --quiet").exit_code,
+            0);
+  const std::string log = test::contents(folder / "study/runs/0001.log");
+  EXPECT_TRUE(log.starts_with("warning: flow: ")) << log;
+}
+
 /// A folder's study.toml, table.csv and failures.csv are a sweep's, or the user's: then they stay.
 TEST(Sweep, LeavesFilesOfOthersAlone) {
   const test::TemporaryFolder folder;

@@ -84,6 +84,11 @@ class OpenRuns(unittest.TestCase):
         self.assertEqual(run.record["precision"], "single")
         self.assertEqual(run[-1].keys(), ["pressure"])
 
+    def test_warnings_are_passed_on(self):
+        with self.assertWarnsRegex(vug.VugWarning, "^flow: relaxation time tau_f = 3.5 is outside") as caught:
+            self.run_case("cases/poiseuille.toml", {"flow.viscosity": 1e-5}, steps=2)
+        self.assertEqual(pathlib.Path(caught.filename).name, "package_test.py")
+
     def test_errors_have_types(self):
         with self.assertRaisesRegex(vug.CaseError, "viscosity.*must be") as caught:
             vug.run("cases/poiseuille.toml", self.folder / "bad", {"flow.viscosity": -1})

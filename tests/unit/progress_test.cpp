@@ -90,6 +90,20 @@ TEST(Progress, RedrawsOneLineOnATerminal) {
   EXPECT_EQ(watch.lines(), 2);
 }
 
+TEST(Progress, IsWarningsOnlyWhereItIsQuiet) {
+  Stopwatch watch;
+  Progress::Run quiet = hundred_seconds;
+  quiet.quiet = true;
+  Progress progress(watch.out, false, quiet, watch.clock());
+  watch.now += 100;
+  progress.update(1000);
+  progress.note("step 7, 1 s: 10 bonds have failed");
+  progress.note("warning: too fast");
+  progress.note("step 7, 1 s: warning: too far");
+  progress.finish("done");
+  EXPECT_EQ(watch.out.str(), "warning: too fast\nstep 7, 1 s: warning: too far\n");
+}
+
 TEST(Progress, CountsAResumedRunFromItsFirstStep) {
   Stopwatch watch;
   Progress progress(watch.out, false, {600, 1000, 1e-6, 2e6}, watch.clock());
