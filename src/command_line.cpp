@@ -34,7 +34,7 @@ void describe(CLI::App& app, CommandLine& line) {
   line.run = app.add_subcommand("run", "Run a case");
   line.run->add_option("case", line.case_file, "Case file (TOML)")->required();
   line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
-  line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
   line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(not_negative);
   line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
   CLI::Option* resume =
@@ -45,7 +45,7 @@ void describe(CLI::App& app, CommandLine& line) {
   line.run->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
   line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
-  line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
   line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
   CLI::Option* const json = line.check->add_flag("--json", line.json, "Machine-readable");
   line.check->add_option("--preview", line.preview, "Draw rock and pores into this PNG file");
@@ -56,7 +56,7 @@ void describe(CLI::App& app, CommandLine& line) {
   line.lab = app.add_subcommand("lab", "Run the laboratory test of a case: compression, tension, splitting, heat");
   line.lab->add_option("case", line.case_file, "Case file (TOML) with [laboratory]")->required();
   line.lab->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the case file>)");
-  line.lab->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+  line.lab->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
   line.lab
       ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
       ->check(CLI::Range(1, 1000));
@@ -96,14 +96,16 @@ void describe(CLI::App& app, CommandLine& line) {
       ->check(not_negative);
   line.tune
       ->add_option("--columns", line.columns, "Columns of history.csv to hold to (default: every amount that changes)")
-      ->delimiter(',');
-  line.tune->add_option("--set", line.overrides, "Override a key: table.key=value")->take_all()->expected(1);
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  line.tune->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
   line.tune->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
   line.tune->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.watch = app.add_subcommand("watch", "Follow a run under way: how far it is, and the course of its numbers");
   line.watch->add_option("directory", line.directory, "Run directory")->required();
   line.watch->add_option("--columns", line.columns, "Columns of history.csv (default: those that change)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   line.watch->add_flag("--once", line.once, "Only now (also when the output is no terminal)");
   line.man = app.add_subcommand("man", "Manual page, for man -l");
 }

@@ -57,6 +57,19 @@ TEST(Schema, IsJsonThatHoldsEveryKeyOfTheCases) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
 }
 
+/// An override is one word: what follows it is the case, or a mistake.
+TEST(CommandLine, TakesOneWordForEveryOverride) {
+  const std::string two =
+      "check --set flow.viscosity=2e-6 --set time.steps=4000 " VUG_SOURCE_DIR "/cases/poiseuille.toml";
+  EXPECT_NE(test::run_vug(two).output.find("\n4000 steps of "), std::string::npos);
+  const test::Outcome mistaken = test::run_vug(two + " --set time.steps=4000 case.name=two");
+  EXPECT_EQ(mistaken.exit_code, 2);
+  EXPECT_NE(mistaken.output.find("not expected: case.name=two"), std::string::npos) << mistaken.output;
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(test::run_vug("watch --columns a,b " + folder.path()).output,
+            "vug: " + folder.path() + ": holds no run (it has no run.json)\n");
+}
+
 TEST(CommandLine, OffersCompletionACitationAndAManualPage) {
   EXPECT_NE(test::run_vug("--cite").output.find("cff-version"), std::string::npos);
   const test::TemporaryFolder folder;
