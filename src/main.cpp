@@ -197,7 +197,8 @@ int agree(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
   return ranks.first() ? fail(code, what) : code;
 }
 
-/// Several ranks compute a run, and nothing else yet.
+/// Several ranks compute a run, and nothing else yet: what they all did would be done several times over, into the same
+/// files, or wait for one of them.
 void require_run(const CommandLine& line, const vug::Ranks& ranks) {
   if (*line.info) return;
   if (ranks.alone() && vug::processes_started() > 1)
@@ -212,11 +213,11 @@ int dispatch(const CLI::App& app, CommandLine& line) {
   std::optional<vug::Mpi> mpi;
   vug::Ranks ranks;
   try {
-    if (const std::optional<int> code = plain_command(app, line)) return *code;
-    if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     if (vug::processes_started() > 1) ranks = mpi.emplace().world();  // alone, MPI would start a daemon
     if (!ranks.first()) vug::leave_words_to_others();
     require_run(line, ranks);
+    if (const std::optional<int> code = plain_command(app, line)) return *code;
+    if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);

@@ -50,9 +50,11 @@ def expect(what, found, wanted):
 
 
 def main(root):
-    code, lines = end(start(2, "check", ROCK))
-    expect("a command for one rank", (code, len(lines)), (2, 1))
-    assert "2 ranks were started" in lines[0], lines
+    for words in (["check", ROCK], ["new", "channel", root / "new.toml"], ["sweep", "study.toml"], ["watch", root], ["man"]):
+        code, lines = end(start(2, *words))
+        expect("a command for one rank", (code, len(lines)), (2, 1))
+        assert "2 ranks were started" in lines[0], lines
+    assert not (root / "new.toml").exists()
     process = start(3, "info")
     places = [line for line in process.communicate(timeout=60)[0].splitlines() if line.startswith("rank ")]
     expect("where ranks compute", [place.split()[:2] for place in places], [["rank", str(r)] for r in range(3)])
