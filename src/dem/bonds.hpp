@@ -68,7 +68,9 @@ struct Bonds {
   IndexList overstressed;
   Kokkos::View<BondState*> state;
   Kokkos::View<std::uint8_t*> joint;  ///< faces_joined, faces_dissolved or faces_apart
-  IndexList events;                   ///< [bond_has_failed] for good, [cracks_have_changed] until contacts have noticed
+  /// [bond_has_failed] for good, from the start where rock faces itself: contacts are awake; [cracks_have_changed]
+  /// until they have noticed.
+  IndexList events;
   Kokkos::View<double* [2], Kokkos::LayoutLeft> slip;    ///< (bond, point) slider of the crack's friction, m
   Kokkos::View<double* [2], Kokkos::LayoutLeft> stress;  ///< (bond, normal/tangential) mean of the two points, Pa
 

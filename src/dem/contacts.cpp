@@ -35,7 +35,7 @@ double choose_skin(const Particles& particles) {
 
 }  // namespace
 
-Contacts make_contacts(const Particles& particles, const Bonds& bonds) {
+Contacts make_contacts(const Particles& particles, const Bonds& bonds, bool awake) {
   const auto n = static_cast<std::size_t>(particles.count);
   Contacts c;
   c.capacity = pairs_per_particle * particles.count + 64;
@@ -55,7 +55,7 @@ Contacts make_contacts(const Particles& particles, const Bonds& bonds) {
   const auto status = Kokkos::create_mirror_view(c.status);
   status(contacts_stale) = 1;
   Kokkos::deep_copy(c.status, status);
-  if (bonds.count < particles.count - 1) {  // too few bonds to hold it together
+  if (awake) {
     const auto events = Kokkos::create_mirror_view(bonds.events);
     events(bond_has_failed) = 1;
     Kokkos::deep_copy(bonds.events, events);

@@ -14,7 +14,7 @@ struct Contacts {
   double skin = 0;   ///< pairs closer than this are candidates, m; rebuilt when a particle moved by a quarter of it
 
   /// [contacts_stale]: the list must be rebuilt; [contacts_generation] in use, 0 or 1; [contacts_lost]: pairs that
-  /// found no room. Nothing is looked for while Bonds::events says that no bond has failed.
+  /// found no room. Nothing is looked for while Bonds::events says that contacts sleep.
   IndexList status;
   Kokkos::View<int* [2], Kokkos::LayoutLeft> first;                      ///< (particle + 1, generation)
   Kokkos::View<int* [2], Kokkos::LayoutLeft> other;                      ///< (pair, generation) the higher particle
@@ -33,7 +33,7 @@ struct Contacts {
 
 inline constexpr int contacts_stale = 0, contacts_generation = 1, contacts_lost = 2;
 
-/// An empty list for these particles. An assembly in pieces is awake from the start.
-Contacts make_contacts(const Particles& particles, const Bonds& bonds);
+/// An empty list for these particles; those of rock that faces itself are awake from the start.
+Contacts make_contacts(const Particles& particles, const Bonds& bonds, bool awake);
 
 }  // namespace vug

@@ -9,7 +9,7 @@ namespace vug {
 namespace {
 
 /// Contacts beside bonds: they need not know of a bond that fails in this step, since no pair is listed before the
-/// first has failed.
+/// next search.
 template <class Law, class Keeper>
 void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces<Keeper> touch,
                  const ForceGroups& only) {

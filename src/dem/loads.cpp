@@ -25,8 +25,13 @@ std::array<double, 4> bounding_box(const Assembly& assembly) {
   return box;
 }
 
+/// How far from a line a vertex may lie that counts as on it.
+double tolerance_of(const std::array<double, 4>& box) {
+  return 1e-6 * std::max(box[2] - box[0], box[3] - box[1]);
+}
+
 int side_of(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 4>& box) {
-  const double tolerance = 1e-6 * std::max(box[2] - box[0], box[3] - box[1]);
+  const double tolerance = tolerance_of(box);
   const std::array<double, 4> place{box[2], box[3], box[0], box[1]};  // order of RockSide
   for (std::size_t side = 0; side < 4; ++side) {
     const std::size_t axis = side % 2;
@@ -114,6 +119,22 @@ std::vector<BoundaryEdge> find_boundary(const Assembly& assembly) {
     boundary.push_back({edge.triangle[0], edge.vertex, side_of(p, q, box)});
   }
   return boundary;
+}
+
+bool faces_itself(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary) {
+  const double tolerance = tolerance_of(bounding_box(assembly));
+  const auto place = [&](int v) {
+    const auto& point = assembly.vertices[static_cast<std::size_t>(v)];
+    return Vec2{point[0], point[1]};
+  };
+  // every vertex of the boundary is the first one of some edge
+  return std::any_of(boundary.begin(), boundary.end(), [&](const BoundaryEdge& edge) {
+    if (edge.side >= 0) return false;  // nothing lies beyond the bounding box
+    const Vec2 p = place(edge.vertex[0]), along = place(edge.vertex[1]) - p;
+    const double beyond = -tolerance * norm(along);
+    return std::any_of(boundary.begin(), boundary.end(),
+                       [&](const BoundaryEdge& other) { return cross(along, place(other.vertex[0]) - p) < beyond; });
+  });
 }
 
 Support support_of(const LoadedPiece& piece, const Loads& loads) {

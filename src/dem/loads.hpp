@@ -54,6 +54,10 @@ struct BoundaryEdge {
 /// All boundary edges. An edge belongs to a side when both its ends lie on that side of the assembly's bounding box.
 std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
 
+/// Whether parts of the boundary lie in front of others, as in holes, in slots and between pieces: of any outline but a
+/// convex one. Such rock may touch itself before a bond has failed.
+bool faces_itself(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary);
+
 /// Steady loads of each particle, ready for the integrator. The torque of a dead load turns with the particle:
 /// T = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
 struct BoundaryLoads {

@@ -58,7 +58,7 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       particles_(make_particles(assembly, parameters)),
       relative_expansion_(relative_expansions(assembly, parameters, parameters_.thermal_expansion)),
       bonds_(make_bonds(assembly, particles_, parameters)),
-      contacts_(make_contacts(particles_, bonds_)),
+      contacts_(make_contacts(particles_, bonds_, faces_itself(assembly, boundary_))),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
       servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)),

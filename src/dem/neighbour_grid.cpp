@@ -99,11 +99,22 @@ struct RebuildPairs {
     return share_a_vertex(i, j) && !beside_a_crack(i) && !beside_a_crack(j);
   }
 
+  KOKKOS_FUNCTION double reach_of(int i) const {
+    double most = 0;
+    for (int c = 0; c < 3; ++c) {
+      const Vec2 r{p.corner(i, c, 0), p.corner(i, c, 1)};
+      most = Kokkos::max(most, dot(r, r));
+    }
+    return Kokkos::sqrt(most);
+  }
+
   KOKKOS_FUNCTION bool candidate(int i, int j) const {
     if (is_gone(p.solid_fraction(i)) || is_gone(p.solid_fraction(j))) return false;
     const Vec2 gap = centre(j) - centre(i);
     const double near = 2 * p.radius + contacts.skin;
     if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;
+    const double touch = reach_of(i) + reach_of(j) + near;  // in graded rock cells are full of far smaller ones
+    if (dot(gap, gap) > touch * touch) return false;
     if (joined(i, j) || held_apart(i, j)) return false;
     const Triangle a = outline(i), b = outline(j);
     for (int c = 0; c < 3; ++c) {

@@ -29,7 +29,7 @@ class OneBond : public ::testing::Test {
   /// Mean stress (normal, tangential) after particle b has moved to (u_n, u_t).
   std::array<double, 2> stress_at(double u_n, double u_t) {
     place(particles, 1, u_n, u_t);
-    compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds), NoAccounts{});
+    compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds, false), NoAccounts{});
     const auto load = host_copy(bonds.load);
     return {load(0, 0) / l, load(0, 1) / l};
   }

@@ -126,7 +126,7 @@ TEST_F(OneBond, BendingOpensOneEndAndNeedsNoRotationalModulus) {
   // particle b turns about the middle of the edge
   const double arm = l / (2 * std::sqrt(3.0));
   test::place(particles, 1, arm * (std::cos(angle) - 1), arm * std::sin(angle), angle);
-  compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds), NoAccounts{});
+  compute_forces(Exec(), parameters, 0, particles, bonds, make_contacts(particles, bonds, false), NoAccounts{});
   const auto load = host_copy(bonds.load);
   // two points at ± l / (2 sqrt 3), each with k_n l / 2: torque k_n l^3 / 12 times the angle
   EXPECT_NEAR(load(0, 3) + arm * load(0, 1), -k_n * l * l * l / 12 * angle, 1e-5 * k_n * l * l * l / 12 * angle);
