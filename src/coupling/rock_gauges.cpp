@@ -88,6 +88,7 @@ RockGauges::RockGauges(const Scene& scene, const Assembly& assembly, const Mecha
     const std::string what = fmt::format("{}: output.gauges.{}", scene.path, g), name = gauge.name;
     const Particles particles = rock.particles();
     const Bonds bonds = rock.bonds();
+    const double expansion = rock.parameters().thermal_expansion;
     const auto two = [name](const char* first, const char* second, const char* unit, auto&& measure) -> Read {
       return [=](const Exec& exec, std::vector<HistoryValue>& row) {
         const Vec2 value = measure(exec);
@@ -98,15 +99,16 @@ RockGauges::RockGauges(const Scene& scene, const Assembly& assembly, const Mecha
     switch (gauge.kind) {
       case GaugeKind::displacement: {
         const RockPoint point = rock_point(assembly, gauge.at, what);
-        gauges_.push_back(
-            two("_x", "_y", "_m", [=](const Exec& exec) { return displacement_of(exec, particles, point); }));
+        gauges_.push_back(two("_x", "_y", "_m",
+                              [=](const Exec& exec) { return displacement_of(exec, particles, expansion, point); }));
         break;
       }
       case GaugeKind::opening: {
         const RockPoint a = rock_point(assembly, gauge.from, what), b = rock_point(assembly, gauge.to, what);
         const Vec2 apart = vec(gauge.to) - vec(gauge.from), n = (1 / norm(apart)) * apart, t{-n.y, n.x};
         gauges_.push_back(two("_opening", "_sliding", "_m", [=](const Exec& exec) {
-          const Vec2 moved = displacement_of(exec, particles, b) - displacement_of(exec, particles, a);
+          const Vec2 moved =
+              displacement_of(exec, particles, expansion, b) - displacement_of(exec, particles, expansion, a);
           return Vec2{dot(moved, n), dot(moved, t)};
         }));
         break;

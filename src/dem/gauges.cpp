@@ -1,5 +1,6 @@
 #include "dem/gauges.hpp"
 
+#include "dem/thermal_strain.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -11,14 +12,16 @@ namespace {
 
 struct PointDisplacement {
   Particles p;
+  double expansion;
   RockPoint point;
   ScalarField<double> out;
   KOKKOS_FUNCTION void operator()(int) const {
     const int i = point.particle;
-    const Vec2 turned = Rotation{p.rotation(i, 0), p.rotation(i, 1)}.move(point.arm) -
-                        Rotation::by(p.angle_reference(i)).move(point.arm);
-    out(0) = p.u(i, 0) - p.u_reference(i, 0) + turned.x;
-    out(1) = p.u(i, 1) - p.u_reference(i, 1) + turned.y;
+    const double scale = thermal_scale(expansion, p.warming(i));
+    const Vec2 arm = (scale - 1) * point.arm + scale * Rotation{p.rotation(i, 0), p.rotation(i, 1)}.move(point.arm) -
+                     Rotation::by(p.angle_reference(i)).move(point.arm);
+    out(0) = p.u(i, 0) - p.u_reference(i, 0) + arm.x;
+    out(1) = p.u(i, 1) - p.u_reference(i, 1) + arm.y;
   }
 };
 
@@ -79,9 +82,9 @@ Vec2 read(const Exec& exec, const ScalarField<double>& out) {
 
 }  // namespace
 
-Vec2 displacement_of(const Exec& exec, const Particles& particles, const RockPoint& point) {
+Vec2 displacement_of(const Exec& exec, const Particles& particles, double expansion, const RockPoint& point) {
   const ScalarField<double> out("vug::dem::gauge", 2);
-  for_each_node(exec, "vug::dem::gauge_displacement", 1, PointDisplacement{particles, point, out});
+  for_each_node(exec, "vug::dem::gauge_displacement", 1, PointDisplacement{particles, expansion, point, out});
   return read(exec, out);
 }
 

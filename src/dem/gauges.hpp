@@ -10,8 +10,10 @@ struct RockPoint {
   Vec2 arm;  ///< from the centroid at the start, m
 };
 
-/// Displacement of a point since the end of the preload, m.
-Vec2 displacement_of(const Exec& exec, const Particles& particles, const RockPoint& point);
+/// Displacement of a point since the end of the preload, m, as bonds see it:
+///   u - u_0 + ((1 + alpha dT) Q - Q_0) arm,  Q the rotation, `expansion` alpha (MechanicsParameters);
+/// the preload counts as done at the temperature without thermal stress, as it is in a run.
+Vec2 displacement_of(const Exec& exec, const Particles& particles, double expansion, const RockPoint& point);
 
 /// Force that holds the listed particles, N per m of thickness.
 Vec2 reaction_of(const Exec& exec, const Particles& particles, const IndexList& held);

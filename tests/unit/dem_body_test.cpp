@@ -188,4 +188,66 @@ TEST(Preload, CountsItsSteps) {
   EXPECT_EQ(report.steps, 160);
 }
 
+/// A warm rock that nothing holds grows by alpha dT about any point: a gauge must not only see centroids part.
+TEST(Gauge, SeesATriangleGrow) {
+  const double alpha = 8e-6, dT = 20, turned = 0.3;
+  MechanicsParameters parameters;
+  parameters.thermal_expansion = alpha;
+  Mechanics rock(lone, parameters, {});
+  const Particles& p = rock.particles();
+  Kokkos::deep_copy(p.temperature_change, dT);
+  const auto at = [&](Vec2 arm) { return displacement_of(Exec(), p, parameters.thermal_expansion, {0, arm}); };
+  const Vec2 a{-l / 4, l / 8}, b{l / 5, -l / 6};
+  const Vec2 apart = at(b) - at(a);
+  EXPECT_NEAR(apart.x, alpha * dT * (b - a).x, 1e-12 * alpha * dT * l);
+  EXPECT_NEAR(apart.y, alpha * dT * (b - a).y, 1e-12 * alpha * dT * l);
+  test::place(p, 0, 2e-5, -3e-5, turned);
+  const double grown = 1 + alpha * dT, cos = std::cos(turned), sin = std::sin(turned);
+  EXPECT_NEAR(at(b).x, 2e-5 + grown * (cos * b.x - sin * b.y) - b.x, 1e-12 * l);
+  EXPECT_NEAR(at(b).y, -3e-5 + grown * (sin * b.x + cos * b.y) - b.y, 1e-12 * l);
+}
+
+/// Points of one triangle, and points further apart, in rock that grows freely: everywhere the strain is alpha dT.
+TEST(Gauge, SeesTheFreeStrainOfHeatAtAnyDistance) {
+  const double alpha = 8e-6, dT = 20, strain = alpha * dT;
+  MechanicsParameters parameters;
+  parameters.thermal_expansion = alpha;
+  Mechanics rock(test::block(0.01, 0.01, 1e-3, 0.2), parameters, {});
+  const Particles& p = rock.particles();
+  Kokkos::deep_copy(p.temperature_change, dT);
+  const auto x0 = host_copy(p.x0), u = host_copy(p.u);
+  for (int i = 0; i < p.count; ++i)
+    for (int axis = 0; axis < 2; ++axis) u(i, axis) = strain * x0(i, axis);
+  Kokkos::deep_copy(p.u, u);
+  const double dt = 0.3 * rock.critical_step();
+  rock.advance(Exec(), dt, 1);
+  const auto v = host_copy(p.v);
+  for (int i = 0; i < p.count; ++i) ASSERT_LT(std::hypot(v(i, 0), v(i, 1)), 1e-9 * strain * 1e-3 / dt) << "at rest";
+  for (const int i : {0, p.count / 2, p.count - 1}) {
+    const Vec2 arm{1e-4, -2e-4};
+    const Vec2 moved = displacement_of(Exec(), p, alpha, {i, arm});
+    EXPECT_NEAR(moved.x, strain * (x0(i, 0) + arm.x), 1e-9 * strain * 0.01);
+    EXPECT_NEAR(moved.y, strain * (x0(i, 1) + arm.y), 1e-9 * strain * 0.01);
+  }
+}
+
+/// Each by its own material's expansion.
+TEST(Gauge, SeesTrianglesOfTwoMaterialsGrow) {
+  MechanicsParameters parameters;
+  parameters.thermal_expansion = 5e-6;
+  parameters.materials = {{2500, 2e-5, parameters.bond}};
+  Assembly pair = test::pair_of_triangles(l);
+  pair.region = {0, 1};
+  Mechanics rock(pair, parameters, {});
+  const Particles& p = rock.particles();
+  Kokkos::deep_copy(p.temperature_change, 30.0);
+  rock.advance(Exec(), 1e-9, 0);
+  const double growth[] = {30 * 5e-6, 30 * 2e-5};
+  for (int i = 0; i < 2; ++i) {
+    const Vec2 moved = displacement_of(Exec(), p, rock.parameters().thermal_expansion, {i, {l / 7, l / 9}});
+    EXPECT_NEAR(moved.x, growth[i] * l / 7, 1e-12 * growth[i] * l);
+    EXPECT_NEAR(moved.y, growth[i] * l / 9, 1e-12 * growth[i] * l);
+  }
+}
+
 }  // namespace
