@@ -91,7 +91,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   const int sums =
       std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // per row; as many as checkpoints have had
   created_ = LongSum("vug::heat::created", carrier_ ? sums : 0);
-  born_ = ScalarField<double>("vug::heat::born", carrier_ ? block_count(geometry.lattice.size()) : 0);
+  born_ = ScalarField<double>("vug::heat::born", block_count(geometry.lattice.size()));  // rock may open without flow
   if (scene.mechanics || scene.reaction)
     theta_ = zeros<ScalarField<T>>(exec, "vug::heat::theta", geometry.lattice.size(), in_parts);
   if (scene.accuracy.chooses_intervals()) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -127,6 +128,30 @@ TEST(BirthsOfARun, ComeWithEveryUpdate) {
   }
   EXPECT_GT(at_odd, 0);
   EXPECT_GT(at_even, 0);
+}
+
+/// Without flow, all sides held 50 K below the start: the rock is as cold long before its first pixel opens, so that
+/// fluid takes the place of each of its 20 pixels at -50 K, in double precision to the last digits.
+TEST(BirthsWithoutFlow, GainWhatFluidHoldsMoreThanRock) {
+  std::string box = awkward_rock(rectangle(3, 2, 8, 6), "");
+  box.erase(box.find("[flow]"), box.find("[heat]") - box.find("[flow]"));
+  box.erase(box.find("[boundary.left]"), box.find("[accuracy]") - box.find("[boundary.left]"));
+  for (const std::string side : {"left", "right", "bottom", "top"})
+    box += "[boundary." + side + "]\nheat = { type = \"temperature\", temperature = 300 }\n" +
+           "solute = { type = \"concentration\", concentration = { A = 1000 } }\n";
+  for (const std::string set : {"d2q5", "d2q9"}) {
+    SCOPED_TRACE(set);
+    Simulation simulation(parse_scene(box, "case.toml", {"reaction.rate_constant=5e-4", "heat.velocity_set=" + set}));
+    dissolve_all(simulation, 60000);
+    const double gained = (1000.0 * 4000 - 2500.0 * 1000) * -50 * 20 * 1e-6;  // J/m
+    const Ledger ledger = simulation.ledger();
+    const auto& gains = ledger.balances[0].gains;
+    ASSERT_EQ(ledger.balances[0].quantity, "heat");
+    const auto births =
+        std::find_if(gains.begin(), gains.end(), [](const auto& gain) { return gain.name == "births"; });
+    ASSERT_NE(births, gains.end());
+    EXPECT_NEAR(births->value / gained, 1, 1e-10);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
