@@ -39,7 +39,7 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
   gather_sums();
   double injected = 0, sides = 0;
   for (std::size_t s = 0; s < sides_.size(); ++s)
-    (stretches_[s].name == "injection" ? injected : sides) += entered_[s].total();
+    (stretches_[s].name == name_of(stretches_[s].side) ? sides : injected) += entered_[s].total();
   balance.gains.push_back({"injection", joule * injected});
   balance.gains.push_back({"sides", joule * sides});
   for (std::size_t o = 0; o < openings_.size(); ++o)

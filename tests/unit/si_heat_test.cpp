@@ -70,6 +70,31 @@ heat = { type = "flux", flux = -3e4 }
     }
 }
 
+/// What two injections with names let in is theirs, not the side's.
+TEST(HeatInSI, InjectionsWithNamesAreNotSides) {
+  const std::string sides = R"(
+[boundary.left]
+heat = { type = "flux", flux = 2e5 }
+[[boundary.injection]]
+name = "hot"
+side = "right"
+centre = 0.006
+width = 0.004
+heat = { type = "flux", flux = 5e4 }
+[[boundary.injection]]
+name = "cold"
+side = "top"
+centre = 0.020
+width = 0.012
+heat = { type = "flux", flux = -3e4 }
+)";
+  test::CoupledRun run(half_rock + sides);
+  const int steps = 100;
+  run.steps(steps);
+  EXPECT_NEAR(run.gain("heat", "sides") / (2e5 * 0.020 * steps * dt), 1, 1e-12);
+  EXPECT_NEAR(run.gain("heat", "injection") / ((5e4 * 0.004 - 3e4 * 0.012) * steps * dt), 1, 1e-12);
+}
+
 /// In a steady state the flux that a held temperature lets in is that through rock and fluid in series.
 TEST(HeatInSI, HeldTemperaturesDriveTheFluxOfTheConductivities) {
   const std::string ends =
