@@ -10,19 +10,40 @@ namespace vug {
 
 namespace {
 
-/// Who has the link out of a corner: a side with a given velocity, so that all of its fluid enters; then a wall, which
-/// may slide; a pressure and an outflow last.
-SideOrder corner_order(const std::vector<StretchLinks>& boundaries) {
-  const auto rank = [&](Side side) {
-    for (const StretchLinks& boundary : boundaries)
-      if (!boundary.stretch.opening && boundary.stretch.name == name_of(side)) {
-        const FlowBoundaryKind kind = boundary.stretch.conditions.flow.kind;
-        return kind == FlowBoundaryKind::velocity ? 0 : is_open(boundary.stretch.conditions.flow) ? 2 : 1;
-      }
-    return 1;
+/// Who has the link out of a corner: what has a given velocity, so that all of its fluid enters; then a wall, which may
+/// slide; a pressure and an outflow last.
+int corner_rank(const FlowBoundary& flow) {
+  return flow.kind == FlowBoundaryKind::velocity ? 0 : is_open(flow) ? 2 : 1;
+}
+
+bool is_upright(Side side) {
+  return side == Side::left || side == Side::right;
+}
+
+/// Whether a stretch reaches the corner of its side with another.
+bool reaches(const Stretch& stretch, Side other, const Lattice& lattice) {
+  if (stretch.opening || is_upright(stretch.side) == is_upright(other)) return false;
+  const bool lower = other == Side::left || other == Side::bottom;
+  return lower ? stretch.first == 0 : stretch.last == (is_upright(stretch.side) ? lattice.ny : lattice.nx) - 1;
+}
+
+/// The order in which sides have the links out of the corners of one stretch: before its own those whose stretch at the
+/// corner, be it the side's or an injection's, comes first there; of equals the left or right side.
+SideOrder corner_order(const Stretch& stretch, const std::vector<StretchLinks>& boundaries, const Lattice& lattice) {
+  const int rank = corner_rank(stretch.conditions.flow);
+  const auto comes_first = [&](Side other) {
+    for (const StretchLinks& boundary : boundaries) {
+      const Stretch& theirs = boundary.stretch;
+      if (theirs.side != other || !reaches(stretch, other, lattice) || !reaches(theirs, stretch.side, lattice))
+        continue;
+      const int their_rank = corner_rank(theirs.conditions.flow);
+      return their_rank < rank || (their_rank == rank && is_upright(other));
+    }
+    return false;
   };
   SideOrder order = all_sides;
-  std::stable_sort(order.begin(), order.end(), [&](Side a, Side b) { return rank(a) < rank(b); });
+  const auto own = std::stable_partition(order.begin(), order.end(), comes_first);
+  std::stable_partition(own, order.end(), [&](Side side) { return side == stretch.side; });
   return order;
 }
 
@@ -31,12 +52,12 @@ SideOrder corner_order(const std::vector<StretchLinks>& boundaries) {
 template <class T>
 void FlowModule<T>::find_boundaries(const Exec& exec) {
   const FluidNodes& fluid = geometry_.fluid;
-  const SideOrder order = corner_order(boundaries_);
   for (StretchLinks& boundary : boundaries_) {
     const FlowBoundary& flow = boundary.stretch.conditions.flow;
     boundary.find(exec, fluid, D2Q9::Q);
     if (is_open(flow)) mark_open(exec, fluid, boundary.links);  // in the order of the solutes
-    if (!boundary.stretch.opening) boundary.find(exec, fluid, D2Q9::Q, order);
+    if (!boundary.stretch.opening)
+      boundary.find(exec, fluid, D2Q9::Q, corner_order(boundary.stretch, boundaries_, geometry_.lattice));
     const bool outflow = flow.kind == FlowBoundaryKind::outflow;
     if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
       boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);

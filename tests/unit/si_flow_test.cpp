@@ -151,5 +151,34 @@ flow = { type = "wall", velocity = [0.03, 0] }
   EXPECT_NEAR(run.gain("fluid_mass", "boundaries"), 0, 1e-9 * density * nx * ny * dx * dx);
 }
 
+/// What is to enter through a stretch enters through all of it, wherever it lies: beside a wall in a corner the link
+/// out of that is the stretch's.
+TEST(FlowInSI, InjectionsInCornersLetInAllOfTheirFluid) {
+  const auto cells = [](double count) { return std::to_string(count * dx); };
+  for (const Side side : all_sides) {
+    const int outward = static_cast<int>(side), length = D2Q9::c(outward, 0) != 0 ? ny : nx;
+    const Side opposite = static_cast<Side>(D2Q9::opposite(outward));
+    const std::string flow = "flow = { type = \"velocity\", velocity = [" +
+                             std::to_string(-0.01 * D2Q9::c(outward, 0)) + ", " +
+                             std::to_string(-0.01 * D2Q9::c(outward, 1)) + "] }\n";
+    const std::string out = std::string("[boundary.") + name_of(opposite) + "]\nflow = { type = \"outflow\" }\n";
+    const std::string told = "[output]\nflows = true\n";
+    const auto through = [&](double centre, double width) {
+      test::CoupledRun run(box + out + told + "[boundary.injection]\nside = \"" + name_of(side) +
+                           "\"\ncentre = " + cells(centre) + "\nwidth = " + cells(width) + "\n" + flow);
+      run.steps(100);
+      EXPECT_NEAR(run.now("injection_mass_flow_kg_per_m_s"), density * 0.01 * width * dx, 1e-12)
+          << width << " cells at " << centre << " of the " << name_of(side);
+      return run.nodes("velocity");
+    };
+    through(2, 4);
+    through(length - 2, 4);
+    through(length / 2, 4);
+    test::CoupledRun whole(box + out + told + "[boundary." + name_of(side) + "]\n" + flow);
+    whole.steps(100);
+    EXPECT_EQ(through(length / 2.0, length), whole.nodes("velocity")) << name_of(side);
+  }
+}
+
 }  // namespace
 }  // namespace vug
