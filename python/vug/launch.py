@@ -4,10 +4,11 @@ import math
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import warnings
 
-from .errors import BY_CODE, Diverged, VugError, VugWarning
+from .errors import BY_CODE, Diverged, Interrupted, VugError, VugWarning
 from .run_folder import Run
 from .study import Study
 
@@ -21,17 +22,38 @@ def executable():
     raise VugError("no vug found: set the environment variable VUG to its path, or build it with scripts/run")
 
 
+def _stopped(child):
+    """Hands an interrupt on to vug, which ends its step and writes a checkpoint, and waits for that; another one ends it
+    at once. subprocess.run gives a quarter of a second, then kills, and all since the last checkpoint is lost."""
+    child.send_signal(signal.SIGINT)
+    try:
+        return child.communicate()
+    except KeyboardInterrupt:
+        child.kill()
+        child.communicate()
+        raise
+
+
 def _call(words):
     """Runs vug; returns what it has printed, passes its warnings on, raises what it ended with."""
-    done = subprocess.run([executable(), *words], capture_output=True, text=True, check=False)
-    for line in done.stderr.splitlines():
+    child = subprocess.Popen([executable(), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    interrupt = None
+    try:
+        out, err = child.communicate()
+    except KeyboardInterrupt as caught:
+        interrupt = caught
+        out, err = _stopped(child)
+    for line in err.splitlines():
         if "warning: " in line and not line.startswith("vug: "):
             warnings.warn(line.replace("warning: ", "", 1), VugWarning, stacklevel=3)
-    if done.returncode == 0:
-        return done.stdout
-    lines = [line for line in done.stderr.splitlines() if line.strip()]
-    error = BY_CODE.get(done.returncode, VugError)(lines[-1] if lines else f"vug ended with code {done.returncode}")
-    error.exit_code = done.returncode
+    if child.returncode == 0:
+        if interrupt:  # vug was done already; whoever called is to stop all the same
+            raise interrupt
+        return out
+    lines = [line for line in err.splitlines() if line.strip()]
+    code = Interrupted.exit_code if child.returncode == -signal.SIGINT else child.returncode  # it had not begun to listen
+    error = BY_CODE.get(code, VugError)(lines[-1] if lines else f"vug ended with code {code}")
+    error.exit_code = code
     raise error
 
 
