@@ -1,7 +1,7 @@
 """history.csv as columns."""
-import csv
-
 import numpy as np
+
+from .errors import FileTrouble
 
 # the words that units in the names of columns are made of: "kinetic_energy_J_per_m", "time_s"
 UNITS = {"s", "1", "m", "m2", "m3", "kg", "mol", "J", "K", "Pa", "N", "W", "MPa"}
@@ -16,20 +16,30 @@ def name_and_unit(column):
     return column, ""
 
 
+def _numbers(where, line, header):
+    """Of a row."""
+    cells = line.split(",")
+    if len(cells) != len(header):
+        raise FileTrouble(f"{where}: has {len(cells)} cells, the header has {len(header)}")
+    try:
+        return [float(cell) for cell in cells]
+    except ValueError as error:
+        raise FileTrouble(f"{where}: {error}; every cell must be a number") from None
+
+
 class History:
     """Numbers over time: a mapping of names to arrays, all as long as the history; SI.
 
     `history["dissolved_volume"]` and `history["dissolved_volume_m3_per_m"]` are the same column. `units` has the unit
-    of every name. A line that a running simulation has not finished writing is left out.
+    of every name. A last line that a running simulation has not finished writing is left out; any other that is not one
+    number per column raises FileTrouble.
     """
 
     def __init__(self, path):
-        with open(path, newline="", encoding="utf-8") as file:
-            text = file.read()
-        complete = text[:text.rfind("\n") + 1]
-        rows = list(csv.reader(complete.splitlines()))
-        header = rows[0] if rows else []
-        data = np.array([[float(value) for value in row] for row in rows[1:] if len(row) == len(header)], dtype=float)
+        with open(path, newline="", encoding="utf-8", errors="replace") as file:
+            lines = file.read().split("\n")[:-1]  # what follows the last end of a line is unfinished
+        header = lines[0].split(",") if lines else []
+        data = np.array([_numbers(f"{path}:{n}", line, header) for n, line in enumerate(lines[1:], 2)], dtype=float)
         data = data.reshape(-1, len(header))
         self._column = {}
         self.units = {}

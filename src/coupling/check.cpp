@@ -7,6 +7,7 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/rock_limits.hpp"
+#include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "coupling/specimen.hpp"
@@ -141,6 +142,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   const Parts& parts = simulation.parts();
   report.limits = simulation.limits();
   require_fields(simulation.fields(), scene.output.fields);
+  require_distinct_columns(scene, simulation);
   report.warnings = scene.warnings;
   for (const std::string& warning : find_flow_paths(scene, parts.geometry, parts.units).warnings)
     report.warnings.push_back(warning);

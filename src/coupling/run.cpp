@@ -60,6 +60,7 @@ class Run {
 
   void operator()() {
     resume();
+    if (!resumed_at_) require_distinct_columns(scene_, simulation_);
     const StopsInOrder in_order;  // from here on there is something to bring to an end
     if (folder_) {
       folder_->take();

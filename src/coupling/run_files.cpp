@@ -1,6 +1,9 @@
 #include "coupling/run_files.hpp"
 
 #include "coupling/rock_fields.hpp"
+#include "kernels/base/require.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -39,13 +42,28 @@ void Probes::add(std::vector<HistoryValue>& row) const {
   }
 }
 
+void require_distinct_columns(const Scene& scene, const Simulation& simulation) {
+  const FieldList fields = simulation.fields();
+  std::vector<HistoryValue> row = simulation.history();
+  if (!scene.output.probes.empty()) simulation.gather();
+  Probes(scene, fields).add(row);
+  std::vector<std::string> columns = names(row);
+  std::sort(columns.begin(), columns.end());
+  const auto twice = std::adjacent_find(columns.begin(), columns.end());
+  if (twice != columns.end())
+    throw InputError(
+        fmt::format("{}: two columns of the history would be called \"{}\"; give species, minerals, shapes, "
+                    "probes and gauges names of which none begins as another does",
+                    scene.path, *twice));
+}
+
 RunFiles::RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
                    std::optional<std::int64_t> resume_step)
     : scene_(scene), simulation_(simulation), fields_(simulation.fields()), probes_(scene, fields_) {
   const Parts& parts = simulation.parts();
   const std::vector<std::string> columns = names(row());
   if (!parts.geometry.split.ranks().first()) return;
-  const SnapshotOptions options{scene.output.fields, scene.output.compress, false, resume_step};
+  const SnapshotOptions options{scene.output.fields, scene.output.compress, resume_step};
   snapshots_.emplace(directory, parts.geometry.lattice, scene.lattice.spacing, fields_, options, rock_shape(parts));
   history_.emplace(directory + "/history.csv", columns,
                    resume_step ? std::optional(simulation.clock().time()) : std::nullopt);

@@ -22,6 +22,10 @@ class Probes {
   const FieldList& fields_;
 };
 
+/// Names in a case begin names of columns, in ways that no reader foresees. Throws InputError where two columns of the
+/// history would have one name. Called by all ranks.
+void require_distinct_columns(const Scene& scene, const Simulation& simulation);
+
 /// The open files of a run: the first rank has them, the others take part in what is read for them.
 class RunFiles {
  public:

@@ -64,7 +64,7 @@ OutputSection read_output(const TomlCursor& table) {
     Probe probe{};
     element.need("name", probe.name);
     element.need("at", probe.at, unit::metre);
-    if (!table.describing() && probe.name.empty()) element.fail("name", "must not be empty");
+    if (!table.describing() && !is_plain_name(probe.name)) element.fail("name", plain_name_rule);
     if (!table.describing() && !probe_names.insert(probe.name).second)
       element.fail("name", "is the name of an earlier probe");
     output.probes.push_back(probe);

@@ -52,6 +52,15 @@ class OpenRuns(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "dissolved_volume"):
             history["disolved_volume"]
 
+    def test_only_the_end_of_a_history_may_be_torn(self):
+        path = self.folder / "history.csv"
+        path.write_text("time_s,a_m\n0,1\n1,2\n2,")
+        np.testing.assert_array_equal(vug.History(path)["a"], [1, 2])
+        for line, problem in (("1", "has 1 cells, the header has 2"), ("1,2,3", "has 3 cells"), ("1,x", "'x'"), ("", "1 cells")):
+            path.write_text(f"time_s,a_m\n0,1\n{line}\n2,3\n")
+            with self.assertRaisesRegex(vug.FileTrouble, f"history.csv:3: .*{problem}"):
+                vug.History(path)
+
     def test_fields_become_arrays_of_xarray(self):
         run = self.run_case("cases/poiseuille.toml", steps=2)
         try:

@@ -117,6 +117,20 @@ TEST(Check, KnowsTheSpecimenOfALaboratoryTest) {
   EXPECT_THROW(check_case(parse_scene(scene.source_text, "a.toml", {"output.fields=[\"stres\"]"})), InputError);
 }
 
+/// "A", shape "stored" and "A_gain_shape", its "stored": no rule of names foresees this.
+TEST(Check, RefusesTwoColumnsOfOneName) {
+  const std::vector<std::string> overrides{
+      "geometry.shapes.1={ type = \"disc\", centre = [150, 50], radius = 9, name = \"stored\" }",
+      "boundary.shape.stored={}", "solute.species.1.name=A_gain_shape"};
+  try {
+    check_case(parse_scene(obstacle, "a.toml", overrides));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("a.toml: two columns of the history would be called "
+                                                  "\"A_gain_shape_stored_mol_per_m\"; "));
+  }
+}
+
 TEST(Check, KnowsTheFieldsThatARunWrites) {
   EXPECT_NO_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocity\"]"})));
   EXPECT_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocty\"]"})), InputError);

@@ -168,6 +168,8 @@ void check_species(const TomlDocument& document, const Scene& scene) {
     bool again = further.reactant == reaction.reactant;
     for (std::size_t j = 0; j < i; ++j) again = again || reaction.further[j].reactant == further.reactant;
     if (again) document.fail(key + ".reactant", "is that of an earlier reaction; each has its own");
+    if (further.reactant == "acid")
+      document.fail(key + ".reactant", "is what columns of the history call the first reactant; choose another name");
   }
 }
 
