@@ -6,7 +6,6 @@
 #include "coupling/fluid_picture.hpp"
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
-#include "coupling/rock_limits.hpp"
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
@@ -109,10 +108,8 @@ CheckReport check_specimen(const Scene& scene) {
   FieldList fields;
   add_rock_fields(rock, fields, scene.output.fields);
   require_fields(fields, scene.output.fields);
-  const double critical = rock.critical_step(), dt = scene.mechanics->critical_fraction * critical;
-  report.limits = {
-      {"mechanics", "sub-step over its critical step", dt / critical, "1", 0, 0.5, "lower mechanics.critical_fraction"},
-      limit_of_edges(rock)};
+  const double dt = scene.mechanics->critical_fraction * rock.critical_step();
+  report.limits = limits_of_specimen(scene, specimen, rock);
   report.warnings = scene.warnings;
   report.particles = rock.particles().count;
   report.bonds = rock.bonds().count;

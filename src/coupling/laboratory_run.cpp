@@ -1,5 +1,7 @@
 #include "coupling/laboratory_run.hpp"
 
+#include "coupling/laboratory_report.hpp"
+#include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/specimen.hpp"
@@ -24,8 +26,6 @@ namespace vug {
 namespace {
 
 constexpr double fit_tolerance = 0.01;  // of the mean strength: below the scatter of the mean over five seeds
-
-using Results = std::vector<std::pair<std::string, double>>;
 
 FieldList fields_of_rock(const Scene& scene, const Mechanics& rock) {
   FieldList fields;
@@ -88,21 +88,6 @@ const char* name_of(LaboratoryTest test) {
   }
 }
 
-/// Columns of the curve and results of the record.
-const std::vector<std::string> energy_columns{"work_J_per_m",     "elastic_energy_J_per_m", "kinetic_energy_J_per_m",
-                                              "fracture_J_per_m", "friction_J_per_m",       "damping_J_per_m",
-                                              "missing_J_per_m"};
-
-std::vector<double> values_of(const Energies& e) {
-  return {e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance()};
-}
-
-/// One specimen of a loading test.
-struct LoadedSpecimen {
-  PlatenResult result;
-  double along_load = 0;
-};
-
 LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int number, const std::string& directory,
                              HistoryWriter& curve, std::ostream* progress) {
   MechanicsParameters parameters = scene.mechanics->parameters;
@@ -138,9 +123,9 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   return loaded;
 }
 
-std::string line(const char* what, const Spread& s, double unit, const char* name, int digits) {
-  const std::string spread = s.deviation > 0 ? fmt::format(" +- {:.{}f}", s.deviation / unit, digits) : "";
-  return fmt::format("{:<22}{:.{}f}{} {}\n", what, s.mean / unit, digits, spread, name);
+/// To be done where no bond failed.
+const char* what_breaks_more(LaboratoryTest test) {
+  return test == LaboratoryTest::heating ? "raise laboratory.temperature_change" : "raise laboratory.largest_strain";
 }
 
 std::string load_all(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
@@ -152,47 +137,8 @@ std::string load_all(const Scene& scene, const LaboratoryOptions& options, const
   std::vector<LoadedSpecimen> specimens;
   for (int s = 0; s < options.seeds; ++s)
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
-  const auto spread = [&](double PlatenResult::*number) {
-    std::vector<double> values;
-    for (const LoadedSpecimen& one : specimens) values.push_back(one.result.*number);
-    return spread_of(values);
-  };
-  const Spread modulus = spread(&PlatenResult::modulus);
-  const Spread poisson = spread(&PlatenResult::poisson);
-  const Spread strength = spread(&PlatenResult::strength);
-  const Spread strain = spread(&PlatenResult::peak_strain);
-  std::string text;
-  if (modulus.mean != 0) {
-    text += line("Young's modulus", modulus, 1e9, "GPa", 2) + line("Poisson's ratio", poisson, 1, "", 3);
-    results.insert(results.end(), {{"modulus_Pa", modulus.mean}, {"poisson_1", poisson.mean}});
-  }
-  text += line("strength", strength, 1e6, "MPa", 2) + line("strain at the peak", strain, 0.01, "%", 3);
-  results.insert(
-      results.end(),
-      {{"strength_Pa", strength.mean}, {"strength_deviation_Pa", strength.deviation}, {"peak_strain_1", strain.mean}});
-  const LoadedSpecimen& first = specimens.front();
-  const BondCounts &peak = first.result.bonds_at_peak, &end = first.result.bonds_at_end;
-  text += fmt::format(
-      "bonds failed          {} in tension, {} in shear at the peak; {} and {} at the end; {:.0f} % of them along the "
-      "load\n"
-      "time step             {:.3g} s, {} steps\n",
-      peak.failed_in_tension, peak.failed_in_shear, end.failed_in_tension, end.failed_in_shear, 100 * first.along_load,
-      first.result.time_step, first.result.steps);
-  if (scene.laboratory->test == LaboratoryTest::compression && strength.mean > 0 &&
-      first.result.bonds_at_end.failed() == 0)
-    text += "the specimen did not break: raise laboratory.largest_strain\n";
-  results.insert(results.end(), {{"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
-                                 {"failed_in_shear_1", static_cast<double>(end.failed_in_shear)},
-                                 {"failed_along_load_1", first.along_load}});
-  if (scene.laboratory->energies) {
-    const Energies& e = first.result.energies;
-    const std::vector<double> energies = values_of(e);
-    for (std::size_t i = 0; i < energies.size(); ++i) results.emplace_back(energy_columns[i], energies[i]);
-    text += fmt::format(
-        "energy at the end     {:.4g} J/m at the start and {:.4g} of work are {:.4g} elastic, {:.4g} kinetic, {:.4g} "
-        "fracture, {:.4g} friction, {:.4g} damping; {:.2g} missing\n",
-        e.initial, e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance());
-  }
+  std::string text = report_of(specimens, what_breaks_more(scene.laboratory->test), results);
+  if (scene.laboratory->energies) text += report_of(specimens.front().result.energies, results);
   return text;
 }
 
@@ -240,7 +186,8 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   RunFolder folder(directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
                    "--overwrite replaces it, -o DIR leaves it alone");
   const Assembly specimen = build_specimen(scene);
-  require_fields(fields_of_rock(scene, Mechanics(specimen, scene.mechanics->parameters, Loads{})), scene.output.fields);
+  const Mechanics unloaded(specimen, scene.mechanics->parameters, Loads{});
+  require_fields(fields_of_rock(scene, unloaded), scene.output.fields);
   RunRecord record = first_record(scene);
   const StopsInOrder in_order;
   folder.take();
@@ -260,6 +207,8 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   if (std::ostream* log = options.progress ? options.progress : options.warnings) {
     if (!folder.warning().empty()) *log << "warning: " << folder.warning() << '\n';
     for (const std::string& warning : scene.warnings) *log << "warning: " << warning << '\n';
+    for (const Limit& limit : limits_of_specimen(scene, specimen, unloaded))
+      if (!limit.inside()) *log << "warning: " << warning_of(limit) << '\n';
   }
   try {
     const std::string found = options.fit_strength ? fit(scene, options, specimen, record.results)

@@ -1,12 +1,14 @@
 #include "coupling/specimen.hpp"
 
 #include "coupling/memory_need.hpp"
+#include "coupling/rock_limits.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
 #include "kernels/host/free_memory.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace vug {
 
@@ -37,6 +39,17 @@ double longest_test(const Scene& scene, const Assembly& specimen) {
   const auto [low, high] = std::minmax_element(specimen.vertices.begin(), specimen.vertices.end(),
                                                [](const auto& a, const auto& b) { return a[1] < b[1]; });
   return laboratory.largest_strain * ((*high)[1] - (*low)[1]) / platen_speed(laboratory);
+}
+
+LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
+  constexpr double fewest_steps = 50, unbounded = std::numeric_limits<double>::infinity();
+  const LaboratoryTest test = scene.laboratory->test;
+  const bool warmed = test == LaboratoryTest::heating || test == LaboratoryTest::quench;
+  const double fraction = scene.mechanics->critical_fraction;
+  return {{"mechanics", "sub-step over its critical step", fraction, "1", 0, 0.5, "lower mechanics.critical_fraction"},
+          {"laboratory", "steps of the test", longest_test(scene, specimen) / (fraction * rock.critical_step()), "1",
+           fewest_steps, unbounded, warmed ? "raise laboratory.duration" : "lower laboratory.platen_speed"},
+          limit_of_edges(rock)};
 }
 
 PlatenTest platen_test(const Scene& scene) {

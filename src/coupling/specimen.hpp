@@ -1,5 +1,6 @@
 #pragma once
 // What a case with a [laboratory] tests, and how.
+#include "coupling/limits.hpp"
 #include "dem/laboratory.hpp"
 #include "dem/quench.hpp"
 #include "io/scene.hpp"
@@ -11,6 +12,9 @@ Assembly build_specimen(const Scene& scene);
 
 /// How long the mechanics of a test takes at most, s.
 double longest_test(const Scene& scene, const Assembly& specimen);
+
+/// The time step of a test, how many it takes at most, and whether its triangles resolve what breaks.
+LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
 
 /// The loading test of a case; not for a quench.
 PlatenTest platen_test(const Scene& scene);

@@ -113,7 +113,8 @@ void require_consistent(const PlatenTest& test) {
     throw InputError("laboratory: servo platens need a confinement to hold");
 }
 
-/// Slope of y over x by least squares on samples whose stress lies between 20 and 50 % of the peak before it.
+/// Slope of y over x by least squares on samples whose stress lies between 20 and 50 % of the peak before it. NaN where
+/// there are too few to tell.
 double chord(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& stress,
              double strength) {
   const auto peak = static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());
@@ -122,7 +123,9 @@ double chord(const std::vector<double>& x, const std::vector<double>& y, const s
     if (stress[k] < 0.2 * strength || stress[k] > 0.5 * strength) continue;
     n += 1, sx += x[k], sy += y[k], sxx += x[k] * x[k], sxy += x[k] * y[k];
   }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  const double spread = n * sxx - sx * sx;
+  if (n < 2 || !(spread > 0)) return std::numeric_limits<double>::quiet_NaN();
+  return (n * sxy - sx * sy) / spread;
 }
 
 }  // namespace
@@ -202,7 +205,13 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
     std::vector<double> strengths;
     for (int s = 0; s < seeds; ++s) {
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
-      strengths.push_back(load_between_platens(exec, specimen, parameters, test).strength);
+      const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test);
+      if (!loaded.broke())
+        throw InputError(
+            "laboratory: a specimen did not break, so that it has no strength to fit; raise laboratory.largest_strain, "
+            "of "
+            "heating laboratory.temperature_change");
+      strengths.push_back(loaded.strength);
     }
     fit.strength = spread_of(strengths);
     fit.cohesion = parameters.bond.cohesion;

@@ -39,15 +39,19 @@ struct PlatenResult {
   std::vector<double> strain;       ///< of the platens over the distance of the held centroids, or alpha dT
   std::vector<double> stress;       ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
   std::vector<double> confinement;  ///< mean pressure of servo platens on the flanks, or the membrane's, Pa
-  double modulus = 0;      ///< of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa
+  /// Of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa; NaN where the curve has too
+  /// few points there.
+  double modulus = 0;
   double poisson = 0;      ///< from gauges at the flanks, the same chord
-  double strength = 0;     ///< largest stress, Pa
+  double strength = 0;     ///< largest stress, Pa; of the rock only if it broke
   double peak_strain = 0;  ///< strain there
   BondCounts bonds_at_peak;
   BondCounts bonds_at_end;
   Energies energies;     ///< at the end; with parameters.energy_ledger
   double time_step = 0;  ///< s
   long steps = 0;
+
+  bool broke() const { return bonds_at_end.failed() > 0; }
 };
 
 /// Called after every point of the curve with the rock and the result so far (moduli come at the end), and whether it
@@ -75,7 +79,7 @@ struct CohesionFit {
 
 /// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`, to `tolerance` (relative).
 /// Strength is nearly proportional to cohesion, so c <- c strength / mean converges in a few rounds. Throws InputError
-/// when ten are not enough.
+/// when ten are not enough, or when a specimen does not break: its largest stress is then that of the end of the test.
 CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
                          const PlatenTest& test, double strength, int seeds, double tolerance);
 

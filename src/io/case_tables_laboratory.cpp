@@ -73,6 +73,10 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
           unit::none, range::positive_to(1));
   read_if(!thermal || test == Test::heating, table, "sample_strain", "is of a test with a curve of stress and strain",
           laboratory.sample_strain, unit::none, range::positive_to(0.1));
+  if (!thermal && !table.describing() && laboratory.sample_strain > laboratory.largest_strain)
+    table.fail("sample_strain",
+               fmt::format("is more than laboratory.largest_strain = {:g}: the test would end at its first point",
+                           laboratory.largest_strain));
   read_if(!thermal, table, "energies", "is of a test between moving platens", laboratory.energies);
   read_if(quenched, table, "samples", "is only for test = \"quench\"", laboratory.samples, range::between(10, 1e6));
   return laboratory;
@@ -97,6 +101,10 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
     document.fail("rock.element_size",
                   fmt::format("leaves fewer than five elements across the specimen; at most {:g} m", smallest / 5));
+  const double rise = scene.mechanics->parameters.thermal_expansion * laboratory.temperature_change;
+  if (laboratory.test == LaboratoryTest::heating && laboratory.sample_strain > rise)
+    document.fail("laboratory.sample_strain",
+                  fmt::format("is more than the heat strains the specimen at the end, {:g}", rise));
   check_triangles(document, *scene.rock,
                   disc ? std::numbers::pi / 4 * laboratory.diameter * laboratory.diameter
                        : laboratory.size[0] * laboratory.size[1]);

@@ -16,6 +16,7 @@ using test::run_vug;
 using test::small_rock;
 using test::TemporaryFolder;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Laboratory, WritesCurvePicturesAndRecordAndPrintsWhatItFound) {
   const TemporaryFolder folder;
@@ -92,6 +93,50 @@ TEST(Laboratory, KeepsAccountOfThePlatensWork) {
   EXPECT_EQ(
       run_command(VUG_PYTHON " " + (folder / "compare.py") + " " + (folder / "out") + "/stress_strain.csv").output,
       "True True True True True\n");
+}
+
+const std::string heated_block =
+    "[laboratory]\ntest = \"heating\"\nsize = [0.015, 0.03]\ntemperature_change = 3\n"
+    "[rock]\nelement_size = 3e-3\n";
+
+TEST(Laboratory, ClaimsNoStrengthOfRockThatDidNotBreakNorAModulusWithoutPoints) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", cases = VUG_SOURCE_DIR "/cases/laboratory/";
+  std::ofstream(folder / "heating.toml") << heated_block;
+  const std::string little = " --set laboratory.largest_strain=1e-5 --set laboratory.platen_speed=2";
+  for (const std::string& test :
+       {cases + "tension.toml" + little, cases + "brazilian.toml" + little, folder / "heating.toml"}) {
+    const Outcome outcome = run_vug("lab " + test + " --quiet --overwrite -o " + out);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("\nlargest stress  "));
+    EXPECT_THAT(outcome.output, HasSubstr("the specimen did not break: raise laboratory."));
+    EXPECT_THAT(outcome.output, Not(HasSubstr("\nstrength")));
+    EXPECT_THAT(outcome.output, Not(HasSubstr("nan")));
+    const std::string record = test::contents(out + "/run.json");
+    EXPECT_THAT(record, HasSubstr("\"largest_stress_Pa\": "));
+    for (const char* unknown : {"strength_Pa", "modulus_Pa"}) EXPECT_THAT(record, Not(HasSubstr(unknown)));
+    const bool curved = test.find("tension") != std::string::npos;
+    EXPECT_EQ(outcome.output.find("not told: too few points of the curve") != std::string::npos, curved);
+  }
+}
+
+TEST(Laboratory, WantsPointsAndStepsForItsCurve) {
+  const TemporaryFolder folder;
+  const std::string tension = VUG_SOURCE_DIR "/cases/laboratory/tension.toml ", out = "-o " + (folder / "out");
+  const Outcome coarse = run_vug("lab " + tension + "--set laboratory.sample_strain=0.05 " + out);
+  EXPECT_EQ(coarse.exit_code, 2);
+  EXPECT_THAT(coarse.output, HasSubstr("laboratory.sample_strain = 0.05 is more than laboratory.largest_strain"));
+  std::ofstream(folder / "heating.toml") << heated_block;
+  const Outcome cold = run_vug("lab " + (folder / "heating.toml") + " --set laboratory.temperature_change=0.1 " + out);
+  EXPECT_EQ(cold.exit_code, 2);
+  EXPECT_THAT(cold.output, HasSubstr("is more than the heat strains the specimen at the end"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  const std::string fast = tension + "--set laboratory.platen_speed=500 --set laboratory.largest_strain=1e-4 ";
+  const std::string expected = "warning: laboratory: steps of the test = ";
+  EXPECT_THAT(run_vug("check " + fast).output, HasSubstr(expected));
+  const Outcome warned = run_vug("lab " + fast + out);
+  EXPECT_THAT(warned.output, HasSubstr(expected));
+  EXPECT_THAT(warned.output, HasSubstr("is outside >= 50; lower laboratory.platen_speed"));
 }
 
 TEST(Laboratory, IsToldFromARunAndDivergesWithThree) {

@@ -36,18 +36,20 @@ def plot_curves(path, folder, heading):
     if not len(seeds):
         return None
     figure, axes = plt.subplots(figsize=(6, 4.2), constrained_layout=True)
-    peaks = []
+    peaks, broken = [], True
     for seed, colour in zip(seeds, plt.get_cmap("viridis")(np.linspace(0, 0.85, len(seeds)))):
         chosen = table["seed_1"] == seed
         strain, stress = PERCENT * table["strain_1"][chosen], MPA * table["stress_Pa"][chosen]
         top = int(np.argmax(stress))
         peaks.append(stress[top])
+        broken = broken and table["failed_in_tension_1"][chosen][-1] + table["failed_in_shear_1"][chosen][-1] > 0
         axes.plot(strain, stress, color=colour, linewidth=0.9, label=f"seed {seed:.0f}")
         axes.plot(strain[top], stress[top], "o", color=colour, markersize=4)
     mean = np.mean(peaks)
     axes.axhline(mean, color="#555555", linestyle="--", linewidth=0.8)
     spread = f" ± {np.std(peaks, ddof=1):.1f} MPa over {len(peaks)} specimens" if len(peaks) > 1 else " MPa"
-    axes.set_title(f"{heading}strength {mean:.1f}{spread}", fontsize=10)
+    what = "strength" if broken else "largest stress (not all broke)"
+    axes.set_title(f"{heading}{what} {mean:.1f}{spread}", fontsize=10)
     axes.set_xlabel("strain / %")
     axes.set_ylabel("stress / MPa")
     tidy(axes)

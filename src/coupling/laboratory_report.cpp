@@ -1,0 +1,89 @@
+#include "coupling/laboratory_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+std::string line(const char* what, const Spread& s, double unit, const char* name, int digits) {
+  const std::string spread = s.deviation > 0 ? fmt::format(" +- {:.{}f}", s.deviation / unit, digits) : "";
+  return fmt::format("{:<22}{:.{}f}{} {}\n", what, s.mean / unit, digits, spread, name);
+}
+
+Spread spread_over(const std::vector<LoadedSpecimen>& specimens, double PlatenResult::*number) {
+  std::vector<double> values;
+  for (const LoadedSpecimen& one : specimens) values.push_back(one.result.*number);
+  return spread_of(values);
+}
+
+/// None of a disc, nor of heated rock.
+std::string elasticity(const std::vector<LoadedSpecimen>& specimens, Results& results) {
+  const Spread modulus = spread_over(specimens, &PlatenResult::modulus);
+  const Spread poisson = spread_over(specimens, &PlatenResult::poisson);
+  if (modulus.mean == 0) return "";
+  if (!std::isfinite(modulus.mean) || !std::isfinite(poisson.mean))
+    return fmt::format(
+        "{:<22}not told: too few points of the curve between 20 and 50 % of its peak; lower laboratory.sample_strain "
+        "or laboratory.platen_speed\n",
+        "Young's modulus");
+  results.insert(results.end(), {{"modulus_Pa", modulus.mean}, {"poisson_1", poisson.mean}});
+  return line("Young's modulus", modulus, 1e9, "GPa", 2) + line("Poisson's ratio", poisson, 1, "", 3);
+}
+
+std::string strength(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results) {
+  const Spread stress = spread_over(specimens, &PlatenResult::strength);
+  const Spread strain = spread_over(specimens, &PlatenResult::peak_strain);
+  const auto whole =
+      std::count_if(specimens.begin(), specimens.end(), [](const LoadedSpecimen& s) { return !s.result.broke(); });
+  const std::string name = whole == 0 ? "strength" : "largest_stress";
+  results.insert(
+      results.end(),
+      {{name + "_Pa", stress.mean}, {name + "_deviation_Pa", stress.deviation}, {"peak_strain_1", strain.mean}});
+  const std::string text = line(whole == 0 ? "strength" : "largest stress", stress, 1e6, "MPa", 2) +
+                           line("strain at the peak", strain, 0.01, "%", 3);
+  if (whole == 0) return text;
+  const std::string which =
+      specimens.size() == 1 ? "the specimen" : fmt::format("{} of {} specimens", whole, specimens.size());
+  return text + fmt::format("{} did not break: {}\n", which, advice);
+}
+
+}  // namespace
+
+const std::vector<std::string> energy_columns{"work_J_per_m",     "elastic_energy_J_per_m", "kinetic_energy_J_per_m",
+                                              "fracture_J_per_m", "friction_J_per_m",       "damping_J_per_m",
+                                              "missing_J_per_m"};
+
+std::vector<double> values_of(const Energies& e) {
+  return {e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance()};
+}
+
+std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results) {
+  std::string text = elasticity(specimens, results) + strength(specimens, advice, results);
+  const LoadedSpecimen& first = specimens.front();
+  const BondCounts &peak = first.result.bonds_at_peak, &end = first.result.bonds_at_end;
+  text += fmt::format(
+      "bonds failed          {} in tension, {} in shear at the peak; {} and {} at the end; {:.0f} % of them along the "
+      "load\n"
+      "time step             {:.3g} s, {} steps\n",
+      peak.failed_in_tension, peak.failed_in_shear, end.failed_in_tension, end.failed_in_shear, 100 * first.along_load,
+      first.result.time_step, first.result.steps);
+  results.insert(results.end(), {{"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
+                                 {"failed_in_shear_1", static_cast<double>(end.failed_in_shear)},
+                                 {"failed_along_load_1", first.along_load}});
+  return text;
+}
+
+std::string report_of(const Energies& e, Results& results) {
+  const std::vector<double> energies = values_of(e);
+  for (std::size_t i = 0; i < energies.size(); ++i) results.emplace_back(energy_columns[i], energies[i]);
+  return fmt::format(
+      "energy at the end     {:.4g} J/m at the start and {:.4g} of work are {:.4g} elastic, {:.4g} kinetic, {:.4g} "
+      "fracture, {:.4g} friction, {:.4g} damping; {:.2g} missing\n",
+      e.initial, e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance());
+}
+
+}  // namespace vug
