@@ -147,8 +147,8 @@ struct ContactForces {
     accounts.add_pair_friction(low, energy.friction);
   }
 
-  /// All pairs of a particle; most have none, and none is listed while contacts sleep. (Bonds::events tells that sooner,
-  /// but bonds write it in this very launch.)
+  /// All pairs of a particle; most have none, and none is listed while contacts sleep. (Bonds::events tells that
+  /// sooner, but bonds write it in this very launch.)
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int low) const {
     const int generation = contacts.status(contacts_generation);
     const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);

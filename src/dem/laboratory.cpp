@@ -209,8 +209,8 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
       if (!loaded.broke())
         throw InputError(
             "laboratory: a specimen did not break, so that it has no strength to fit; raise laboratory.largest_strain, "
-            "of "
-            "heating laboratory.temperature_change");
+            "or "
+            "laboratory.temperature_change where it is heated");
       strengths.push_back(loaded.strength);
     }
     fit.strength = spread_of(strengths);

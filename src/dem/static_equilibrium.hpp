@@ -21,7 +21,8 @@ struct StaticEquilibrium {
 /// rise in increments where there are any, and friction follows as it would in a slow ramp.
 ///
 /// Not found where sides do not hold the rock, where something breaks on the way, or where contacts beside the bonds
-/// carry load, also such as only the last increment brings about; what the state is then is not said: the caller restores it. Works on the host, for set-up.
+/// carry load, also such as only the last increment brings about; what the state is then is not said: the caller
+/// restores it. Works on the host, for set-up.
 StaticEquilibrium find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters,
                                           const NeighbourGrid& grid, const BoundaryLoads& loads,
                                           const Particles& particles, const Bonds& bonds, const Contacts& contacts);
