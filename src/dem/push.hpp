@@ -48,6 +48,12 @@ struct ParticlePush {
     return {a.x + b.x + c.x + contacts(i, 0) + given.x, a.y + b.y + c.y + contacts(i, 1) + given.y,
             a.torque + b.torque + c.torque + contacts(i, 2) + given.torque};
   }
+
+  /// Leaves the forces that hold a particle against all that pushes it in its `reaction`.
+  KOKKOS_FORCEINLINE_FUNCTION void hold(int i, const Push& all) const {
+    p.reaction(i, 0) = (p.held(i) & 1) != 0 ? -all.x : 0.0;
+    p.reaction(i, 1) = (p.held(i) & 2) != 0 ? -all.y : 0.0;
+  }
 };
 
 inline ParticlePush particle_push(double load_factor, double surroundings, const Bonds& bonds, const Contacts& contacts,

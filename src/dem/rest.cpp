@@ -59,6 +59,7 @@ struct LookAtRest {
   }
   KOKKOS_FUNCTION Unrest unrest(int i) const {
     const Push all = push.total(i, push.outside(i));
+    push.hold(i, all);  // of what sleeps nobody else does
     const double mass = mass_scaling * mass_fraction(push.p.solid_fraction(i)) * push.p.mass(i);
     const double gyration = Kokkos::sqrt(push.p.inertia(i) / push.p.mass(i));
     const int held = push.p.held(i);

@@ -34,7 +34,8 @@ Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_str
 /// Share of the groups of particles that are awake; for the history, not inside a step.
 double awake_share(const Rest& rest);
 
-/// Finds out which of our groups of particles rest, from bond forces and contact forces of now; gathers the latter.
+/// Finds out which of our groups of particles rest, from bond forces and contact forces of now; gathers the latter, and
+/// leaves what holds the particles in their `reaction`.
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                   const BoundaryLoads& loads, const Particles& particles, const Rest& rest);
 

@@ -49,8 +49,7 @@ struct Imbalance {
     force(i, 0) = all.x;
     force(i, 1) = all.y;
     force(i, 2) = all.torque;
-    for (int axis = 0; axis < 2; ++axis)
-      push.p.reaction(i, axis) = (push.p.held(i) >> axis & 1) != 0 ? -force(i, axis) : 0.0;
+    push.hold(i, all);
   }
 };
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <string>
+#include <type_traits>
 
 namespace {
 
@@ -82,6 +84,61 @@ TEST(RestingRock, BearsTheStressOfClampedHeating) {
                                 {"steps", static_cast<double>(steps)}});
   // as in the test without sleep: platens hold centroids, a third of a row inside
   EXPECT_NEAR(rock.reaction(RockSide::left).x, expected, 0.01 * expected);
+}
+
+/// Uniform warmth sets every bond under the same pressure before anything has moved. At top and bottom triangles are
+/// whole but for the corners, so that centroids face each other and no bond is sheared.
+TEST(RestingRock, IsHeldByTheForcesOfNowWhileItSleeps) {
+  const double alpha = 8e-6, size = 0.04;
+  Mechanics rock(test::block(size, size, 2e-3, 0), damped(0.1), clamped());
+  settle(rock);
+  const double dt = 0.5 * rock.critical_step();
+  for (const double dT : {0.25, 0.5}) {
+    Kokkos::deep_copy(rock.particles().temperature_change, dT);
+    rock.advance(Exec(), dt, steps_between_looks + 1);
+    ASSERT_EQ(rock.awake_share(), 0);
+    const double expected = 24.03e9 / 0.659 * alpha * dT * size;
+    EXPECT_NEAR(rock.reaction(RockSide::bottom).y, expected, 0.015 * expected);
+    EXPECT_NEAR(rock.reaction(RockSide::top).y, -expected, 0.015 * expected);
+  }
+  // what pushes it from outside is held, too, although the rock itself is the same
+  const double before = rock.reaction(RockSide::bottom).y, push = 1e-3 * before;
+  const int at = particle_at(rock.particles(), 0.02, 0);
+  ASSERT_EQ(host_copy(rock.particles().held)(at) & 2, 2);
+  const auto force = host_copy(rock.particles().force);
+  force(at, 1) = -push;
+  Kokkos::deep_copy(rock.particles().force, force);
+  rock.advance(Exec(), dt, steps_between_looks + 1, RockIs::the_same);
+  ASSERT_EQ(rock.awake_share(), 0);
+  EXPECT_NEAR(rock.reaction(RockSide::bottom).y - before, push, 1e-9 * push);
+}
+
+TEST(RestingRock, IsHeldByTheSameForcesAfterARestart) {
+  Mechanics whole = square(0.1), resumed = square(0.1);
+  settle(whole);
+  const double dt = 0.5 * whole.critical_step();
+  const auto warm = [&](Mechanics& rock, double dT) {
+    Kokkos::deep_copy(rock.particles().temperature_change, dT);
+    rock.advance(Exec(), dt, 11);  // looks come at 16
+  };
+  for (int k = 1; k <= 5; ++k) warm(whole, 0.1 * k);
+  resumed.visit_state([&](const char* name, const auto& view, auto...) {
+    whole.visit_state([&](const char* other, const auto& from, auto...) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(view)>, std::decay_t<decltype(from)>>)
+        if (std::string(name) == other) Kokkos::deep_copy(view, from);
+    });
+  });
+  resumed.set_time(whole.time());
+  resumed.set_steps(whole.steps());
+  resumed.set_all_due(whole.all_due());
+  for (int k = 6; k <= 15; ++k) {
+    const Vec2 a = whole.reaction(RockSide::left), b = resumed.reaction(RockSide::left);
+    EXPECT_EQ(a.x, b.x) << k;
+    EXPECT_EQ(a.y, b.y) << k;
+    EXPECT_GT(a.x, 0);
+    warm(whole, 0.1 * k);
+    warm(resumed, 0.1 * k);
+  }
 }
 
 TEST(RestingRock, LiesWhereRockThatNeverSleepsDoes) {
