@@ -141,6 +141,9 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   require_fields(simulation.fields(), scene.output.fields);
   require_distinct_columns(scene, simulation);
   report.warnings = scene.warnings;
+  if (parts.rock)
+    if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
+      report.warnings.push_back(*remark);
   for (const std::string& warning : find_flow_paths(scene, parts.geometry, parts.units).warnings)
     report.warnings.push_back(warning);
   report.choices = choice_notes(scene);

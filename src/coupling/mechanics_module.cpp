@@ -4,7 +4,6 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/rock_limits.hpp"
 #include "coupling/rock_loads.hpp"
-#include "coupling/thermal_exchange.hpp"
 #include "dem/soundness.hpp"
 #include "io/rock_regions.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -42,7 +41,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       exchange_interval_(scene.accuracy.exchange_interval),
       guard_interval_(scene.accuracy.guard_interval),
       holds_forces_(flow && (exchange_interval_ > 1 || scene.accuracy.chooses_intervals())),
-      nodes_of_particle_(rock.nodes_of_particle),
+      thermal_(heat ? thermal_nodes(scene, rock, geometry.lattice) : ThermalNodes{}),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
       gauges_(scene, rock.assembly, mechanics_),
       fields_asked_for_(scene.output.fields) {
@@ -125,10 +124,10 @@ void MechanicsModule<T>::share_links() {
 template <class T>
 void MechanicsModule<T>::share_temperatures() {
   const Split& split = geometry_.split;
-  const auto offset = on_host(nodes_of_particle_.offset), first = on_host(nodes_of_particle_.first),
-             length = on_host(nodes_of_particle_.length);
-  std::vector<int> owner(nodes_of_particle_.count(), 0), ours, nodes;
-  for (int p = 0; p < nodes_of_particle_.count(); ++p) {
+  const NodeGroups& groups = thermal_.of_particle;
+  const auto offset = on_host(groups.offset), first = on_host(groups.first), length = on_host(groups.length);
+  std::vector<int> owner(groups.count(), 0), ours, nodes;
+  for (int p = 0; p < groups.count(); ++p) {
     const int begin = offset(p), end = offset(p + 1);
     if (begin < end) owner[p] = split.rows().part_of(geometry_.lattice.y(first(begin)));
     if (owner[p] != split.ranks().rank()) continue;
@@ -139,6 +138,20 @@ void MechanicsModule<T>::share_temperatures() {
   our_warmed_ = to_device<IndexList>("vug::mechanics::our_warmed", ours);
   of_warmed_ = owners_of(owner, split.ranks().size());
   temperatures_ = split.beyond_rows(geometry_.lattice, nodes);
+}
+
+template <class T>
+void MechanicsModule<T>::warm(const Exec& exec, double time) {
+  const ScalarField<double>& change = mechanics_.particles().temperature_change;
+  warm_particles(exec, thermal_.of_particle, heat_->temperature(exec, temperatures_), heat_->initial_theta(), change,
+                 our_warmed_);
+  geometry_.split.make_whole(of_warmed_, change);
+  for (std::size_t o = 0; o < thermal_.in_opening.size(); ++o) {
+    const HeatBoundary& heat = geometry_.openings[o].conditions.heat;
+    if (heat.kind == HeatBoundaryKind::temperature)  // of now, as a resumed run knows it too
+      warm_particles_to(exec, thermal_.in_opening[o],
+                        units_.lattice_temperature(heat.temperature.at(time)) - heat_->initial_theta(), change);
+  }
 }
 
 template <class T>
@@ -156,11 +169,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   }
   if (updated) {
     rock_ = RockIs::changed;
-    if (heat_) {
-      warm_particles(exec, nodes_of_particle_, heat_->temperature(exec, temperatures_), heat_->initial_theta(),
-                     particles.temperature_change, our_warmed_);
-      geometry_.split.make_whole(of_warmed_, particles.temperature_change);
-    }
+    if (heat_) warm(exec, clock.time());
     if (dissolved_) {
       dissolved_->let_go(exec, particles);
       dissolved_->update(exec, *wet_, geometry_.dissolved);

@@ -6,6 +6,7 @@
 #include "coupling/module.hpp"
 #include "coupling/rock.hpp"
 #include "coupling/rock_gauges.hpp"
+#include "coupling/thermal_exchange.hpp"
 #include "dem/mechanics.hpp"
 #include "kernels/flow/momentum_exchange.hpp"
 
@@ -43,6 +44,8 @@ class MechanicsModule final : public Module {
   void find_links(const Exec& exec);
   void share_links();
   void share_temperatures();
+  /// Triangles have the temperature of their nodes, or that of the opening they lie in.
+  void warm(const Exec& exec, double time);
 
   MechanicsSection section_;
   LatticeUnits units_;
@@ -52,7 +55,7 @@ class MechanicsModule final : public Module {
   int update_interval_, exchange_interval_, guard_interval_;
   bool holds_forces_;            ///< of the fluid, for more than a step
   VectorField<double> watched_;  ///< (triangle, axis) force of the fluid at the last look; empty where nobody asks
-  NodeGroups nodes_of_particle_;
+  ThermalNodes thermal_;         ///< with heat only
   Mechanics mechanics_;
   std::vector<std::pair<std::vector<int>, std::array<double, 2>>> initial_velocities_;  ///< triangles, m/s
   RockGauges gauges_;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vug {
 
@@ -36,6 +38,20 @@ Limit limit_of_edges(const Mechanics& rock) {
           0,
           longest,
           fmt::format("cracks take more than their fracture energy; lower rock.element_size to {:.2g} m", longest)};
+}
+
+std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {
+  double smallest = std::numeric_limits<double>::infinity();  // m2
+  for (const auto& [a, b, c] : rock.triangles) {
+    const auto &p = rock.vertices[a], &q = rock.vertices[b], &r = rock.vertices[c];
+    smallest = std::min(smallest, ((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1])) / 2);
+  }
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * smallest);
+  if (edge >= 4 * spacing) return {};
+  return fmt::format(
+      "the smallest triangle of the rock, as large as one with edges of {:.3g} m, is below four cells: too "
+      "small for the lattice",
+      edge);
 }
 
 }  // namespace vug

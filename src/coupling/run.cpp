@@ -3,6 +3,7 @@
 #include "coupling/events.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/limit_text.hpp"
+#include "coupling/rock_limits.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
@@ -175,6 +176,9 @@ class Run {
     if (scene_.mechanics && scene_.mechanics->scaling_chosen) progress.note("note: " + mass_scaling_note(scene_));
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     const Parts& parts = simulation_.parts();
+    if (parts.rock)
+      if (const auto remark = remark_on_triangles(parts.rock->assembly, scene_.lattice.spacing))
+        progress.note("warning: " + *remark);
     for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)
       progress.note("warning: " + warning);
     for (const Limit& limit : simulation_.limits())

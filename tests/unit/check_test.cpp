@@ -7,6 +7,7 @@
 #include "kernels/base/require.hpp"
 #include "kernels/host/free_memory.hpp"
 #include "kernels/host/memory.hpp"
+#include "support/meshed_rock.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -129,6 +130,26 @@ TEST(Check, RefusesTwoColumnsOfOneName) {
     EXPECT_THAT(error.what(), testing::StartsWith("a.toml: two columns of the history would be called "
                                                   "\"A_gain_shape_stored_mol_per_m\"; "));
   }
+}
+
+/// By the smallest triangle, drawn or read: as large as an equilateral one with edges of four cells, of 6.93 cells
+/// area.
+TEST(Check, RemarksOnTrianglesTooSmallForTheLattice) {
+  const std::string rock =
+      "[lattice]\nsize = [40, 30]\nspacing = 1\ntime_step = 1e-6\n[time]\nsteps = 10\n[geometry]\ntype = \"rock\"\n"
+      "[mechanics]\n";
+  const auto remarks = [&](const std::string& key) { return check_case(parse_scene(rock, "a.toml", {key})).warnings; };
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "rock.msh", mesh = "rock.mesh=\"" + file + "\"";
+  const auto of_mesh = [&](double height) {  // two triangles, the smaller 4 cells wide and that high
+    test::write_text(file, test::mesh_text({{10, 10}, {14, 10}, {12, 10 + height}, {12, 6}}, {{0, 1, 2}, {1, 0, 3}}));
+    return remarks(mesh);
+  };
+  const auto remark = testing::Contains(HasSubstr("is below four cells: too small for the lattice"));
+  EXPECT_THAT(of_mesh(3.4), remark);
+  EXPECT_THAT(of_mesh(3.5), testing::Not(remark));
+  EXPECT_THAT(remarks("rock.element_size=3.5"), remark);
+  EXPECT_THAT(remarks("rock.element_size=10"), testing::Not(remark));
 }
 
 TEST(Check, KnowsTheFieldsThatARunWrites) {

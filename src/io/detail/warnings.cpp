@@ -121,11 +121,6 @@ void collect_warnings(Scene& scene) {
   if (scene.mechanics) warn_about_support(scene);
   if (scene.mechanics) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);
-  if (scene.rock && !scene.rock->mesh && scene.rock->element_size < 4 * scene.lattice.spacing) {
-    scene.warnings.push_back(
-        fmt::format("rock.element_size = {:g} m is below four cells: triangles too small for the lattice",
-                    scene.rock->element_size));
-  }
   if (scene.mechanics && scene.mechanics->force_unstable) {
     scene.warnings.emplace_back("mechanics.force_unstable accepts a time step that may diverge");
   }
