@@ -1,11 +1,13 @@
 // [case], [lattice], [time], [geometry]: what is simulated, where and for how long.
 #include "io/detail/case_tables.hpp"
+#include "kernels/nodes/node_limits.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 
 namespace vug {
 namespace {
@@ -158,10 +160,12 @@ LatticeSection read_lattice(const TomlCursor& table) {
   if (table.describing()) return lattice;
   lattice.nx = cells_along(table, size[0], lattice.spacing, 0);
   lattice.ny = cells_along(table, size[1], lattice.spacing, 1);
-  const double nodes = static_cast<double>(lattice.nx) * lattice.ny;
-  if (nodes > 1 << 28)
+  const Lattice nodes(lattice.nx, lattice.ny);
+  if (const std::int64_t slots = slots_of(nodes); slots > most_slots)
     table.fail("size",
-               fmt::format("is {:g} nodes of spacing {:g} m, at most 2^28 are accepted", nodes, lattice.spacing));
+               fmt::format("is {} x {} nodes of spacing {:g} m; with their halo, in rows of {}, these are {:.4g}, "
+                           "at most 2^31 / 9 = 2.386e+08 are accepted",
+                           lattice.nx, lattice.ny, lattice.spacing, nodes.pitch, static_cast<double>(slots) / D2Q9::Q));
   return lattice;
 }
 

@@ -168,7 +168,7 @@ TEST(ExitCodes, MemoryThatDoesNotSufficeGivesFiveAndNumbers) {
                        "/cases/poiseuille.toml --quiet --steps 1 --set lattice.size=" +
                        size + " -o " + (folder / std::to_string(mebibytes)));
   };
-  const Outcome hopeless = limited(2000, "[1.6,1.6]");  // 2^28 nodes: 1.3 GB of node numbers and 42 GB of fluid
+  const Outcome hopeless = limited(2000, "[1.5,1.5]");  // 225 million nodes: 1.1 GB of node numbers and 37 GB of fluid
   EXPECT_EQ(hopeless.exit_code, 5) << hopeless.output;
   EXPECT_EQ(lines_in(hopeless.output), 1) << hopeless.output;
   EXPECT_THAT(hopeless.output, testing::ContainsRegex("needs [0-9.]+ GiB of memory at least, and ulimit -v leaves"));

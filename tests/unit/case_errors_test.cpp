@@ -2,11 +2,14 @@
 #include "io/scene.hpp"
 #include "kernels/base/require.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -78,7 +81,27 @@ TEST(CaseErrors, SizeMustBeWholeCells) {
   EXPECT_THAT(message("[lattice]\nsize = [0.002, 0.02]\nspacing = 1e-3\ntime_step = 1e-4\n" + time + flow),
               HasSubstr("at least 3"));
   EXPECT_THAT(message("[lattice]\nsize = [100, 100]\nspacing = 1e-3\ntime_step = 1e-4\n" + time + flow),
-              HasSubstr("2^28"));
+              HasSubstr("2^31 / 9"));
+}
+
+/// The largest lattices of several shapes, by one row: slots of nine directions are numbered by an int.
+TEST(CaseErrors, SlotsMustHaveNumbers) {
+  const auto read = [](int nx, int ny) {
+    const LatticeSection made =
+        parse_scene(fmt::format("[lattice]\nsize = [{:.17g}, {:.17g}]\nspacing = 1e-3\ntime_step = 1e-3\n", nx * 1e-3,
+                                ny * 1e-3) +
+                        time + flow,
+                    "a.toml")
+            .lattice;
+    return std::pair(made.nx, made.ny);
+  };
+  const std::vector<std::pair<int, int>> pitches{{3, 32},      {15, 32},       {16, 48},
+                                                 {1000, 1024}, {15455, 15472}, {15456, 15488}};
+  for (const auto& [nx, pitch] : pitches) {
+    const int most = static_cast<int>(2147483647LL / 9 / pitch) - 2;  // rows, less the two of the halo
+    EXPECT_EQ(read(nx, most), std::pair(nx, most));
+    EXPECT_THROW(read(nx, most + 1), InputError) << nx;
+  }
 }
 
 TEST(CaseErrors, TomlSyntaxKeepsLineAndColumn) {

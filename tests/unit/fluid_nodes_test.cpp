@@ -1,6 +1,7 @@
 // The compact list of fluid nodes on lattices small enough to check by hand.
 #include "kernels/nodes/fluid_nodes.hpp"
 
+#include "kernels/nodes/node_limits.hpp"
 #include "kernels/nodes/opening.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "support/host_copy.hpp"
@@ -145,6 +146,33 @@ TEST(Surface, IsTheSolidThatTouchesFluid) {
   find_surface(Exec{}, nodes, type, surface);
   ASSERT_EQ(surface.count, 8);
   EXPECT_EQ(test::host_copy(surface.node)(0), lattice.node(1, 1));
+}
+
+/// The list never asks for more than the lattice has, so that slots of nine directions keep numbers that an int holds.
+TEST(FluidNodes, GrowByHalfButNotBeyondTheLattice) {
+  EXPECT_EQ(grown_capacity(Lattice(100, 100), 1000), 1500);
+  EXPECT_EQ(grown_capacity(Lattice(100, 100), 6667), 10000);
+  EXPECT_EQ(grown_capacity(Lattice(100, 100), 10000), 10000);
+  const Lattice large(15440, 15420);  // 238 million nodes
+  ASSERT_LE(slots_of(large), most_slots);
+  for (const int count : {150000000, 160000000, 200000000, 15440 * 15420}) {
+    const std::int64_t capacity = grown_capacity(large, count);
+    EXPECT_GE(capacity, count);
+    EXPECT_LE((capacity + 15) / 16 * 16 * 9, most_slots) << count;
+  }
+  // of a lattice that is nearly full
+  const Lattice lattice(9, 9);
+  auto type = node_types(lattice, std::vector<std::string>(9, std::string(9, '.')));
+  const auto host = test::host_copy(type);
+  host(lattice.node(4, 4)) = NodeType::solid;
+  Kokkos::deep_copy(type, host);
+  FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type);
+  EXPECT_EQ(nodes.capacity, 80);
+  host(lattice.node(4, 4)) = NodeType::fluid;
+  Kokkos::deep_copy(type, host);
+  append_births(Exec{}, type, nodes);
+  EXPECT_EQ(nodes.count, 81);
+  EXPECT_EQ(nodes.capacity, 96);
 }
 
 TEST(BoundaryLinks, CornerDiagonalsBelongToOneSideOnly) {
