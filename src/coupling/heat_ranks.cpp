@@ -12,14 +12,14 @@ std::vector<int> HeatModule<T>::nodes_before_outflows() const {
   const Lattice& lattice = geometry_.lattice;
   std::vector<int> nodes;
   const auto look = [&](int node, int q) {
-    const int before = node_before(lattice, node, q);
+    const int before = node_before(lattice, periodic_[0], periodic_[1], node, q);
     if (geometry_.split.has_row(lattice.y(node)) && before >= 0) nodes.push_back(before);
   };
   for (const HeatSide& side : sides_) {
     if (side.condition != HeatCondition::outflow) continue;
     for (const int node : nodes_of(lattice, side))
       for (int q = 1; q < directions(); ++q)
-        if (!lattice.inside(lattice.x(node) + D2Q9::c(q, 0), lattice.y(node) + D2Q9::c(q, 1))) look(node, q);
+        if (neighbour(lattice, periodic_[0], periodic_[1], node, q) < 0) look(node, q);
   }
   for (const HeatOpening& opening : openings_) {
     if (opening.condition != HeatCondition::outflow) continue;

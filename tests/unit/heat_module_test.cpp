@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -60,6 +61,45 @@ TEST(HeatFlux, OfACaseGivesTheGradientOfEachConductivity) {
       for (const Balance& balance : simulation.ledger().balances)
         // in a steady state the populations are rounded the same way in every step, by half a digit at most
         EXPECT_LE(std::abs(balance.relative_error()), 1.1e-16 * steps) << balance.quantity;
+    }
+}
+
+/// An outflow along joined sides, and one of a well: wherever the seam is, temperatures are those of elsewhere, moved.
+TEST(HeatOutflow, DoesNotKnowWhereSidesAreJoined) {
+  constexpr int along = 12, across = 9;
+  const auto temperatures = [&](int axis, int moved, const std::string& set) {
+    const auto pair = [&](const std::string& a, const std::string& b) {
+      return "[" + (axis == 0 ? a + ", " + b : b + ", " + a) + "]";
+    };
+    const std::array<std::string, 4> sides = axis == 0 ? std::array<std::string, 4>{"left", "right", "bottom", "top"}
+                                                       : std::array<std::string, 4>{"bottom", "top", "left", "right"};
+    const std::string text = "[lattice]\nsize = " + pair("12", "9") +
+                             "\nspacing = 1\ntime_step = 1\n[time]\nsteps = 100\n[geometry]\ntype = \"shapes\"\n"
+                             "[[geometry.shapes]]\ntype = \"disc\"\nname = \"well\"\ncentre = " +
+                             pair(std::to_string(moved + 2), "5") + "\nradius = 2\n[heat]\nvelocity_set = \"" + set +
+                             "\"\nfluid_diffusivity = 0.3\nsolid_diffusivity = 0.3\ninitial_temperature = 300\n"
+                             "[boundary]\n" +
+                             sides[0] + ".heat.type = \"periodic\"\n" + sides[1] + ".heat.type = \"periodic\"\n" +
+                             sides[2] + ".heat = { type = \"temperature\", temperature = 400 }\n" + sides[3] +
+                             ".heat.type = \"outflow\"\nshape.well.heat.type = \"outflow\"\n";
+    Simulation simulation(parse_scene(text, "case.toml"));
+    simulation.begin();
+    for (int step = 0; step < 60; ++step) simulation.step();
+    std::vector<double> read(along * across), values(along * across);
+    for (const Field& field : simulation.fields().lattice)
+      if (field.name == "temperature") field.read(read);
+    for (int k = 0; k < along; ++k)
+      for (int j = 0; j < across; ++j) {
+        const int at = (k + moved) % along;
+        values[j * along + k] = axis == 0 ? read[j * along + at] : read[at * across + j];
+      }
+    return values;
+  };
+  for (const std::string set : {"d2q5", "d2q9"})
+    for (const int axis : {0, 1}) {
+      const std::vector<double> expected = temperatures(axis, 4, set);
+      for (int moved = 0; moved <= along - 4; ++moved)
+        EXPECT_EQ(temperatures(axis, moved, set), expected) << set << " along " << axis << " moved by " << moved;
     }
 }
 

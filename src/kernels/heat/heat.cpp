@@ -143,6 +143,7 @@ struct CopyMatter {
 template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields) {
+  fields.periodic = periodic;
   const Lattice& lattice = fields.lattice;
   for_each_dense_node(exec, "vug::heat::copy_solid", lattice, CopySolid{type, fields.solid});
   const bool marked = fields.velocity_set == ScalarVelocitySet::d2q9;

@@ -9,6 +9,7 @@
 #include "kernels/nodes/fluid_rows.hpp"
 #include "kernels/scalar/displacement.hpp"
 
+#include <array>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -76,6 +77,7 @@ struct HeatFields {
   int first_row = 0, rows = 0;  ///< [first_row, first_row + rows) are the rows that a step computes: all, or our share
   int bands = 0;                ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
   ScalarField<T> lines;         ///< (band, line, x) what they set aside
+  std::array<bool, 2> periodic{false, false};  ///< which sides are joined, as set_heat_geometry was told
 };
 
 /// Temperature of a node, deviation from the reference: the sum of its populations, which every step conserves and

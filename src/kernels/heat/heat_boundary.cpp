@@ -62,6 +62,7 @@ struct FillSide {
   SideEntry side;
   Kinds kinds;
   Lattice lattice;
+  Joined joined;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
 
@@ -101,7 +102,8 @@ struct FillSide {
                      kinds.solid(node),
                      kinds.kind(node) != 0,
                      0};
-    if constexpr (Law::looks_inside) link.slope = at_corner(node) ? 0 : slope_from<T, Set>(kinds, g, lattice, node, q);
+    if constexpr (Law::looks_inside)
+      link.slope = at_corner(node) ? 0 : slope_from<T, Set>(kinds, g, lattice, joined, node, q);
     const T arriving = law(link);
     g(back * plane + node + lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(link.leaving);
@@ -129,6 +131,7 @@ struct FillOpening {
   OpeningEntry opening;
   Kinds kinds;
   Lattice lattice;
+  Joined joined;
   Rows rows;
   ScalarField<T> g;
   KOKKOS_FUNCTION void operator()(int item) const {
@@ -141,7 +144,7 @@ struct FillOpening {
                      kinds.solid(n),
                      kinds.kind(n) != 0,
                      0};
-    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, n, q);
+    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, joined, n, q);
     const T arriving = law(link);
     g(back * plane + opening.beyond[item]) = arriving;
     opening.entered[item] += kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
@@ -154,6 +157,7 @@ struct FillSides {
   Kinds kinds;
   double capacity_ratio;
   Lattice lattice;
+  Joined joined;
   Rows rows;
   Kokkos::View<const std::uint8_t*> solid;
   ScalarField<T> g;
@@ -177,7 +181,7 @@ struct FillSides {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, solid, g});
+      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, solid, g});
     });
   }
 };
@@ -188,6 +192,7 @@ struct FillOpenings {
   Kinds kinds;
   double capacity_ratio;
   Lattice lattice;
+  Joined joined;
   Rows rows;
   ScalarField<T> g;
 
@@ -201,7 +206,7 @@ struct FillOpenings {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, rows, g});
+      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, rows, g});
     });
   }
 };
@@ -212,12 +217,17 @@ Rows own_rows(const HeatFields<T>& fields) {
 }
 
 template <class T>
+Joined joined_sides(const HeatFields<T>& fields) {
+  return {fields.periodic[0], fields.periodic[1]};
+}
+
+template <class T>
 void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides) {
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillSides<T, decltype(set), std::decay_t<decltype(kinds)>>;
-    for_each_of_lists(
-        exec, "vug::heat::fill_side", sides,
-        Law{kinds, fields.rates.capacity_ratio, fields.lattice, own_rows(fields), fields.solid, fields.g});
+    for_each_of_lists(exec, "vug::heat::fill_side", sides,
+                      Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields),
+                          fields.solid, fields.g});
   });
 }
 
@@ -225,8 +235,9 @@ template <class T>
 void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings) {
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
-    for_each_of_lists(exec, "vug::heat::fill_opening", openings,
-                      Law{kinds, fields.rates.capacity_ratio, fields.lattice, own_rows(fields), fields.g});
+    for_each_of_lists(
+        exec, "vug::heat::fill_opening", openings,
+        Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields), fields.g});
   });
 }
 

@@ -83,10 +83,16 @@ struct OutflowIn {
   }
 };
 
+/// Which sides are joined: left and right, bottom and top.
+struct Joined {
+  bool x, y;
+};
+
 /// SideLink::slope at the link q of a node; none where the node before is of another kind of matter.
 template <class T, class Set, class Kinds>
-KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const Lattice& lattice, int node, int q) {
-  const int before = node_before(lattice, node, q);
+KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const Lattice& lattice, const Joined& joined,
+                             int node, int q) {
+  const int before = node_before(lattice, joined.x, joined.y, node, q);
   if (before < 0 || kinds.kind(before) != kinds.kind(node)) return 0;
   const int plane = lattice.size();
   const T rise = sum_of_populations<Set, T>(&g(node), plane) - sum_of_populations<Set, T>(&g(before), plane);
