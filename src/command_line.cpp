@@ -29,6 +29,7 @@ std::string positive(const std::string& text) {
 
 void describe(CLI::App& app, CommandLine& line) {
   app.require_subcommand(0, 1);
+  app.add_flag("--version", line.version, "Version, commit and back end");
   app.add_flag("--cite", line.cite, "How to cite vug");
   app.set_help_all_flag("--help-all", "Help of all commands");
   line.run = app.add_subcommand("run", "Run a case");

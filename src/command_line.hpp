@@ -28,7 +28,7 @@ struct CommandLine {
   double tolerance = 1e-3;           ///< of tune
   bool once = false;                 ///< of watch
   bool resume = false, overwrite = false, quiet = false, json = false, error_bars = false, cite = false,
-       schedule = false, explain = false;
+       version = false, schedule = false, explain = false;
   CLI::App* run = nullptr;
   CLI::App* check = nullptr;
   CLI::App* lab = nullptr;

@@ -177,6 +177,8 @@ std::optional<int> plain_command(const CLI::App& app, const CommandLine& line) {
     vug::print(vug::completion_script(app, line.name));
   else if (*line.man)
     vug::print(vug::man_page(app, VUG_VERSION));
+  else if (line.version)
+    vug::print(vug::version_line() + "\n");
   else if (line.cite)
     vug::print(vug::citation_text());
   else

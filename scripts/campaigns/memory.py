@@ -9,15 +9,25 @@ def start(site, limit, arguments):
     return site.start(arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
 
 
+TRIFLE = ["--cite"]  # a command that needs no memory of its own
+
+
+def require_trifle(site):
+    """It works where there is memory: else every crash would count as one before the program."""
+    code, said = site.finish(site.start(TRIFLE), "vug " + " ".join(TRIFLE))
+    if code != 0:
+        raise SystemExit(f"campaign: `vug {' '.join(TRIFLE)}` failed with all memory there is, exit code {code}: {said[-300:]}")
+
+
 def limited(site, limit, what):
-    """(exit code, what it said) of the run; no exit code where vug cannot even tell its version: libraries that start
-    before it, or it itself before its first line, have found no memory."""
+    """(exit code, what it said) of the run; no exit code where vug cannot even print a text that it holds: libraries that
+    start before it, or it itself before its first line, have found no memory."""
     site.remove("tight")
     before = len(site.findings)
     code, said = site.finish(start(site, limit, site.rock("tight")), what)
     if code not in (0, 5):
         kept = site.findings[:]
-        if site.finish(start(site, limit, ["--version"]), what)[0] != 0:
+        if site.finish(start(site, limit, TRIFLE), what)[0] != 0:
             kept = kept[:before]
             code = "before the program"
         site.findings[:] = kept
@@ -35,6 +45,7 @@ def enough(site):
 
 def campaign(site, count):
     site.whole()
+    require_trifle(site)
     edge = enough(site)
     for number in site.rounds(count):
         # every second one near the edge, where something has been had and more is wanted

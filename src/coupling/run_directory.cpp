@@ -24,6 +24,10 @@ BuildInfo build_info() {
   return info;
 }
 
+std::string version_line() {
+  return fmt::format("vug {} (commit {}, {})", VUG_VERSION, VUG_COMMIT, Exec::name());
+}
+
 RunRecord first_record(const Scene& scene) {
   const BuildInfo build = build_info();
   RunRecord record;

@@ -14,6 +14,9 @@ struct BuildInfo {
 };
 BuildInfo build_info();
 
+/// "vug 0.1.0 (commit c924984, OpenMP)"; needs no Kokkos that has been started.
+std::string version_line();
+
 /// The record of a run of `scene` that begins now; reads the files that the scene names. Throws FileError.
 RunRecord first_record(const Scene& scene);
 

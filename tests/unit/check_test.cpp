@@ -122,7 +122,8 @@ TEST(Check, KnowsTheSpecimenOfALaboratoryTest) {
 TEST(Check, RefusesTwoColumnsOfOneName) {
   const std::vector<std::string> overrides{
       "geometry.shapes.1={ type = \"disc\", centre = [150, 50], radius = 9, name = \"stored\" }",
-      "boundary.shape.stored={}", "solute.species.1.name=A_gain_shape"};
+      "boundary.shape.stored.solute={ type = \"concentration\", concentration = { A = 1 } }",
+      "solute.species.1.name=A_gain_shape"};
   try {
     check_case(parse_scene(obstacle, "a.toml", overrides));
     ADD_FAILURE() << "accepted";

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace vug {
 namespace {
 
@@ -68,6 +70,13 @@ TEST(CommandLine, TakesOneWordForEveryOverride) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(test::run_vug("watch --columns a,b " + folder.path()).output,
             "vug: " + folder.path() + ": holds no run (it has no run.json)\n");
+}
+
+TEST(CommandLine, SaysItsVersion) {
+  const test::Outcome outcome = test::run_vug("--version");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(std::regex_match(outcome.output, std::regex("vug \\d+\\.\\d+\\.\\d+ \\(commit [^ ]+, \\w+\\)\n")))
+      << outcome.output;
 }
 
 TEST(CommandLine, OffersCompletionACitationAndAManualPage) {
