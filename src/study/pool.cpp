@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <fcntl.h>
 #include <filesystem>
 #include <map>
@@ -45,24 +46,36 @@ pid_t begin(const Job& job) {
 struct Running {
   std::size_t job;
   double since;
+  bool seen = false;
 };
 
 }  // namespace
 
-void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(const Ended&)>& tell) {
+void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(const Ended&)>& tell,
+              const std::function<bool(std::size_t)>& look) {
   const StopsInOrder in_order;
   std::map<pid_t, Running> running;
   std::size_t next = 0;
   bool stopped = false;
-  while (!running.empty() || (next < jobs.size() && !stop_requested())) {
-    if (next < jobs.size() && running.size() < static_cast<std::size_t>(at_once) && !stop_requested()) {
+  std::exception_ptr wrong;
+  const auto ending = [&] { return stop_requested() || wrong; };
+  const auto look_at = [&](Running& one) {
+    try {
+      if (!one.seen && !wrong) one.seen = look(one.job);
+    } catch (...) {
+      wrong = std::current_exception();
+    }
+  };
+  while (!running.empty() || (next < jobs.size() && !ending())) {
+    if (next < jobs.size() && running.size() < static_cast<std::size_t>(at_once) && !ending()) {
       running[begin(jobs[next])] = {next, steady_seconds()};
       ++next;
       continue;
     }
-    if (stop_requested() && !stopped)
-      for (const auto& [child, job] : running) ::kill(child, SIGTERM);
-    stopped = stop_requested();
+    for (auto& [child, one] : running) look_at(one);
+    if (ending() && !stopped)
+      for (const auto& [child, one] : running) ::kill(child, SIGTERM);
+    stopped = ending();
     int status = 0;
     const pid_t child = ::waitpid(-1, &status, WNOHANG);
     const auto found = running.find(child);
@@ -70,11 +83,13 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
       ::usleep(20000);  // a stop is seen at once, and a child that ends soon enough
       continue;
     }
+    look_at(found->second);
     const Ended ended{found->second.job, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
                       steady_seconds() - found->second.since};
     running.erase(found);
     tell(ended);
   }
+  if (wrong) std::rethrow_exception(wrong);
 }
 
 int processors() {

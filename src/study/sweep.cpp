@@ -116,6 +116,7 @@ int sweep(const std::string& path, const SweepOptions& options) {
   make_directory(directory + "/runs");
   const SweepLock lock(directory, options.progress);
   const std::vector<const Member*> open = open_members(members, directory, options.resume);
+  for (const Member& member : members) look_at_columns(study, member);  // of what has been run before
   detail::replace_file(directory + "/" + copy_of_study, study.text, false);
   std::vector<Job> jobs;
   for (const Member* member : open) jobs.push_back({words_of(study, *member), member->log});
@@ -124,12 +125,14 @@ int sweep(const std::string& path, const SweepOptions& options) {
   if (options.progress)
     *options.progress << fmt::format("{} runs, {} of them to do, {} at once", members.size(), open.size(), at_once)
                       << std::endl;
-  run_jobs(jobs, at_once, [&](const Ended& job) {
+  const auto tell = [&](const Ended& job) {
     ++ended;
     if (options.progress)
       *options.progress << fmt::format("[{}/{}] {}", ended, members.size(), said_of(job, *open[job.job], study))
                         << std::endl;
-  });
+  };
+  // as soon as a run has begun, not when all have ended
+  run_jobs(jobs, at_once, tell, [&](std::size_t job) { return look_at_columns(study, *open[job]); });
   detail::replace_file(directory + "/" + table, table_text(study, members), false);
   detail::replace_file(directory + "/" + failures, failures_text(study, members), false);
   if (stop_requested()) throw Interrupted(stop_reason() + "; --resume continues the study");

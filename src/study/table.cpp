@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace vug {
@@ -79,6 +80,18 @@ std::string last_words(const std::string& path) {
 }
 
 }  // namespace
+
+bool look_at_columns(const Study& study, const Member& member) {
+  if (study.results.empty()) return true;
+  std::ifstream file(member.directory + "/history.csv", std::ios::binary);
+  std::string line;
+  if (!std::getline(file, line) || file.eof()) return false;
+  History history;
+  std::istringstream names(line);
+  for (std::string name; std::getline(names, name, ',');) history.names.push_back(name);
+  require_columns(study, history);
+  return true;
+}
 
 std::string table_text(const Study& study, const std::vector<Member>& members) {
   std::vector<std::string> columns = study.results;

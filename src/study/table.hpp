@@ -7,6 +7,9 @@
 
 namespace vug {
 
+/// Whether the history of a member has columns already. Throws InputError where the study wants a result that is none.
+bool look_at_columns(const Study& study, const Member& member);
+
 /// Rows of the members that are done, in the order of the study: name, values of the keys, and the last row of each
 /// history, copied as it stands there; the columns of the study's results, or else all of the first history. Throws
 /// InputError for a result that is no column of a history, FileError.

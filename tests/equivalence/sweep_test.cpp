@@ -56,6 +56,33 @@ TEST(Sweep, HasTheSameTableAfterKills) {
   EXPECT_EQ(test::contents(folder / "killed/table.csv"), test::contents(folder / "whole/table.csv"));
 }
 
+// The header of a history is there when its run begins: runs of hours need not end before a slip is told.
+TEST(Sweep, TellsOfAResultThatIsNoneWhenTheFirstRunHasBegun) {
+  const test::TemporaryFolder folder;
+  const auto write = [&](const char* result, const char* steps) {
+    test::write_text(folder / "study.toml",
+                     "[study]\ncase = \"" +
+                         std::filesystem::absolute(VUG_SOURCE_DIR "/cases/poiseuille.toml").string() +
+                         "\"\nset = [\"time.steps=" + steps + "\"]\nresults = [\"" + result +
+                         "\"]\n[[study.keys]]\nkey = \"flow.viscosity\"\nvalues = [1e-6, 2e-6, 3e-6]\n");
+    return "sweep " + (folder / "study.toml") + " -o " + (folder / "out") + " -j 1 --quiet";
+  };
+  const test::Outcome misspelt = test::run_vug(write("largest_mach", "100000000"));
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_NE(misspelt.output.find("\"largest_mach\" is no column of the history; did you mean \"largest_mach_1\"?"),
+            std::string::npos)
+      << misspelt.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/runs/0002"));
+  EXPECT_NE(test::contents(folder / "out/runs/0001/run.json").find("interrupted"), std::string::npos);
+  ASSERT_EQ(test::run_vug("sweep " + study_file(folder) + " -o " + (folder / "done") + " --quiet").exit_code, 3);
+  const std::string again = study_file(folder, "results = [\"mach\"]\n");
+  EXPECT_EQ(test::run_vug("sweep " + again + " -o " + (folder / "done") + " --resume --quiet").exit_code, 2);
+  EXPECT_EQ(test::run_vug("sweep " + study_file(folder, "results = [\"largest_mach_1\"]\n") + " -o " +
+                          (folder / "done") + " --resume --quiet")
+                .exit_code,
+            3);
+}
+
 TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
   const test::TemporaryFolder folder;
   const std::string study = study_file(folder);

@@ -1,5 +1,6 @@
 #include "io/run_record.hpp"
 
+#include "io/run_folder.hpp"
 #include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
@@ -39,6 +40,21 @@ TEST(RunRecord, ReplacesTheOneBefore) {
   write_run_record(folder.path(), record);
   EXPECT_THAT(test::contents(folder / "run.json"), HasSubstr("\"status\": \"done\""));
   EXPECT_FALSE(std::filesystem::exists(folder / "run.json.tmp"));
+}
+
+TEST(RunRecord, GivesBackItsEventsUpToAStep) {
+  const test::TemporaryFolder folder;
+  RunRecord record;
+  record.events = {"step 5, 1 s: \"a\\b\", c", "step 10, 2 s: tab\there\nand \x01", "step 11, 2 s: later",
+                   "at the end"};
+  write_run_record(folder.path(), record);
+  const RunSummary summary = read_run_summary(folder.path()).value();
+  EXPECT_EQ(summary.events, record.events);
+  EXPECT_THAT(summary.events_until(10), testing::ElementsAre(record.events[0], record.events[1]));
+  EXPECT_FALSE(summary.had_checkpoint());
+  record.last_checkpoint = 10;
+  write_run_record(folder.path(), record);
+  EXPECT_TRUE(read_run_summary(folder.path())->had_checkpoint());
 }
 
 TEST(RunRecord, HashesTextAndOverrides) {
