@@ -1,14 +1,14 @@
 """Starting vug from Python."""
 import json
-import math
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
 import warnings
 
-from .errors import BY_CODE, Diverged, Interrupted, VugError, VugWarning
+from .errors import BY_CODE, CaseError, Diverged, Interrupted, VugError, VugWarning
 from .run_folder import Run
 from .study import Study
 
@@ -36,7 +36,11 @@ def _stopped(child):
 
 def _call(words):
     """Runs vug; returns what it has printed, passes its warnings on, raises what it ended with."""
-    child = subprocess.Popen([executable(), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    program = executable()
+    try:
+        child = subprocess.Popen([program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    except OSError as error:
+        raise VugError(f"{program}: cannot be run as vug: {error.strerror}") from None
     interrupt = None
     try:
         out, err = child.communicate()
@@ -57,24 +61,47 @@ def _call(words):
     raise error
 
 
+def _text(value):
+    """Text in TOML's syntax: JSON's, but with no character in two halves, and DEL escaped as well."""
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise CaseError(f"{value!r} is no text: half a character") from None
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _key(name):
+    return name if re.fullmatch("[A-Za-z0-9_-]+", name) else _text(name)
+
+
 def _toml(value):
-    """A value in TOML's syntax, which JSON's is but for numbers that are none; of numpy as of Python."""
-    if isinstance(value, float) and not math.isfinite(value):
-        return str(value)
-    return json.dumps(value, default=lambda array: array.tolist())
+    """A value in TOML's syntax: numbers, text, truth, lists, and dicts as inline tables; of numpy as of Python."""
+    if hasattr(value, "tolist"):  # arrays and numbers of numpy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, (str, os.PathLike)):
+        return _text(os.fspath(value))
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{_key(str(name))} = {_toml(inner)}" for name, inner in value.items()) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    raise CaseError(f"{value!r} is no value of a case: numbers, text, True and False, lists and dicts of them are")
 
 
 def _overrides(overrides):
-    """--set words of {"flow.viscosity": 1e-3, "heat.velocity_set": "d2q9"}."""
+    """--set words of {"flow.viscosity": 1e-3, "boundary.left.flow": {"type": "pressure", "pressure": 1e5}}."""
     return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={_toml(value)}")]
 
 
 def run(case, directory=None, overrides=None, *, steps=None, threads=None, resume=False, overwrite=False):
     """Runs a case to its end and opens what it has written.
 
-    `overrides` are values in place of the case's, as of --set: {"flow.viscosity": 1e-3}. `directory` is where results
-    go, runs/<name of the case> without it. Raises CaseError, Diverged, FileTrouble, OutOfMemory or Interrupted, with
-    the line that vug has said.
+    `overrides` are values in place of the case's, as of --set: {"flow.viscosity": 1e-3}; dicts are tables. `directory`
+    is where results go, runs/<name of the case> without it. Raises CaseError, Diverged, FileTrouble, OutOfMemory or
+    Interrupted, with the line that vug has said.
     """
     directory = pathlib.Path(directory) if directory else pathlib.Path("runs") / pathlib.Path(case).stem
     words = ["run", str(case), "-o", str(directory), "--quiet", *_overrides(overrides)]

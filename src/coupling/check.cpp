@@ -6,6 +6,7 @@
 #include "coupling/fluid_picture.hpp"
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
+#include "coupling/rock_limits.hpp"
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"

@@ -7,12 +7,14 @@ import tempfile
 import threading
 import time
 import unittest
+from unittest import mock
 
 root = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "python"))
 os.chdir(root)
 
+import numpy as np
 import vug
 
 ENDLESS = {"time.steps": 10**9}
@@ -23,6 +25,29 @@ class Launch(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name) / "run"
+
+    def test_overrides_may_be_any_value(self):
+        overrides = {"boundary.left.flow": {"type": "pressure", "pressure": "100.000001 kPa"},
+                     "boundary.right.flow": {"type": "outflow"},
+                     "solute.species": [{"name": "A", "diffusivity": np.float32(1e-9)}, {"name": "B+", "diffusivity": 2e-9}],
+                     "boundary.left.solute": {"type": "concentration", "concentration": {"A": np.array([[0, 1], [1, 2.5]]), "B+": 1}},
+                     "case.description": 'a "rock" 𝄞 of\x7f two\nlines',
+                     "output.compress": np.bool_(False), "output.interval_steps": np.int64(1), "time.steps": 2}
+        with vug.run("cases/poiseuille.toml", self.folder, overrides) as run:
+            self.assertEqual(run.status, "done")
+            self.assertIn("concentration_B+", run[-1])
+        for endless in (float("inf"), np.float32("inf"), np.float64("nan")):
+            with self.assertRaisesRegex(vug.CaseError, "flow.viscosity = (inf|nan) must be"):
+                vug.check("cases/poiseuille.toml", {"flow.viscosity": endless})
+        for wrong in (None, {"a": object()}, "\ud800"):
+            with self.assertRaisesRegex(vug.CaseError, "is no (value|text)"):
+                vug.check("cases/poiseuille.toml", {"case.name": wrong})
+
+    def test_a_program_that_is_none_is_one_line(self):
+        for place in ("/nonexistent/vug", "/tmp"):
+            with mock.patch.dict(os.environ, VUG=place), \
+                    self.assertRaisesRegex(vug.VugError, f"^{place}: cannot be run as vug: "):
+                vug.check("cases/poiseuille.toml")
 
     def interrupt_under_way(self):
         """Ctrl-C for this process alone, as a kernel of Jupyter gets it, when the run has taken steps."""
