@@ -38,7 +38,9 @@ class History:
     def __init__(self, path):
         with open(path, newline="", encoding="utf-8", errors="replace") as file:
             lines = file.read().split("\n")[:-1]  # what follows the last end of a line is unfinished
-        header = lines[0].split(",") if lines else []
+        if not lines:
+            raise FileTrouble(f"{path}: has not even a header")
+        header = lines[0].split(",")
         data = np.array([_numbers(f"{path}:{n}", line, header) for n, line in enumerate(lines[1:], 2)], dtype=float)
         data = data.reshape(-1, len(header))
         self._column = {}

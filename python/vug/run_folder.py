@@ -12,6 +12,24 @@ from .history import History
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # a run under way may be looked at
 
 
+def open_file(path):
+    """An HDF5 file, to be read. Raises FileTrouble."""
+    import h5py
+
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise FileTrouble(f"{path}: {error}") from None
+
+
+def group_of(file, name):
+    """A group of a file, which may be a link to a file of its own: of one that is lost or damaged h5py says KeyError."""
+    try:
+        return file[name]
+    except (KeyError, OSError) as error:
+        raise FileTrouble(f"{file.filename}: {name}: {error.args[0]}") from None
+
+
 class Fields:
     """Names to Field of one group of a file; follows the links of fields.h5 and particles.h5."""
 
@@ -77,14 +95,12 @@ class Run:
     """
 
     def __init__(self, directory):
-        import h5py
-
         self.directory = pathlib.Path(directory)
         fields, rock = self.directory / "fields.h5", self.directory / "particles.h5"
         if not fields.exists():
             raise FileTrouble(f"{fields}: there is no such file; is {self.directory} a run directory?")
-        self._fields = h5py.File(fields, "r")
-        self._rock = h5py.File(rock, "r") if rock.exists() else None
+        self._fields = open_file(fields)
+        self._rock = open_file(rock) if rock.exists() else None
         self._names = sorted(name for name in self._fields if name.startswith("step_"))
 
     def close(self):
@@ -118,7 +134,7 @@ class Run:
         """Names by the numbers of the field `mineral`, of which 0 is rock of no mineral."""
         try:
             return ["rock"] + [table["name"] for table in self.case.get("mineral", [])]
-        except (OSError, ValueError, KeyError):  # no record, or one of another program
+        except (OSError, ValueError, KeyError, TypeError):  # no record, or one of another program
             return ["rock"]
 
     @property
@@ -128,7 +144,7 @@ class Run:
     @property
     def times(self):
         """Of the snapshots, s."""
-        return [float(self._fields[name].attrs["time"]) for name in self._names]
+        return [float(group_of(self._fields, name).attrs["time"]) for name in self._names]
 
     def __len__(self):
         return len(self._names)
@@ -136,11 +152,12 @@ class Run:
     def __getitem__(self, index):
         """The snapshot of that number; -1 is the last."""
         name = self._names[index]
-        rock = self._rock[name] if self._rock is not None and name in self._rock else None
+        fields = group_of(self._fields, name)
+        rock = group_of(self._rock, name) if self._rock is not None and name in self._rock else None
         if rock is None or "triangles" not in rock:
-            return Snapshot(self._fields[name], None, self.minerals)
+            return Snapshot(fields, None, self.minerals)
         pairs = self._rock["rock/bond_triangles"] if "rock/bond_triangles" in self._rock else None
-        return Snapshot(self._fields[name], Rock(rock, pairs), self.minerals)
+        return Snapshot(fields, Rock(rock, pairs), self.minerals)
 
     def __repr__(self):
         return f"<vug.Run {str(self.directory)!r}: {len(self)} snapshots>"

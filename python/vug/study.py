@@ -30,7 +30,12 @@ class Study:
         if not path.exists():
             raise FileTrouble(f"{path}: there is no such file; is {directory} the directory of a study?")
         with open(path, newline="", encoding="utf-8") as file:
-            header, *rows = csv.reader(file)
+            lines = list(csv.reader(file))
+        if not lines:
+            raise FileTrouble(f"{path}: has not even a header")
+        header, *rows = lines
+        if any(len(row) != len(header) for row in rows):
+            raise FileTrouble(f"{path}: has a row that is not as long as its header")
         self._column = {name: _column([row[k] for row in rows]) for k, name in enumerate(header) if name != "run"}
         self.runs = [row[0] for row in rows]
         self.keys = [name for name in self._column if "." in name]

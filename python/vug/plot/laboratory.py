@@ -1,5 +1,4 @@
 """Pictures of a laboratory test: curves of all specimens, and where the bonds of the first one failed."""
-import csv
 import os
 
 import numpy as np
@@ -7,6 +6,7 @@ from matplotlib import pyplot as plt
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 
+from ..history import History
 from .style import save, tidy
 
 CM, MPA, PERCENT, MM = 100, 1e-6, 100, 1e3  # of m, Pa, 1, m
@@ -21,28 +21,21 @@ KINDS = [
 ]
 
 
-def read_table(path):
-    """Columns of a CSV file by name."""
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    values = np.array([[float(v) for v in row] for row in rows[1:] if len(row) == len(rows[0])]).reshape(-1, len(rows[0]))
-    return {name: values[:, k] for k, name in enumerate(rows[0])}
-
-
 def plot_curves(path, folder, heading):
-    """Stress over strain of every seed, the peaks marked, their mean and scatter in the title."""
-    table = read_table(path)
+    """Stress over strain of every seed, the peaks marked, their mean and scatter in the title. None where there is no row yet."""
+    table = History(path)
     seeds = np.unique(table["seed_1"])
     if not len(seeds):
         return None
     figure, axes = plt.subplots(figsize=(6, 4.2), constrained_layout=True)
+    failed = [table[name] for name in ("failed_in_tension_1", "failed_in_shear_1") if name in table]
     peaks, broken = [], True
     for seed, colour in zip(seeds, plt.get_cmap("viridis")(np.linspace(0, 0.85, len(seeds)))):
         chosen = table["seed_1"] == seed
         strain, stress = PERCENT * table["strain_1"][chosen], MPA * table["stress_Pa"][chosen]
         top = int(np.argmax(stress))
         peaks.append(stress[top])
-        broken = broken and table["failed_in_tension_1"][chosen][-1] + table["failed_in_shear_1"][chosen][-1] > 0
+        broken = broken and (not failed or sum(column[chosen][-1] for column in failed) > 0)
         axes.plot(strain, stress, color=colour, linewidth=0.9, label=f"seed {seed:.0f}")
         axes.plot(strain[top], stress[top], "o", color=colour, markersize=4)
     mean = np.mean(peaks)
@@ -59,8 +52,10 @@ def plot_curves(path, folder, heading):
 
 
 def plot_crack_count(path, folder, heading):
-    """Of a quench: how many cracks reach a depth."""
-    table = read_table(path)
+    """Of a quench: how many cracks reach a depth. None where there is no row yet."""
+    table = History(path)
+    if not len(table):
+        return None
     figure, axes = plt.subplots(figsize=(6, 4.2), constrained_layout=True)
     axes.step(MM * table["depth_m"], table["cracks_1"], where="mid", color="#2166ac")
     axes.set_title(f"{heading}cracks that reach a depth", fontsize=10)
