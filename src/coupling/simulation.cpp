@@ -134,7 +134,7 @@ std::vector<Task> Simulation::schedule() const {
   std::vector<Task> tasks;
   for (const auto& module : parts_->modules) module->tasks(tasks);
   if (parts_->growth)
-    tasks.push_back({"new pores: nodes that have dissolved or that damage opens, what newborn fluid begins with",
+    tasks.push_back({"new pores: dissolved nodes, opened pathways, newborn fluid",
                      update_interval_,
                      {"reaction/volume", "mechanics/d_m"},
                      {"geometry", "growth"},

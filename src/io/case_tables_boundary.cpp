@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug {
 namespace {
 
@@ -33,6 +35,10 @@ void read_profile(const TomlCursor& table, FlowBoundary& boundary) {
   if (boundary.profile == VelocityShape::table && boundary.profile_table.empty())
     table.fail("profile_table", "is missing; profile = \"table\" needs [[position in m, share of the velocity], ...]");
   if (boundary.profile != VelocityShape::table) table.refuse("profile_table", "is only for profile = \"table\"");
+  const auto still = [](const Point& point) { return point[1] == 0; };
+  if (!boundary.profile_table.empty() &&
+      std::all_of(boundary.profile_table.begin(), boundary.profile_table.end(), still))
+    table.fail("profile_table", "has no share but 0: nothing would flow");
 }
 
 FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {

@@ -38,6 +38,7 @@ class Pace : public Ageing {
   using Ageing::Look;
   using Ageing::take_in;
   void step(const Exec&, const Clock&) override {}
+  void tasks(std::vector<Task>&) const override {}
 };
 
 TEST(Ageing, PaceAndBoundFollowEveryLook) {

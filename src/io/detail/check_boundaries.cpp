@@ -88,6 +88,16 @@ void check_periodic(const TomlDocument& document, const Scene& scene, const char
   }
 }
 
+/// Positions of a profile lie on its stretch.
+void check_profile(const TomlDocument& document, const std::string& key, const FlowBoundary& flow, double length,
+                   double spacing) {
+  const double slack = 1e-6 * spacing;
+  for (const auto& [at, share] : flow.profile_table)
+    if (at < -slack || at > length + slack)
+      document.fail(key + ".flow.profile_table",
+                    fmt::format("has the position {:g} m beyond its stretch, 0 ... {:g} m", at, length));
+}
+
 void check_injection(const TomlDocument& document, const Scene& scene, const InjectionSection& injection) {
   const bool upright = injection.side == "left" || injection.side == "right";
   const double side = upright ? scene.lattice.length_y : scene.lattice.length_x;
@@ -197,6 +207,9 @@ void check_boundaries(const TomlDocument& document, Scene& scene) {
     check_modules_of(document, scene, side.name);
     check_concentrations(document, scene, side.name, side.section.solute);
     check_wall(document, side);
+    const bool upright = &side.section == &scene.left || &side.section == &scene.right;
+    check_profile(document, "boundary." + std::string(side.name), side.section.flow,
+                  upright ? scene.lattice.length_y : scene.lattice.length_x, scene.lattice.spacing);
   }
   check_periodic(document, scene, "left", scene.left, "right", scene.right);
   check_periodic(document, scene, "bottom", scene.bottom, "top", scene.top);
@@ -206,6 +219,7 @@ void check_boundaries(const TomlDocument& document, Scene& scene) {
     check_modules_of(document, scene, name);
     check_concentrations(document, scene, name, injection.conditions.solute);
     check_injection(document, scene, injection);
+    check_profile(document, injection.key, injection.conditions.flow, injection.width, scene.lattice.spacing);
     check_not_periodic(document, name, injection.conditions);
   }
   check_apart(document, scene);

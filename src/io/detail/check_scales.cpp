@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -23,6 +24,35 @@ void check_diffusivity(const TomlDocument& document, const LatticeSection& latti
                             key, value, scaled, least, most));
 }
 
+/// At the start, and on all sides and openings.
+std::vector<double> named_temperatures(const Scene& scene) {
+  std::vector<double> found{scene.heat->initial_temperature};
+  const auto add = [&](const HeatBoundary& heat) {
+    if (heat.kind != HeatBoundaryKind::temperature && heat.kind != HeatBoundaryKind::convection) return;
+    found.push_back(heat.temperature.lowest());
+    found.push_back(heat.temperature.highest());
+  };
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) add(side->heat);
+  for (const InjectionSection& injection : scene.injections) add(injection.conditions.heat);
+  for (const OpeningSection& opening : scene.openings) add(opening.conditions.heat);
+  return found;
+}
+
+/// A viscosity that depends on the temperature is a number at all that the case names.
+void check_law_of_viscosity(const TomlDocument& document, const Scene& scene) {
+  const FlowSection& flow = *scene.flow;
+  const char* key = flow.viscosity_table.empty() ? "flow.viscosity_activation_energy" : "flow.viscosity_table";
+  for (const double temperature : named_temperatures(scene)) {
+    const double viscosity = flow.viscosity_at(temperature);
+    const double scaled = viscosity * scene.lattice.time_step / (scene.lattice.spacing * scene.lattice.spacing);
+    if (scaled >= least && scaled <= most) continue;
+    document.fail(key,
+                  fmt::format("makes the viscosity at {:g} K {:.3g} m2/s, {:.3g} in lattice units (value time_step / "
+                              "spacing^2); {:g} ... {:g} is accepted, and good ones lie between 1e-3 and 1",
+                              temperature, viscosity, scaled, least, most));
+  }
+}
+
 }  // namespace
 
 void check_scales(const TomlDocument& document, const Scene& scene) {
@@ -38,6 +68,7 @@ void check_scales(const TomlDocument& document, const Scene& scene) {
     for (std::size_t i = 0; i < scene.solute->species.size(); ++i)
       check(fmt::format("solute.species.{}.diffusivity", i), scene.solute->species[i].diffusivity);
   if (!scene.flow) return;
+  if (scene.heat && scene.flow->viscosity_varies()) check_law_of_viscosity(document, scene);
   const double velocity = scene.lattice.spacing / scene.lattice.time_step;
   const double pressure = scene.flow->density * velocity * velocity;
   if (!std::isnormal(pressure) || !std::isnormal(pressure * scene.lattice.spacing))
