@@ -61,7 +61,7 @@ TEST(Laboratory, SaysInTheRecordThatNoCohesionWasFound) {
                           (folder / "out");
   const Outcome outcome = run_vug(lab);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
-  EXPECT_THAT(outcome.output, HasSubstr("no cohesion found"));
+  EXPECT_THAT(outcome.output, HasSubstr("a specimen did not break, so that it has no strength to fit"));
   EXPECT_THAT(test::contents(folder / "out/run.json"), HasSubstr("\"status\": \"failed\""));
   EXPECT_THAT(run_vug("watch " + (folder / "out")).output, HasSubstr("failed, step 0"));
 }
@@ -149,8 +149,7 @@ TEST(Laboratory, IsToldFromARunAndDivergesWithThree) {
   const Outcome diverged =
       run_vug("lab " + compression + " --quiet --set laboratory.platen_speed=1e5 -o " + (folder / "out"));
   EXPECT_EQ(diverged.exit_code, 3) << diverged.output;
-  EXPECT_THAT(diverged.output, testing::MatchesRegex("warning: platens at [^\n]*\nvug: [^\n]*\n"))
-      << "quiet of no warning";
+  EXPECT_THAT(diverged.output, testing::MatchesRegex("(warning: [^\n]*\n)+vug: [^\n]*\n")) << "quiet of no warning";
   EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("diverged"));
 }
 
