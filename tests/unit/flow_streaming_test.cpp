@@ -3,6 +3,7 @@
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
+#include "support/populations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +15,7 @@ namespace {
 using test::draw;
 using test::Flow;
 using test::host_copy;
-
-/// Populations of node i on the host.
-template <class T>
-std::array<T, 9> populations(Flow<T>& flow, int i) {
-  settle(flow.exec, flow.nodes, flow.nodes.count, flow.fields);
-  const auto f = host_copy(flow.fields.f);
-  std::array<T, 9> values;
-  for (int q = 0; q < 9; ++q) values[q] = f(q * flow.nodes.capacity + i);
-  return values;
-}
+using test::populations;
 
 /// Pulls all populations from one lattice, collides them and stores them at home in another.
 void sweep_two_lattices(Flow<double>& flow) {
