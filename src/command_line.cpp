@@ -108,6 +108,11 @@ void describe(CLI::App& app, CommandLine& line) {
       ->delimiter(',')
       ->allow_extra_args(false);
   line.watch->add_flag("--once", line.once, "Only now (also when the output is no terminal)");
+  line.report = app.add_subcommand(
+      "report",
+      "Bundle a run for somebody else: case, program, last good checkpoint, a script that runs its end again");
+  line.report->add_option("directory", line.directory, "Run directory")->required();
+  line.report->add_option("-o,--output", line.bundle, "Folder to make (default: <run directory>-report)");
   line.man = app.add_subcommand("man", "Manual page, for man -l");
 }
 

@@ -13,6 +13,7 @@ namespace vug {
 struct CommandLine {
   std::string case_file;
   std::string directory;
+  std::string bundle;  ///< of report
   std::vector<std::string> overrides;
   std::optional<std::int64_t> steps;
   int threads = 0;
@@ -39,6 +40,7 @@ struct CommandLine {
   CLI::App* completion = nullptr;
   CLI::App* man = nullptr;
   CLI::App* watch = nullptr;
+  CLI::App* report = nullptr;
   CLI::App* tune = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include "coupling/run_directory.hpp"
 #include "coupling/tuning.hpp"
 #include "front/completion.hpp"
+#include "front/report.hpp"
 #include "front/schema.hpp"
 #include "front/short_waits.hpp"
 #include "front/templates.hpp"
@@ -171,6 +172,9 @@ std::optional<int> plain_command(const CLI::App& app, const CommandLine& line) {
   if (*line.watch) return watch(line);
   if (*line.start)
     vug::print(vug::new_case(line.name, line.case_file) + "\n");
+  else if (*line.report)
+    vug::print(
+        vug::report_run(line.directory, line.bundle.empty() ? vug::report_directory(line.directory) : line.bundle));
   else if (*line.schema)
     vug::print(vug::case_schema());
   else if (*line.completion)

@@ -2,6 +2,7 @@
 
 #include "io/detail/nearest_name.hpp"
 #include "io/progress.hpp"
+#include "io/run_folder.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>

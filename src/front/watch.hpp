@@ -1,7 +1,7 @@
 #pragma once
 // `vug watch`: a run under way, in a terminal.
 #include "io/history_reader.hpp"
-#include "io/run_folder.hpp"
+#include "io/run_summary.hpp"
 
 #include <functional>
 #include <string>

@@ -2,14 +2,12 @@
 
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
-#include "io/json_text.hpp"
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -81,18 +79,6 @@ void remove_file(const fs::path& file) {
   if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
 }
 
-/// The value of a key of run.json, which has one key a line; a text without its quotes.
-std::string value_of(const std::string& json, const std::string& key) {
-  const std::string mark = "\n  \"" + key + "\": ";
-  const auto at = json.find(mark);
-  if (at == std::string::npos) return "";
-  const auto from = at + mark.size();
-  std::string value = json.substr(from, json.find('\n', from) - from);
-  if (value.ends_with(',')) value.pop_back();
-  if (value.size() >= 2 && value.front() == '"') value = value.substr(1, value.size() - 2);
-  return value;
-}
-
 /// Who this is, for those who find the folder locked.
 std::string name_of_process() {
   char host[256] = "";
@@ -111,36 +97,6 @@ std::string holder(int lock) {
 }
 
 }  // namespace
-
-std::optional<RunSummary> read_run_summary(const std::string& directory) {
-  const std::string path = directory + "/run.json";
-  std::error_code none;
-  if (!fs::is_regular_file(path, none)) return std::nullopt;
-  const std::string json = detail::read_file(path);
-  RunSummary summary{value_of(json, "run"),         value_of(json, "status"),
-                     value_of(json, "case_hash"),   value_of(json, "inputs"),
-                     value_of(json, "steps"),       value_of(json, "started"),
-                     value_of(json, "exit_reason"), value_of(json, "first_step"),
-                     value_of(json, "last_step"),   value_of(json, "last_checkpoint"),
-                     value_of(json, "wall_time_s"), json_texts(value_of(json, "events"))};
-  if (summary.status.empty() || summary.case_hash.empty())
-    throw InputError(path + ": is no record of a run of vug; choose another folder");
-  return summary;
-}
-
-bool RunSummary::had_checkpoint() const {
-  const auto counts = [](const std::string& number) { return !number.empty() && number != "0"; };
-  // before there was last_checkpoint: these have one at their end, and what was resumed began at one
-  const bool ended_with_one = counts(steps) && (status == "done" || status == "interrupted");
-  return !last_checkpoint.empty() || ended_with_one || counts(first_step);
-}
-
-std::vector<std::string> RunSummary::events_until(std::int64_t step) const {
-  std::vector<std::string> kept;
-  for (const std::string& event : events)
-    if (long long at = 0; std::sscanf(event.c_str(), "step %lld,", &at) == 1 && at <= step) kept.push_back(event);
-  return kept;
-}
 
 bool is_in_use(const std::string& directory) {
   const int lock = ::open((directory + "/run.lock").c_str(), O_RDONLY | O_CLOEXEC);

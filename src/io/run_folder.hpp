@@ -1,31 +1,11 @@
 #pragma once
 // The folder of a run: who may write into it, and which of its files are the run's own.
-#include <cstdint>
+#include "io/run_summary.hpp"
+
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace vug {
-
-/// What a folder's run.json says of its run.
-struct RunSummary {
-  std::string run, status, case_hash;
-  std::string inputs;  ///< as in the file: paths and hashes of the files that the case names
-  std::string steps;
-  std::string started, exit_reason;
-  std::string first_step, last_step;  ///< the latter empty where none is said
-  std::string last_checkpoint;        ///< empty where there has been none
-  std::string wall_time;
-  std::vector<std::string> events;
-
-  /// Whether the run has written a checkpoint, wherever that may be now.
-  bool had_checkpoint() const;
-  /// Its events up to a step. What was said at an end is of no step, and is said again at the next.
-  std::vector<std::string> events_until(std::int64_t step) const;
-};
-
-/// That of `directory`; nothing where there is no run.json. Throws InputError when that is none of vug's.
-std::optional<RunSummary> read_run_summary(const std::string& directory);
 
 /// Whether a process holds the folder and writes into it.
 bool is_in_use(const std::string& directory);

@@ -25,6 +25,15 @@ RockSnapshots::RockSnapshots(const std::string& directory, const FieldList& fiel
 
 void RockSnapshots::create() {
   series_.create();
+  add_connectivity();
+}
+
+void RockSnapshots::resume(std::int64_t step) {
+  series_.resume(step);
+  add_connectivity();
+}
+
+void RockSnapshots::add_connectivity() {
   series_.add_part("rock", [this](Hdf5File& file) { write_connectivity(file); });
 }
 

@@ -18,11 +18,12 @@ class RockSnapshots {
 
   /// Begins anew, with the part that never changes, `rock`: which vertices make a triangle or a bond.
   void create();
-  void resume(std::int64_t step) { series_.resume(step, {"rock"}); }
+  void resume(std::int64_t step);
   void write(double time, std::int64_t step);
 
  private:
   using Points = std::vector<std::array<double, 2>>;
+  void add_connectivity();
   void write_connectivity(Hdf5File& file) const;
   Points moved_vertices() const;
   Points bond_ends(const Points& moved) const;

@@ -13,19 +13,23 @@ namespace vug::detail {
 SnapshotSeries::SnapshotSeries(std::string directory, std::string stem, Grid grid)
     : directory_(std::move(directory)), stem_(std::move(stem)), grid_(std::move(grid)) {}
 
-void SnapshotSeries::create() {
+void SnapshotSeries::make_folder() const {
   const auto folder = directory_ + "/" + stem_;
   std::error_code error;
   std::filesystem::create_directory(folder, error);
   if (error) throw FileError(folder + ": cannot create: " + error.message());
+}
+
+void SnapshotSeries::create() {
+  make_folder();
   remove_after(-1);
   parts_.clear();
   write_index();
 }
 
-void SnapshotSeries::resume(std::int64_t step, const std::vector<std::string>& timeless) {
+void SnapshotSeries::resume(std::int64_t step) {
+  make_folder();
   remove_after(step);
-  for (const auto& part : timeless) parts_[part];
   for (const auto& entry : std::filesystem::directory_iterator(directory_ + "/" + stem_))
     if (const auto part = entry.path().stem().string(); entry.path().extension() == ".h5" && is_step_name(part))
       name_grid(part);

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <map>
-#include <vector>
 
 namespace vug::detail {
 
@@ -20,8 +19,8 @@ class SnapshotSeries {
   SnapshotSeries(std::string directory, std::string stem, Grid grid);
   /// Begins anew, without the snapshots that are there; files of other names stay.
   void create();
-  /// Continues the files, without the snapshots after `step`; `timeless` names the parts that have no time.
-  void resume(std::int64_t step, const std::vector<std::string>& timeless = {});
+  /// Continues the files, without the snapshots after `step` and without those that are no longer there.
+  void resume(std::int64_t step);
   /// Adds a part that has no time.
   void add_part(const std::string& name, const Fill& fill);
   /// Adds a snapshot.
@@ -31,6 +30,7 @@ class SnapshotSeries {
 
  private:
   std::string path_of(const std::string& part) const { return directory_ + "/" + file_name(part); }
+  void make_folder() const;
   void remove_after(std::int64_t step) const;
   void write_file(const std::string& part, const Fill& fill) const;
   void name_grid(const std::string& snapshot);

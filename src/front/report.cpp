@@ -1,0 +1,229 @@
+#include "front/report.hpp"
+
+#include "io/checkpoint.hpp"
+#include "io/detail/files.hpp"
+#include "io/detail/step_names.hpp"
+#include "io/history_reader.hpp"
+#include "io/run_summary.hpp"
+#include "io/shell_word.hpp"
+#include "kernels/base/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace vug {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that appears under its name when it is complete. Dropped before that, it leaves nothing behind.
+class NewFolder {
+ public:
+  explicit NewFolder(const fs::path& path) : path_(path), temporary_(path.string() + ".tmp") {
+    if (fs::exists(path_)) throw InputError(path_.string() + ": is there already; -o DIR writes elsewhere");
+    if (!temporary_.parent_path().empty()) fs::create_directories(temporary_.parent_path());
+    if (!fs::create_directory(temporary_))
+      throw InputError(temporary_.string() + ": is in the way; remove it, or -o DIR writes elsewhere");
+    made_ = true;
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  ~NewFolder() {
+    std::error_code none;
+    if (made_) fs::remove_all(temporary_, none);
+  }
+  fs::path place(const fs::path& inside) const {
+    const fs::path path = temporary_ / inside;
+    fs::create_directories(path.parent_path());
+    return path;
+  }
+  void write(const fs::path& inside, const std::string& text) const {
+    detail::replace_file(place(inside).string(), text, false);
+  }
+  void commit() {
+    fs::rename(temporary_, path_);
+    made_ = false;
+  }
+
+ private:
+  fs::path path_, temporary_;
+  bool made_ = false;
+};
+
+/// Where the case and its files lie in the bundle, so that the case finds them by the paths it says.
+struct CasePlaces {
+  fs::path file;                 ///< the case
+  std::vector<fs::path> inputs;  ///< empty for a file that the case names by its whole path
+};
+
+CasePlaces places_of(const RunOrigin& origin) {
+  const fs::path file(origin.case_path), folder = file.parent_path();
+  CasePlaces places;
+  std::ptrdiff_t above = 0;
+  for (const InputFile& input : origin.inputs) {
+    const auto names = [&](const std::string& text) { return text.find(input.path) != std::string::npos; };
+    const bool whole =
+        fs::path(input.path).is_absolute() &&
+        (names(origin.case_text) || std::any_of(origin.overrides.begin(), origin.overrides.end(), names));
+    places.inputs.push_back(whole ? fs::path()
+                                  : fs::path(input.path).lexically_relative(folder.empty() ? "." : folder));
+    above = std::max(above, std::count(places.inputs.back().begin(), places.inputs.back().end(), fs::path("..")));
+  }
+  fs::path home("case");
+  for (std::ptrdiff_t k = 0; k < above; ++k) home /= "case";
+  places.file = home / file.filename();
+  for (fs::path& input : places.inputs)
+    if (!input.empty()) input = (home / input).lexically_normal();
+  return places;
+}
+
+/// The step that the run had reached: of one that was killed, as far as its history goes.
+std::int64_t step_reached(const std::string& directory, const RunSummary& summary) {
+  const History history = read_history(directory + "/history.csv");
+  const int steps = history.find("step_1");
+  const double last_row = steps >= 0 && history.rows() > 0 ? history.values[steps].back() : 0;
+  return std::max<std::int64_t>(std::atoll(summary.steps.c_str()), static_cast<std::int64_t>(last_row));
+}
+
+/// The newest sound checkpoint before a step.
+std::optional<Checkpoint> checkpoint_before(std::int64_t step, const std::string& directory,
+                                            const RunSummary& summary) {
+  std::vector<fs::path> newest_first;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(directory + "/checkpoint", none))
+    if (entry.path().extension() == ".checkpoint" && detail::is_step_name(entry.path().stem().string()))
+      newest_first.push_back(entry.path());
+  std::sort(newest_first.rbegin(), newest_first.rend());
+  for (const fs::path& path : newest_first) try {
+      Checkpoint checkpoint = Checkpoint::open(path.string(), {summary.case_hash, summary.run});
+      if (checkpoint.step() < step) return checkpoint;
+    } catch (const FileError&) {
+      continue;  // damaged, of another run, or just replaced by a newer one
+    }
+  return std::nullopt;
+}
+
+std::string replay_command(const RunOrigin& origin, const fs::path& file, std::int64_t steps, bool resumes) {
+  std::string command = "\"$vug\" run " + shell_word(file.string());
+  for (const std::string& entry : origin.overrides) command += " --set " + shell_word(entry);
+  return command + fmt::format(" --steps {} -o replayed{}", steps, resumes ? " --resume" : "");
+}
+
+/// The last row of a run that was killed may be half there, and the replay ends with a row of its own: histories are
+/// compared as far as the run's goes.
+constexpr const char* replay_script = R"sh(#!/bin/sh
+# Runs the last stretch of a run of vug again, into the folder `replayed` beside this file, and compares its history with
+# the run's, byte by byte. Another program than vug in PATH: VUG=/path/to/vug ./replay
+set -eu
+cd "$(dirname "$0")"
+vug=${{VUG:-vug}}
+if [ -e replayed ]; then echo "replayed: is there already; remove it first" >&2; exit 2; fi
+echo "the run is of vug {version} (commit {commit}, {backend}); this is $("$vug" --version)"
+{prepare}code=0
+{command} || code=$?
+case $code in
+  {codes}) ;;
+  *) echo "exit code $code; the run's was {exit_code} ({status})" >&2; exit 1 ;;
+esac
+size=$(wc -c < run/history.csv)
+if head -c "$size" replayed/history.csv | cmp - run/history.csv; then
+  echo "the same history, byte for byte"
+else
+  echo "another history" >&2
+  exit 1
+fi
+)sh";
+
+constexpr const char* read_me = R"(A run of vug, to be looked at by somebody else
+
+{status}, step {steps}
+{reason}
+started        {started}
+program        vug {version}, commit {commit}
+compiler       {compiler}
+back end       {backend}, {device}
+case           {case_file}
+begins from    {beginning}
+
+./replay runs the last stretch again and compares the histories; the same program gives the same bytes on any number of
+threads. run/run.json has everything that the run says of itself.
+)";
+
+std::string size_text(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
+}
+
+}  // namespace
+
+std::string report_directory(const std::string& directory) {
+  const fs::path path = fs::path(directory).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).string() + "-report";
+}
+
+std::string report_run(const std::string& directory, const std::string& bundle) {
+  const std::optional<RunSummary> summary = read_run_summary(directory);
+  if (!summary) throw InputError(directory + ": holds no run (it has no run.json)");
+  if (!fs::exists(directory + "/history.csv"))
+    throw InputError(directory +
+                     ": has no history.csv to compare with (a laboratory test, or a run that ended before "
+                     "its first step: send its case file)");
+  const RunOrigin origin = read_run_origin(directory);
+  const CasePlaces places = places_of(origin);
+  NewFolder folder(bundle);
+  std::string told;
+  folder.write(places.file, origin.case_text);
+  for (std::size_t i = 0; i < origin.inputs.size(); ++i) {
+    const InputFile& input = origin.inputs[i];
+    std::string missing = "is named by its whole path: send it apart";
+    if (!places.inputs[i].empty()) try {
+        missing = digest_of_file(input.path).hash == input.hash ? "" : "has changed since the run";
+      } catch (const std::runtime_error&) {
+        missing = "cannot be read from here: call from where the run was called";
+      }
+    if (missing.empty())
+      fs::copy_file(input.path, folder.place(places.inputs[i]));
+    else
+      told += fmt::format("warning: {}: not in the bundle: {}\n", input.path, missing);
+  }
+  const std::int64_t reached = step_reached(directory, *summary);
+  const std::optional<Checkpoint> checkpoint = checkpoint_before(reached, directory, *summary);
+  for (const char* file : {"run.json", "history.csv"})
+    fs::copy_file(fs::path(directory) / file, folder.place(fs::path("run") / file));
+  std::string prepare, beginning = "the first step: there is no checkpoint before its end";
+  if (checkpoint) {
+    const fs::path inside = fs::path("checkpoint") / fs::path(checkpoint->path()).filename();
+    fs::copy_file(checkpoint->path(), folder.place("run" / inside));
+    prepare = "cp -R run replayed\n";
+    beginning = fmt::format("the checkpoint of step {}", checkpoint->step());
+  }
+  // A run that was stopped, or had no room, may end here.
+  const std::string codes = summary->status == "diverged" ? summary->exit_code : "0 | " + summary->exit_code;
+  using fmt::arg;
+  folder.write("replay",
+               fmt::format(replay_script, arg("version", origin.version), arg("commit", origin.commit),
+                           arg("backend", origin.backend), arg("status", summary->status), arg("prepare", prepare),
+                           arg("exit_code", summary->exit_code), arg("codes", codes),
+                           arg("command", replay_command(origin, places.file, reached, checkpoint.has_value()))));
+  fs::permissions(folder.place("replay"), fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                  fs::perm_options::add);
+  folder.write(
+      "README.txt",
+      fmt::format(read_me, arg("status", summary->status), arg("steps", reached), arg("reason", summary->exit_reason),
+                  arg("started", summary->started), arg("version", origin.version), arg("commit", origin.commit),
+                  arg("compiler", origin.compiler), arg("backend", origin.backend), arg("device", origin.device),
+                  arg("case_file", places.file.string()), arg("beginning", beginning)));
+  folder.commit();
+  return told + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {}.tar.gz {}\n",
+                            bundle, size_text(bundle), beginning, bundle, bundle, bundle);
+}
+
+}  // namespace vug

@@ -1,0 +1,93 @@
+#include "io/run_summary.hpp"
+
+#include "io/detail/files.hpp"
+#include "io/json_text.hpp"
+#include "kernels/base/require.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace vug {
+
+namespace {
+
+/// What stands behind a key of run.json, which has one key a line.
+std::string value_of(const std::string& json, const std::string& key) {
+  const std::string mark = "\n  \"" + key + "\": ";
+  const auto at = json.find(mark);
+  if (at == std::string::npos) return "";
+  const auto from = at + mark.size();
+  std::string value = json.substr(from, json.find('\n', from) - from);
+  if (value.ends_with(',')) value.pop_back();
+  return value;
+}
+
+/// The same of a text.
+std::string text_of(const std::string& json, const std::string& key) {
+  const std::vector<std::string> texts = json_texts(value_of(json, key));
+  return texts.empty() ? "" : texts.front();
+}
+
+std::string record_of(const std::string& directory) {
+  return directory + "/run.json";
+}
+
+}  // namespace
+
+std::optional<RunSummary> read_run_summary(const std::string& directory) {
+  const std::string path = record_of(directory);
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;
+  const std::string json = detail::read_file(path);
+  RunSummary summary{text_of(json, "run"),
+                     text_of(json, "status"),
+                     text_of(json, "case_hash"),
+                     value_of(json, "inputs"),
+                     value_of(json, "steps"),
+                     text_of(json, "started"),
+                     text_of(json, "exit_reason"),
+                     value_of(json, "first_step"),
+                     value_of(json, "last_step"),
+                     value_of(json, "last_checkpoint"),
+                     value_of(json, "wall_time_s"),
+                     value_of(json, "exit_code"),
+                     json_texts(value_of(json, "events"))};
+  if (summary.status.empty() || summary.case_hash.empty())
+    throw InputError(path + ": is no record of a run of vug; choose another folder");
+  return summary;
+}
+
+bool RunSummary::had_checkpoint() const {
+  const auto counts = [](const std::string& number) { return !number.empty() && number != "0"; };
+  // before there was last_checkpoint: these have one at their end, and what was resumed began at one
+  const bool ended_with_one = counts(steps) && (status == "done" || status == "interrupted");
+  return !last_checkpoint.empty() || ended_with_one || counts(first_step);
+}
+
+std::vector<std::string> RunSummary::events_until(std::int64_t step) const {
+  std::vector<std::string> kept;
+  for (const std::string& event : events)
+    if (long long at = 0; std::sscanf(event.c_str(), "step %lld,", &at) == 1 && at <= step) kept.push_back(event);
+  return kept;
+}
+
+RunOrigin read_run_origin(const std::string& directory) {
+  const std::string json = detail::read_file(record_of(directory));
+  RunOrigin origin{text_of(json, "version"),
+                   text_of(json, "commit"),
+                   text_of(json, "compiler"),
+                   text_of(json, "backend"),
+                   text_of(json, "device"),
+                   text_of(json, "case_path"),
+                   text_of(json, "case_text"),
+                   json_texts(value_of(json, "overrides")),
+                   {}};
+  const std::vector<std::string> inputs = json_texts(value_of(json, "inputs"));
+  constexpr std::size_t texts = 5;  // of an input: "path", its value, "bytes" before a number, "hash", its value
+  for (std::size_t i = 0; i + texts <= inputs.size(); i += texts)
+    origin.inputs.push_back({inputs[i + 1], 0, inputs[i + 4]});
+  return origin;
+}
+
+}  // namespace vug
