@@ -3,9 +3,9 @@
 #include "coupling/rock.hpp"
 #include "dem/edges.hpp"
 #include "dem/mechanics.hpp"
+#include "host/memory.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
-#include "kernels/host/memory.hpp"
 #include "measure.hpp"
 
 #include <benchmark/benchmark.h>

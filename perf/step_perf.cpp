@@ -3,8 +3,8 @@
 // its median counts, the copy's likewise; on a GPU, whose parts are timed by waiting for each kernel, a whole step is
 // one among many without waits. An event of new pores, which is in no step of a cycle, is timed apart.
 #include "coupling/simulation.hpp"
-#include "kernels/host/memory.hpp"
-#include "kernels/host/subnormals.hpp"
+#include "host/memory.hpp"
+#include "host/subnormals.hpp"
 #include "measure.hpp"
 #include "step_lines.hpp"
 

@@ -1,6 +1,6 @@
 #include "command_line.hpp"
 
-#include "kernels/host/threads.hpp"
+#include "host/threads.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "process.hpp"
 
+#include "host/interruption.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 
 #include <cerrno>
 #include <csignal>

@@ -8,7 +8,7 @@ namespace vug {
 /// take their numbers, and its messages would go into history.csv.
 void occupy_standard_streams();
 
-/// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR1 ask a run to stop (kernels/host/interruption.hpp), and end
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR1 ask a run to stop (host/interruption.hpp), and end
 /// the process at once, with exit code 130, where it has nothing to bring to an end; those that were ignored stay so,
 /// as under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
 void listen_to_signals();

@@ -9,8 +9,8 @@
 #include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
+#include "host/free_memory.hpp"
 #include "kernels/base/host_and_device.hpp"
-#include "kernels/host/free_memory.hpp"
 
 #include <fmt/format.h>
 

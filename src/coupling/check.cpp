@@ -11,11 +11,11 @@
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "coupling/specimen.hpp"
+#include "host/memory.hpp"
 #include "io/json_text.hpp"
 #include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"
 #include "kernels/base/base.hpp"
-#include "kernels/host/memory.hpp"
 
 #include <fmt/format.h>
 

@@ -5,12 +5,12 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/specimen.hpp"
+#include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
 #include "io/run_folder.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 
 #include <fmt/format.h>
 

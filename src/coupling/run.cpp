@@ -8,6 +8,7 @@
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
+#include "host/interruption.hpp"
 #include "io/checkpoint.hpp"
 #include "io/progress.hpp"
 #include "io/require_fields.hpp"
@@ -15,7 +16,6 @@
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"
 

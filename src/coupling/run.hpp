@@ -23,7 +23,7 @@ struct RunOptions {
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or
-/// Interrupted (kernels/host/interruption.hpp) when the state has been kept in a checkpoint.
+/// Interrupted (host/interruption.hpp) when the state has been kept in a checkpoint.
 void run_case(const Scene& scene, const RunOptions& options);
 
 }  // namespace vug

@@ -4,6 +4,7 @@
 #include "coupling/sum_state.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
 namespace vug {
@@ -21,15 +22,14 @@ void SoluteModule<T, Set>::find_halos() {
 template <class T, class Set>
 std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const {
   std::vector<int> nodes;
-  const int capacity = geometry_.fluid.capacity;
   const auto source = on_host(geometry_.fluid.source);
   for (const StretchLinks& boundary : species_[0].boundaries) {  // all have the same links
     if (boundary.stretch.conditions.solute.kind != SoluteBoundaryKind::outflow) continue;
     const auto fluid = on_host(boundary.links.fluid), own = on_host(boundary.links.own);
     const auto direction = on_host(boundary.links.direction);
     for (int k = 0; k < boundary.links.own_count; ++k) {
-      const int q = direction(own(k)), before = source(q * capacity + fluid(own(k))) - q * capacity;
-      if (before >= 0 && before < capacity) nodes.push_back(before);
+      const int before = upstream_node(source, geometry_.fluid.capacity, direction(own(k)), fluid(own(k)));
+      if (before >= 0) nodes.push_back(before);
     }
   }
   return nodes;

@@ -2,10 +2,10 @@
 
 #include "coupling/memory_need.hpp"
 #include "coupling/rock_limits.hpp"
+#include "host/free_memory.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/host/free_memory.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,7 @@
 #include "coupling/split.hpp"
 
 #include "kernels/base/host_and_device.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 
 #include <algorithm>
 
@@ -71,9 +72,9 @@ Halo Split::populations(const FluidNodes& nodes, int directions) const {
       continue;
     }
     for (int q = 1; q < directions; ++q) {
-      const int slot = source(q * nodes.capacity + i), from = slot - q * nodes.capacity;
-      if (from < 0 || from >= nodes.count || is_ours(from)) continue;
-      slots.push_back(slot);
+      const int from = upstream_node(source, nodes.capacity, q, i);
+      if (from < 0 || is_ours(from)) continue;
+      slots.push_back(q * nodes.capacity + from);
       owner.push_back(owner_of(from));
     }
   }
@@ -109,8 +110,8 @@ void Split::mark_neighbours(const FluidNodes& nodes, std::vector<bool>& needed) 
   const auto source = on_host(nodes.source);
   for (int i = 0; i < nodes.count; ++i)
     for (int q = 1; is_ours(i) && q < D2Q9::Q; ++q) {
-      const int from = source(q * nodes.capacity + i) - q * nodes.capacity;
-      if (from >= 0 && from < nodes.count) needed[from] = true;
+      const int from = upstream_node(source, nodes.capacity, q, i);
+      if (from >= 0) needed[from] = true;
     }
 }
 

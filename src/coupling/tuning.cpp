@@ -2,10 +2,10 @@
 
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
+#include "host/interruption.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/override_scene.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // its own slot.
 #include "dem/accounts.hpp"
 #include "dem/contacts.hpp"
-#include "kernels/launch/launch_in_turn.hpp"
+#include "dem/launch_in_turn.hpp"
 
 namespace vug {
 

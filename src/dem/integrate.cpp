@@ -1,8 +1,8 @@
 #include "dem/integrate.hpp"
 
 #include "dem/gather_contacts.hpp"
+#include "dem/launch_in_turn.hpp"
 #include "dem/push.hpp"
-#include "kernels/launch/launch_in_turn.hpp"
 
 namespace vug {
 

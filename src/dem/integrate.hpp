@@ -2,8 +2,8 @@
 // Newton's law for every particle (Eq. 10), leapfrog.
 #include "dem/accounts.hpp"
 #include "dem/contacts.hpp"
+#include "dem/launch_in_turn.hpp"
 #include "dem/loads.hpp"
-#include "kernels/launch/launch_in_turn.hpp"
 
 namespace vug {
 

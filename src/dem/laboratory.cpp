@@ -1,9 +1,9 @@
 #include "dem/laboratory.hpp"
 
 #include "dem/soundness.hpp"
+#include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>

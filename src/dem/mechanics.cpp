@@ -5,8 +5,8 @@
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "dem/static_equilibrium.hpp"
+#include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
-#include "kernels/host/interruption.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

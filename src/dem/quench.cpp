@@ -1,8 +1,8 @@
 #include "dem/quench.hpp"
 
 #include "dem/soundness.hpp"
+#include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
-#include "kernels/host/interruption.hpp"
 
 #include <algorithm>
 #include <array>

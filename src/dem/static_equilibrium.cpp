@@ -6,8 +6,8 @@
 #include "dem/gather_contacts.hpp"
 #include "dem/monitors.hpp"
 #include "dem/push.hpp"
+#include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
-#include "kernels/host/interruption.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <Eigen/SparseCholesky>

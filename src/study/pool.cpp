@@ -1,8 +1,8 @@
 #include "study/pool.hpp"
 
+#include "host/interruption.hpp"
 #include "io/progress.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 
 #include <cerrno>
 #include <csignal>

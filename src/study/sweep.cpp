@@ -1,8 +1,8 @@
 #include "study/sweep.hpp"
 
+#include "host/interruption.hpp"
 #include "io/detail/files.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/interruption.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
 #include "study/table.hpp"

@@ -4,9 +4,9 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/memory_need.hpp"
 #include "coupling/simulation.hpp"
+#include "host/free_memory.hpp"
+#include "host/memory.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/free_memory.hpp"
-#include "kernels/host/memory.hpp"
 #include "support/meshed_rock.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Of a list in groups every item of those that run is visited, once, whatever runs and whoever else shares the launch.
-#include "kernels/launch/launch_in_turn.hpp"
+#include "dem/launch_in_turn.hpp"
 
 #include "support/host_copy.hpp"
 

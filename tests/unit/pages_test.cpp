@@ -1,6 +1,6 @@
 #include "kernels/base/pages.hpp"
 
-#include "kernels/host/memory.hpp"
+#include "host/memory.hpp"
 
 #include <gtest/gtest.h>
 

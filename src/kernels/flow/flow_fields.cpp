@@ -2,6 +2,7 @@
 #include "kernels/base/pages.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
@@ -90,8 +91,8 @@ struct InitialiseBirths {
     double sum = 0;
     int neighbours = 0;
     for (int q = 1; q < D2Q9::Q; ++q) {
-      const int upstream = source(q * capacity + i) - q * capacity;  // outside [0, first) at a wall and a new node
-      if (upstream < 0 || upstream >= first) continue;
+      const int upstream = upstream_node(source, capacity, q, i);
+      if (upstream < 0 || upstream >= first) continue;  // a wall or another new node
       sum += double(density(upstream));
       ++neighbours;
     }

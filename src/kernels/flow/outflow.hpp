@@ -3,6 +3,7 @@
 // carries vortices out. open_boundary.hpp has what an outflow is, open_boundary.cpp applies it.
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 
 namespace vug {
 
@@ -56,17 +57,12 @@ struct SetOutflowLevels {
   }
 };
 
-/// Fluid nodes that directions come from.
+/// Fluid nodes that directions come from, -1 for none.
 struct Upstream {
   const int* source;
-  int count, capacity;
-  explicit Upstream(const FluidNodes& nodes)
-      : source(nodes.source.data()), count(nodes.count), capacity(nodes.capacity) {}
-  /// -1 for none.
-  KOKKOS_FORCEINLINE_FUNCTION int operator()(int q, int i) const {
-    const int from = source[q * capacity + i] - q * capacity;
-    return from >= 0 && from < count ? from : -1;
-  }
+  int capacity;
+  explicit Upstream(const FluidNodes& nodes) : source(nodes.source.data()), capacity(nodes.capacity) {}
+  KOKKOS_FORCEINLINE_FUNCTION int operator()(int q, int i) const { return upstream_node(source, capacity, q, i); }
 };
 
 /// Along a face, towards higher coordinates.

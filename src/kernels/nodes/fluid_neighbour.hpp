@@ -4,10 +4,18 @@
 
 namespace vug {
 
-/// The fluid node along direction q of fluid node i, as the table of sources has it; -1: there is none.
-KOKKOS_FORCEINLINE_FUNCTION int fluid_neighbour(const Kokkos::View<const int*>& source, int capacity, int q, int i) {
-  const int slot = D2Q9::opposite(q) * capacity, node = source(slot + i) - slot;
+/// The fluid node that direction q of fluid node i comes from, as the table of sources (a View or a pointer) has it;
+/// -1: there is none.
+template <class Source>
+KOKKOS_FORCEINLINE_FUNCTION int upstream_node(const Source& source, int capacity, int q, int i) {
+  const int slot = q * capacity, node = source[slot + i] - slot;
   return node >= 0 && node < capacity ? node : -1;
+}
+
+/// The one along direction q.
+template <class Source>
+KOKKOS_FORCEINLINE_FUNCTION int fluid_neighbour(const Source& source, int capacity, int q, int i) {
+  return upstream_node(source, capacity, D2Q9::opposite(q), i);
 }
 
 }  // namespace vug

@@ -3,6 +3,7 @@
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/nodes/dense_neighbour.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
@@ -135,11 +136,7 @@ struct BirthNeighbours {
   ScalarField<T> h;
   int capacity, first, last;
 
-  /// Fluid node that direction q comes from; -1 at a wall or side.
-  KOKKOS_FORCEINLINE_FUNCTION int upstream(int i, int q) const {
-    const int j = source(q * capacity + i) - q * capacity;
-    return j >= 0 && j < capacity ? j : -1;
-  }
+  KOKKOS_FORCEINLINE_FUNCTION int upstream(int i, int q) const { return upstream_node(source, capacity, q, i); }
   KOKKOS_FORCEINLINE_FUNCTION bool is_old(int i) const { return i >= 0 && i < first; }
   KOKKOS_FORCEINLINE_FUNCTION bool is_newborn(int i) const { return i >= first && i < last; }
   KOKKOS_FUNCTION int count_old(int i) const {

@@ -2,6 +2,7 @@
 
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"
 
 namespace vug {
@@ -36,8 +37,7 @@ struct AdvectiveDefect {
     uy[0] = u(i, 1);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
-      const int from = source(q * capacity + i) - q * capacity;
-      const int upstream = from >= 0 && from < capacity ? from : i;  // at a wall or a side the node itself
+      const int from = upstream_node(source, capacity, q, i), upstream = from >= 0 ? from : i;
       ux[q] = u(upstream, 0);
       uy[q] = u(upstream, 1);
     }

@@ -1,6 +1,7 @@
 #include "kernels/solute/solute_boundary.hpp"
 
 #include "kernels/launch/launch_lists.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/scalar/outflow_slope.hpp"
 
 namespace vug {
@@ -42,10 +43,9 @@ struct SoluteOutflowRule {
   int capacity, turned;
   T slope;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T) const {
-    const int arriving = source(q * capacity + i), before = arriving - q * capacity;
-    const T inward = h[turned ? arriving : Set::opposite(q) * capacity + i];
-    const bool fluid = before >= 0 && before < capacity;  // else a wall sends back what leaves
-    return fluid ? inward - T(Set::w(q)) * slope * (C[i] - C[before]) : inward;
+    const int before = upstream_node(source, capacity, q, i);
+    const T inward = h[turned ? source(q * capacity + i) : Set::opposite(q) * capacity + i];
+    return before >= 0 ? inward - T(Set::w(q)) * slope * (C[i] - C[before]) : inward;  // a wall sends back what leaves
   }
 };
 

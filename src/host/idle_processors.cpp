@@ -1,4 +1,4 @@
-#include "kernels/host/idle_processors.hpp"
+#include "host/idle_processors.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
-#include "kernels/host/threads.hpp"
+#include "host/threads.hpp"
 
+#include "host/idle_processors.hpp"
 #include "kernels/base/require.hpp"
-#include "kernels/host/idle_processors.hpp"
 
 #include <algorithm>
 #include <cctype>

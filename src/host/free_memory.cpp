@@ -1,4 +1,4 @@
-#include "kernels/host/free_memory.hpp"
+#include "host/free_memory.hpp"
 
 #include <array>
 #include <cstdio>

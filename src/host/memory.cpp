@@ -1,4 +1,4 @@
-#include "kernels/host/memory.hpp"
+#include "host/memory.hpp"
 
 #include "kernels/base/base.hpp"
 #include "kernels/base/pages.hpp"
