@@ -116,6 +116,17 @@ double ReactionModule<T, Set>::consumed(const Attack<T>& attack) const {
 }
 
 template <class T, class Set>
+double ReactionModule<T, Set>::released(const Attack<T>& attack, double consumed) const {
+  const ScalarField<double>& booked = attack.sums.released;
+  if (booked.extent(0) > 0) return sum_in_order(booked) + sum_in_order(attack.links.product);
+  if (!has_minerals()) return attack.rate.product_yield() * consumed;
+  const std::vector<double> acid = acid_of_minerals(attack);
+  double product = consumed;
+  for (std::size_t m = 0; m < acid.size(); ++m) product -= (1 - attack.rates[m].product_yield()) * acid[m];
+  return product;
+}
+
+template <class T, class Set>
 double ReactionModule<T, Set>::paid() const {
   gather_links();
   double volume = 0;
@@ -127,15 +138,17 @@ template <class T, class Set>
 std::vector<typename ReactionModule<T, Set>::Sway> ReactionModule<T, Set>::sways() const {
   std::vector<Sway> sways;
   for (const Attack<T>& attack : attacks_) {
-    double volume = 0, back = 0;
+    double volume = 0, back = 0, yield = 1;
     const auto note = [&](double molar_volume, const RateLaw& rate) {
       volume = std::max(volume, units_.volume() * volume_per_acid(molar_volume, rate) / factor_);
-      back = std::max(back, rate.inverse_equilibrium_constant);
+      if (rate.inverse_equilibrium_constant <= back) return;
+      back = rate.inverse_equilibrium_constant;
+      yield = rate.product_yield();
     };
     if (!has_minerals()) note(section_.molar_volume, attack.rate);
     for (std::size_t m = 0; m < solids_.size(); ++m) note(solids_[m].molar_volume, attack.rates[m]);
     sways.push_back({attack.reactant, volume});
-    if (attack.product && back > 0) sways.push_back({attack.product, volume * back / (1 + back)});
+    if (attack.product && back > 0) sways.push_back({attack.product, volume * back / (1 + back * yield)});
   }
   return sways;
 }
@@ -149,12 +162,8 @@ void ReactionModule<T, Set>::ledger(Ledger& ledger) const {
     const double consumed = this->consumed(attack);
     const std::string reaction = attack.key.empty() ? "reaction" : "reaction_of_" + attack.key;
     ledger.of(attack.reactant->section.name, "mol/m").gains.push_back({reaction, -mol * consumed});
-    if (attack.product) {
-      const ScalarField<double>& booked = attack.sums.released;
-      const double released =
-          booked.extent(0) > 0 ? sum_in_order(booked) + sum_in_order(attack.links.product) : consumed;
-      ledger.of(attack.product->section.name, "mol/m").gains.push_back({reaction, mol * released});
-    }
+    if (attack.product)
+      ledger.of(attack.product->section.name, "mol/m").gains.push_back({reaction, mol * released(attack, consumed)});
     if (dissolves_) paid.push_back(paid_for(attack, consumed));
   }
   if (!dissolves_) return;

@@ -106,6 +106,7 @@ void ReactionModule<T, Set>::set_up(Attack<T>& attack) {
   ReactiveWall& wall = attack.wall;
   wall.law = section_.wall;
   wall.inverse_equilibrium = attack.rate.inverse_equilibrium_constant;
+  wall.product_yield = attack.rate.product_yield();
   wall.reference_concentration = section_.reference_concentration / units_.concentration;
   wall.D_reactant = attack.reactant->parameters.diffusivity();
   if (attack.product) wall.D_product = attack.product->parameters.diffusivity();
@@ -129,9 +130,12 @@ void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
   if (attack.table.extent(0) == 0) attack.table = Kokkos::View<MineralRate*>("vug::minerals::rate", rates.size());
   const auto host = Kokkos::create_mirror_view(attack.table);
   for (std::size_t m = 0; m < rates.size(); ++m)
-    host(m) = {scaled(rates[m]), rates[m].activation_energy / gas_constant, rates[m].inverse_equilibrium_constant,
+    host(m) = {scaled(rates[m]),
+               rates[m].activation_energy / gas_constant,
+               rates[m].inverse_equilibrium_constant,
                rates[m].order,
-               volume_per_acid(solids_.empty() ? section_.molar_volume : solids_[m].molar_volume, rates[m])};
+               volume_per_acid(solids_.empty() ? section_.molar_volume : solids_[m].molar_volume, rates[m]),
+               rates[m].product_yield()};
   Kokkos::deep_copy(attack.table, host);
   wall.minerals = {geometry_.mineral, attack.table};
 }

@@ -119,6 +119,8 @@ class ReactionModule final : public Module {
   double volume_per_acid(double molar_volume, const RateLaw& rate) const {
     return factor_ * molar_volume * units_.concentration / rate.stoichiometry;
   }
+  /// Product that an attack has given to the fluid.
+  double released(const Attack<T>& attack, double consumed) const;
   /// Reactant that each mineral has taken.
   std::vector<double> acid_of_minerals(const Attack<T>& attack) const;
   /// Sums by mineral of what solid nodes have, or the links of an attack.

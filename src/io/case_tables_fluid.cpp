@@ -180,6 +180,7 @@ FurtherReactant read_further(const TomlCursor& table) {
   further.inverse_equilibrium_constant = read_inverse_equilibrium(table);
   table.read("order", further.order, unit::none, range::positive_to(4));
   table.read("stoichiometry", further.stoichiometry, unit::none, range::positive_to(100));
+  table.read("product_stoichiometry", further.product_stoichiometry, unit::none, range::positive_to(100));
   return further;
 }
 
@@ -197,6 +198,7 @@ ReactionSection read_reaction(const TomlCursor& table, const std::optional<Solut
   table.read("order", reaction.order, unit::none, range::positive_to(4));
   table.read("reference_concentration", reaction.reference_concentration, unit::mole_per_cubic_metre, range::positive);
   table.read("stoichiometry", reaction.stoichiometry, unit::none, range::positive_to(100));
+  table.read("product_stoichiometry", reaction.product_stoichiometry, unit::none, range::positive_to(100));
   table.read("molar_volume", reaction.molar_volume, unit::cubic_metre_per_mole, range::not_negative);
   table.choose("wall", reaction.wall, {{"kinetic", ReactiveWallLaw::kinetic}, {"paper", ReactiveWallLaw::paper}});
   table.read("surface_normal", reaction.surface_normal);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t most_minerals = 64;  // their numbers are bytes, and each has columns of its own in the history
 
-constexpr std::array<std::string_view, 5> rate_keys = {"rate_constant", "activation_energy", "equilibrium_constant",
-                                                       "order", "stoichiometry"};
+constexpr std::array<std::string_view, 6> rate_keys = {"rate_constant", "activation_energy", "equilibrium_constant",
+                                                       "order",         "stoichiometry",     "product_stoichiometry"};
 
 std::vector<std::string> reactants_of(const ReactionSection& reaction) {
   std::vector<std::string> names{reaction.reactant};
@@ -101,6 +101,7 @@ void read_own_rate(const TomlCursor& table, RateLaw& rate) {
   if (equilibrium_constant) rate.inverse_equilibrium_constant = 1 / *equilibrium_constant;
   table.read_own("order", rate.order, unit::none, range::positive_to(4));
   table.read_own("stoichiometry", rate.stoichiometry, unit::none, range::positive_to(100));
+  table.read_own("product_stoichiometry", rate.product_stoichiometry, unit::none, range::positive_to(100));
 }
 
 MineralSection read_mineral(const TomlCursor& table, const Scene& scene) {

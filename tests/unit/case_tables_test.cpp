@@ -218,6 +218,24 @@ TEST(CaseTables, LowReferenceTemperatureIsRemarkedNotRefused) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("reaction.reference_temperature = 237.15 K is below 250 K")));
 }
 
+TEST(CaseTables, WhatFluidCarriesToAnOutletMayLeaveIsRemarked) {
+  EXPECT_THAT(shipped("quickstart.toml", {"boundary.right.heat={type=\"adiabatic\"}"}).warnings,
+              ElementsAre(HasSubstr("boundary.right lets fluid out, but heat is adiabatic")));
+  const std::string with_heat =
+      "[heat]\nfluid_diffusivity = 1e-3\nsolid_diffusivity = 1e-3\n[boundary.right]\nheat = { type = \"outflow\" }\n";
+  const auto warnings = [&](const std::string& flow, const std::string& more = "") {
+    return parsed(with_heat + "flow = { type = \"outflow\" }\n" + more + flow).warnings;
+  };
+  const std::string left = "[boundary.left]\nflow = { type = \"velocity\", velocity = ";
+  EXPECT_TRUE(warnings(left + "[0.1, 0] }\n").empty());  // comes in with the initial temperature
+  EXPECT_THAT(warnings(left + "[-0.1, 0] }\n"), ElementsAre(HasSubstr("boundary.left lets fluid out")));
+  EXPECT_THAT(warnings(left + "[-0.1, 0] }\nheat = { type = \"flux\", flux = 1 }\n"),
+              ElementsAre(HasSubstr("but heat is a flux")));
+  EXPECT_TRUE(warnings(left + "[-0.1, 0] }\nheat = { type = \"temperature\", temperature = 300 }\n").empty());
+  EXPECT_THAT(warnings("[boundary.top]\nflow = { type = \"velocity\", flow_rate = -1e-4 }\n"),
+              ElementsAre(HasSubstr("boundary.top lets fluid out")));
+}
+
 TEST(CaseTables, InertiaThatStrengthensTheRockIsRemarked) {
   EXPECT_TRUE(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=4"}).warnings.empty());
   EXPECT_THAT(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=16"}).warnings,

@@ -117,6 +117,19 @@ TEST(PaperWall, SolvesEq22AsPrinted) {
   }
 }
 
+TEST(ReactionYield, BothWallsGiveTheProductItsShareOfTheReactant) {
+  constexpr double k = 0.018, D1 = 0.03, D2 = 0.02, C1 = 0.7, C2 = 0.2, w = 1.0 / 6;
+  for (const double q : {0.0, 0.4, 2.0})
+    for (const double y : {0.25, 0.5, 1.0, 3.0}) {
+      const PaperWall<double> wall = paper_wall(paper_conductance(k, q, D1, D2, y), q, D1, D2, C1, C2, y);
+      EXPECT_NEAR(wall.rate, k * (wall.C1 - q * wall.C2), 1e-16) << q << ' ' << y;
+      EXPECT_NEAR(y * wall.rate, D2 * (wall.C2 - C2) / 0.5, 1e-16) << q << ' ' << y;
+      const double A1 = 0.15, A2 = 0.04, J = kinetic_conductance(k, q, y) * (A1 - q * A2), r = J / (6 * w * k);
+      const double C1_w = A1 / w - 3 * k * r, C2_w = A2 / w + 3 * y * k * r;
+      EXPECT_NEAR(r, C1_w - q * C2_w, 1e-15) << q << ' ' << y;
+    }
+}
+
 TEST(LinkArea, AddsUpToTheTrueLengthOfAStraightWallOfAnyOrientation) {
   // a wall along a lattice direction (a, b) has |a| + |b| faces per period, each seen by one straight link
   for (const auto& [a, b] : {std::pair{1, 0}, {1, 1}, {2, 1}, {5, 3}}) {

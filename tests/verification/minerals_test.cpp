@@ -158,6 +158,31 @@ TEST(Minerals, EachHasItsArrheniusLaw) {
   expect_flux("activation energy, J/mol", 52000, flux_into(run, "dolomite", "acid", 2), exact(0.005, 52000), 1e-7);
 }
 
+TEST(Minerals, EachGivesItsOwnAmountOfProduct) {
+  // 2 acid + dolomite = 3 salt, acid + calcite = salt, each to its own equilibrium in a film d:
+  // J = k (C1 - C2/K), C1 = 1000 - J d/D, C2 = y J d/D2
+  constexpr double D2 = 1e-4, d = fluid_rows * dx;
+  std::string text = channels;
+  text.insert(text.find("[reaction]"), "[[solute.species]]\nname = \"salt\"\ndiffusivity = 1e-4\n");
+  test::CoupledRun run(
+      text, {"reaction.product=\"salt\"", "boundary.top.solute.concentration={acid=1000, salt=0}",
+             "mineral.0.equilibrium_constant=2", "mineral.1.equilibrium_constant=0.5",
+             "mineral.1.product_stoichiometry=3", "mineral.0.molar_volume=1e-12", "mineral.1.molar_volume=1e-12"});
+  run.steps(16000);
+  const auto exact = [&](double k, double K, double yield) {
+    return 1000 * k / (1 + k * d / D + yield * k / K * d / D2);
+  };
+  const double salt = run.gain("salt", "reaction");
+  const double calcite = flux_into(run, "calcite", "acid", 1);
+  const double of_first_steps = run.gain("salt", "reaction") - salt;
+  expect_flux("equilibrium constant, yield 1", 2, calcite, exact(0.02, 2, 1), 1e-6);
+  expect_flux("equilibrium constant, yield 1.5", 0.5, flux_into(run, "dolomite", "acid", 2), exact(0.005, 0.5, 1.5),
+              1e-6);
+  const double given = (exact(0.02, 2, 1) + 1.5 * exact(0.005, 0.5, 1.5)) * 200 * dt * channel * dx;
+  EXPECT_NEAR(of_first_steps / given, 1, 1e-6);
+  EXPECT_LT(run.worst_balance(), 1e-12);
+}
+
 /// k C_ref (C/C_ref)^n at the wall = D (C_0 - C)/d, by bisection.
 double flux_of_order(double k, double n, double C_ref, double C_0, double diffusivity = D) {
   double low = 0, high = C_0;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace vug {
 namespace {
@@ -77,6 +79,49 @@ void warn_about_support(Scene& scene) {
   scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
 }
 
+/// Whether fluid may leave the lattice there at some time. `inward`: of a side, the axis and direction into the
+/// lattice.
+bool may_leave(const FlowBoundary& flow, std::optional<std::pair<int, int>> inward) {
+  if (flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow) return true;
+  if (flow.kind != FlowBoundaryKind::velocity) return false;
+  if (flow.flow_rate && flow.flow_rate->lowest() < 0) return true;
+  if (flow.mass_flow_rate && flow.mass_flow_rate->lowest() < 0) return true;
+  if (!inward) return flow.speed.lowest() < 0;
+  const auto& [axis, sign] = *inward;
+  return sign > 0 ? flow.velocity[axis].lowest() < 0 : flow.velocity[axis].highest() > 0;
+}
+
+/// Heat and solutes that nothing lets out with the fluid pile up at its outlet.
+void warn_about_outlets(Scene& scene) {
+  const auto look = [&](const std::string& key, const BoundarySection& at, std::optional<std::pair<int, int>> inward) {
+    if (!scene.flow || !may_leave(at.flow, inward)) return;
+    const auto remark = [&](const char* what, const char* given) {
+      scene.warnings.push_back(fmt::format(
+          "{0} lets fluid out, but {1} is {2}: what the fluid carries there stays behind and piles up; give "
+          "{1} = {{ type = \"outflow\" }} where fluid leaves, or what holds where it enters",
+          key, what, given));
+    };
+    const HeatBoundaryKind heat = at.heat.kind;
+    if (scene.heat && heat == HeatBoundaryKind::adiabatic) remark("heat", "adiabatic");
+    if (scene.heat && heat == HeatBoundaryKind::flux) remark("heat", "a flux");
+    if (scene.heat && heat == HeatBoundaryKind::convection) remark("heat", "convection");
+    const SoluteBoundaryKind solute = at.solute.kind;
+    if (scene.solute && solute == SoluteBoundaryKind::no_flux) remark("solute", "without flux");
+    if (scene.solute && solute == SoluteBoundaryKind::flux) remark("solute", "a flux");
+  };
+  look("boundary.left", scene.left, std::pair{0, 1});
+  look("boundary.right", scene.right, std::pair{0, -1});
+  look("boundary.bottom", scene.bottom, std::pair{1, 1});
+  look("boundary.top", scene.top, std::pair{1, -1});
+  for (const InjectionSection& injection : scene.injections) {
+    const bool upright = injection.side == "left" || injection.side == "right";
+    const bool low = injection.side == "left" || injection.side == "bottom";
+    look(injection.key, injection.conditions, std::pair{upright ? 0 : 1, low ? 1 : -1});
+  }
+  for (const OpeningSection& opening : scene.openings)
+    look("boundary.shape." + scene.geometry.shapes[opening.shape].name, opening.conditions, std::nullopt);
+}
+
 void warn_about_sides(Scene& scene) {
   const auto remark = [&](const char* pair, const BoundarySection& side) {
     if (side.flow.kind != FlowBoundaryKind::periodic) return;
@@ -116,6 +161,7 @@ void warn_about_press(Scene& scene) {
 void collect_warnings(Scene& scene) {
   if (scene.laboratory) return warn_about_press(scene);
   if (scene.reaction) warn_about_reaction(scene);
+  warn_about_outlets(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
   if (scene.mechanics) warn_about_support(scene);

@@ -15,6 +15,10 @@ struct RateLaw {
   double inverse_equilibrium_constant = 0;  ///< 1/K_eq; 0 = irreversible
   double order = 1;                         ///< n in k C_ref (C/C_ref)^n
   double stoichiometry = 1;                 ///< moles of reactant that a mole of the solid takes
+  double product_stoichiometry = 1;         ///< moles of product that it gives
+
+  /// Moles of product that a mole of reactant becomes.
+  double product_yield() const { return product_stoichiometry / stoichiometry; }
 };
 /// One more reactant that attacks the same walls, whatever the others do there.
 struct FurtherReactant : RateLaw {

@@ -1,7 +1,7 @@
 #pragma once
-// Rate laws of the reaction L1 + S1 -> L2 at a wall (paper Eqs. 6-8), as pure functions of what one wall link sees.
-// Lattice units; q = 1/K_eq (0 = irreversible); every form keeps its digits for rate constants from 1e-30 to 1e30 in
-// float as well as in double.
+// Rate laws of the reaction L1 + S1 -> y L2 at a wall (paper Eqs. 6-8, where y = 1), as pure functions of what one wall
+// link sees. Lattice units; q = 1/K_eq (0 = irreversible); every form keeps its digits for rate constants from 1e-30 to
+// 1e30 in float as well as in double.
 #include "kernels/base/base.hpp"
 #include "kernels/base/exponential.hpp"
 
@@ -28,11 +28,11 @@ KOKKOS_FORCEINLINE_FUNCTION Real saturating_rate(Real k, Real b) {
 }
 
 /// What a link conducts by the closed form of Eq. 7: from a = A/w, the outgoing populations over the weight,
-/// C_1w = a1 - 3 k r, C_2w = a2 + 3 k r, r = C_1w - q C_2w, J = 6 w k r; so J = conductance (A1 - q A2), in which w
-/// cancels. A1 - J and A2 + J return. Exact bookkeeping; |A1 - J| <= A1 for q = 0 and any k.
+/// C_1w = a1 - 3 k r, C_2w = a2 + 3 y k r, r = C_1w - q C_2w, J = 6 w k r; so J = conductance (A1 - q A2), in which w
+/// cancels. A1 - J and A2 + y J return. Exact bookkeeping; |A1 - J| <= A1 for q = 0 and any k.
 template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q) {
-  return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q));
+KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q, Real y = 1) {
+  return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q * y));
 }
 
 /// What reacts at a wall of order n: y of x + y = a and y = b x^n, with the concentration x at the wall, that beside it
@@ -60,8 +60,8 @@ KOKKOS_INLINE_FUNCTION Real converted(Real a, Real b, Real n) {
 /// Eqs. 21-22 solved without the products K_eq D1 D2: rate = conductance (C1 - q C2), from both film resistances in
 /// series.
 template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION Real paper_conductance(Real k, Real q, Real D1, Real D2) {
-  return saturating_rate(k, Real(0.5) / D1 + Real(0.5) * q / D2);
+KOKKOS_FORCEINLINE_FUNCTION Real paper_conductance(Real k, Real q, Real D1, Real D2, Real y = 1) {
+  return saturating_rate(k, Real(0.5) / D1 + Real(0.5) * q * y / D2);
 }
 
 /// Concentrations at the wall and rate per unit face of the paper's finite-difference wall (Eqs. 21, 22, 24).
@@ -73,9 +73,10 @@ struct PaperWall {
 
 /// The paper's wall from its paper_conductance and the concentrations at the fluid node.
 template <class Real>
-KOKKOS_FORCEINLINE_FUNCTION PaperWall<Real> paper_wall(Real conductance, Real q, Real D1, Real D2, Real C1, Real C2) {
+KOKKOS_FORCEINLINE_FUNCTION PaperWall<Real> paper_wall(Real conductance, Real q, Real D1, Real D2, Real C1, Real C2,
+                                                       Real y = 1) {
   const Real rate = conductance * (C1 - q * C2);
-  return {C1 - Real(0.5) * rate / D1, C2 + Real(0.5) * rate / D2, rate};
+  return {C1 - Real(0.5) * rate / D1, C2 + y * Real(0.5) * rate / D2, rate};
 }
 
 /// Share of a wall link's area that is true surface: |n.c| with n the unit normal of the surface and c the link's

@@ -128,7 +128,7 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     else if (wall.minerals.given())
       by_paper(MineralEquilibrium<T>{wall.minerals.rate, links.mineral}, its_product);
     else
-      by_paper(SameEquilibrium<T>{T(wall.inverse_equilibrium)}, its_product);
+      by_paper(SameEquilibrium<T>{T(wall.inverse_equilibrium), T(wall.product_yield)}, its_product);
   };
   if (product)
     launch(WithProduct<T>{product->h, product->C});

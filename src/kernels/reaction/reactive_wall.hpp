@@ -1,5 +1,5 @@
 #pragma once
-// The reaction L1 + S1 -> L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
+// The reaction L1 + S1 -> y L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
 // 21-24). It dresses the outgoing populations of acid and product after the sweep, before they return with the next.
 //
 // Rock dissolves over thousands of steps and warms as slowly: where the links are, how well each conducts the reaction
@@ -18,7 +18,8 @@ struct MineralRate {
   double activation_temperature = 0;  ///< Ea/R in K
   double inverse_equilibrium = 0;     ///< 1/K_eq
   double order = 1;
-  double molar_volume = 0;  ///< pixels dissolved per pixel of unit concentration of the reactant
+  double molar_volume = 0;   ///< pixels dissolved per pixel of unit concentration of the reactant
+  double product_yield = 1;  ///< y, moles of product that a mole of the reactant becomes
 };
 
 /// The constants of all minerals; without any where rock is of one kind that reacts in first order, whose constants are
@@ -38,8 +39,9 @@ struct ReactiveWall {
   ReactiveWallLaw law = ReactiveWallLaw::kinetic;
   double molar_volume = 0;         ///< pixels dissolved per pixel of unit concentration; 0 = reacts, does not dissolve
   double inverse_equilibrium = 0;  ///< 1/K_eq
+  double product_yield = 1;        ///< y
   double D_reactant = 1, D_product = 1;  ///< used by the paper's law
-  MineralRates minerals;                 ///< where given, instead of the two constants above
+  MineralRates minerals;                 ///< where given, instead of the three constants above
   double reference_concentration = 1;    ///< C_ref of orders other than 1
 };
 
@@ -58,8 +60,8 @@ struct ReactiveLinks {
   ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances; of an
                                ///< order other than 1 the rate constant
   ScalarField<double> acid;    ///< (link) moles taken from the acid
-  ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself but for the
-                                       ///< paper's law, where the three differ
+  ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself (of the
+                                       ///< product 1/y) but for the paper's law, where the three differ
   int own_count = -1;                  ///< blocks of the list that hold links of nodes of this process; -1: all
   IndexList own_blocks;                ///< (own) their numbers
 
@@ -130,7 +132,7 @@ void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& 
                       double ahead = 0);
 
 /// One step of reaction at all links. `product` may be null (L2 is not modelled; 1/K_eq must then be 0, else
-/// InputError). Acid + product are conserved exactly by the kinetic law. Per link: 2 populations (4 with product), its
+/// InputError). Acid + product / y are conserved by the kinetic law. Per link: 2 populations (4 with product), its
 /// slot, conductance and turnover.
 template <class Set, class T>
 void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,

@@ -5,11 +5,12 @@
 
 namespace vug {
 
-/// Constants of a rate that are the same at all walls: 1/K_eq at a solid node, first order.
+/// Constants of a rate that are the same at all walls: 1/K_eq at a solid node, y, first order.
 template <class T>
 struct SameConstants {
-  T q;
+  T q, y;
   KOKKOS_FORCEINLINE_FUNCTION T equilibrium(int) const { return q; }
+  KOKKOS_FORCEINLINE_FUNCTION T yield(int) const { return y; }
   KOKKOS_FORCEINLINE_FUNCTION bool first_order(int) const { return true; }
 };
 /// Those of minerals.
@@ -17,6 +18,7 @@ template <class T>
 struct MineralConstants {
   MineralRates minerals;
   KOKKOS_FORCEINLINE_FUNCTION T equilibrium(int node) const { return T(minerals.at(node).inverse_equilibrium); }
+  KOKKOS_FORCEINLINE_FUNCTION T yield(int node) const { return T(minerals.at(node).product_yield); }
   KOKKOS_FORCEINLINE_FUNCTION bool first_order(int node) const { return minerals.at(node).order == 1; }
 };
 
@@ -50,9 +52,9 @@ struct SetConductance {
       links.conductance(l) = k;
       return;
     }
-    const T q = constants.equilibrium(solid(l));
+    const T q = constants.equilibrium(solid(l)), y = constants.yield(solid(l));
     links.conductance(l) =
-        law == ReactiveWallLaw::kinetic ? kinetic_conductance(k, q) : paper_conductance(k, q, D1, D2);
+        law == ReactiveWallLaw::kinetic ? kinetic_conductance(k, q, y) : paper_conductance(k, q, D1, D2, y);
   }
   KOKKOS_FUNCTION void operator()(int l) const { set(l, rate.kelvin(solid(l), fluid(l)), share(l)); }
 };
@@ -100,7 +102,7 @@ void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& 
   if (wall.minerals.given())
     launch(MineralConstants<T>{wall.minerals});
   else
-    launch(SameConstants<T>{T(wall.inverse_equilibrium)});
+    launch(SameConstants<T>{T(wall.inverse_equilibrium), T(wall.product_yield)});
 }
 
 }  // namespace vug

@@ -16,10 +16,10 @@ struct WithProduct {
   Kokkos::View<const T*> C;
 };
 
-/// Kinetic law: J from both outgoing populations, A1 - J and A2 + J return.
+/// Kinetic law: J from both outgoing populations, A1 - J and A2 + y J return.
 template <class T, class Product>
 struct KineticStep {
-  T q;
+  T q, y;
   ReactiveLinks<T> links;
   ScalarField<T> h;
   Product product;
@@ -29,7 +29,7 @@ struct KineticStep {
     if constexpr (Product::exists) A2 = product.h(slot);
     const T J = links.conductance(l) * (h(slot) - q * A2);
     h(slot) -= J;
-    if constexpr (Product::exists) product.h(slot) = A2 + J;
+    if constexpr (Product::exists) product.h(slot) = A2 + y * J;
     links.acid(l) += double(J);
   }
 };
@@ -51,9 +51,10 @@ struct MineralStep {
     const int slot = links.slot(l);
     T A2 = 0;
     if constexpr (Product::exists) A2 = product.h(slot);
-    const T J = flux(minerals.rate(links.mineral.extent(0) > 0 ? links.mineral(l) : 0), l, h(slot), A2);
+    const MineralRate& mineral = minerals.rate(links.mineral.extent(0) > 0 ? links.mineral(l) : 0);
+    const T J = flux(mineral, l, h(slot), A2);
     h(slot) -= J;
-    if constexpr (Product::exists) product.h(slot) = A2 + J;
+    if constexpr (Product::exists) product.h(slot) = A2 + T(mineral.product_yield) * J;
     links.acid(l) += double(J);
   }
 };
@@ -65,20 +66,22 @@ void visit_kinetic_step(const ReactiveWall& wall, const ReactiveLinks<T>& links,
   if (wall.minerals.given())
     visit(MineralStep<T, Set, Product>{wall.minerals, T(wall.reference_concentration), links, h, product});
   else
-    visit(KineticStep<T, Product>{T(wall.inverse_equilibrium), links, h, product});
+    visit(KineticStep<T, Product>{T(wall.inverse_equilibrium), T(wall.product_yield), links, h, product});
 }
 
-/// 1/K_eq of a link by the paper's law.
+/// 1/K_eq and y of a link by the paper's law.
 template <class T>
 struct SameEquilibrium {
-  T q;
+  T q, y;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int) const { return q; }
+  KOKKOS_FORCEINLINE_FUNCTION T yield(int) const { return y; }
 };
 template <class T>
 struct MineralEquilibrium {
   Kokkos::View<const MineralRate*> rate;
   Kokkos::View<const std::uint8_t*> mineral;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int l) const { return T(rate(mineral(l)).inverse_equilibrium); }
+  KOKKOS_FORCEINLINE_FUNCTION T yield(int l) const { return T(rate(mineral(l)).product_yield); }
 };
 
 /// Paper's law: Eq. 22 from the concentration at the fluid node, Eq. 23 for the populations of all links, Eq. 24 for
@@ -97,7 +100,7 @@ struct PaperStep {
     const int fluid = slot - outgoing * capacity;
     T C2 = 0;
     if constexpr (Product::exists) C2 = product.C(fluid);
-    const PaperWall<T> w = paper_wall(links.conductance(l), equilibrium(l), D1, D2, C(fluid), C2);
+    const PaperWall<T> w = paper_wall(links.conductance(l), equilibrium(l), D1, D2, C(fluid), C2, equilibrium.yield(l));
     const T weight = T(Set::w(outgoing));
     const T A1 = h(slot);
     h(slot) = 2 * weight * w.C1 - A1;
