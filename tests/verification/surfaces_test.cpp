@@ -50,6 +50,27 @@ TEST(SurfaceForces, CarryTheWeightOfTheFluidAtRest) {
   EXPECT_NEAR(run.now("left_torque_N"), moment, 0.02 * std::abs(moment));
 }
 
+/// Archimedes' law for a piece of a disc that a joined side cuts off: its flat face has its links across that side, and
+/// what is displaced weighs on the lever of the nodes that there are.
+TEST(SurfaceForces, TurnAnOpeningBesideAJoinedSideByTheWeightItDisplaces) {
+  constexpr int nx = 20, ny = 18;
+  for (const bool upright : {false, true}) {
+    const std::string low = upright ? "bottom" : "left", high = upright ? "top" : "right";
+    const double x = upright ? 9 : 18, y = upright ? 16 : 7;
+    test::CoupledRun run(lattice(nx, ny) + flow + told + shape(x, y, 3.2) + "[boundary." + low +
+                             ".flow]\ntype = \"periodic\"\n[boundary." + high + ".flow]\ntype = \"periodic\"\n",
+                         {upright ? "flow.body_force=[-3.0, 0.0]" : "flow.body_force=[0.0, -3.0]"});
+    run.steps(4000);
+    const double node = density * dx * dx;
+    double torque = 0;
+    const std::vector<double> type = run.nodes("node_type");
+    for (int n = 0; n < nx * ny; ++n)
+      if (type[n] == 2) torque += 3.0 * node * dx * (upright ? -(n / nx + 0.5 - y) : n % nx + 0.5 - x);
+    EXPECT_GT(std::abs(torque), 3.0 * node * dx);  // there is one
+    EXPECT_NEAR(run.now("shape_post_torque_N"), torque, 1e-8 * node * nx * ny * dx) << upright;
+  }
+}
+
 TEST(SurfaceForces, OnTheWallsOfAChannelAreTheShearThatDrivesIt) {
   constexpr int nx = 6, ny = 9;
   test::CoupledRun run(lattice(nx, ny) + flow + told +

@@ -23,8 +23,8 @@ struct LinkForce {
 
 /// What the fluid gives to whatever lies beyond the links, by momentum exchange: the sum of c (out + in) over them,
 /// `in` being what their condition has left in `f` where it was `outgoing`; and its moment about `centre`, in cells
-/// from the lattice's corner. Relative to the reference pressure (momentum_exchange.hpp). Waits for the device; the
-/// same bits for any number of threads.
+/// from the lattice's corner, of an opening in one piece, whichever joined side its links cross. Relative to the
+/// reference pressure (momentum_exchange.hpp). Waits for the device; the same bits for any number of threads.
 template <class T>
 LinkForce force_on_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                          const ScalarField<T>& outgoing, const ScalarField<T>& f, std::array<double, 2> centre);
