@@ -1,5 +1,6 @@
 // What the case says of the heat, in the units of its steps: minerals, parameters, conditions at sides and openings.
 #include "coupling/heat_module.hpp"
+#include "coupling/step_times.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +70,11 @@ void HeatModule<T>::widen_range(const HeatBoundary& heat) {
 
 template <class T>
 void HeatModule<T>::set_values(double time) {
+  const StepTimes times{time, units_.time_step, interval_};
   const auto set = [&](auto& surface, const HeatBoundary& heat) {
-    if (!heat.temperature.constant() || !heat.flux.constant()) surface.value = value_of(heat, time);
+    if (heat.temperature.constant() && heat.flux.constant()) return;
+    const auto at = [&](double moment) { return value_of(heat, moment); };
+    surface.value = heat.kind == HeatBoundaryKind::flux ? times.mean(at) : times.mean_about_last(at);
   };
   for (std::size_t s = 0; s < sides_.size(); ++s) set(sides_[s], stretches_[s].conditions.heat);
   for (std::size_t o = 0; o < openings_.size(); ++o) set(openings_[o], geometry_.openings[o].conditions.heat);

@@ -87,14 +87,16 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
 }
 
 template <class T, class Set>
-SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, const StretchLinks& boundary, double time,
-                                                   const ScalarField<double>& gain) const {
+SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, const StretchLinks& boundary,
+                                                   const StepTimes& times, const ScalarField<double>& gain) const {
   const SoluteBoundary& given = boundary.stretch.conditions.solute;
   if (given.kind == SoluteBoundaryKind::outflow) return outflow_condition(boundary.links, s.parameters, s.fields, gain);
   const bool flux = given.kind == SoluteBoundaryKind::flux;
   const auto& values = flux ? given.flux : given.concentration;
   const auto found = values.find(s.section.name);
-  const double value = (found == values.end() ? 0.0 : found->second.at(time)) / units_.concentration;
+  const auto at = [&](double time) { return found->second.at(time); };
+  const double given_value = found == values.end() ? 0 : flux ? times.mean(at) : times.mean_about_last(at);
+  const double value = given_value / units_.concentration;
   if (flux) return flux_condition(boundary.links, boundary.area, interval_ * value / units_.velocity(), s.fields, gain);
   return concentration_condition(boundary.links, value, s.fields, gain);
 }
@@ -111,10 +113,11 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   if (!due(clock)) return;
   const FluidNodes& fluid = geometry_.fluid;
   conditions_.clear();
+  const StepTimes times{clock.time(), units_.time_step, interval_};
   for (const SpeciesState<T>& s : species_) {
     if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries)
-      conditions_.push_back(condition(s, boundary, clock.time(), boundary.gain.recent()));
+      conditions_.push_back(condition(s, boundary, times, boundary.gain.recent()));
   }
   for (const SpeciesState<T>& s : species_) before_outflow_.template exchange<T, 1>(exec, {s.fields.C});
   dress<Set, T>(exec, fluid, conditions_, narrow_);

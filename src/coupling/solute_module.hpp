@@ -2,6 +2,7 @@
 // Dissolved species carried by the fluid (paper sections 2.3, 3.2).
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
+#include "coupling/step_times.hpp"
 #include "coupling/stretch_links.hpp"
 #include "kernels/base/units.hpp"
 #include "kernels/reaction/dissolution.hpp"
@@ -98,8 +99,8 @@ class SoluteModule final : public Module {
   void gather_sums(const SpeciesState<T>& s) const;
   /// Brings the populations here that the next sweep of a species pulls.
   void exchange(const Exec& exec, const SoluteFields<T>& fields) const;
-  /// What a boundary of a species says at a time (s); gain(link) += what enters.
-  SoluteCondition<T> condition(const SpeciesState<T>& s, const StretchLinks& boundary, double time,
+  /// What a boundary of a species says on the mean of some times; gain(link) += what enters.
+  SoluteCondition<T> condition(const SpeciesState<T>& s, const StretchLinks& boundary, const StepTimes& times,
                                const ScalarField<double>& gain) const;
 
   SoluteSection section_;

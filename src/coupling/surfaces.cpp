@@ -140,7 +140,8 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
     std::vector<DressedBoundary<T>> dressed;
     for (const StretchLinks& boundary : s.boundaries) dressed.push_back(dressing(exec, fluid, boundary, s.fields.h));
     std::vector<SoluteCondition<T>> conditions;
-    for (const DressedBoundary<T>& d : dressed) conditions.push_back(condition(s, d.boundary, clock.time(), d.gain));
+    for (const DressedBoundary<T>& d : dressed)
+      conditions.push_back(condition(s, d.boundary, StepTimes{clock.time()}, d.gain));
     dress<Set, T>(exec, fluid, conditions, narrow_);
     exec.fence("vug::solute::surfaces");
     for (const DressedBoundary<T>& d : dressed) {

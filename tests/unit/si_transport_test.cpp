@@ -1,10 +1,14 @@
 // What the fluid carries in: amount and heat of a plug flow, in mol and J, for any interval of the steps of heat and
 // solute.
+#include "coupling/step_times.hpp"
 #include "support/coupled_run.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -56,6 +60,83 @@ TEST(TransportInSI, FluidCarriesItsConcentrationAndItsHeat) {
     EXPECT_NEAR((run.gain("A", "injected") - mol) / (700 * carried), 1, 2e-4) << interval;
     EXPECT_NEAR((run.now("heat_stored_J_per_m") - joule) / (800 * 2000 * 40 * carried), 1, 2e-3) << interval;
   }
+}
+
+/// 24 x 4 cells of fluid at rest; what the tables over time say comes in on the left.
+const std::string still = R"(
+[lattice]
+size = [0.024, 0.004]
+spacing = 1e-3
+time_step = 1e-3
+[time]
+steps = 100000
+[geometry]
+type = "open"
+[heat]
+fluid_diffusivity = 1e-4
+solid_diffusivity = 1e-4
+fluid_density = 800
+fluid_heat_capacity = 2000
+initial_temperature = 300
+[solute]
+[[solute.species]]
+name = "A"
+diffusivity = 1e-4
+)";
+
+/// The conditions of the left side.
+std::string on_the_left(const std::string& heat, const std::string& solute) {
+  return "[boundary.left]\nheat = { " + heat + " }\nsolute = { " + solute + " }\n";
+}
+
+/// A pulse of 10 lattice steps, its middle 8 of full height: 9 steps of that, wherever in a longer step it lies.
+TEST(TransportInSI, PulseComesInOnceForAnyInterval) {
+  for (const int start : {37, 43, 52}) {
+    const auto pulse = [&](double height) {
+      const double t = start * 1e-3;
+      return fmt::format("[[{:.17g}, 0], [{:.17g}, {:g}], [{:.17g}, {:g}], [{:.17g}, 0]]", t, t + 1e-3, height,
+                         t + 9e-3, height, t + 10e-3);
+    };
+    const std::string text = still + on_the_left("type = \"flux\", flux = " + pulse(5e5),
+                                                 "type = \"flux\", flux = { A = " + pulse(0.02) + " }");
+    const auto expect = [&](const std::vector<std::string>& choice) {
+      test::CoupledRun run(text, choice);
+      run.steps(128);
+      const std::string what = choice[0] + ", from step " + std::to_string(start);
+      EXPECT_NEAR(run.gain("heat", "sides") / (5e5 * 9e-3 * 0.004), 1, 1e-9) << what;
+      EXPECT_NEAR(run.gain("A", "injected") / (0.02 * 9e-3 * 0.004), 1, 1e-9) << what;
+    };
+    for (const std::string interval : {"1", "3", "8", "16"})
+      expect({"accuracy.heat_interval=" + interval, "accuracy.solute_interval=" + interval});
+    expect({"accuracy.tolerance=1e-3", "accuracy.heat_interval=16", "accuracy.solute_interval=16"});
+  }
+}
+
+/// A pulse of 10 lattice steps in the concentration of what flows in: as much comes in by long steps as by short ones,
+/// where the value at one of their lattice steps gives none of it or nearly twice as much.
+TEST(TransportInSI, PulseThatTheFlowBringsComesInOnceForAnyInterval) {
+  for (const int start : {337, 343, 352}) {
+    const auto at = [&](int step) { return (start + step) * 1e-3; };
+    const std::string pulse =
+        fmt::format("[[{:.17g}, 0], [{:.17g}, 700], [{:.17g}, 700], [{:.17g}, 0]]", at(0), at(1), at(9), at(10));
+    const auto injected = [&](int interval) {
+      test::CoupledRun run(plug, {"boundary.left.solute.concentration.A=" + pulse,
+                                  fmt::format("accuracy.solute_interval={}", interval)});
+      run.steps(640);
+      return run.gain("A", "injected");
+    };
+    EXPECT_NEAR(injected(8) / injected(1), 1, 0.02) << start;
+  }
+}
+
+/// A line: the mean of the steps themselves is the value in their middle, that about the last the value there.
+TEST(StepTimes, MeansOfALineAndOfOneStep) {
+  const auto line = [](double t) { return 3 + 2 * t; };
+  const StepTimes eight{1.7, 0.1, 8}, one{1.7, 0.1, 1};
+  EXPECT_NEAR(eight.mean(line), line(1.35), 1e-14);
+  EXPECT_NEAR(eight.mean_about_last(line), line(1.7), 1e-14);
+  EXPECT_EQ(one.mean(line), line(1.7));
+  EXPECT_EQ(one.mean_about_last(line), line(1.7));
 }
 
 }  // namespace
