@@ -146,6 +146,12 @@ MineralFaceTemperature<T> HeatModule<T>::mineral_face_temperature(const Exec& ex
 }
 
 template <class T>
+HeatCrossing<T> HeatModule<T>::crossing() const {
+  if (!carrier_) return {};
+  return {geometry_.fluid.index, {geometry_.fluid.open_links, carrier_->displacement()}};
+}
+
+template <class T>
 void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   if (!clock.every(interval_)) return;
   if (clock.every(LongSum::interval)) {
@@ -154,10 +160,10 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
   }
   set_values(clock.time());
   populations_.exchange<T, 1>(exec, {fields_.g});
-  fill_heat_openings<T>(exec, fields_, openings_);
+  fill_heat_openings<T>(exec, fields_, openings_, crossing());
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
-  fill_heat_sides<T>(exec, fields_, sides_);
+  fill_heat_sides<T>(exec, fields_, sides_, crossing());
   const double stretch = static_cast<double>(next_interval_) / interval_;
   const double carried = stretch == 1 ? 1 : turn(stretch);
   fresh_ = theta_.extent(0) > 0 && rock_asks_before_next_step(clock);

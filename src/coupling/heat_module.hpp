@@ -81,6 +81,7 @@ class HeatModule final : public Module {
   double transfer_of(const HeatBoundary& heat) const;
   /// Widens the range of temperatures that the case names.
   void widen_range(const HeatBoundary& heat);
+  HeatCrossing<T> crossing() const;
   /// Brings the values of conditions that change to a time, s.
   void set_values(double time);
   /// From the streaming that follows on, steps take so many lattice steps.

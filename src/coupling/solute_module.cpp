@@ -102,6 +102,12 @@ SoluteCondition<T> SoluteModule<T, Set>::condition(const SpeciesState<T>& s, con
 }
 
 template <class T, class Set>
+Crossing<T> SoluteModule<T, Set>::crossing() const {
+  if (!carrier_) return {};
+  return {geometry_.fluid.open_links, carrier_->displacement()};
+}
+
+template <class T, class Set>
 void SoluteModule<T, Set>::step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier) {
   for (SpeciesState<T>& s : species_) advance_solute<Set>(exec, geometry_.fluid, carrier, s.stepping());
   for (const auto& [wall, links, reactant, product, key] : reacting_)
@@ -120,7 +126,7 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
       conditions_.push_back(condition(s, boundary, times, boundary.gain.recent()));
   }
   for (const SpeciesState<T>& s : species_) before_outflow_.template exchange<T, 1>(exec, {s.fields.C});
-  dress<Set, T>(exec, fluid, conditions_, narrow_);
+  dress<Set, T>(exec, fluid, conditions_, narrow_, crossing());
   if (next_interval_ == interval_)
     sweep(exec);
   else

@@ -102,6 +102,7 @@ class SoluteModule final : public Module {
   /// What a boundary of a species says on the mean of some times; gain(link) += what enters.
   SoluteCondition<T> condition(const SpeciesState<T>& s, const StretchLinks& boundary, const StepTimes& times,
                                const ScalarField<double>& gain) const;
+  Crossing<T> crossing() const;
 
   SoluteSection section_;
   LatticeUnits units_;

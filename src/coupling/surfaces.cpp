@@ -95,6 +95,7 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   if (!wanted.flows) return;
   const Exec exec;
   populations_.template exchange<T, 1>(exec, {fields_.g});
+  if (carrier_) in_rows_.template exchange<T, 2>(exec, components(carrier_->u));
   const double watt = section_.fluid_density * section_.fluid_heat_capacity * units_.diffusivity() / interval_;
   const Split& split = geometry_.split;
   const auto look = [&](const std::string& name, const HeatBoundary& heat, std::size_t number, auto surface,
@@ -109,13 +110,13 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   for (std::size_t o = 0; o < openings_.size(); ++o)
     look(geometry_.openings[o].name, geometry_.openings[o].conditions.heat, sides_.size() + o, openings_[o],
          [&](const HeatOpening& opening) {
-           fill_heat_openings(exec, fields_, {&opening, 1});
+           fill_heat_openings(exec, fields_, {&opening, 1}, crossing());
          });
   for (int axis = 0; axis < 2; ++axis)
     if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
   for (std::size_t s = 0; s < sides_.size(); ++s)
     look(stretches_[s].name, stretches_[s].conditions.heat, s, sides_[s], [&](const HeatSide& side) {
-      fill_heat_sides(exec, fields_, {&side, 1});
+      fill_heat_sides(exec, fields_, {&side, 1}, crossing());
     });
   filled_.template exchange_back<T, 1>(exec, {fields_.g});
 }
@@ -142,7 +143,7 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
     std::vector<SoluteCondition<T>> conditions;
     for (const DressedBoundary<T>& d : dressed)
       conditions.push_back(condition(s, d.boundary, StepTimes{clock.time()}, d.gain));
-    dress<Set, T>(exec, fluid, conditions, narrow_);
+    dress<Set, T>(exec, fluid, conditions, narrow_, crossing());
     exec.fence("vug::solute::surfaces");
     for (const DressedBoundary<T>& d : dressed) {
       if (!split.alone()) split.make_whole(split.of_links(d.boundary.links), d.gain);

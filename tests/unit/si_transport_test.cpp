@@ -1,6 +1,7 @@
 // What the fluid carries in: amount and heat of a plug flow, in mol and J, for any interval of the steps of heat and
 // solute.
 #include "coupling/step_times.hpp"
+#include "support/case_shapes.hpp"
 #include "support/coupled_run.hpp"
 
 #include <fmt/format.h>
@@ -60,6 +61,62 @@ TEST(TransportInSI, FluidCarriesItsConcentrationAndItsHeat) {
     EXPECT_NEAR((run.gain("A", "injected") - mol) / (700 * carried), 1, 2e-4) << interval;
     EXPECT_NEAR((run.now("heat_stored_J_per_m") - joule) / (800 * 2000 * 40 * carried), 1, 2e-3) << interval;
   }
+}
+
+/// A uniform flow of 0.12 m/s that comes in with the given heat and 2 mol/m3 through the left side, the bottom or a
+/// shape, and leaves opposite.
+std::string uniform_flow(const std::string& in, const std::string& heat, const std::string& set) {
+  const bool upright = in == "bottom", shape = in == "shape.well";
+  std::string text = upright ? "[lattice]\nsize = [0.004, 0.016]\n" : "[lattice]\nsize = [0.016, 0.004]\n";
+  text += "spacing = 1e-3\ntime_step = 1e-3\n[time]\nsteps = 100000\n[geometry]\n";
+  text += shape ? "type = \"shapes\"\n" + test::rectangle(0, 0, 0.002, 0.004, "name = \"well\"") : "type = \"open\"\n";
+  const std::string speed = shape ? "speed = 0.12" : upright ? "velocity = [0, 0.12]" : "velocity = [0.12, 0]";
+  text += fmt::format(R"(
+[flow]
+viscosity = 1e-4
+[heat]
+fluid_diffusivity = 1e-4
+solid_diffusivity = 1e-4
+initial_temperature = 300
+velocity_set = "{0}"
+[solute]
+velocity_set = "{0}"
+[[solute.species]]
+name = "A"
+diffusivity = 1e-4
+[boundary.{1}]
+flow = {{ type = "velocity", {2} }}
+heat = {{ {3} }}
+solute = {{ type = "concentration", concentration = {{ A = 2 }} }}
+[boundary.{4}]
+flow = {{ type = "outflow" }}
+heat = {{ type = "outflow" }}
+solute = {{ type = "outflow" }}
+)",
+                      set, in, speed, heat, upright ? "top" : "right");
+  for (const char* side : {upright ? "left" : "bottom", upright ? "right" : "top"})
+    text += fmt::format("[boundary.{}]\nflow = {{ type = \"periodic\" }}\n", side);
+  return text;
+}
+
+/// The fluid inside has what the side says that it has: the even part of D2Q9's equilibrium comes in as well.
+TEST(TransportInSI, WhatFlowsInHasTheConcentrationAndTheTemperatureOfItsSide) {
+  const std::string given = "type = \"temperature\", temperature = 310",
+                    held = "type = \"convection\", temperature = 310, coefficient = 1e12";
+  for (const std::string set : {"d2q5", "d2q9"})
+    for (const std::string in : {"left", "bottom", "shape.well"})
+      for (const std::string& heat : {given, held}) {
+        const std::string what = set + ", " + in + ", " + heat;
+        test::CoupledRun run(uniform_flow(in, heat, set));
+        run.steps(3000);
+        const std::vector<double> type = run.nodes("node_type"), T = run.nodes("temperature"),
+                                  C = run.nodes("concentration_A");
+        for (std::size_t n = 0; n < type.size(); ++n) {
+          if (type[n] != 0) continue;
+          EXPECT_NEAR(C[n] / 2, 1, 1e-9) << what;
+          EXPECT_NEAR(T[n] - 300, 10, heat == given ? 1e-8 : 1e-5) << what;
+        }
+      }
 }
 
 /// 24 x 4 cells of fluid at rest; what the tables over time say comes in on the left.

@@ -64,6 +64,7 @@ struct FillSide {
   Lattice lattice;
   Joined joined;
   Kokkos::View<const std::uint8_t*> solid;
+  HeatCrossing<T> through;
   ScalarField<T> g;
 
   KOKKOS_FORCEINLINE_FUNCTION static int along(int outward, int q) {
@@ -101,7 +102,9 @@ struct FillSide {
                      kinds.share(node, share),
                      kinds.solid(node),
                      kinds.kind(node) != 0,
+                     0,
                      0};
+    if constexpr (Law::has_plane) link.paired = paired_weight<T, Set>(through, node, q);
     if constexpr (Law::looks_inside)
       link.slope = at_corner(node) ? 0 : slope_from<T, Set>(kinds, g, lattice, joined, node, q);
     const T arriving = law(link);
@@ -133,6 +136,7 @@ struct FillOpening {
   Lattice lattice;
   Joined joined;
   Rows rows;
+  HeatCrossing<T> through;
   ScalarField<T> g;
   KOKKOS_FUNCTION void operator()(int item) const {
     const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q), plane = lattice.size();
@@ -143,7 +147,9 @@ struct FillOpening {
                      kinds.share(n, static_cast<T>(opening.area[item])),
                      kinds.solid(n),
                      kinds.kind(n) != 0,
+                     0,
                      0};
+    if constexpr (Law::has_plane) link.paired = paired_weight<T, Set>(through, n, q);
     if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, joined, n, q);
     const T arriving = law(link);
     g(back * plane + opening.beyond[item]) = arriving;
@@ -160,6 +166,7 @@ struct FillSides {
   Joined joined;
   Rows rows;
   Kokkos::View<const std::uint8_t*> solid;
+  HeatCrossing<T> through;
   ScalarField<T> g;
 
   using Entry = SideEntry;
@@ -181,7 +188,7 @@ struct FillSides {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, solid, g});
+      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, solid, through, g});
     });
   }
 };
@@ -194,6 +201,7 @@ struct FillOpenings {
   Lattice lattice;
   Joined joined;
   Rows rows;
+  HeatCrossing<T> through;
   ScalarField<T> g;
 
   using Entry = OpeningEntry;
@@ -206,7 +214,7 @@ struct FillOpenings {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, rows, g});
+      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, rows, through, g});
     });
   }
 };
@@ -222,22 +230,24 @@ Joined joined_sides(const HeatFields<T>& fields) {
 }
 
 template <class T>
-void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides) {
+void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides,
+                     const std::type_identity_t<HeatCrossing<T>>& crossing) {
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillSides<T, decltype(set), std::decay_t<decltype(kinds)>>;
     for_each_of_lists(exec, "vug::heat::fill_side", sides,
                       Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields),
-                          fields.solid, fields.g});
+                          fields.solid, crossing, fields.g});
   });
 }
 
 template <class T>
-void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings) {
+void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings,
+                        const std::type_identity_t<HeatCrossing<T>>& crossing) {
   visit_kinds(fields, [&](auto set, const auto& kinds) {
     using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
-    for_each_of_lists(
-        exec, "vug::heat::fill_opening", openings,
-        Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields), fields.g});
+    for_each_of_lists(exec, "vug::heat::fill_opening", openings,
+                      Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields),
+                          crossing, fields.g});
   });
 }
 
@@ -283,11 +293,12 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
   });
 }
 
-#define VUG_INSTANTIATE(T)                                                                                  \
-  template void fill_heat_sides(const Exec&, const HeatFields<T>&, std::span<const HeatSide>);              \
-  template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>);        \
-  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
-                                         std::array<bool, 2>, const Opening&, HeatCondition, double);       \
+#define VUG_INSTANTIATE(T)                                                                                             \
+  template void fill_heat_sides(const Exec&, const HeatFields<T>&, std::span<const HeatSide>, const HeatCrossing<T>&); \
+  template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>,                    \
+                                   const HeatCrossing<T>&);                                                            \
+  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&,            \
+                                         std::array<bool, 2>, const Opening&, HeatCondition, double);                  \
   template void join_heat_sides(const Exec&, const HeatFields<T>&, int)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -4,15 +4,17 @@
 // first node.
 #include "kernels/heat/heat.hpp"
 #include "kernels/nodes/opening.hpp"
+#include "kernels/scalar/crossing.hpp"
 
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace vug {
 
 enum class HeatCondition {
   adiabatic,    ///< in = A: nothing passes
-  temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature
+  temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature; for w see crossing.hpp
   convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
   flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
   outflow       ///< zero gradient: in rock in = A, in fluid the node's own population, less what it conducts
@@ -33,6 +35,13 @@ KOKKOS_FORCEINLINE_FUNCTION int node_before(const Lattice& lattice, bool periodi
   if (before < 0 && dy != 0) before = back(0, dy);
   return before;
 }
+
+/// How fluid crosses sides and openings; none: nothing flows.
+template <class T>
+struct HeatCrossing {
+  IndexList index{};  ///< (dense node) as of FluidNodes
+  Crossing<T> fluid{};
+};
 
 /// A stretch of one side with a condition of its own, nodes [first, last] along the side.
 struct HeatSide {
@@ -68,7 +77,8 @@ void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
 /// what moves diagonally between like nodes as a mirror does: sent back the way it came it would hold back what flows
 /// along the side. Sides that are joined come first.
 template <class T>
-void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides);
+void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides,
+                     const std::type_identity_t<HeatCrossing<T>>& crossing = {});
 
 /// The surface of an opening with its condition. Its links are those of a geometry: births do not change them.
 struct HeatOpening {
@@ -89,7 +99,8 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
 /// and books what enters. A flux is per true area of the surface (link_areas). No mirror: on D2Q9
 /// what moves diagonally goes back the way it came. Before sides are joined.
 template <class T>
-void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings);
+void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings,
+                        const std::type_identity_t<HeatCrossing<T>>& crossing = {});
 
 /// Joins the opposite sides across `axis` (0: left and right, 1: bottom and top), 0 before 1.
 template <class T>

@@ -14,6 +14,7 @@ struct SideLink {
   T share;     ///< of what enters at the node, of a mineral over its heat capacity
   bool solid;  ///< of the one solid that there is
   bool rock;   ///< nothing flows at the node
+  T paired;    ///< half of what leaves and comes in at equilibrium, over theta: w, more where fluid crosses on D2Q9
   T slope;     ///< outflow_slope(tau) times the rise of the temperature from the node before; only if the law asks
 };
 
@@ -42,32 +43,32 @@ struct ManyKinds {
 /// in = A + share q / c.
 template <class T>
 struct FluxIn {
-  static constexpr bool mirrors = true, looks_inside = false;
+  static constexpr bool mirrors = true, looks_inside = false, has_plane = false;
   T fluid_flux, solid_flux;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
   }
 };
 
-/// in = A + share h (theta_out - (in + A) / 2w) / c, solved for what comes in: Newton's law of cooling with the
+/// in = A + share h (theta_out - (in + A) / 2 paired) / c, solved for what comes in: Newton's law of cooling with the
 /// temperature that the wall plane then has. Large h: the temperature is given; none: nothing passes.
 template <class T>
 struct ConvectionIn {
-  static constexpr bool mirrors = true, looks_inside = false;
+  static constexpr bool mirrors = true, looks_inside = false, has_plane = true;
   T outside, fluid_transfer, solid_transfer;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    const T passed = link.share * (link.solid ? solid_transfer : fluid_transfer), held = passed / (2 * link.weight);
+    const T passed = link.share * (link.solid ? solid_transfer : fluid_transfer), held = passed / (2 * link.paired);
     return (link.leaving * (1 - held) + passed * outside) / (1 + held);
   }
 };
 
-/// in = -A + 2 w theta_wall (half-way anti-bounce-back).
+/// in = -A + 2 paired theta_wall (half-way anti-bounce-back).
 template <class T>
 struct TemperatureIn {
-  static constexpr bool mirrors = false, looks_inside = false;
+  static constexpr bool mirrors = false, looks_inside = false, has_plane = true;
   T twice_wall_temperature;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    return link.weight * twice_wall_temperature - link.leaving;
+    return link.paired * twice_wall_temperature - link.leaving;
   }
 };
 
@@ -77,7 +78,7 @@ struct TemperatureIn {
 /// leaves too little. Taken over as it is, it lets heat out as if the fluid went on for 2 (tau - 1) nodes.
 template <class T>
 struct OutflowIn {
-  static constexpr bool mirrors = true, looks_inside = true;
+  static constexpr bool mirrors = true, looks_inside = true, has_plane = false;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     return link.rock ? link.leaving : link.inward - link.weight * link.slope;
   }
@@ -97,6 +98,14 @@ KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const 
   const int plane = lattice.size();
   const T rise = sum_of_populations<Set, T>(&g(node), plane) - sum_of_populations<Set, T>(&g(before), plane);
   return outflow_slope(1 / kinds.rate(node)) * rise;
+}
+
+/// SideLink::paired at the link q of a node.
+template <class T, class Set>
+KOKKOS_FUNCTION T paired_weight(const HeatCrossing<T>& crossing, int node, int q) {
+  const T weight = static_cast<T>(Set::w(q));
+  if (Set::Q == D2Q5::Q || crossing.index.extent(0) == 0 || crossing.index(node) < 0) return weight;
+  return weight * crossing.fluid.template pair<Set>(crossing.index(node), q);
 }
 
 /// The condition of a side or an opening, and where what enters is booked.

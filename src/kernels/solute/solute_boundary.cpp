@@ -16,12 +16,13 @@ struct SideConcentrationProfile {
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int link) const { return value[link]; }
 };
 
-/// h_in = -A + 2 w C_b.
+/// h_in = -A + 2 w C_b, on D2Q9 with the even part of the equilibrium where fluid crosses.
 template <class T, class Set, class Concentration>
 struct ConcentrationRule {
   Concentration C_b;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int q, T out) const {
-    return T(2 * Set::w(q) * C_b(link)) - out;
+  Crossing<T> crossing;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T out) const {
+    return T(2 * Set::w(q) * C_b(link)) * crossing.template pair<Set>(i, q) - out;
   }
 };
 
@@ -70,6 +71,7 @@ struct DressSolutes {
   using Entry = SoluteCondition<T>;
   Kokkos::View<const int*> source;
   int capacity;
+  Crossing<T> crossing;
 
   static int count(const Entry& c) { return c.count; }
   template <class Run>
@@ -80,9 +82,9 @@ struct DressSolutes {
     if (c.kind == Kind::outflow)
       run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
     else if (c.kind == Kind::concentration)
-      run(DressSolute<T, Uniform>{c, capacity, {{c.value}}});
+      run(DressSolute<T, Uniform>{c, capacity, {{c.value}, crossing}});
     else if (c.kind == Kind::concentration_profile)
-      run(DressSolute<T, Profile>{c, capacity, {{c.part}}});
+      run(DressSolute<T, Profile>{c, capacity, {{c.part}, crossing}});
     else
       run(DressSolute<T, FluxRule<T>>{c, capacity, {c.part, c.value}});
   }
@@ -137,8 +139,9 @@ SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SolutePar
 }
 
 template <class Set, class T>
-void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions, bool narrow) {
-  const DressSolutes<T, Set> law{nodes.source, nodes.capacity};
+void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions, bool narrow,
+           const std::type_identity_t<Crossing<T>>& crossing) {
+  const DressSolutes<T, Set> law{nodes.source, nodes.capacity, crossing};
   const std::size_t together = narrow ? 1 : conditions.size();
   for (std::size_t first = 0; first < conditions.size(); first += together)
     for_each_of_lists(exec, "vug::solute_boundary::dress", conditions.subspan(first, together), law);
@@ -169,8 +172,10 @@ bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& l
                                              const SoluteFields<T>&, const ScalarField<double>&);                      \
   template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteParameters&, const SoluteFields<T>&, \
                                                 const ScalarField<double>&);                                           \
-  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);                \
-  template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool);
+  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool,                 \
+                            const Crossing<T>&);                                                                       \
+  template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool,                 \
+                            const Crossing<T>&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)
 #undef VUG_INSTANTIATE

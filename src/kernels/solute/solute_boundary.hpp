@@ -1,9 +1,11 @@
 #pragma once
 // What happens to a species at the sides of the lattice: the outgoing population is dressed before the sweep, and the
 // bounce-back in the table of sources brings it home. No flux needs nothing. Where several meet: outflow first.
+#include "kernels/scalar/crossing.hpp"
 #include "kernels/solute/solute.hpp"
 
 #include <span>
+#include <type_traits>
 
 namespace vug {
 
@@ -26,7 +28,8 @@ struct SoluteCondition {
   T slope = 0;           ///< outflow_slope(tau_1)
 };
 
-/// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population.
+/// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population; where fluid
+/// crosses, times what the pair has there at equilibrium (crossing.hpp).
 template <class T>
 SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
                                            const ScalarField<double>& gain);
@@ -49,10 +52,10 @@ SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SolutePar
                                      const SoluteFields<T>& s, const ScalarField<double>& gain);
 
 /// Dresses the links of all stretches, no link of which is in two, of any number of species: one launch; where fluid is
-/// `narrow` one for each stretch, in their order.
+/// `narrow` one for each stretch, in their order. `crossing`: of what carries them, if anything does.
 template <class Set, class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions,
-           bool narrow = false);
+           bool narrow = false, const std::type_identity_t<Crossing<T>>& crossing = {});
 
 /// Whether one of the links leaves a node whose opposite link is one of a side or an opening too: what an outflow reads
 /// there another condition writes.
