@@ -10,6 +10,8 @@ namespace {
 
 constexpr double breakthrough = 0.01;  // of what was injected
 const std::string breakthrough_of = "breakthrough of ";
+constexpr double grown = 1e-9;  // of the solid; less is rounding
+const std::string has_grown = "warning: rock has grown";
 
 struct Count {
   std::string what;
@@ -55,14 +57,26 @@ std::string species_of(const std::string& column, const std::string& gain) {
   return column.ends_with(ending) ? column.substr(0, column.size() - ending.size()) : "";
 }
 
+/// Volume that the rock has won, over what there is: by a reaction that has run backwards.
+double growth_of(const std::vector<HistoryValue>& row) {
+  double won = 0, there = 0;
+  for (const HistoryValue& value : row) {
+    if (value.name == "solid_volume_gain_dissolved_m3_per_m") won = value.value;
+    if (value.name == "solid_volume_stored_m3_per_m") there = value.value;
+  }
+  return there > 0 ? won / there : 0;
+}
+
 }  // namespace
 
 Events::Events(const Simulation& simulation, const std::vector<std::string>& earlier) {
   look(simulation);
   begun_ = true;
-  for (const std::string& line : earlier)  // no state tells that it has come
+  for (const std::string& line : earlier) {  // no state tells that it has come
     if (const auto at = line.find(breakthrough_of); at != std::string::npos)
       next_.try_emplace(line.substr(at, line.find(':', at) - at), 0);
+    if (line.find(has_grown) != std::string::npos) next_.try_emplace(has_grown, 0);
+  }
 }
 
 std::vector<std::string> Events::look(const Simulation& simulation) {
@@ -106,6 +120,11 @@ std::vector<std::string> Events::sum_up(const Simulation& simulation) {
 
 std::vector<std::string> Events::look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row) {
   std::vector<std::string> news;
+  if (growth_of(row) > grown && next_.try_emplace(has_grown, 0).second)
+    news.push_back(
+        fmt::format("{}{} on the whole, by a reaction that runs backwards (product over equilibrium_constant "
+                    "exceeds the reactant): it grows in place and narrows no pore",
+                    at(simulation.clock()), has_grown));
   for (const HistoryValue& value : row) {
     const std::string species = species_of(value.name, "outflow");
     if (species.empty()) continue;

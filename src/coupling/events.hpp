@@ -9,7 +9,8 @@
 namespace vug {
 
 /// Watches counts that only grow and tells when each reaches 1, 10, 100, ...: failed bonds, dissolved nodes, nodes that
-/// damage has opened; and breakthrough, when a species leaves through an outflow with 1 % of what was injected of it.
+/// damage has opened; and breakthrough, when a species leaves through an outflow with 1 % of what was injected of it;
+/// and that rock has grown on the whole.
 class Events {
  public:
   /// What has happened before is no news; `earlier` is what has been told of it.
@@ -17,9 +18,9 @@ class Events {
 
   /// News of the counts, one line each; copies the states of the bonds to the host.
   std::vector<std::string> look(const Simulation& simulation);
-  /// News of a row of the history, which is dear to compute: breakthrough.
   /// What is to be said at the end: how far the rock has aged beyond the fluid, and what that has cost.
   static std::vector<std::string> sum_up(const Simulation& simulation);
+  /// News of a row of the history, which is dear to compute: breakthrough, growth.
   std::vector<std::string> look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row);
 
  private:

@@ -1,6 +1,9 @@
 // Solutes and their reaction as a case gives them: amounts in mol, rates in m/s, temperatures in K.
+#include "coupling/events.hpp"
 #include "support/coupled_run.hpp"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -204,6 +207,29 @@ solute = { type = "periodic" }
       EXPECT_NEAR((run.gain("acid", "outflow") - out) / -carried, 1, 1e-7) << interval << set;
       EXPECT_NEAR(run.now("acid_stored_mol_per_m"), 1500 * 0.003 * 0.002, 1e-9);
     }
+}
+
+/// Product in excess makes the reaction run backwards: rock grows where it is, which is told once, also after a
+/// restart.
+TEST(ReactionInSI, RockThatGrowsInPlaceIsToldOnce) {
+  for (const double salt : {6000.0, 1000.0}) {
+    Simulation simulation(
+        parse_scene(column, "case.toml",
+                    {"reaction.product=salt", "reaction.equilibrium_constant=1", "reaction.molar_volume=1e-5",
+                     fmt::format("solute.species.1={{ name = \"salt\", diffusivity = 5e-4, initial = {} }}", salt)}));
+    simulation.begin();
+    Events events(simulation);
+    for (int step = 0; step < 100; ++step) simulation.step();
+    const std::vector<std::string> news = events.look_at_row(simulation, simulation.history());
+    if (salt < 2000) {
+      EXPECT_TRUE(news.empty());
+      continue;
+    }
+    ASSERT_EQ(news.size(), 1u);
+    EXPECT_THAT(news[0], testing::HasSubstr("warning: rock has grown on the whole"));
+    EXPECT_TRUE(events.look_at_row(simulation, simulation.history()).empty());
+    EXPECT_TRUE(Events(simulation, news).look_at_row(simulation, simulation.history()).empty());
+  }
 }
 
 }  // namespace
