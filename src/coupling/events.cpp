@@ -102,6 +102,12 @@ std::vector<std::string> Events::look(const Simulation& simulation) {
   return news;
 }
 
+std::vector<std::string> Events::of_the_start(const Simulation& simulation) {
+  const Mechanics* rock = simulation.parts().mechanics;
+  if (!rock || !rock->ramped() || rock->ramped()->settled) return {};
+  return {at(simulation.clock()) + "warning: " + unrest_of(*rock->ramped())};
+}
+
 std::vector<std::string> Events::sum_up(const Simulation& simulation) {
   const Ageing* ageing = simulation.parts().ageing;
   const Clock& clock = simulation.clock();

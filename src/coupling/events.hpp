@@ -18,6 +18,8 @@ class Events {
 
   /// News of the counts, one line each; copies the states of the bonds to the host.
   std::vector<std::string> look(const Simulation& simulation);
+  /// What is to be said of how the run began: that the preload did not come to rest.
+  static std::vector<std::string> of_the_start(const Simulation& simulation);
   /// What is to be said at the end: how far the rock has aged beyond the fluid, and what that has cost.
   static std::vector<std::string> sum_up(const Simulation& simulation);
   /// News of a row of the history, which is dear to compute: breakthrough, growth.

@@ -123,20 +123,30 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   return loaded;
 }
 
+/// Says, and keeps in the record, that a confinement has been put on without the rock coming to rest.
+void note_unrest(const std::optional<PreloadReport>& preload, const LaboratoryOptions& options, RunRecord& record) {
+  if (!preload || preload->settled) return;
+  record.events.push_back("warning: " + unrest_of(*preload));
+  if (std::ostream* log = options.progress ? options.progress : options.warnings) *log << record.events.back() << '\n';
+}
+
 /// To be done where no bond failed.
 const char* what_breaks_more(LaboratoryTest test) {
   return test == LaboratoryTest::heating ? "raise laboratory.temperature_change" : "raise laboratory.largest_strain";
 }
 
 std::string load_all(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen,
-                     const std::string& directory, Results& results) {
+                     const std::string& directory, RunRecord& record) {
+  Results& results = record.results;
   std::vector<std::string> columns{"strain_1",          "stress_Pa",     "seed_1", "failed_in_tension_1",
                                    "failed_in_shear_1", "confinement_Pa"};
   if (scene.laboratory->energies) columns.insert(columns.end(), energy_columns.begin(), energy_columns.end());
   HistoryWriter curve(directory + "/stress_strain.csv", columns);
   std::vector<LoadedSpecimen> specimens;
-  for (int s = 0; s < options.seeds; ++s)
+  for (int s = 0; s < options.seeds; ++s) {
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
+    note_unrest(specimens.back().result.preload, options, record);
+  }
   std::string text = report_of(specimens, what_breaks_more(scene.laboratory->test), results);
   if (scene.laboratory->energies) text += report_of(specimens.front().result.energies, results);
   return text;
@@ -164,12 +174,13 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
       1e3 * r.spacing, 1e3 * r.mean_depth, 1e3 * r.deepest);
 }
 
-std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, Results& results) {
+std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, RunRecord& record) {
   const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene),
                                          *options.fit_strength, options.seeds, fit_tolerance);
-  results = {{"cohesion_Pa", found.cohesion},
-             {"strength_Pa", found.strength.mean},
-             {"strength_deviation_Pa", found.strength.deviation}};
+  note_unrest(found.restless, options, record);
+  record.results = {{"cohesion_Pa", found.cohesion},
+                    {"strength_Pa", found.strength.mean},
+                    {"strength_deviation_Pa", found.strength.deviation}};
   return fmt::format(
       "cohesion              {:.2f} MPa (mechanics.bond.cohesion = {:.4g})\n"
       "strength              {:.2f} +- {:.2f} MPa over {} seeds, wanted {:.2f}; {} rounds\n",
@@ -211,10 +222,10 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
       if (!limit.inside()) *log << "warning: " << warning_of(limit) << '\n';
   }
   try {
-    const std::string found = options.fit_strength ? fit(scene, options, specimen, record.results)
+    const std::string found = options.fit_strength ? fit(scene, options, specimen, record)
                               : scene.laboratory->test == LaboratoryTest::quench
                                   ? quench_specimen(scene, options, specimen, directory, record.results)
-                                  : load_all(scene, options, specimen, directory, record.results);
+                                  : load_all(scene, options, specimen, directory, record);
     finish_as("done", "the test has ended", 0);
     return fmt::format("{:<22}{}, {} triangles\n{}{:<22}{}\n", "test", name_of(scene.laboratory->test),
                        specimen.triangles.size(), found, "files", directory);

@@ -192,16 +192,17 @@ class Run {
       if (const std::int64_t due = rows_until(scene_, *resumed_at_); files.rows_kept() < due)
         progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", path_,
                                   files.rows_kept(), due, *resumed_at_));
-    if (!resumed_at_) {
-      simulation_.begin();
-      files.write_snapshot();
-      files.write_row();
-    }
-    Events events(simulation_, record_.events);
     const auto tell = [&](const std::vector<std::string>& news) {
       for (const std::string& line : news) progress.note(line);
       record_.events.insert(record_.events.end(), news.begin(), news.end());
     };
+    if (!resumed_at_) {
+      simulation_.begin();
+      tell(Events::of_the_start(simulation_));
+      files.write_snapshot();
+      files.write_row();
+    }
+    Events events(simulation_, record_.events);
     const Schedule output = output_schedule(scene_), history = row_schedule(scene_);
     const Schedule checkpoint = checkpoint_schedule(scene_);
     while (!ended()) {

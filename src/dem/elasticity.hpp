@@ -2,6 +2,8 @@
 // Young's modulus and Poisson's ratio of bonded rock, and the bonds that give them.
 #include "dem/parameters.hpp"
 
+#include <cmath>
+
 namespace vug {
 
 /// Of an isotropic plate in plane stress.
@@ -24,6 +26,12 @@ constexpr BondParameters with_elasticity(BondParameters bond, const Elasticity& 
   bond.normal_modulus = bond.length_factor * rock.young_modulus / (1 - rock.poisson_ratio);
   bond.tangential_modulus = bond.length_factor * rock.young_modulus / (1 + 3 * rock.poisson_ratio);
   return bond;
+}
+
+/// Compression waves in a plate, m/s: c^2 = E / (rho (1 - nu^2)) = M_n / (chi rho (1 + nu)) (Kolsky 1963, "Stress Waves
+/// in Solids", chapter 3).
+inline double wave_speed_of(const BondParameters& bond, double density) {
+  return std::sqrt(bond.normal_modulus / (bond.length_factor * density * (1 + elasticity_of(bond).poisson_ratio)));
 }
 
 }  // namespace vug

@@ -148,6 +148,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   const Gauge axial = axial_gauge(rock.particles(), extent), lateral = lateral_gauge(rock.particles(), extent);
   const double axial_start = axial.strain(rock.particles()), lateral_start = lateral.strain(rock.particles());
   PlatenResult result;
+  result.preload = rock.ramped();
   result.time_step = test.step_fraction * rock.critical_step();
   const int stride = std::max(1, static_cast<int>(test.sample_strain / (rate * result.time_step)));
   std::vector<double> axial_strain, lateral_strain;
@@ -206,6 +207,7 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
     for (int s = 0; s < seeds; ++s) {
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
       const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test);
+      if (loaded.preload && !loaded.preload->settled) fit.restless = loaded.preload;
       if (!loaded.broke())
         throw InputError(
             "laboratory: a specimen did not break, so that it has no strength to fit; raise laboratory.largest_strain, "

@@ -3,6 +3,7 @@
 #include "dem/mechanics.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace vug {
@@ -47,8 +48,9 @@ struct PlatenResult {
   double peak_strain = 0;  ///< strain there
   BondCounts bonds_at_peak;
   BondCounts bonds_at_end;
-  Energies energies;     ///< at the end; with parameters.energy_ledger
-  double time_step = 0;  ///< s
+  std::optional<PreloadReport> preload;  ///< how the confinement was put on
+  Energies energies;                     ///< at the end; with parameters.energy_ledger
+  double time_step = 0;                  ///< s
   long steps = 0;
 
   bool broke() const { return bonds_at_end.failed() > 0; }
@@ -75,6 +77,7 @@ struct CohesionFit {
   double cohesion = 0;  ///< Pa
   Spread strength;      ///< over the seeds, Pa
   int rounds = 0;
+  std::optional<PreloadReport> restless;  ///< of a specimen that did not come to rest under its confinement
 };
 
 /// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`, to `tolerance` (relative).

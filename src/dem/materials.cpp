@@ -1,9 +1,12 @@
 #include "dem/materials.hpp"
 
+#include "dem/elasticity.hpp"
+#include "dem/particles.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug {
 
@@ -46,6 +49,22 @@ double least_normal_strength(const MechanicsParameters& parameters) {
   double least = parameters.bond.normal_strength;
   for (const RockMaterial& material : parameters.materials) least = std::min(least, material.bond.normal_strength);
   return least;
+}
+
+double sound_crossing(const MechanicsParameters& parameters, const Assembly& assembly) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  double area = 0, slowness = 0, left = far, right = -far, bottom = far, top = -far;
+  for (int t = 0; t < static_cast<int>(assembly.triangles.size()); ++t) {
+    const Triangle triangle = triangle_of(assembly, t);
+    const RockMaterial material = material_of(parameters, assembly, t);
+    area += triangle.area();
+    slowness += triangle.area() / wave_speed_of(material.bond, material.density);
+    for (const Vec2& corner : triangle.corner) {
+      left = std::min(left, corner.x), right = std::max(right, corner.x);
+      bottom = std::min(bottom, corner.y), top = std::max(top, corner.y);
+    }
+  }
+  return std::max(right - left, top - bottom) * slowness / area * std::sqrt(parameters.mass_scaling);
 }
 
 void require_materials(const MechanicsParameters& parameters, const Assembly& assembly) {

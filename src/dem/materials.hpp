@@ -20,6 +20,10 @@ double largest_expansion(const MechanicsParameters& parameters);
 /// Least normal strength of all materials, Pa.
 double least_normal_strength(const MechanicsParameters& parameters);
 
+/// Time in which sound crosses the rock along the longer side of its bounding box, s: at the slowness of its triangles,
+/// meant over their areas, and sqrt(mass_scaling) times slower.
+double sound_crossing(const MechanicsParameters& parameters, const Assembly& assembly);
+
 /// Throws InputError where an assembly names a region that has no material.
 void require_materials(const MechanicsParameters& parameters, const Assembly& assembly);
 

@@ -19,10 +19,12 @@ namespace vug {
 
 namespace {
 
-constexpr double at_rest = 1e-9;      // kinetic over elastic energy: the stress oscillates by its square root
-constexpr long shortest_look = 16;    // steps: a look at the energies takes as long as two
-constexpr int looks_at_rest = 3;      // in a row, a fifth of the ramp apart: no turning point of an oscillation
-constexpr int longest_settling = 50;  // times the ramp
+constexpr double at_rest = 1e-9;           // kinetic over elastic energy: the stress oscillates by its square root
+constexpr long shortest_look = 16;         // steps: a look at the energies takes as long as two
+constexpr int looks_at_rest = 3;           // in a row, a fifth of the ramp apart: no turning point of an oscillation
+constexpr int longest_settling = 50;       // times the ramp, or
+constexpr double longest_crossings = 500;  // of sound through the rock, if that is longer
+constexpr double shortest_ramp = 2;        // crossings: a load that is there at once overshoots to twice itself
 
 /// Checked; the expansions of all materials are counted on the largest.
 MechanicsParameters checked(MechanicsParameters parameters) {
@@ -63,7 +65,8 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
       servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)),
       timed_(make_timed_loads(assembly, boundary_, loads, particles_, loads_)),
-      loss_(make_mass_loss(particles_, bonds_)) {
+      loss_(make_mass_loss(particles_, bonds_)),
+      sound_crossing_(vug::sound_crossing(parameters, assembly)) {
   if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_, contacts_);
   // a ledger wants every step's losses, a servo every step's reaction, and a platen that starts wakes nothing
   const bool driven = !servos_.empty() || (timed_ && timed_->moves());
@@ -191,8 +194,11 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
   const double dt = 0.3 * critical_step();
   const StepControl settle{dt, damping, parameters_.mass_scaling, 1, 0};
   PreloadReport report;
-  report.steps = ramp(exec, dt, ramp_time, damping);
-  const long look = std::max(shortest_look, report.steps / 5), last = report.steps * (1 + longest_settling);
+  report.steps = ramp(exec, dt, std::max(ramp_time, shortest_ramp * sound_crossing_), damping);
+  const long look = std::max(shortest_look, report.steps / 5);
+  const long settling =
+      std::max(longest_settling * report.steps, std::lround(longest_crossings * sound_crossing_ / dt));
+  const long last = report.steps + settling;
   int rested = 0;
   while (rested < looks_at_rest && report.steps < last) {
     for (long s = 0; s < look; ++s) {
@@ -204,10 +210,13 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
     rested = report.kinetic_over_elastic < at_rest ? rested + 1 : 0;
   }
   report.settled = rested == looks_at_rest;
+  report.time = static_cast<double>(report.steps) * dt;
+  report.crossings = report.time / sound_crossing_;
   report.bonds = bond_counts();
   Kokkos::deep_copy(exec, particles_.v, 0.0);
   Kokkos::deep_copy(exec, particles_.spin, 0.0);
   take_as_reference(exec);
+  ramped_ = report;
   return report;
 }
 

@@ -7,6 +7,7 @@
 #include "dem/mass_loss.hpp"
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
+#include "dem/preload_report.hpp"
 #include "dem/rest.hpp"
 #include "dem/rock_share.hpp"
 #include "dem/servo.hpp"
@@ -30,14 +31,6 @@ inline constexpr int steps_between_searches = 50;
 
 /// What a call of Mechanics::advance finds.
 enum class RockIs { changed, the_same };
-
-/// How the preload ended.
-struct PreloadReport {
-  long steps = 0;
-  bool settled = false;  ///< kinetic energy fell below 1e-9 of the elastic one
-  double kinetic_over_elastic = 0;
-  BondCounts bonds;  ///< damage that the preload did
-};
 
 /// Mechanics of bonded triangles. The coupling writes force, torque and temperature_change of `particles()`, calls
 /// `dissolve` when solid has gone, then `advance`.
@@ -80,6 +73,9 @@ class Mechanics {
   /// does not lead there (see find_static_equilibrium), where platens move by themselves, or where it would damage a
   /// bond: how far damage goes then depends on the way.
   bool preload_statically(const Exec& exec);
+
+  /// How the last ramped preload ended; nothing where there was none, or where the state it led to was solved for.
+  const std::optional<PreloadReport>& ramped() const { return ramped_; }
 
   /// Velocity of the platen of a held side from now on, m/s.
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
@@ -161,6 +157,8 @@ class Mechanics {
   std::optional<RockShare> share_;     ///< where several ranks move it
   std::map<int, Recording> recorded_;  ///< by the number of sub-steps, of recorded_dt_
   double recorded_dt_ = 0;
+  double sound_crossing_ = 0;            ///< s, of the intact rock
+  std::optional<PreloadReport> ramped_;  ///< the last preload by a ramp
   double initial_energy_ = 0;
   double lost_contact_energy_ = 0;  ///< with the outlines that dissolved; only with accounts_
   double last_dt_ = 0;

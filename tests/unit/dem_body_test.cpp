@@ -1,5 +1,6 @@
 // A triangle or two against formulas by hand: critical step, stress, loads and supports, a crack that was there.
 #include "dem/gauges.hpp"
+#include "dem/materials.hpp"
 #include "dem/mean_stress.hpp"
 #include "dem_support.hpp"
 
@@ -186,6 +187,43 @@ TEST(Preload, CountsItsSteps) {
   const PreloadReport report = rock.preload(Exec(), 100 * 0.3 * rock.critical_step());
   EXPECT_TRUE(report.settled);
   EXPECT_EQ(report.steps, 160);
+}
+
+/// 40 m of rock that sound takes 12 ms to cross: the stress is there, whatever ramp was asked for.
+TEST(Preload, OfLargeRockEndsAtRestAfterAnyRamp) {
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  loads.traction[static_cast<std::size_t>(RockSide::top)] = {0, -6e6};
+  for (const double ramp : {0.0, 150e-6}) {
+    Mechanics rock(test::block(40, 20, 4, 0.2), test::elastic(), loads);
+    const PreloadReport report = rock.preload(Exec(), ramp);
+    EXPECT_TRUE(report.settled) << ramp;
+    EXPECT_NEAR(rock.reaction(RockSide::bottom).y, 6e6 * 40, 1e-4 * 6e6 * 40) << ramp;
+    EXPECT_EQ(unrest_of(report), "");
+  }
+}
+
+/// By hand: 12 mm at sqrt(24.03e9 / (0.659 * 2500 * (1 + nu))), nu = 0.2384; four times the mass, half the speed.
+TEST(Preload, CountsCrossingsOfSound) {
+  const Assembly block = test::block(0.012, 0.006, 2e-3, 0.2);
+  MechanicsParameters parameters;
+  EXPECT_NEAR(sound_crossing(parameters, block), 0.012 / 3432.1, 1e-3 * 0.012 / 3432.1);
+  parameters.mass_scaling = 4;
+  EXPECT_NEAR(sound_crossing(parameters, block), 0.024 / 3432.1, 1e-3 * 0.024 / 3432.1);
+}
+
+TEST(Preload, SaysOfRockThatFallsThatItDidNotComeToRest) {
+  Loads loads;
+  loads.gravity = {0, -9.81};
+  Mechanics rock(test::block(0.01, 0.01, 2e-3, 0.2), {}, loads);
+  EXPECT_FALSE(rock.ramped());
+  const PreloadReport report = rock.preload(Exec(), 0);
+  EXPECT_FALSE(report.settled);
+  EXPECT_GE(report.crossings, 500);
+  EXPECT_NE(unrest_of(report).find("the preload did not come to rest: after "), std::string::npos);
+  ASSERT_TRUE(rock.ramped());
+  EXPECT_EQ(rock.ramped()->steps, report.steps);
 }
 
 /// A warm rock that nothing holds grows by alpha dT about any point: a gauge must not only see centroids part.

@@ -42,4 +42,22 @@ TEST(Laboratory, RefusesAServoWithoutAPressureToHold) {
   EXPECT_THROW(load_between_platens(Exec(), test::block(0.015, 0.03, 2.5e-3, 0.2), {}, test), InputError);
 }
 
+/// The confinement is there from the first sample on, also where it was asked for at once.
+TEST(Laboratory, RestsUnderItsConfinementBeforeTheTest) {
+  const auto stress = [](double time) {
+    PlatenTest test;
+    test.confinement = 20e6;
+    test.confining_time = time;
+    test.largest_strain = 4e-4;
+    test.speed = 0.5;
+    return load_between_platens(Exec(), test::block(0.012, 0.024, 2.4e-3, 0.2), test::elastic(), test);
+  };
+  const PlatenResult slowly = stress(150e-6), at_once = stress(0);
+  ASSERT_TRUE(at_once.preload);
+  EXPECT_TRUE(at_once.preload->settled);
+  ASSERT_EQ(at_once.stress.size(), slowly.stress.size());
+  for (std::size_t k = 0; k < slowly.stress.size(); ++k)
+    EXPECT_NEAR(at_once.stress[k], slowly.stress[k], 1e-3 * 20e6) << k;
+}
+
 }  // namespace
