@@ -63,7 +63,7 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
   }
   table.read("chemical_damage", laboratory.chemical_damage, unit::none, {.low = 0, .high = 1, .high_open = true});
   need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change, unit::kelvin,
-          range::positive);
+          unit::kelvin_difference, range::positive);
   read_if(thermal, table, "duration", "is of heating and quench", laboratory.duration, unit::second, range::positive);
   read_if(quenched, table, "diffusion_length", "is only for test = \"quench\"", laboratory.diffusion_length,
           unit::metre, range::positive);

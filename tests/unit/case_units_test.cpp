@@ -68,6 +68,19 @@ TEST(CaseUnits, OfTheCelsiusScaleCountFromFreezing) {
     EXPECT_DOUBLE_EQ(parse_quantity(celsius, unit::kelvin).value(), kelvin) << celsius;
 }
 
+TEST(CaseUnits, OfTheCelsiusScaleAreKelvinsInADifference) {
+  for (const char* written : {"100 degC", "100 K"})
+    EXPECT_EQ(parse_quantity(written, unit::kelvin_difference).value(), 100) << written;
+  const auto laboratory = [](const char* change) {
+    return parse_scene(std::string("[laboratory]\ntest = \"heating\"\nsize = [0.015, 0.03]\ntemperature_change = ") +
+                           change + "\n[rock]\nelement_size = 2.5e-3\n[mechanics]\n",
+                       "a.toml")
+        .laboratory->temperature_change;
+  };
+  EXPECT_EQ(laboratory("\"100 degC\""), 100);
+  EXPECT_EQ(laboratory("100"), 100);
+}
+
 /// So that no unit comes in without its definition.
 TEST(CaseUnits, AreAllInThisTable) {
   std::set<std::string> defined{"degC"};

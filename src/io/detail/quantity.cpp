@@ -10,7 +10,7 @@ namespace {
 struct Suffix {
   std::string_view si, written;
   double factor;
-  double offset = 0;  ///< added after scaling
+  double offset = 0;  ///< added after scaling, except to a difference
 };
 
 constexpr std::array suffixes{
@@ -65,7 +65,8 @@ std::optional<double> parse_quantity(std::string_view text, Unit unit) {
   const std::string_view written = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
   if (written == unit.symbol && unit.symbol != unit::none.symbol) return value;
   for (const Suffix& suffix : suffixes) {
-    if (suffix.si == unit.symbol && suffix.written == written) return value * suffix.factor + suffix.offset;
+    if (suffix.si == unit.symbol && suffix.written == written)
+      return value * suffix.factor + (unit.difference ? 0 : suffix.offset);
   }
   return std::nullopt;
 }

@@ -10,6 +10,7 @@ namespace vug {
 struct Unit {
   std::string_view symbol;
   double largest;
+  bool difference = false;  ///< of two temperatures: where their scale begins does not count
 };
 
 namespace unit {
@@ -18,6 +19,7 @@ constexpr Unit cells{"cells", 1e4};
 constexpr Unit metre{"m", 1e5};
 constexpr Unit second{"s", 1e9};
 constexpr Unit kelvin{"K", 1e4};
+constexpr Unit kelvin_difference{"K", 1e4, true};
 constexpr Unit pascal{"Pa", 1e13};
 constexpr Unit pascal_per_metre{"Pa/m", 1e18};
 constexpr Unit metre_per_second{"m/s", 1e6};
