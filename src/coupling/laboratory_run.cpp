@@ -94,7 +94,7 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   parameters.bond.seed += static_cast<std::uint64_t>(number);
   parameters.energy_ledger = scene.laboratory->energies;
   SpecimenPictures pictures(scene, specimen, directory);
-  const PlatenTest test = platen_test(scene);
+  const PlatenTest test = platen_test(scene, specimen);
   LoadedSpecimen loaded;
   double next_line = 0;
   loaded.result = load_between_platens(
@@ -175,7 +175,7 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
 }
 
 std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, RunRecord& record) {
-  const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene),
+  const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene, specimen),
                                          *options.fit_strength, options.seeds, fit_tolerance);
   note_unrest(found.restless, options, record);
   record.results = {{"cohesion_Pa", found.cohesion},

@@ -2,10 +2,14 @@
 
 #include "coupling/memory_need.hpp"
 #include "coupling/rock_limits.hpp"
+#include "dem/materials.hpp"
 #include "host/free_memory.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
+#include "kernels/base/require.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -52,7 +56,7 @@ LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, cons
           limit_of_edges(rock)};
 }
 
-PlatenTest platen_test(const Scene& scene) {
+PlatenTest platen_test(const Scene& scene, const Assembly& specimen) {
   const LaboratorySection& laboratory = *scene.laboratory;
   PlatenTest test;
   test.speed = platen_speed(laboratory);
@@ -69,7 +73,11 @@ PlatenTest platen_test(const Scene& scene) {
   if (laboratory.test == LaboratoryTest::heating) {
     test.speed = 0;
     test.heating_rate = laboratory.temperature_change / laboratory.duration;
-    test.largest_strain = scene.mechanics->parameters.thermal_expansion * laboratory.temperature_change;
+    test.largest_strain = mean_expansion(scene.mechanics->parameters, specimen) * laboratory.temperature_change;
+    if (test.sample_strain > test.largest_strain)
+      throw InputError(
+          fmt::format("{}: laboratory.sample_strain = {:g} is more than the heat strains the specimen at the end, {:g}",
+                      scene.path, test.sample_strain, test.largest_strain));
   }
   return test;
 }

@@ -17,7 +17,7 @@ double longest_test(const Scene& scene, const Assembly& specimen);
 LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
 
 /// The loading test of a case; not for a quench.
-PlatenTest platen_test(const Scene& scene);
+PlatenTest platen_test(const Scene& scene, const Assembly& specimen);
 QuenchTest quench_test(const Scene& scene);
 
 }  // namespace vug

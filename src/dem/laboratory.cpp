@@ -1,5 +1,6 @@
 #include "dem/laboratory.hpp"
 
+#include "dem/materials.hpp"
 #include "dem/soundness.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -82,18 +83,6 @@ double held_height(const Mechanics& rock, RockSide side) {
   return sum / n;
 }
 
-Loads press(const PlatenTest& test) {
-  Loads loads;
-  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  for (const RockSide flank : {RockSide::right, RockSide::left}) {
-    loads.traction[static_cast<std::size_t>(flank)] = {flank == RockSide::right ? -test.confinement : test.confinement,
-                                                       0};
-    loads.support[static_cast<std::size_t>(flank)] = test.flanks;
-  }
-  return loads;
-}
-
 /// Starts with the velocities of uniform straining, so that no shock runs from the platen.
 void start_uniform_straining(const Particles& p, double low, double high, double speed) {
   const auto x0 = on_host(p.x0);
@@ -102,9 +91,19 @@ void start_uniform_straining(const Particles& p, double low, double high, double
   Kokkos::deep_copy(p.v, v);
 }
 
-void require_consistent(const PlatenTest& test) {
+/// Takes `steps` steps while the specimen warms at its rate, in every one of them a little, until the time `end`.
+void advance_warming(const Exec& exec, Mechanics& rock, double heating_rate, double dt, int steps, double end) {
+  for (int s = 0; s < steps; ++s) {
+    Kokkos::deep_copy(exec, rock.particles().temperature_change, heating_rate * std::min(rock.time() + dt, end));
+    rock.advance(exec, dt, 1);
+  }
+}
+
+void require_consistent(const PlatenTest& test, double expansion) {
   if ((test.speed == 0) == (test.heating_rate == 0))
     throw InputError("laboratory: a specimen is strained either by the platens' speed or by its heating rate");
+  if (test.heating_rate != 0 && expansion == 0)
+    throw InputError("laboratory: nothing of the specimen grows when heated");
   if (test.flanks != Support::free && test.flanks != Support::servo)
     throw InputError("laboratory: flanks are confined by a membrane (free) or by servo platens");
   if (test.specimen == Specimen::disc && (test.confinement != 0 || test.heating_rate != 0 || test.speed < 0))
@@ -130,16 +129,30 @@ double chord(const std::vector<double>& x, const std::vector<double>& y, const s
 
 }  // namespace
 
+Loads press(const PlatenTest& test) {
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  for (const RockSide flank : {RockSide::right, RockSide::left}) {
+    loads.traction[static_cast<std::size_t>(flank)] = {flank == RockSide::right ? -test.confinement : test.confinement,
+                                                       0};
+    loads.support[static_cast<std::size_t>(flank)] = test.flanks;
+  }
+  return loads;
+}
+
 PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, const MechanicsParameters& parameters,
                                   const PlatenTest& test, const LaboratoryWatch& watch) {
-  require_consistent(test);
+  const bool heated = test.heating_rate != 0;
+  const double expansion = heated ? mean_expansion(parameters, specimen) : 0;
+  require_consistent(test, expansion);
   const Extent extent = extent_of(specimen);
   Mechanics rock(specimen, parameters, press(test));
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
   if (test.confinement != 0) rock.preload(exec, test.confining_time, test.confining_damping);
   const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);
   const double sign = test.speed < 0 ? -1 : 1;
-  const double rate = std::abs(test.speed) / (high - low) + std::abs(parameters.thermal_expansion * test.heating_rate);
+  const double rate = std::abs(test.speed) / (high - low) + std::abs(expansion * test.heating_rate);
   rock.set_platen_velocity(RockSide::top, {0, -test.speed});
   start_uniform_straining(rock.particles(), low, high, test.speed);
   rock.reset_ledger(exec);
@@ -151,17 +164,23 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   result.preload = rock.ramped();
   result.time_step = test.step_fraction * rock.critical_step();
   const int stride = std::max(1, static_cast<int>(test.sample_strain / (rate * result.time_step)));
+  const double warm_at = test.largest_strain / rate;  // s: a heated specimen has then grown by the largest strain
+  const double steps_of_heating = std::ceil((1 - 1e-12) * warm_at / result.time_step);
   std::vector<double> axial_strain, lateral_strain;
   while (true) {
-    if (test.heating_rate != 0)
-      Kokkos::deep_copy(exec, rock.particles().temperature_change,
-                        test.heating_rate * (rock.time() + stride * result.time_step));
     throw_if_stop_requested();
-    rock.advance(exec, result.time_step, stride);
+    if (heated) {
+      const auto left = steps_of_heating - static_cast<double>(result.steps);
+      const int steps = static_cast<int>(std::min<double>(stride, left));
+      advance_warming(exec, rock, test.heating_rate, result.time_step, steps, warm_at);
+      result.steps += steps;
+    } else {
+      rock.advance(exec, result.time_step, stride);
+      result.steps += stride;
+    }
     require_sound(exec, rock);
-    result.steps += stride;
     const double force = 0.5 * (rock.reaction(RockSide::bottom).y - rock.reaction(RockSide::top).y);
-    result.strain.push_back(rate * rock.time());
+    result.strain.push_back(heated ? rate * std::min(rock.time(), warm_at) : rate * rock.time());
     result.stress.push_back(sign * force / area);
     const double push = 0.5 * (rock.reaction(RockSide::left).x - rock.reaction(RockSide::right).x);
     result.confinement.push_back(test.flanks == Support::servo ? push / extent.height() : test.confinement);
@@ -174,7 +193,9 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
       result.bonds_at_peak = bonds;
     }
     const bool broken = bonds.failed() > 0 && result.stress.back() < test.stop_below * result.strength;
-    const bool last = broken || result.strain.back() >= test.largest_strain;
+    const bool ended =
+        heated ? static_cast<double>(result.steps) >= steps_of_heating : result.strain.back() >= test.largest_strain;
+    const bool last = broken || ended;
     if (watch) watch(rock, result, last);
     if (last) break;
   }

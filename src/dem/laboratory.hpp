@@ -19,7 +19,7 @@ enum class Specimen {
 struct PlatenTest {
   Specimen specimen = Specimen::block;
   double speed = 0.5;       ///< of the upper platen, m/s; positive compresses, negative pulls
-  double heating_rate = 0;  ///< of the whole specimen, K/s; needs speed = 0
+  double heating_rate = 0;  ///< of the whole specimen, K/s; needs speed = 0; each step adds its share
   /// Pressure on the flanks of a block, Pa, put on before the test with the platens standing still.
   double confinement = 0;
   /// Support::free: the pressure is the dead load of a membrane, constant to the bit; Support::servo: that of rigid
@@ -27,17 +27,20 @@ struct PlatenTest {
   Support flanks = Support::free;
   double confining_time = 150e-6;                      ///< s over which it is raised
   double confining_damping = default_preload_damping;  ///< Cundall's alpha meanwhile
-  double largest_strain = 0.02;                        ///< where the test ends at the latest
+  double largest_strain = 0.02;                        ///< where the test ends at the latest; heating to the step
   double stop_below = 0.6;                             ///< ends when the stress has fallen to this share of its peak
   double step_fraction = 0.3;                          ///< time step over the critical one
   double sample_strain = 1e-5;                         ///< between two points of the curve
   double chemical_damage = 0;                          ///< d_c of all bonds, as after soaking in acid
 };
 
+/// What the platens and flanks of a test do to the specimen.
+Loads press(const PlatenTest& test);
+
 /// What the press records. Stress and strain count positive in the sense in which the platens load: compression in a
 /// compression test, a Brazilian test and when heated, tension in a tension test.
 struct PlatenResult {
-  std::vector<double> strain;       ///< of the platens over the distance of the held centroids, or alpha dT
+  std::vector<double> strain;       ///< of the platens over the distance of the held centroids, or mean alpha times dT
   std::vector<double> stress;       ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
   std::vector<double> confinement;  ///< mean pressure of servo platens on the flanks, or the membrane's, Pa
   /// Of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa; NaN where the curve has too

@@ -45,6 +45,17 @@ double largest_expansion(const MechanicsParameters& parameters) {
   return largest;
 }
 
+double mean_expansion(const MechanicsParameters& parameters, const Assembly& assembly) {
+  if (assembly.region.empty()) return parameters.thermal_expansion;
+  double area = 0, expansion = 0;
+  for (int t = 0; t < static_cast<int>(assembly.triangles.size()); ++t) {
+    const double own = triangle_of(assembly, t).area();
+    area += own;
+    expansion += own * material_of(parameters, assembly, t).thermal_expansion;
+  }
+  return expansion / area;
+}
+
 double least_normal_strength(const MechanicsParameters& parameters) {
   double least = parameters.bond.normal_strength;
   for (const RockMaterial& material : parameters.materials) least = std::min(least, material.bond.normal_strength);

@@ -17,6 +17,9 @@ BondParameters joint_of(const BondParameters& a, double h_a, const BondParameter
 /// Thermal expansion on which those of all materials are counted: the largest.
 double largest_expansion(const MechanicsParameters& parameters);
 
+/// Thermal expansion of the rock as a whole: that of its triangles, meant over their areas, 1/K.
+double mean_expansion(const MechanicsParameters& parameters, const Assembly& assembly);
+
 /// Least normal strength of all materials, Pa.
 double least_normal_strength(const MechanicsParameters& parameters);
 

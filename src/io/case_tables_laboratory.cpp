@@ -62,7 +62,7 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
     table.refuse("confinement_by", "is of a test with laboratory.confinement");
   }
   table.read("chemical_damage", laboratory.chemical_damage, unit::none, {.low = 0, .high = 1, .high_open = true});
-  need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change, unit::kelvin,
+  need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change,
           unit::kelvin_difference, range::positive);
   read_if(thermal, table, "duration", "is of heating and quench", laboratory.duration, unit::second, range::positive);
   read_if(quenched, table, "diffusion_length", "is only for test = \"quench\"", laboratory.diffusion_length,
@@ -101,7 +101,10 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
     document.fail("rock.element_size",
                   fmt::format("leaves fewer than five elements across the specimen; at most {:g} m", smallest / 5));
-  const double rise = scene.mechanics->parameters.thermal_expansion * laboratory.temperature_change;
+  double expansion = scene.mechanics->parameters.thermal_expansion;
+  for (const RockMaterial& material : scene.mechanics->parameters.materials)
+    expansion = std::max(expansion, material.thermal_expansion);
+  const double rise = expansion * laboratory.temperature_change;
   if (laboratory.test == LaboratoryTest::heating && laboratory.sample_strain > rise)
     document.fail("laboratory.sample_strain",
                   fmt::format("is more than the heat strains the specimen at the end, {:g}", rise));

@@ -20,31 +20,35 @@ Scene laboratory(const std::string& test, const std::vector<std::string>& overri
                      "a.toml", overrides);
 }
 
+PlatenTest platens_of(const Scene& scene) {
+  return platen_test(scene, build_specimen(scene));
+}
+
 TEST(PlatenTestOfACase, PressesPullsAndSplits) {
-  EXPECT_EQ(platen_test(laboratory("compression", {"laboratory.platen_speed=0.3"})).speed, 0.3);
-  EXPECT_EQ(platen_test(laboratory("tension", {"laboratory.platen_speed=0.3"})).speed, -0.3);
+  EXPECT_EQ(platens_of(laboratory("compression", {"laboratory.platen_speed=0.3"})).speed, 0.3);
+  EXPECT_EQ(platens_of(laboratory("tension", {"laboratory.platen_speed=0.3"})).speed, -0.3);
 }
 
 TEST(PlatenTestOfACase, SoaksAndConfinesAsItSays) {
-  const PlatenTest plain = platen_test(laboratory("compression"));
+  const PlatenTest plain = platens_of(laboratory("compression"));
   EXPECT_EQ(plain.confinement, 0);
   EXPECT_EQ(plain.chemical_damage, 0);
   EXPECT_EQ(plain.flanks, Support::free);
   const std::vector<std::string> held{"laboratory.confinement=10 MPa", "laboratory.chemical_damage=0.3",
                                       "mechanics.preload_time=2e-4", "mechanics.preload_damping=0.6"};
-  const PlatenTest membrane = platen_test(laboratory("compression", held));
+  const PlatenTest membrane = platens_of(laboratory("compression", held));
   EXPECT_EQ(membrane.confinement, 10e6);
   EXPECT_EQ(membrane.chemical_damage, 0.3);
   EXPECT_EQ(membrane.flanks, Support::free);
   EXPECT_EQ(membrane.confining_time, 2e-4);
   EXPECT_EQ(membrane.confining_damping, 0.6);
-  const auto servo = platen_test(laboratory("compression", {held[0], "laboratory.confinement_by=servo"}));
+  const auto servo = platens_of(laboratory("compression", {held[0], "laboratory.confinement_by=servo"}));
   EXPECT_EQ(servo.flanks, Support::servo);
 }
 
 TEST(PlatenTestOfACase, WarmsByItsChangeInItsDuration) {
   const PlatenTest test =
-      platen_test(laboratory("heating", {"laboratory.temperature_change=50", "laboratory.duration=2e-3"}));
+      platens_of(laboratory("heating", {"laboratory.temperature_change=50", "laboratory.duration=2e-3"}));
   EXPECT_EQ(test.speed, 0);
   EXPECT_DOUBLE_EQ(test.heating_rate, 25e3);      // 50 K in 2 ms
   EXPECT_DOUBLE_EQ(test.largest_strain, 400e-6);  // alpha dT
@@ -83,10 +87,27 @@ class Curve {
 /// Between platens that stand still: E alpha dT, with flanks that are free.
 TEST(LaboratoryOfACase, HeatsToTheStressOfItsModulus) {
   const Scene scene = laboratory("heating", {"laboratory.temperature_change=50", "laboratory.sample_strain=2e-5"});
-  ASSERT_DOUBLE_EQ(platen_test(scene).heating_rate, 50 / 1e-3);  // more slowly it would not end
+  ASSERT_DOUBLE_EQ(platens_of(scene).heating_rate, 50 / 1e-3);  // more slowly it would not end
   const Curve curve(scene);
   EXPECT_NEAR(curve.last("strain_1"), 8e-6 * 50, 2e-5);
   EXPECT_NEAR(curve.last("stress_Pa"), 30e9 * curve.last("strain_1"), 0.05 * 30e9 * 8e-6 * 50);
+}
+
+/// A base that does not grow, and grains that do: 0.5 alpha dT.
+TEST(LaboratoryOfACase, HeatsRockOfSeveralMaterials) {
+  const std::vector<std::string> changes{"laboratory.temperature_change=50", "laboratory.sample_strain=2e-5",
+                                         "mechanics.thermal_expansion=0",
+                                         "mechanics.material=[{type='rectangle', from=[0.0, 0.0], to=[0.015, 0.015], "
+                                         "thermal_expansion=8e-6}]"};
+  const Scene scene = laboratory("heating", changes);
+  const double half = platens_of(scene).largest_strain;
+  EXPECT_NEAR(half, 8e-6 * 50 * 0.5, 0.1 * 8e-6 * 50);  // by whole triangles
+  const Curve curve(scene);
+  EXPECT_DOUBLE_EQ(curve.last("strain_1"), half);
+  EXPECT_NEAR(curve.last("stress_Pa"), 30e9 * half, 0.05 * 30e9 * half);
+  EXPECT_THROW(laboratory("heating", {changes[0], "laboratory.sample_strain=3e-4", changes[2]}), InputError);
+  EXPECT_THROW(platens_of(laboratory("heating", {changes[0], "laboratory.sample_strain=3e-4", changes[2], changes[3]})),
+               InputError);
 }
 
 /// Hooke's law with and without: sigma_1 = E epsilon_1 + nu sigma_3.
