@@ -5,6 +5,7 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/specimen.hpp"
+#include "dem/require_edges.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
@@ -123,6 +124,13 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   return loaded;
 }
 
+/// Throws InputError where the test cannot be made with the specimen, before anything is written.
+void require_platens(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
+  Loads loads = press(platen_test(scene, specimen));
+  for (std::string& name : loads.name) name = scene.path + ": " + name;
+  require_edges(specimen, rock.boundary(), loads, rock.particles());
+}
+
 /// Says, and keeps in the record, that a confinement has been put on without the rock coming to rest.
 void note_unrest(const std::optional<PreloadReport>& preload, const LaboratoryOptions& options, RunRecord& record) {
   if (!preload || preload->settled) return;
@@ -199,6 +207,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   const Assembly specimen = build_specimen(scene);
   const Mechanics unloaded(specimen, scene.mechanics->parameters, Loads{});
   require_fields(fields_of_rock(scene, unloaded), scene.output.fields);
+  if (scene.laboratory->test != LaboratoryTest::quench) require_platens(scene, specimen, unloaded);
   RunRecord record = first_record(scene);
   const StopsInOrder in_order;
   folder.take();

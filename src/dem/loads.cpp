@@ -1,6 +1,7 @@
 #include "dem/loads.hpp"
 
 #include "dem/edges.hpp"
+#include "dem/require_edges.hpp"
 #include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
@@ -168,6 +169,7 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
   const auto stiffness = Kokkos::create_mirror_view(out.stiffness);
   const auto held = Kokkos::create_mirror_view(particles.held);
   const auto drive = Kokkos::create_mirror_view(particles.drive);
+  require_edges(assembly, boundary, loads, particles);
   for (const LoadedPiece& piece : pieces_of_boundary(assembly, boundary, loads, particles)) {
     const int i = piece.particle;
     const auto side = static_cast<std::size_t>(piece.side);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace vug {
@@ -28,6 +29,7 @@ struct SidePart {
   double stiffness = 0;              ///< of the rock beyond, Pa/m
   std::array<OverTime, 2> velocity;  ///< of a held part, m/s; at rest during a preload
   bool changes = false;              ///< whether a traction is another one later
+  std::string name = {};             ///< in messages
   bool moves() const { return velocity[0] || velocity[1]; }
 };
 
@@ -42,6 +44,7 @@ struct Loads {
   std::array<double, 4> stiffness{};
   std::array<double, 2> gravity{};  ///< m/s2
   std::vector<SidePart> parts;      ///< later ones count where they overlap
+  std::array<std::string, 4> name{"right side", "top side", "left side", "bottom side"};  ///< in messages
 };
 
 /// An edge of the rock's boundary.
@@ -86,7 +89,8 @@ std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std:
                                             const Loads& loads, const Particles& particles);
 
 /// Places tractions at the middles of the pieces and writes the supports into held and drive of the particles; parts at
-/// time zero, and without their velocities.
+/// time zero, and without their velocities. Throws InputError where a load finds no edge of the rock to act on, or a
+/// support none to hold; what later parts hide wholly is none of these.
 BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary, const Loads& loads,
                           const Particles& particles);
 

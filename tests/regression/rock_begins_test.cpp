@@ -46,5 +46,21 @@ TEST(RockBegins, AndSaysWhereItsPreloadDidNotComeToRest) {
   EXPECT_THAT(rests.output, Not(HasSubstr("come to rest")));
 }
 
+TEST(RockBegins, NotWithLoadsThatFindNoRock) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "case.toml", out = folder / "out";
+  test::write_text(path,
+                   rock +
+                       "holes = [{type = \"rectangle\", from = [0.005, 0.008], to = [0.015, 0.011]}]\n[mechanics]\n"
+                       "[[boundary.top.traction.parts]]\nfrom = 0.006\nto = 0.014\nnormal_stress = 5e6\n");
+  const Outcome run = run_vug("run --quiet " + path + " -o " + out);
+  EXPECT_EQ(run.exit_code, 2) << run.output;
+  EXPECT_THAT(run.output,
+              HasSubstr("case.toml: boundary.top.traction.parts.0: the rock has no edge between its ends to "
+                        "push; an edge is of a side when"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_EQ(run_vug("check " + path).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace vug

@@ -3,11 +3,13 @@
 #include "dem/materials.hpp"
 #include "dem/mean_stress.hpp"
 #include "dem_support.hpp"
+#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace {
@@ -224,6 +226,62 @@ TEST(Preload, SaysOfRockThatFallsThatItDidNotComeToRest) {
   EXPECT_NE(unrest_of(report).find("the preload did not come to rest: after "), std::string::npos);
   ASSERT_TRUE(rock.ramped());
   EXPECT_EQ(rock.ramped()->steps, report.steps);
+}
+
+/// What the rock says about loads; nothing where it takes them. The triangle has edges on its left and at its bottom.
+std::string refusal(const Loads& loads) {
+  try {
+    const Mechanics rock(lone, nearly_free(), loads);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Loads, OfASideWithoutAnEdgeAreRefused) {
+  EXPECT_EQ(refusal({}), "");
+  for (const auto side : {RockSide::right, RockSide::top, RockSide::left, RockSide::bottom}) {
+    const auto s = static_cast<std::size_t>(side);
+    std::array<Loads, 4> each;
+    each[0].traction[s] = {0, -1e6};
+    each[1].support[s] = Support::roller;
+    each[2].stiffness[s] = 1e12;
+    each[3].support[s] = Support::servo;
+    for (std::size_t k = 0; k < each.size(); ++k) {
+      const std::string said = refusal(each[k]), name = each[k].name[s];
+      if (side == RockSide::left || side == RockSide::bottom)
+        EXPECT_EQ(said, "") << name << k;
+      else
+        EXPECT_EQ(said.find(name + ": the rock has no edge on this side to " + (k % 2 == 0 ? "push" : "hold")), 0u)
+            << said << k;
+    }
+  }
+}
+
+TEST(Loads, OfAPartThatMeetsNoEdgeAreRefused) {
+  const auto part = [](RockSide side, double from, double to, Support support, double pressure = 0) {
+    SidePart one{side, from, to, support, {}, 0, {}, false, "part"};
+    one.traction[0] = [pressure](double) { return pressure; };
+    return one;
+  };
+  const auto with = [](std::vector<SidePart> parts) {
+    Loads loads;
+    loads.parts = std::move(parts);
+    return refusal(loads);
+  };
+  const auto left = RockSide::left;
+  EXPECT_EQ(with({part(left, 0.5 * l, 0.9 * l, Support::free, 1e6)}), "");
+  EXPECT_EQ(with({part(left, 0.3 * l, 0.9 * l, Support::roller)}), "");
+  EXPECT_EQ(with({part(left, 0.5 * l, 0.5 * l, Support::pin)}), "");
+  EXPECT_EQ(with({part(RockSide::top, 0, l, Support::free)}), "") << "asks for nothing";
+  EXPECT_NE(with({part(left, 1.1 * l, 2 * l, Support::free, 1e6)}).find("no edge between its ends to push"),
+            std::string::npos);
+  for (const SidePart& lost : {part(left, 0.1 * l, 0.5 * l, Support::roller), part(left, 2 * l, 3 * l, Support::fixed),
+                               part(RockSide::right, 0.5 * l, 0.5 * l, Support::pin)})
+    EXPECT_EQ(with({lost}).find("part: the rock has no edge between its ends to hold"), 0u) << with({lost});
+  EXPECT_EQ(with({part(left, 0, l, Support::roller), part(left, 0, l, Support::free, 1e6)}), "") << "hidden by another";
+  EXPECT_NE(with({part(left, 0, l, Support::roller), part(left, 0, 0.6 * l, Support::free, 1e6)}), "")
+      << "what is left of the first holds nothing";
 }
 
 /// A warm rock that nothing holds grows by alpha dT about any point: a gauge must not only see centroids part.
