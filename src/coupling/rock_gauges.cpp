@@ -62,22 +62,35 @@ IndexList triangles_of(const Gauge& gauge, const Assembly& assembly, const std::
   return to_device<IndexList>("vug::rock_gauges::members", members);
 }
 
-/// Particles with an edge of the side whose middle lies between `first` and `last`.
-IndexList held_particles(const Gauge& gauge, const Assembly& assembly, const Mechanics& rock, const std::string& what) {
+/// Particles with an edge of the side whose middle lies between `first` and `last`, those that the side holds along x
+/// and those along y: two halves of a side add up to it, and the sides to the force that holds the rock.
+std::array<IndexList, 2> held_particles(const Gauge& gauge, const Assembly& assembly, const Mechanics& rock,
+                                        const Loads& loads, const std::string& what) {
+  constexpr double far = std::numeric_limits<double>::infinity();
   const RockSide side = rock_side(gauge.side);
   std::vector<int> held;
   for (const BoundaryEdge& edge : rock.boundary()) {
     if (edge.side != static_cast<int>(side)) continue;
     const int along = edge.side % 2 == 0 ? 1 : 0;
-    const double a = assembly.vertices[edge.vertex[0]][along], b = assembly.vertices[edge.vertex[1]][along];
-    if (std::max(a, b) < gauge.first.value_or(-1) || std::min(a, b) > gauge.last.value_or(1e9)) continue;
+    const double middle = 0.5 * (assembly.vertices[edge.vertex[0]][along] + assembly.vertices[edge.vertex[1]][along]);
+    if (middle < gauge.first.value_or(-far) || middle >= gauge.last.value_or(far)) continue;
     held.push_back(edge.particle);
   }
   std::sort(held.begin(), held.end());  // a corner's triangle may have two edges on one side
   held.erase(std::unique(held.begin(), held.end()), held.end());
   if (held.empty())
-    throw InputError(fmt::format("{}: the rock has no edge on this stretch of the {} side", what, gauge.side));
-  return to_device<IndexList>("vug::rock_gauges::held", held);
+    throw InputError(
+        fmt::format("{}: the rock has no edge with its middle on this stretch of the {} side", what, gauge.side));
+  const std::vector<LoadedPiece> pieces = pieces_of_boundary(assembly, rock.boundary(), loads, rock.particles());
+  const std::vector<std::uint8_t> axes = axes_held_by(side, pieces, loads, rock.particles().count);
+  std::array<IndexList, 2> lists;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::vector<int> members;
+    for (const int i : held)
+      if ((axes[static_cast<std::size_t>(i)] & 1 << axis) != 0) members.push_back(i);
+    lists[axis] = to_device<IndexList>("vug::rock_gauges::held", members);
+  }
+  return lists;
 }
 
 }  // namespace
@@ -114,7 +127,7 @@ RockGauges::RockGauges(const Scene& scene, const Assembly& assembly, const Mecha
         break;
       }
       case GaugeKind::reaction: {
-        const IndexList held = held_particles(gauge, assembly, rock, what);
+        const std::array<IndexList, 2> held = held_particles(gauge, assembly, rock, boundary_loads(scene), what);
         gauges_.push_back(
             two("_x", "_y", "_N_per_m", [=](const Exec& exec) { return reaction_of(exec, particles, held); }));
         break;

@@ -88,11 +88,13 @@ Vec2 displacement_of(const Exec& exec, const Particles& particles, double expans
   return read(exec, out);
 }
 
-Vec2 reaction_of(const Exec& exec, const Particles& particles, const IndexList& held) {
-  const int count = static_cast<int>(held.extent(0));
+Vec2 reaction_of(const Exec& exec, const Particles& particles, const std::array<IndexList, 2>& held) {
   const auto sum = [&](int axis) {
+    const IndexList& members = held[static_cast<std::size_t>(axis)];
+    const int count = static_cast<int>(members.extent(0));
+    if (count == 0) return 0.0;
     const ScalarField<double> blocks("vug::dem::gauge_blocks", static_cast<std::size_t>(block_count(count)));
-    add_per_block(exec, "vug::dem::gauge_reaction", count, ReactionOf{particles, held, axis}, blocks);
+    add_per_block(exec, "vug::dem::gauge_reaction", count, ReactionOf{particles, members, axis}, blocks);
     exec.fence("vug::dem::gauge_reaction");
     return sum_in_order(blocks);
   };

@@ -2,6 +2,8 @@
 // What gauges in the rock read: each asked between steps, summed on the device in a fixed order.
 #include "dem/bonds.hpp"
 
+#include <array>
+
 namespace vug {
 
 /// A point of the rock: the triangle that it moves with, and its place in it.
@@ -15,8 +17,8 @@ struct RockPoint {
 /// the preload counts as done at the temperature without thermal stress, as it is in a run.
 Vec2 displacement_of(const Exec& exec, const Particles& particles, double expansion, const RockPoint& point);
 
-/// Force that holds the listed particles, N per m of thickness.
-Vec2 reaction_of(const Exec& exec, const Particles& particles, const IndexList& held);
+/// Force that holds the particles listed for x along x, and those for y along y, N per m of thickness.
+Vec2 reaction_of(const Exec& exec, const Particles& particles, const std::array<IndexList, 2>& held);
 
 /// Of the ends of all bonds that have failed the one that lies furthest along `direction`, or `from` where none lies
 /// beyond it; places of the undeformed rock, m.

@@ -143,6 +143,24 @@ Support support_of(const LoadedPiece& piece, const Loads& loads) {
                          : loads.support[static_cast<std::size_t>(piece.side)];
 }
 
+std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPiece>& pieces, const Loads& loads,
+                                       int particles) {
+  std::vector<std::array<int, 4>> held(static_cast<std::size_t>(particles));  // by the sides
+  for (const LoadedPiece& piece : pieces)
+    if (piece.decides)
+      held[static_cast<std::size_t>(piece.particle)][static_cast<std::size_t>(piece.side)] |=
+          held_axes(support_of(piece, loads), piece.side);
+  std::vector<std::uint8_t> axes(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i)
+    for (int axis = 0; axis < 2; ++axis) {
+      int owner = -1;
+      for (const int s : {axis, axis + 2, 1 - axis, 3 - axis})  // those with this normal, then the others
+        if (owner < 0 && (held[i][static_cast<std::size_t>(s)] & 1 << axis) != 0) owner = s;
+      if (owner == static_cast<int>(side)) axes[i] = static_cast<std::uint8_t>(axes[i] | 1 << axis);
+    }
+  return axes;
+}
+
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles) {
   const auto x0 = on_host(particles.x0);

@@ -4,6 +4,7 @@
 #include "dem/support.hpp"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -87,6 +88,12 @@ Support support_of(const LoadedPiece& piece, const Loads& loads);
 /// All loaded edges in pieces, in the order of the boundary. A support has an edge of which it has more than a half.
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles);
+
+/// Of each particle the axes (bit 0: x, bit 1: y) along which the support of this side holds it, so that its reaction
+/// there is the side's. An axis that several sides hold is that of the one whose normal it is, else of the first in the
+/// order of RockSide: over all sides the reactions add up to the force that holds the rock.
+std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPiece>& pieces, const Loads& loads,
+                                       int particles);
 
 /// Places tractions at the middles of the pieces and writes the supports into held and drive of the particles; parts at
 /// time zero, and without their velocities. Throws InputError where a load finds no edge of the rock to act on, or a
