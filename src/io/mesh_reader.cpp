@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -28,11 +29,12 @@ struct RawMesh {
   std::vector<std::array<double, 3>> nodes;
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 2>> cracks;
-  std::set<std::int64_t> crack_groups;                 // physical tags of lines
-  std::map<std::int64_t, std::string> surface_groups;  // names by physical tags of surfaces
-  std::map<std::int64_t, bool> curve_is_crack;         // format 4: geometric tags of lines
-  std::map<std::int64_t, std::string> surface_group;   // format 4: of geometric tags of surfaces
-  std::map<std::string, std::vector<int>> groups;      // triangles of named surfaces
+  std::map<std::int64_t, std::string> crack_groups;                      // names by physical tags of lines
+  std::set<std::int64_t> found_groups;                                   // those of them that have a line
+  std::map<std::int64_t, std::string> surface_groups;                    // names by physical tags of surfaces
+  std::map<std::int64_t, std::set<std::int64_t>> crack_groups_of_curve;  // format 4: of geometric tags of lines
+  std::map<std::int64_t, std::string> surface_group;                     // format 4: of geometric tags of surfaces
+  std::map<std::string, std::vector<int>> groups;                        // triangles of named surfaces
 };
 
 void read_physical_names(MeshText& text, RawMesh& mesh) {
@@ -41,7 +43,7 @@ void read_physical_names(MeshText& text, RawMesh& mesh) {
     const auto dimension = text.integer();
     const auto tag = text.integer();
     const auto name = text.quoted();
-    if (dimension == 1 && (name == "crack" || name == "notch")) mesh.crack_groups.insert(tag);
+    if (dimension == 1 && (name == "crack" || name == "notch")) mesh.crack_groups[tag] = name;
     if (dimension == 2) mesh.surface_groups[tag] = name;
   }
 }
@@ -69,13 +71,21 @@ std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64
   return found == names.end() ? "" : found->second;
 }
 
-// The nodes of one element whose type and tags have been read.
-void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, bool crack, const std::string& surface) {
+/// The physical group of a tag: a negative one says that the group runs through the curve or surface backwards.
+std::int64_t group_of(std::int64_t tag) {
+  return tag < 0 && tag > std::numeric_limits<std::int64_t>::min() ? -tag : tag;
+}
+
+// The nodes of one element whose type and tags have been read; the groups of a line are those of cracks.
+void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, const std::set<std::int64_t>& crack_groups,
+                  const std::string& surface) {
   if (type == point_element) {
     text.skip(1);
   } else if (type == line_element) {
     const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
-    if (crack) mesh.cracks.push_back({a, b});
+    if (crack_groups.empty()) return;
+    mesh.cracks.push_back({a, b});
+    mesh.found_groups.insert(crack_groups.begin(), crack_groups.end());
   } else if (type == triangle_element) {
     const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
     if (!surface.empty()) mesh.groups[surface].push_back(static_cast<int>(mesh.triangles.size()));
@@ -99,9 +109,11 @@ void read_elements_2(MeshText& text, RawMesh& mesh) {
     text.skip(1);
     const auto type = text.integer();
     const auto tags = text.count();
-    const auto physical = tags > 0 ? text.integer() : 0;
+    const auto physical = tags > 0 ? group_of(text.integer()) : 0;
     text.skip(tags - 1);
-    read_element(text, mesh, type, mesh.crack_groups.contains(physical), name_of(mesh.surface_groups, physical));
+    std::set<std::int64_t> cracks;
+    if (mesh.crack_groups.contains(physical)) cracks.insert(physical);
+    read_element(text, mesh, type, cracks, name_of(mesh.surface_groups, physical));
   }
 }
 
@@ -113,8 +125,8 @@ void read_entities_4(MeshText& text, RawMesh& mesh) {
       text.skip(dimension == 0 ? 3 : 6);  // a point or a bounding box
       const auto groups = text.count();
       for (std::int64_t k = 0; k < groups; ++k) {
-        const auto group = text.integer();
-        if (mesh.crack_groups.contains(group) && dimension == 1) mesh.curve_is_crack[tag] = true;
+        const auto group = group_of(text.integer());
+        if (mesh.crack_groups.contains(group) && dimension == 1) mesh.crack_groups_of_curve[tag].insert(group);
         if (mesh.surface_groups.contains(group) && dimension == 2) mesh.surface_group[tag] = mesh.surface_groups[group];
       }
       if (dimension > 0) text.skip(text.count());  // what bounds it
@@ -142,11 +154,13 @@ void read_elements_4(MeshText& text, RawMesh& mesh) {
     const auto entity = text.integer();
     const auto type = text.integer();
     const auto count = text.count();
-    const bool crack = dimension == 1 && mesh.curve_is_crack.contains(entity);
+    const auto groups = mesh.crack_groups_of_curve.find(entity);
+    const bool crack = dimension == 1 && groups != mesh.crack_groups_of_curve.end();
+    const std::set<std::int64_t> cracks = crack ? groups->second : std::set<std::int64_t>{};
     const std::string surface = dimension == 2 ? name_of(mesh.surface_group, entity) : "";
     for (std::int64_t i = 0; i < count; ++i) {
       text.skip(1);
-      read_element(text, mesh, type, crack, surface);
+      read_element(text, mesh, type, cracks, surface);
     }
   }
 }
@@ -231,6 +245,12 @@ Assembly parse_mesh(const std::string& content, const std::string& path) {
   MeshText text(content, path);
   const auto mesh = read_sections(text);
   if (mesh.triangles.empty()) throw InputError(path + ": the mesh has no triangles");
+  for (const auto& [tag, name] : mesh.crack_groups)
+    if (!mesh.found_groups.contains(tag))
+      throw InputError(
+          fmt::format("{}: the physical group \"{}\" (tag {}) has no line of the mesh; make it of the curves "
+                      "that are to be cracks, or leave it out",
+                      path, name, tag));
   auto assembly = assemble(mesh, path);
   require_usable(assembly, {10, 1e-3, 1}, path);
   return assembly;

@@ -110,6 +110,32 @@ TEST(MeshReader, ReadsBothFormatsToTheSameRock) {
   expect_square(parse_mesh(square_41, "a.msh"));
 }
 
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(MeshReader, TakesGroupsThatRunThroughACurveBackwards) {
+  expect_square(parse_mesh(with(square_22, "2 1 2 7 1 5 1", "2 1 2 -7 1 5 1"), "a.msh"));
+  const std::string turned = with(square_41, "4 0 0 0 1 1 0 1 7 2 1 -1", "4 0 0 0 1 1 0 1 -7 2 1 -1");
+  expect_square(parse_mesh(turned, "a.msh"));
+  const Assembly rock = parse_mesh(with(turned, "3 0 0 0 1 1 0 1 8 2 4 5", "3 0 0 0 1 1 0 1 -8 2 4 5"), "a.msh");
+  EXPECT_THAT(rock.groups.at("the rock"), ElementsAre(0, 1, 2, 3));
+}
+
+TEST(MeshReader, RefusesACrackWithoutALine) {
+  for (const std::string& text : {with(square_22, "2 1 2 7 1 5 1", "2 1 2 9 1 5 1"),
+                                  with(square_41, "4 0 0 0 1 1 0 1 7 2 1 -1", "4 0 0 0 1 1 0 1 9 2 1 -1")}) {
+    try {
+      parse_mesh(text, "a.msh");
+      FAIL() << "was read";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("a.msh: the physical group \"crack\" (tag 7) has no line of the mesh"));
+    }
+  }
+}
+
 TEST(MeshReader, KnowsTheTrianglesOfNamedSurfaces) {
   for (const std::string& text : {square_22, square_41}) {
     const Assembly rock = parse_mesh(text, "square.msh");
