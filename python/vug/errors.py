@@ -42,3 +42,14 @@ class VugWarning(UserWarning):
 
 
 BY_CODE = {error.exit_code: error for error in (CaseError, Diverged, FileTrouble, OutOfMemory, Interrupted)}
+
+
+def text_of(path, **options):
+    """What a text file holds, UTF-8. Raises FileTrouble, with its path, where it is lost or cannot be read."""
+    try:
+        with open(path, encoding="utf-8", **options) as file:
+            return file.read()
+    except OSError as error:
+        raise FileTrouble(f"{path}: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise FileTrouble(f"{path}: is no UTF-8 text: {error.reason}") from None

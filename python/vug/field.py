@@ -1,6 +1,24 @@
 """One quantity of one snapshot."""
 import numpy as np
 
+from .errors import FileTrouble
+
+
+def values_of(dataset, key=...):
+    """Of a dataset, or of a part of it. Raises FileTrouble where a block of it is lost or damaged."""
+    try:
+        return dataset[key]
+    except OSError as error:
+        raise FileTrouble(f"{dataset.file.filename}: {dataset.name}: {error}") from None
+
+
+def attribute_of(place, name):
+    """Of a group or a dataset. Raises FileTrouble where it is not there."""
+    try:
+        return place.attrs[name]
+    except (KeyError, OSError) as error:
+        raise FileTrouble(f"{place.file.filename}: {place.name}: {error.args[0]}") from None
+
 
 class Field:
     """An array on disk with its unit and its place; read when it is used, `field[rows, columns]` in parts.
@@ -14,7 +32,7 @@ class Field:
         self._dataset = dataset
         unit = dataset.attrs.get("units", b"")
         self.units = unit.decode() if isinstance(unit, bytes) else str(unit)
-        self.time = float(dataset.attrs["time"])
+        self.time = float(attribute_of(dataset, "time"))
         self.spacing = float(dataset.attrs["dx"]) if "dx" in dataset.attrs else None
 
     @property
@@ -23,13 +41,13 @@ class Field:
 
     @property
     def values(self):
-        return self._dataset[...]
+        return self[...]
 
     def _centres(self, axis):
         if self.spacing is None:
             raise AttributeError(f"{self.name} does not lie on the lattice")
         count = self.shape[1 - axis]
-        return float(self._dataset.attrs["origin"][axis]) + (np.arange(count) + 0.5) * self.spacing
+        return float(attribute_of(self._dataset, "origin")[axis]) + (np.arange(count) + 0.5) * self.spacing
 
     @property
     def x(self):
@@ -42,7 +60,7 @@ class Field:
         return self._centres(1)
 
     def __getitem__(self, key):
-        return self._dataset[key]
+        return values_of(self._dataset, key)
 
     def __array__(self, dtype=None, copy=None):
         values = self.values

@@ -1,19 +1,32 @@
 """history.csv as columns."""
+import re
+from collections import Counter
+
 import numpy as np
 
-from .errors import FileTrouble
+from .errors import FileTrouble, text_of
 
-# the words that units in the names of columns are made of: "kinetic_energy_J_per_m", "time_s"
-UNITS = {"s", "1", "m", "m2", "m3", "kg", "mol", "J", "K", "Pa", "N", "W", "MPa"}
+_ONE = "(?:s|1|m|m2|m3|kg|mol|J|K|Pa|N|W|MPa)"
+# How names of columns end: "kinetic_energy_J_per_m", "left_mass_flow_kg_per_m_s", "time_s"; of probes "p_velocity_x_m/s". One
+# word and no more: "p_concentration_K_mol/m3" is of a species that is called K.
+_ENDING = re.compile(f"(.+?)_((?:N_s|{_ONE})_per_{_ONE}(?:_s)?|{_ONE}|[^_]*/[^_]*)")
 
 
 def name_and_unit(column):
     """("kinetic_energy", "J/m") of "kinetic_energy_J_per_m"; the unit is "" where the column names none."""
-    words = column.split("_")
-    for i in range(1, len(words)):
-        if all(word == "per" or set(word.split("/")) <= UNITS for word in words[i:]):
-            return "_".join(words[:i]), "_".join(words[i:]).replace("_per_", "/").replace("_", " ")
-    return column, ""
+    found = _ENDING.fullmatch(column)
+    if not found:
+        return column, ""
+    above, per, below = found[2].replace("_", " ").partition(" per ")
+    unit = f"{above}/({below})" if " " in below else f"{above}/{below}" if per else above
+    return found[1], unit
+
+
+def _names_of(header):
+    """{column: (name, unit)} of all columns. Where a name without its unit could be two columns, both keep their whole names."""
+    names = {column: name_and_unit(column) for column in header}
+    shared = Counter(name for name, _ in names.values())
+    return {column: (column if shared[name] > 1 or name in names else name, unit) for column, (name, unit) in names.items()}
 
 
 def _numbers(where, line, header):
@@ -21,8 +34,8 @@ def _numbers(where, line, header):
     cells = line.split(",")
     if len(cells) != len(header):
         raise FileTrouble(f"{where}: has {len(cells)} cells, the header has {len(header)}")
-    try:
-        return [float(cell) for cell in cells]
+    try:  # a bar of error_bars.csv may be empty: nothing is known
+        return [float(cell or ("nan" if name.startswith("bar_of_") else "")) for cell, name in zip(cells, header)]
     except ValueError as error:
         raise FileTrouble(f"{where}: {error}; every cell must be a number") from None
 
@@ -30,23 +43,24 @@ def _numbers(where, line, header):
 class History:
     """Numbers over time: a mapping of names to arrays, all as long as the history; SI.
 
-    `history["dissolved_volume"]` and `history["dissolved_volume_m3_per_m"]` are the same column. `units` has the unit
-    of every name. A last line that a running simulation has not finished writing is left out; any other that is not one
-    number per column raises FileTrouble.
+    `history["dissolved_volume"]` and `history["dissolved_volume_m3_per_m"]` are the same column; where two columns differ
+    only in their units ("a_m", "a_N_per_m"), `history["a"]` raises KeyError and the whole names stand. `units` has the
+    unit of every name. A last line that a running simulation has not finished writing is left out; any other that is not one
+    number per column raises FileTrouble, but for empty bars of error_bars.csv, which are NaN.
     """
 
     def __init__(self, path):
-        with open(path, newline="", encoding="utf-8", errors="replace") as file:
-            lines = file.read().split("\n")[:-1]  # what follows the last end of a line is unfinished
+        lines = text_of(path, newline="", errors="replace").split("\n")[:-1]  # what follows the last line's end is unfinished
         if not lines:
             raise FileTrouble(f"{path}: has not even a header")
         header = lines[0].split(",")
+        if twice := [column for column, count in Counter(header).items() if count > 1]:
+            raise FileTrouble(f"{path}: has two columns {twice[0]}")
         data = np.array([_numbers(f"{path}:{n}", line, header) for n, line in enumerate(lines[1:], 2)], dtype=float)
         data = data.reshape(-1, len(header))
         self._column = {}
         self.units = {}
-        for k, column in enumerate(header):
-            name, unit = name_and_unit(column)
+        for k, (column, (name, unit)) in enumerate(_names_of(header).items()):
             self._column[name] = self._column[column] = data[:, k]
             self.units[name] = unit
         self._length = len(data)
@@ -55,7 +69,9 @@ class History:
         try:
             return self._column[name]
         except KeyError:
-            raise KeyError(f"no column {name!r}; there are {', '.join(self)}") from None
+            meant = [column for column in self._column if name_and_unit(column)[0] == name]
+            problem = f"{name!r} may be {' or '.join(meant)}" if meant else f"no column {name!r}; there are {', '.join(self)}"
+            raise KeyError(problem) from None
 
     def __contains__(self, name):
         return name in self._column

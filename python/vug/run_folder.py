@@ -5,8 +5,8 @@ import os
 import pathlib
 import tomllib
 
-from .errors import FileTrouble
-from .field import Field
+from .errors import FileTrouble, text_of
+from .field import Field, attribute_of, values_of
 from .history import History
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # a run under way may be looked at
@@ -23,11 +23,12 @@ def open_file(path):
 
 
 def group_of(file, name):
-    """A group of a file, which may be a link to a file of its own: of one that is lost or damaged h5py says KeyError."""
+    """A group or dataset of a file, or of a group, which may be a link to a file of its own: of one that is lost or damaged
+    h5py says KeyError."""
     try:
         return file[name]
     except (KeyError, OSError) as error:
-        raise FileTrouble(f"{file.filename}: {name}: {error.args[0]}") from None
+        raise FileTrouble(f"{file.file.filename}: {name}: {error.args[0]}") from None
 
 
 class Fields:
@@ -39,7 +40,7 @@ class Fields:
     def __getitem__(self, name):
         if name not in self._group:
             raise KeyError(f"no field {name!r}; there are {', '.join(self._group)}")
-        return Field(name, self._group[name])
+        return Field(name, group_of(self._group, name))
 
     def __iter__(self):
         return iter(self._group)
@@ -60,12 +61,12 @@ class Rock:
 
     def __init__(self, group, bond_triangles=None):
         self._bond_triangles = bond_triangles
-        self.triangles = Fields(group["triangles"])
-        self.bonds = Fields(group["bonds"]) if "bonds" in group else {}
+        self.triangles = Fields(group_of(group, "triangles"))
+        self.bonds = Fields(group_of(group, "bonds")) if "bonds" in group else {}
 
     @property
     def bond_triangles(self):
-        return None if self._bond_triangles is None else self._bond_triangles[...]
+        return None if self._bond_triangles is None else values_of(self._bond_triangles)
 
 
 class Snapshot(Fields):
@@ -75,8 +76,8 @@ class Snapshot(Fields):
     def __init__(self, group, rock, minerals=()):
         super().__init__(group)
         self.minerals = minerals
-        self.time = float(group.attrs["time"])
-        self.step = int(group.attrs["step"])
+        self.time = float(attribute_of(group, "time"))
+        self.step = int(attribute_of(group, "step"))
         self.rock = rock
 
     def __repr__(self):
@@ -84,8 +85,15 @@ class Snapshot(Fields):
 
 
 def record_of(directory):
-    """run.json of a directory."""
-    return json.loads((pathlib.Path(directory) / "run.json").read_text(encoding="utf-8"))
+    """run.json of a directory. Raises FileTrouble where it is lost, or is no JSON."""
+    path = pathlib.Path(directory) / "run.json"
+    try:
+        record = json.loads(text_of(path))
+    except ValueError as error:
+        raise FileTrouble(f"{path}: is damaged: {error}") from None
+    if not isinstance(record, dict):
+        raise FileTrouble(f"{path}: is damaged: holds no table")
+    return record
 
 
 class Run:
@@ -122,12 +130,22 @@ class Run:
     @property
     def status(self):
         """"done", "interrupted", "diverged", "failed" or "running"."""
-        return self.record["status"]
+        return self._recorded("status")
+
+    def _recorded(self, name):
+        """An entry of run.json. Raises FileTrouble where it has none."""
+        try:
+            return self.record[name]
+        except KeyError:
+            raise FileTrouble(f"{self.directory / 'run.json'}: is damaged: has no {name!r}") from None
 
     @property
     def case(self):
         """The tables of its case file, as they were read; what --set has changed is in record["overrides"]."""
-        return tomllib.loads(self.record["case_text"])
+        try:
+            return tomllib.loads(self._recorded("case_text"))
+        except (ValueError, TypeError) as error:
+            raise FileTrouble(f"{self.directory / 'run.json'}: is damaged: case_text: {error}") from None
 
     @functools.cached_property
     def minerals(self):
@@ -144,14 +162,18 @@ class Run:
     @property
     def times(self):
         """Of the snapshots, s."""
-        return [float(group_of(self._fields, name).attrs["time"]) for name in self._names]
+        return [float(attribute_of(group_of(self._fields, name), "time")) for name in self._names]
 
     def __len__(self):
         return len(self._names)
 
     def __getitem__(self, index):
-        """The snapshot of that number; -1 is the last."""
-        name = self._names[index]
+        """The snapshot of that number; -1 is the last. Of a slice a list of them."""
+        if isinstance(index, slice):
+            return [self._snapshot(name) for name in self._names[index]]
+        return self._snapshot(self._names[index])
+
+    def _snapshot(self, name):
         fields = group_of(self._fields, name)
         rock = group_of(self._rock, name) if self._rock is not None and name in self._rock else None
         if rock is None or "triangles" not in rock:

@@ -1,10 +1,11 @@
 """What `vug sweep` has left behind, opened."""
 import csv
+import io
 import pathlib
 
 import numpy as np
 
-from .errors import FileTrouble
+from .errors import FileTrouble, text_of
 from .run_folder import Run
 
 
@@ -29,8 +30,7 @@ class Study:
         path = self.directory / "table.csv"
         if not path.exists():
             raise FileTrouble(f"{path}: there is no such file; is {directory} the directory of a study?")
-        with open(path, newline="", encoding="utf-8") as file:
-            lines = list(csv.reader(file))
+        lines = list(csv.reader(io.StringIO(text_of(path, newline=""))))
         if not lines:
             raise FileTrouble(f"{path}: has not even a header")
         header, *rows = lines
@@ -43,8 +43,7 @@ class Study:
 
     @property
     def failures(self):
-        with open(self.directory / "failures.csv", newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+        return list(csv.DictReader(io.StringIO(text_of(self.directory / "failures.csv", newline=""))))
 
     def run(self, index):
         """The run in that row."""

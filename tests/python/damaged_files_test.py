@@ -12,6 +12,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "python"))
 os.chdir(root)
 
+import h5py
 import vug
 
 
@@ -42,6 +43,37 @@ class Plot(unittest.TestCase):
         self.require("fields.h5: step_000000000010: ")
         os.truncate(self.folder / "run/fields.h5", 300)
         self.require("fields.h5: ")
+
+    def test_blocks_of_fields(self):
+        with h5py.File(self.snapshot("fields")) as file:
+            name = next(iter(file))
+            group = file[name] if isinstance(file[name], h5py.Group) else file
+            at = group["pressure"].id.get_chunk_info(0) if group["pressure"].chunks else None
+        with open(self.snapshot("fields"), "r+b") as file:
+            file.seek(at.byte_offset)
+            file.write(bytes(at.size))
+        self.require("/fields/step_[0-9]*.h5: .*pressure: ")
+        with vug.open(self.folder / "run") as run:
+            for read in (lambda: run[-1]["pressure"].values, lambda: run[-1]["pressure"][0, 0]):
+                with self.assertRaisesRegex(vug.FileTrouble, r"\A[^\n]*fields/step_[0-9]*.h5: [^\n]*\Z"):
+                    read()
+
+    def test_python_names_the_file(self):
+        def refused(what, read):
+            with vug.open(self.folder / "run") as run, self.assertRaisesRegex(vug.FileTrouble, rf"\A[^\n]*{what}[^\n]*\Z"):
+                read(run)
+
+        record = self.folder / "run/run.json"
+        for text, why in (("{", "is damaged"), ("[]", "is damaged: holds no table"), ("{}", "has no 'status'"), (b"\xff", "no UTF-8")):
+            record.write_bytes(text if isinstance(text, bytes) else text.encode())
+            refused(f"run.json: .*{why}", lambda run: run.status)
+            refused("run.json: ", lambda run: run.case)
+        record.write_text('{"case_text": "["}')
+        refused("run.json: is damaged: case_text", lambda run: run.case)
+        record.unlink()
+        refused("run.json: No such file", lambda run: run.record)
+        (self.folder / "run/history.csv").unlink()
+        refused("history.csv: No such file", lambda run: run.history)
 
     def test_tables(self):
         (self.folder / "run/history.csv").write_text("")

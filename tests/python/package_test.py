@@ -52,6 +52,50 @@ class OpenRuns(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "dissolved_volume"):
             history["disolved_volume"]
 
+    def test_species_and_probes_may_be_called_as_units_are(self):
+        names = ["K", "Pa", "m", "tracer_1"]
+        run = self.run_case("cases/poiseuille.toml", {
+            "solute": {"species": [{"name": name, "diffusivity": 1e-9, "initial": k + 1} for k, name in enumerate(names)]},
+            "output.probes": [{"name": "at_N", "at": [1e-4, 1e-4]}]}, steps=2)
+        history = run.history
+        with open(run.directory / "history.csv") as file:
+            header = file.readline().strip().split(",")
+        self.assertEqual(len(history.units), len(header))
+        for k, name in enumerate(names):
+            np.testing.assert_allclose(history[f"at_N_concentration_{name}"], k + 1)
+            self.assertEqual(history.units[f"at_N_concentration_{name}"], "mol/m3")
+            np.testing.assert_array_equal(history[f"{name}_stored"], history[f"{name}_stored_mol_per_m"])
+        self.assertEqual(history.units["at_N_velocity_x"], "m/s")
+
+    def test_names_without_units_are_of_one_column(self):
+        path = self.folder / "history.csv"
+        path.write_text("time_s,right_flow_kg_per_m_s,p_x_N_s_per_m,a_m,a_N_per_m,b_m,b_m_m\n0,1,2,3,4,5,6\n")
+        history = vug.History(path)
+        self.assertEqual(history.units, {"time": "s", "right_flow": "kg/(m s)", "p_x": "N s/m", "a_m": "m", "a_N_per_m": "N/m",
+                                         "b": "m", "b_m_m": "m"})
+        self.assertEqual([history[name][0] for name in ("a_m", "a_N_per_m", "b", "b_m", "b_m_m")], [3, 4, 5, 5, 6])
+        with self.assertRaisesRegex(KeyError, "'a' may be a_m or a_N_per_m"):
+            history["a"]
+        path.write_text("time_s,a_m,a_m\n")
+        with self.assertRaisesRegex(vug.FileTrouble, "history.csv: has two columns a_m"):
+            vug.History(path)
+
+    def test_bars_may_be_unknown(self):
+        path = self.folder / "error_bars.csv"
+        path.write_text("time_s,a_m,bar_of_a_m\n0,1,\n")
+        self.assertTrue(np.isnan(vug.History(path)["bar_of_a"][0]))
+        path.write_text("time_s,a_m,bar_of_a_m\n0,,1\n")
+        with self.assertRaisesRegex(vug.FileTrouble, "error_bars.csv:2: .*must be a number"):
+            vug.History(path)
+
+    def test_a_run_is_a_sequence(self):
+        run = self.run_case("cases/poiseuille.toml", {"output.interval_steps": 2}, steps=6)
+        self.assertEqual([snapshot.step for snapshot in run[1:]], [2, 4, 6])
+        self.assertEqual([snapshot.step for snapshot in run[::-2]], [6, 2])
+        self.assertEqual(run[4:], [])
+        with self.assertRaises(IndexError):
+            run[4]
+
     def test_only_the_end_of_a_history_may_be_torn(self):
         path = self.folder / "history.csv"
         path.write_text("time_s,a_m\n0,1\n1,2\n2,")

@@ -6,9 +6,10 @@
     vug.plot.overview(run[-1], "overview.png")
     vug.plot.topic(run.history, "acid", "acid.png")
 """
-from .fields import Frame, draw_panel, field, overview, overview_figure, panels_of
+from .fields import field, overview, overview_figure, panels_of
 from .histories import draw_curves, histories, topic, topics_of
 from .movie import movie
+from .panel import Frame, draw_panel
 from .studies import draw_result, regime_map
 
 __all__ = ["Frame", "draw_curves", "draw_panel", "draw_result", "field", "histories", "movie", "overview",

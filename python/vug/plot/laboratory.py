@@ -6,7 +6,9 @@ from matplotlib import pyplot as plt
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 
+from ..field import attribute_of, values_of
 from ..history import History
+from ..run_folder import group_of
 from .style import save, tidy
 
 CM, MPA, PERCENT, MM = 100, 1e-6, 100, 1e3  # of m, Pa, 1, m
@@ -77,16 +79,16 @@ def outline_of(numbers, places):
 
 def plot_cracks(particles, step, folder, suffix, heading):
     """The specimen where it is now, its outline, and its bonds by what became of them."""
-    group = particles[step]
-    places = CM * group["triangles/vertices"][:, :2].reshape(-1, 3, 2)
-    ends = CM * group["bonds/vertices"][:, :2].reshape(-1, 2, 2)
-    state = np.rint(group["bonds/state"][:]).astype(int)
+    group = group_of(particles, step)
+    places = CM * values_of(group_of(group, "triangles/vertices"))[:, :2].reshape(-1, 3, 2)
+    ends = CM * values_of(group_of(group, "bonds/vertices"))[:, :2].reshape(-1, 2, 2)
+    state = np.rint(values_of(group_of(group, "bonds/state"))).astype(int)
     low, high = places.min(axis=(0, 1)), places.max(axis=(0, 1))
     width, height = high - low
     tall = 6.5 if height > width else 1.6 + 6 * height / width
     figure, axes = plt.subplots(figsize=(max(3.6, 1.2 + 5 * min(1, width / height)), tall), constrained_layout=True)
     axes.add_collection(PolyCollection(places, facecolors=ROCK, edgecolors=ROCK, linewidths=0.2))
-    outline = outline_of(particles["rock/triangle_vertex_numbers"][:], places)
+    outline = outline_of(values_of(group_of(particles, "rock/triangle_vertex_numbers")), places)
     axes.add_collection(LineCollection(outline, colors=OUTLINE, linewidths=0.8))
     handles = []
     for label, states, colour, line_width in KINDS:
@@ -101,7 +103,7 @@ def plot_cracks(particles, step, folder, suffix, heading):
     axes.set_aspect("equal")
     axes.set_xlabel("x / cm")
     axes.set_ylabel("y / cm")
-    axes.set_title(f"{heading}bonds at t = {1e3 * float(group.attrs['time']):.3g} ms", fontsize=10)
+    axes.set_title(f"{heading}bonds at t = {1e3 * float(attribute_of(group, 'time')):.3g} ms", fontsize=10)
     if handles:
         axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=7, frameon=False,
                     ncol=1 if height > width else len(handles))

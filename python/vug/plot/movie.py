@@ -2,6 +2,7 @@
 from matplotlib import animation
 from matplotlib import pyplot as plt
 
+from ..errors import VugError
 from . import cracks, fields
 from .style import readable
 
@@ -17,22 +18,31 @@ def scales_of(run, names, creeping=None):
     return scales
 
 
+def _differ(first, last):
+    """Of values of two snapshots; triangles may have dissolved in between."""
+    return first.shape != last.shape or (first != last).any()
+
+
 def movie(run, path, heading="", names=None, frames_per_second=8):
     """Writes an animation of the fields `names`, by default the last of the overview's first four that change: a GIF, or
-    what ffmpeg makes of another ending where it is installed."""
+    what ffmpeg makes of another ending where it is installed. Raises VugError where the snapshots hold no such field."""
     last = {panel.name: panel for panel in fields.panels_of(run[-1])}
     creeping = "pressure" in last and last["pressure"].title != "pressure"
     first = {panel.name: panel for panel in fields.panels_of(run[0], creeping)}
-    changing = [name for name in last if (first[name].values != last[name].values).any()] or list(last)
+    if missing := [name for name in names or () if name not in last]:
+        raise VugError(f"no field {missing[0]!r} in {run.directory}; there are {', '.join(last) or 'none'}")
+    changing = [name for name in last if name not in first or _differ(first[name].values, last[name].values)] or list(last)
     names = names or changing[:4]
+    if not names:
+        raise VugError(f"{run.directory}: its snapshots hold no field that could be drawn")
     scales = scales_of(run, names, creeping)
     frame = fields.Frame(run[0])
 
     def draw(figure, snapshot):
         figure.clear()
         chosen = [panel for panel in fields.panels_of(snapshot, creeping) if panel.name in names]
-        columns = 1 if len(chosen) == 1 else 2
-        grid = figure.subplots(-(-len(chosen) // columns), columns, squeeze=False)
+        columns = min(2, len(names))
+        grid = figure.subplots(-(-len(names) // columns), columns, squeeze=False)
         for axes in grid.flat[len(chosen):]:
             axes.set_visible(False)
         for axes, panel in zip(grid.flat, chosen):
@@ -41,7 +51,7 @@ def movie(run, path, heading="", names=None, frames_per_second=8):
         factor, unit = readable("s", run.times[-1])  # one unit for all frames
         figure.suptitle(f"{heading}t = {factor * snapshot.time:.4g} {unit}", fontsize=12)
 
-    columns = 1 if len(names) == 1 else 2
+    columns = min(2, len(names))
     width, height = fields.panel_size(frame.shape, 4.8)
     figure = plt.figure(figsize=(width * columns, height * -(-len(names) // columns) + 0.6), layout="constrained")
     writer = animation.PillowWriter(fps=frames_per_second) if str(path).endswith(".gif") else \

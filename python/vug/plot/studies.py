@@ -67,7 +67,8 @@ def draw_result(axes, study, result):
     means = np.array([values[(x == place[0]) & (y == place[1])].mean() for place in places])
     norm = "log" if _is_logarithmic(means) else "linear"
     columns, lines = np.unique(x), np.unique(y)
-    if min(len(columns), len(lines)) > 1 and 2 * len(places) > len(columns) * len(lines):
+    is_grid = min(len(columns), len(lines)) > 1 and 2 * len(places) > len(columns) * len(lines)
+    if is_grid:
         # a grid, of which some runs may have failed: cells that adjoin
         cells = np.ma.masked_all((len(lines), len(columns)))
         cells[np.searchsorted(lines, places[:, 1]), np.searchsorted(columns, places[:, 0])] = means
@@ -79,7 +80,7 @@ def draw_result(axes, study, result):
         axes.margins(0.12)
     for which, key, along, names, marks in (("x", keys[0], x, x_names, columns), ("y", keys[1], y, y_names, lines)):
         _axis(axes, which, key, along)
-        if names or len(marks) <= 7:
+        if names or (is_grid and len(marks) <= 7):  # the places of samples would lie one upon the other
             axis = getattr(axes, f"{which}axis")
             axis.set_ticks(marks, labels=names or [f"{mark:.6g}" for mark in marks])
             axis.set_ticks([], minor=True)

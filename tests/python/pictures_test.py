@@ -1,0 +1,108 @@
+"""Pictures of what runs may hold: openings, gauge pressure alone, rock alone, nothing on the lattice, sampled studies."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+root = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(root / "python"))
+os.chdir(root)
+
+import h5py
+import matplotlib
+
+matplotlib.use("Agg")
+import numpy as np
+import vug
+import vug.plot
+from matplotlib import pyplot as plt
+
+SMALL_ROCK = "tests/cases/coupled/small_rock.toml"
+
+
+def snapshot_of(fields):
+    """A snapshot that holds these fields of the lattice, and no rock."""
+    group = h5py.File("made-up", "w", driver="core", backing_store=False).create_group("step_0")
+    group.attrs.update(time=0.5, step=1)
+    for name, values in fields.items():
+        group.create_dataset(name, data=np.asarray(values, dtype=float)).attrs.update(units=b"1", time=0.5, dx=1e-3, origin=[0, 0])
+    return vug.Snapshot(group, None)
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_rock(self, fields):
+        run = vug.run(SMALL_ROCK, self.folder / "run", {"output.fields": fields, "output.interval": 2.5e-5}, steps=20)
+        self.addCleanup(run.close)
+        return run
+
+    def plot(self, *options):
+        return subprocess.run([sys.executable, "scripts/plot", self.folder / "run", *options], capture_output=True, text=True)
+
+    def pictures(self):
+        return {path.name for path in (self.folder / "run/figures").iterdir()}
+
+    def test_openings_are_no_rock_and_hold_no_fluid(self):
+        snapshot = snapshot_of({"node_type": [[0, 1, 2]], "pressure": [[1, 2, 3]]})
+        panels = {panel.name: panel for panel in vug.plot.panels_of(snapshot)}
+        self.assertEqual(panels["rock"].values.tolist(), [[0, 1, 0]])
+        self.assertEqual(panels["pressure"].values.mask.tolist(), [[False, True, True]])
+
+    def test_gauge_pressure_alone_is_drawn(self):
+        snapshot = snapshot_of({"gauge_pressure": [[1, 2, 4]]})
+        panel, = vug.plot.panels_of(snapshot)
+        self.assertEqual((panel.name, panel.title, panel.high), ("gauge_pressure", "gauge pressure", 4))
+        self.assertGreater(vug.plot.overview(snapshot, self.folder / "overview.png").stat().st_size, 5000)
+
+    def test_rock_alone_shows_its_triangles(self):
+        run = self.run_rock(["displacement", "stress_xx"])
+        last = run[-1]
+        moved, stress = vug.plot.panels_of(last)
+        self.assertEqual((moved.name, stress.name), ("displacement", "stress_xx"))
+        np.testing.assert_allclose(moved.values, np.linalg.norm(last.rock.triangles["displacement"].values, axis=1))
+        self.assertEqual(stress.low, -stress.high)
+        figure, axes = plt.subplots()
+        frame = vug.plot.Frame(last)
+        drawn = vug.plot.draw_panel(axes, stress, frame)
+        self.assertEqual(len(drawn.get_paths()), last.rock.triangles["stress_xx"].shape[0])
+        corners = frame.scale * last.rock.triangles["vertices"].values[:3, :2]
+        np.testing.assert_allclose(drawn.get_paths()[0].vertices[:3], corners)
+        plt.close(figure)
+        done = self.plot("--movie")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertLessEqual({"displacement.png", "stress_xx.png", "overview.png", "movie.gif", "history_heat.png"}, self.pictures())
+
+    def test_histories_are_drawn_where_no_field_can_be(self):
+        run = self.run_rock(["rotation"])
+        for draw, to in ((vug.plot.overview, run[-1]), (vug.plot.movie, run)):
+            with self.assertRaisesRegex(vug.VugError, r"\A[^\n]*no field that could be drawn[^\n]*\Z"):
+                draw(to, self.folder / "picture.gif")
+        with self.assertRaisesRegex(vug.VugError, "no field 'speed'"):
+            vug.plot.movie(run, self.folder / "picture.gif", names=["speed"])
+        done = self.plot("--movie")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"\Aplot: .*no field that could be drawn.*\n\Z")
+        self.assertIn("history_heat.png", self.pictures())
+
+    def test_labels_of_a_few_samples_do_not_overlap(self):
+        samples = "".join(f"{k:04},{x},{y},{k}\n" for k, (x, y) in enumerate([(1.0123456, 1), (1.0223456, 5), (1.03, 3), (1.9, 2)]))
+        (self.folder / "table.csv").write_text("run,flow.density,flow.viscosity,volume_m3\n" + samples)
+        figure, axes = plt.subplots(figsize=(4.8, 3.8))
+        vug.plot.draw_result(axes, vug.Study(self.folder), "volume_m3")
+        figure.canvas.draw()
+        boxes = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
+        self.assertGreater(len(boxes), 2)
+        for left, right in zip(boxes, boxes[1:]):
+            self.assertLess(left.x1, right.x0)
+        plt.close(figure)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
