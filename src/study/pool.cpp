@@ -1,6 +1,7 @@
 #include "study/pool.hpp"
 
 #include "host/interruption.hpp"
+#include "io/message.hpp"
 #include "io/progress.hpp"
 #include "kernels/base/require.hpp"
 
@@ -20,25 +21,43 @@ namespace vug {
 
 namespace {
 
-/// Of the child, between fork and exec: calls that a signal handler may use, and nothing else.
-[[noreturn]] void become(char* const* words, const char* log, pid_t parent) {
-  const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND, 0666);
+/// A job as a child can become it with calls that a signal handler may use, and nothing else.
+struct Call {
+  explicit Call(const Job& job) : words(job.words), log(job.log), complaint(one_line(words[0]) + ": cannot be run: ") {
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    for (int number = 0; number < 256; ++number) reasons.push_back(std::strerror(number) + std::string("\n"));
+  }
+  std::vector<std::string> words;
+  std::vector<char*> pointers;
+  std::string log, complaint;
+  std::vector<std::string> reasons;  ///< (errno)
+};
+
+void say(const std::string& text) {
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // there is nobody else to be told
+}
+
+/// Of the child, between fork and exec.
+[[noreturn]] void become(const Call& call, pid_t parent) {
+  const int file = ::open(call.log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
   if (file >= 0) {
     ::dup2(file, STDOUT_FILENO);
     ::dup2(file, STDERR_FILENO);
   }
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() == parent) ::execv(words[0], words);
+  if (::getppid() != parent) ::_exit(127);
+  ::execv(call.pointers[0], call.pointers.data());
+  const auto why = static_cast<std::size_t>(errno);
+  say(call.complaint);
+  say(call.reasons[why % call.reasons.size()]);
   ::_exit(127);
 }
 
 pid_t begin(const Job& job) {
-  std::vector<std::string> words = job.words;
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  const Call call(job);
   const pid_t self = ::getpid(), child = ::fork();
-  if (child == 0) become(pointers.data(), job.log.c_str(), self);
+  if (child == 0) become(call, self);
   if (child < 0) throw FileError(job.words[0] + ": cannot begin a process: " + std::strerror(errno));
   return child;
 }

@@ -23,7 +23,8 @@ struct Ended {
 /// Runs all jobs, `at_once` at a time in their order, and tells of each when it has ended. When the process is asked to
 /// stop, so are the jobs, and no more are begun; when it is killed, the system stops the jobs. `look` is asked again
 /// and again of every job that runs, at last when it has ended, until it says that it has seen enough; what it throws
-/// stops all jobs and is thrown when they have ended. Throws FileError when a process cannot be begun.
+/// stops all jobs and is thrown when they have ended. A program that cannot be run ends with 127, and its log says why.
+/// Throws FileError when a process cannot be begun.
 void run_jobs(
     const std::vector<Job>& jobs, int at_once, const std::function<void(const Ended&)>& tell,
     const std::function<bool(std::size_t)>& look = [](std::size_t) { return true; });

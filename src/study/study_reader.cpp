@@ -2,6 +2,7 @@
 #include "io/detail/input_file.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/toml_cursor.hpp"
+#include "io/message.hpp"
 #include "kernels/base/require.hpp"
 #include "study/study.hpp"
 
@@ -57,7 +58,7 @@ StudyKey read_key(const TomlDocument& document, const TomlCursor& table, int ind
   StudyKey key;
   table.need("key", key.key);
   const std::string path = fmt::format("study.keys.{}", index);
-  if (key.key.find('=') != std::string::npos || key.key.empty())
+  if (key.key.find_first_of("= \t") != std::string::npos || key.key.find('.') == std::string::npos)
     table.fail("key", "must be a key of the case, such as reaction.damkohler");
   if (const toml::node* values = document.find(path + ".values")) {
     const auto* array = values->as_array();
@@ -88,6 +89,19 @@ StudyKey read_key(const TomlDocument& document, const TomlCursor& table, int ind
   if (!hypercube && !count) table.fail("count", "is missing; it says how many values lie from ... to");
   if (count) key.values = spread(key, *count);
   return key;
+}
+
+/// Where a later key sets what an earlier one has set, only one value takes effect, and the table would show both.
+void require_different_keys(const TomlDocument& document, const Study& study) {
+  for (std::size_t later = 0; later < study.keys.size(); ++later)
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      const std::string &key = study.keys[later].key, &before = study.keys[earlier].key;
+      if (before != key && !before.starts_with(key + ".")) continue;
+      document.fail_at(fmt::format("study.keys.{}.key", later),
+                       fmt::format("study.keys.{}.key = \"{}\" sets what study.keys.{}.key = \"{}\" has set; each key "
+                                   "must be another",
+                                   later, excerpt(key), earlier, excerpt(before)));
+    }
 }
 
 }  // namespace
@@ -123,6 +137,7 @@ Study read_study(const std::string& path) {
                 {"key", "values", "seeds", "from", "to", "count", "scale"});
     study.keys.push_back(read_key(document, element, index++, study.sampling));
   }
+  require_different_keys(document, study);
   if (study.keys.empty()) table.fail("keys", "is missing; a study needs at least one [[study.keys]]");
   double runs = study.sampling == Sampling::grid ? 1 : 0;
   for (const StudyKey& key : study.keys) {

@@ -3,6 +3,7 @@
 
 #include "kernels/base/require.hpp"
 #include "study/members.hpp"
+#include "study/pool.hpp"
 #include "unit/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -87,6 +88,24 @@ TEST(Study, SaysInOneLineWhatIsWrong) {
               ::testing::AllOf(HasSubstr("run 0002"), HasSubstr("flow.viscosity")));
   EXPECT_THAT(refusal("[[study.keys]]\nkey = \"flow.viscositty\"\nvalues = [1]\n"), HasSubstr("did you mean"));
   EXPECT_EQ(refusal(key + "values = [1e-6]\n"), "accepted");
+  EXPECT_THAT(
+      refusal(key + "values = [1e-6]\n" + key + "values = [2e-6]\n"),
+      HasSubstr("study.keys.1.key = \"flow.viscosity\" sets what study.keys.0.key = \"flow.viscosity\" has set"));
+  const std::string side = "[[study.keys]]\nkey = \"boundary.left.flow\"\nvalues = [1]\n";
+  EXPECT_THAT(refusal("[[study.keys]]\nkey = \"boundary.left.flow.pressure\"\nvalues = [1]\n" + side),
+              HasSubstr("study.keys.1.key = \"boundary.left.flow\" sets what"));
+  EXPECT_THAT(refusal("[[study.keys]]\nkey = \"heat\"\nvalues = [1]\n"), HasSubstr("must be a key of the case"));
+}
+
+TEST(Pool, SaysInTheLogWhyAProgramCannotBeRun) {
+  const test::TemporaryFolder folder;
+  const std::string nothing = folder / "nothing", log = folder / "a.log";
+  int code = 0;
+  run_jobs({{{nothing}, log}, {{"/bin/true", std::string(1 << 18, 'x')}, folder / "b.log"}}, 1,
+           [&](const Ended& ended) { code += ended.code; });
+  EXPECT_EQ(code, 2 * 127);
+  EXPECT_EQ(test::contents(log), nothing + ": cannot be run: No such file or directory\n");
+  EXPECT_EQ(test::contents(folder / "b.log"), "/bin/true: cannot be run: Argument list too long\n");
 }
 
 }  // namespace
