@@ -94,14 +94,29 @@ bool has_a_bar(std::string_view name) {
   return !name.ends_with("_1") && name != "time_s" && name.find("_initial_") == std::string_view::npos;
 }
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 ErrorBar bar_of(double value, std::span<const double> twins, double ratio) {
   // halved intervals: what is left is of first order, e = 2 (value - finer), a quarter more as for lattices
   if (ratio == 0) return {2.5 * std::abs(value - twins[0]), std::nullopt, Convergence::unknown};
   return error_bar(value, twins[0], twins.size() > 1 ? std::optional(twins[1]) : std::nullopt, ratio);
 }
 
-const char* remark(Convergence convergence) {
-  switch (convergence) {
+/// A single twin that has the same bits says that nothing it varies changes the amount, not that the amount is right.
+/// At the start both have what the case gives; not so where no row differs, as of the elastic energy after a preload.
+void forget_agreement(const std::vector<double>& value, const TimeTable& twin, const std::vector<double>& time,
+                      std::vector<double>& bar) {
+  bool any = false;
+  for (std::size_t k = bar.size(); k-- > 0;) {
+    const bool differs = value[k] != twin.at(time[k]);
+    any = any || differs;
+    if (!differs && (k > 0 || !any)) bar[k] = unknown;
+  }
+}
+
+const char* remark(const ErrorBar& error) {
+  if (std::isnan(error.bar)) return "no bar: the one comparison agrees, nothing it varies changes this";
+  switch (error.convergence) {
     case Convergence::monotone:
       return "";
     case Convergence::oscillating:
@@ -117,11 +132,13 @@ const char* remark(Convergence convergence) {
 std::string report(const ErrorBars& bars) {
   std::string text = fmt::format("{:<52} {:>12} {:>9} {:>8} {:>6}\n", "at the end", "value", "+-", "", "order");
   for (const BarOfColumn& column : bars.last) {
+    const bool known = !std::isnan(column.error.bar);
+    const std::string bar = known ? fmt::format("{:.2g}", column.error.bar) : "-";
     const std::string percent =
-        column.value != 0 ? fmt::format("{:.2g} %", 100 * column.error.bar / std::abs(column.value)) : "";
+        known && column.value != 0 ? fmt::format("{:.2g} %", 100 * column.error.bar / std::abs(column.value)) : "";
     const std::string order = column.error.order ? fmt::format("{:.1f}", *column.error.order) : "";
-    text += fmt::format("{:<52} {:>12.5g} {:>9.2g} {:>8} {:>6}  {}\n", column.name, column.value, column.error.bar,
-                        percent, order, remark(column.error.convergence));
+    text += fmt::format("{:<52} {:>12.5g} {:>9} {:>8} {:>6}  {}\n", column.name, column.value, bar, percent, order,
+                        remark(column.error));
   }
   return text;
 }
@@ -133,6 +150,7 @@ void write(const ErrorBars& bars, const std::string& path) {
     header.push_back("bar_of_" + name);
   }
   HistoryWriter file(path, header);
+  file.leave_unknown_empty();
   std::vector<double> row(header.size());
   for (std::size_t k = 0; k < bars.time.size(); ++k) {
     row[0] = bars.time[k];
@@ -169,6 +187,8 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
       last = bar_of(run.values[c][k], others, ratio);
       bar.push_back(last.bar);
     }
+    if (twins.size() == 1) forget_agreement(run.values[c], of_twins[0], bars.time, bar);
+    if (!bar.empty()) last.bar = bar.back();
     bars.names.push_back(name);
     bars.value.push_back(run.values[c]);
     bars.bar.push_back(std::move(bar));

@@ -39,7 +39,8 @@ struct BarOfColumn {
 };
 
 /// Bars of `run` at every one of its rows from the histories of its twins, values[c][row] of the columns in `names`
-/// (those of both that are amounts; not counts, nor errors of balances), and what is known at the end.
+/// (those of both that are amounts; not counts, nor errors of balances), and what is known at the end. A bar is NaN
+/// where the only twin agrees to the last bit: nothing is known then.
 struct ErrorBars {
   std::vector<std::string> names;
   std::vector<double> time;
@@ -49,9 +50,9 @@ struct ErrorBars {
 ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio);
 
 /// Runs the scene as run_case does, then its twins into DIR/error_bars/, and writes DIR/error_bars.csv: time_s, then
-/// every column of the history with its bar beside it. Twins continue and replace what is there as `options` say.
-/// Returns what is known at the end, one line per column. Throws what run_case throws; a twin that diverges, or is too
-/// fast for its lattice, is left out.
+/// every column of the history with its bar beside it, which is empty where nothing is known. Twins continue and
+/// replace what is there as `options` say. Returns what is known at the end, one line per column. Throws what run_case
+/// throws; a twin that diverges, or is too fast for its lattice, is left out.
 std::string run_with_error_bars(const Scene& scene, const RunOptions& options);
 
 }  // namespace vug

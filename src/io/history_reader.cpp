@@ -8,6 +8,7 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string_view>
 
 namespace vug {
@@ -49,8 +50,12 @@ History read_history(const std::string& path) {
           fmt::format("{}:{}: has {} cells, the header has {}", path, line_number, cells.size(), history.names.size()));
     for (std::size_t c = 0; c < cells.size(); ++c) {
       double value = 0;
-      if (std::from_chars(cells[c].data(), cells[c].data() + cells[c].size(), value).ptr !=
-          cells[c].data() + cells[c].size())
+      if (cells[c].empty() && history.names[c].starts_with("bar_of_")) {  // of error_bars.csv: nothing is known
+        history.values[c].push_back(std::numeric_limits<double>::quiet_NaN());
+        continue;
+      }
+      const char* end = cells[c].data() + cells[c].size();
+      if (cells[c].empty() || std::from_chars(cells[c].data(), end, value).ptr != end)
         throw FileError(fmt::format("{}:{}: {} is not a number", path, line_number, history.names[c]));
       history.values[c].push_back(value);
     }

@@ -17,7 +17,7 @@ struct History {
 };
 
 /// Reads a file that HistoryWriter wrote; a torn last line is left out. Throws FileError where there is none, or where
-/// a cell is no number.
+/// a cell is no number; an empty bar of error_bars.csv is NaN.
 History read_history(const std::string& path);
 
 }  // namespace vug

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -48,7 +49,10 @@ void HistoryWriter::write(std::span<const double> row) {
   if (row.size() != columns_)
     throw FileError(fmt::format("{}: a row of {} numbers for {} columns", path_, row.size(), columns_));
   std::string line;
-  for (const double value : row) line += fmt::format("{}{:.17g}", line.empty() ? "" : ",", value);
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    if (c > 0) line += ',';
+    if (!empty_ || !std::isnan(row[c])) line += fmt::format("{:.17g}", row[c]);
+  }
   line += '\n';
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
     detail::throw_file_error(path_, "write");

@@ -18,6 +18,8 @@ class HistoryWriter {
   HistoryWriter(const std::string& path, const std::vector<std::string>& columns,
                 std::optional<double> resume_time = std::nullopt);
   void write(std::span<const double> row);
+  /// Cells of NaN are left empty from now on.
+  void leave_unknown_empty() { empty_ = true; }
   /// Rows of the file that is continued, without the dropped ones.
   long kept() const { return kept_; }
 
@@ -28,6 +30,7 @@ class HistoryWriter {
   std::string path_;
   std::size_t columns_;
   long kept_ = 0;
+  bool empty_ = false;
   std::unique_ptr<std::FILE, Closer> file_;
 };
 

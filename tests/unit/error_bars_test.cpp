@@ -147,6 +147,21 @@ TEST(ErrorBarsOfRock, AreAQuarterLongerThanTheErrorOfTheirIntervals) {
   EXPECT_NEAR(bars.bar[0][1], 1.25 * std::abs(error), 1e-12);
 }
 
+/// What no twin has varied is not known to be exact.
+TEST(ErrorBarsOfRock, AreNoneWhereTheOnlyTwinAgrees) {
+  const History run{{"time_s", "a_m", "b_m"}, {{0, 1, 2}, {1, 2, 3}, {1, 2, 3}}};
+  const History twin{{"time_s", "a_m", "b_m"}, {{0, 1, 2}, {1, 2, 3}, {1, 2.5, 3}}};
+  for (const double ratio : {0.0, 2.0}) {
+    const ErrorBars bars = find_error_bars(run, {twin}, ratio);
+    for (const double bar : bars.bar[0]) EXPECT_TRUE(std::isnan(bar));
+    EXPECT_TRUE(std::isnan(bars.last[0].error.bar));
+    EXPECT_EQ(bars.bar[1][0], 0);  // the start is that of the case
+    EXPECT_GT(bars.bar[1][1], 0);
+    EXPECT_TRUE(std::isnan(bars.bar[1][2])) << "the two crossed";
+  }
+  EXPECT_EQ(find_error_bars(run, {run, run}, 2).bar[0][2], 0) << "three lattices that agree say more";
+}
+
 TEST(ErrorBarsOfRock, StandBesideItsHistory) {
   const test::TemporaryFolder folder;
   RunOptions options;
@@ -155,6 +170,7 @@ TEST(ErrorBarsOfRock, StandBesideItsHistory) {
   overrides.insert(overrides.end(), {"time.steps=30", "output.interval=2.5e-5"});
   const std::string report = run_with_error_bars(read_scene(rock_file, overrides), options);
   EXPECT_NE(report.find("one comparison only"), std::string::npos) << report;
+  EXPECT_NE(report.find("-                  no bar: the one comparison agrees"), std::string::npos) << report;
   const History run = read_history(options.directory + "/history.csv");
   const History finer = read_history(options.directory + "/error_bars/finer/history.csv");
   const History bars = read_history(options.directory + "/error_bars.csv");

@@ -1,12 +1,15 @@
 #include "io/history_writer.hpp"
 
+#include "io/history_reader.hpp"
 #include "kernels/base/require.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace vug {
 namespace {
@@ -26,6 +29,21 @@ TEST(HistoryWriter, KeepsEveryBitOfANumber) {
   EXPECT_EQ(text.substr(0, text.find('\n')), "time_s,mass_kg");
   EXPECT_EQ(std::strtod(row.c_str(), nullptr), third);
   EXPECT_EQ(std::strtod(row.c_str() + row.find(',') + 1, nullptr), tiny);
+}
+
+// Only of error_bars.csv, and only its bars: of a history a number that is none stays one.
+TEST(HistoryWriter, LeavesUnknownBarsEmpty) {
+  const test::TemporaryFolder folder;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const bool empty : {true, false}) {
+    HistoryWriter history(folder / "a.csv", {"time_s", "bar_of_a_m"});
+    if (empty) history.leave_unknown_empty();
+    history.write(std::vector<double>{0, nan});
+    EXPECT_EQ(test::contents(folder / "a.csv"), empty ? "time_s,bar_of_a_m\n0,\n" : "time_s,bar_of_a_m\n0,nan\n");
+    EXPECT_TRUE(std::isnan(read_history(folder / "a.csv").values[1][0]));
+  }
+  test::write_text(folder / "b.csv", "time_s,a_m\n0,\n");
+  EXPECT_THROW(read_history(folder / "b.csv"), FileError);
 }
 
 TEST(HistoryWriter, ContinuesWithoutLaterRowsAndTornLines) {
