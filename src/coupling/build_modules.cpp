@@ -138,6 +138,7 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const
     geometry.mineral = mineral_field(geometry.lattice, parts->rock->mineral);
   } else {
     DrawnRock drawn = drawn_rock(scene);
+    parts->warning = drawn.warning;
     const std::vector<int> opening = opening_of_nodes(scene);
     geometry.type = node_types(geometry.lattice, drawn.solid, opening);
     for (std::size_t n = 0; n < opening.size(); ++n)

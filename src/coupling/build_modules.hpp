@@ -18,6 +18,7 @@ struct Parts {
   LatticeUnits units;
   Geometry geometry;
   std::optional<Rock> rock;
+  std::string warning;  ///< of the picture that the rock was read from; empty without
   /// In the order of a step: a module sees what those above did in this step and those below in the last.
   std::vector<std::unique_ptr<Module>> modules;
   std::unique_ptr<PoreGrowth> growth;    ///< null where no node can turn fluid

@@ -142,6 +142,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   require_fields(simulation.fields(), scene.output.fields);
   require_distinct_columns(scene, simulation);
   report.warnings = scene.warnings;
+  if (!parts.warning.empty()) report.warnings.push_back(parts.warning);
   if (parts.rock)
     if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
       report.warnings.push_back(*remark);

@@ -153,6 +153,14 @@ Point centre_of(const Polygon& polygon) {
   return twice_area == 0 ? o : Point{o[0] + x / twice_area, o[1] + y / twice_area};
 }
 
+/// What to warn of where a picture shows no rock at all.
+std::string without_rock(const ImageSection& image, const ImageSummary& found) {
+  return fmt::format(
+      "{}: has values {:g} ... {:g}, and {} no rock of any of them: all is pore", image.file, found.least,
+      found.largest,
+      image.labelled() ? "geometry.solid_labels make" : "geometry.grey_range, threshold and invert make");
+}
+
 }  // namespace
 
 std::vector<int> opening_of_nodes(const Scene& scene) {
@@ -213,19 +221,21 @@ DrawnRock drawn_rock(const Scene& scene) {
   if (geometry.kind == GeometryKind::image) {
     SolidImage image = read_solid_image(geometry.image, scene.lattice);
     const bool all_rock = std::find(image.solid.begin(), image.solid.end(), false) == image.solid.end();
+    const bool no_rock = std::find(image.solid.begin(), image.solid.end(), true) == image.solid.end();
     if (all_rock && (scene.flow || scene.solute) && !geometry.image.labelled())  // as of 12 bits taken for 16
       throw InputError(
           fmt::format("{}: has values {:g} ... {:g}, and geometry.grey_range, threshold and invert make "
                       "rock of them all: there is no fluid",
                       geometry.image.file, image.summary.least, image.summary.largest));
-    return {std::move(image.solid), std::move(image.mineral)};
+    return {std::move(image.solid), std::move(image.mineral),
+            no_rock ? without_rock(geometry.image, image.summary) : ""};
   }
   std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,
                           geometry.kind == GeometryKind::shapes && geometry.background == "solid");
-  if (geometry.kind != GeometryKind::shapes) return {std::move(solid), {}};
+  if (geometry.kind != GeometryKind::shapes) return {std::move(solid), {}, ""};
   for (const Shape& shape : geometry.shapes)
     draw(shape.form, scene.lattice, [&](std::size_t n) { solid[n] = shape.solid; });
-  return {std::move(solid), {}};
+  return {std::move(solid), {}, ""};
 }
 
 }  // namespace vug

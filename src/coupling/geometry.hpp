@@ -71,6 +71,7 @@ void for_each_node_in(const Form& form, const LatticeSection& lattice, const std
 struct DrawnRock {
   std::vector<bool> solid;
   std::vector<std::uint8_t> of_label;  ///< the mineral that a label map gives each node; empty without
+  std::string warning;                 ///< of a picture that shows no rock at all; empty otherwise
 };
 DrawnRock drawn_rock(const Scene& scene);
 inline std::vector<bool> solid_mask(const Scene& scene) {

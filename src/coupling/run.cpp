@@ -176,6 +176,7 @@ class Run {
     if (scene_.mechanics && scene_.mechanics->scaling_chosen) progress.note("note: " + mass_scaling_note(scene_));
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     const Parts& parts = simulation_.parts();
+    if (!parts.warning.empty()) progress.note("warning: " + parts.warning);
     if (parts.rock)
       if (const auto remark = remark_on_triangles(parts.rock->assembly, scene_.lattice.spacing))
         progress.note("warning: " + *remark);

@@ -43,6 +43,20 @@ class Launch(unittest.TestCase):
             with self.assertRaisesRegex(vug.CaseError, "is no (value|text)"):
                 vug.check("cases/poiseuille.toml", {"case.name": wrong})
 
+    def test_overrides_may_be_whole_tables(self):
+        minerals = vug.check("cases/minerals.toml", {"mineral": [], "time": {"steps": 7}, "output": {}})
+        self.assertEqual(minerals["steps"], 7)
+        heat = {"fluid_diffusivity": 1e-6, "solid_diffusivity": 1e-6}
+        self.assertIn("heat", {limit["module"] for limit in vug.check("cases/poiseuille.toml", {"heat": heat})["limits"]})
+        with vug.run("cases/minerals.toml", self.folder, {"mineral": [{"name": "salt", "shapes": [
+                {"type": "rectangle", "from": [0, 0], "to": [1e-3, 1e-3]}]}]}, steps=1) as run:
+            self.assertIn("salt_volume_stored", run.history)
+        for wrong in (1, "fast", [1, 2], [heat, 1]):
+            with self.assertRaisesRegex(vug.CaseError, r"--set heat=.*: expected table.key=value, or for a whole table table="):
+                vug.check("cases/poiseuille.toml", {"heat": wrong})
+        with self.assertRaisesRegex(vug.CaseError, 'unknown (key|table) "haet"'):
+            vug.check("cases/poiseuille.toml", {"haet": heat})
+
     def test_a_program_that_is_none_is_one_line(self):
         for place in ("/nonexistent/vug", "/tmp"):
             with mock.patch.dict(os.environ, VUG=place), \

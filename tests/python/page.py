@@ -10,9 +10,13 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "python"))
 os.environ["VUG"] = str(pathlib.Path(os.environ["VUG"]).resolve())
 
+import warnings
+
 import matplotlib
+import vug
 
 matplotlib.use("Agg")
+warnings.filterwarnings("error", ".* is outside ", vug.VugWarning)  # the page mentions none
 page = root / sys.argv[1]
 text = page.read_text(encoding="utf-8")
 session = {}

@@ -177,6 +177,11 @@ TEST(CaseErrors, OverridesAreNamed) {
             "--set time.steps=-1: time.steps = -1 must be a whole number 1 ... 1e+15");
   EXPECT_THAT(message(lattice + time + flow, {"nonsense"}), StartsWith("--set nonsense: expected table.key=value"));
   EXPECT_THAT(message(lattice + time + flow, {"=1"}), HasSubstr("expected table.key=value"));
+  for (const char* no_table : {"time=3", "time=fast", "time=[1, 2]", "time=[{}, 1]"})
+    EXPECT_THAT(message(lattice + time + flow, {no_table}),
+                HasSubstr("expected table.key=value, or for a whole table"));
+  EXPECT_THAT(message(lattice + time + flow, {"time=[]"}), StartsWith("--set time=[]: "));
+  EXPECT_THAT(message(lattice + time + flow, {"haet={ x = 1 }"}), StartsWith("--set haet={ x = 1 }: "));
   EXPECT_THAT(message(lattice + time + flow, {"lattice..size=1"}), HasSubstr("expected table.key=value"));
   EXPECT_THAT(message(lattice + time + flow, {"lattice.size="}), HasSubstr("value is missing"));
   EXPECT_THAT(message(lattice + time + flow, {"lattice.size=[1, 2"}), HasSubstr("not valid TOML"));

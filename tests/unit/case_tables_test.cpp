@@ -258,6 +258,18 @@ TEST(CaseOverrides, ReachTablesElementsAndThingsNotThereYet) {
   EXPECT_EQ(scene.overrides.size(), 7u);
 }
 
+TEST(CaseOverrides, MayBeWholeTables) {
+  const Scene scene =
+      shipped("quickstart.toml", {"time={ steps = 64000 }", "rock.seed=9",
+                                  "mineral=[{ name = \"salt\", shapes = [{ type = \"disc\", centre = [0.05, "
+                                  "0.03], radius = 0.01 }] }]"});
+  EXPECT_EQ(*scene.time.steps, 64000);
+  EXPECT_FALSE(scene.time.end);
+  ASSERT_EQ(scene.minerals.size(), 1u);
+  EXPECT_EQ(scene.minerals[0].name, "salt");
+  EXPECT_TRUE(shipped("minerals.toml", {"mineral=[]"}).minerals.empty());
+}
+
 TEST(CaseOverrides, TheLastOfTwoWins) {
   EXPECT_EQ(*parsed("", {"time.steps=5", "time.steps=7"}).time.steps, 7);
 }

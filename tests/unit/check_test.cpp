@@ -153,6 +153,24 @@ TEST(Check, RemarksOnTrianglesTooSmallForTheLattice) {
   EXPECT_THAT(remarks("rock.element_size=10"), testing::Not(remark));
 }
 
+/// As of a grey_range that is not that of the picture.
+TEST(Check, WarnsOfAPictureWithoutRock) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "a.raw", std::string(12, '\x20') + std::string(4, '\x40'));
+  const std::string text =
+      "[lattice]\nsize = [4, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n[geometry]\ntype = \"image\"\n"
+      "file = \"" +
+      (folder / "a.raw") + "\"\nraw_size = [4, 4]\ngrey_range = [0, 64]\n[flow]\nviscosity = 0.1\n";
+  const auto warnings = [&](const std::vector<std::string>& choices) {
+    return check_case(parse_scene(text, "a.toml", choices)).warnings;
+  };
+  const auto warning = [](const std::string& why) {
+    return testing::Contains(HasSubstr("a.raw: has values 32 ... 64, and " + why + " no rock of any of them"));
+  };
+  EXPECT_THAT(warnings({}), testing::Not(warning("")));
+  EXPECT_THAT(warnings({"geometry.grey_range=[0, 1]"}), warning("geometry.grey_range, threshold and invert make"));
+}
+
 TEST(Check, KnowsTheFieldsThatARunWrites) {
   EXPECT_NO_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocity\"]"})));
   EXPECT_THROW(check_case(parse_scene(obstacle, "a.toml", {"output.fields=[\"velocty\"]"})), InputError);

@@ -1,4 +1,5 @@
-// `--set table.key=value`: a value on the command line in place of the one in the file.
+// `--set table.key=value`: a value on the command line in place of the one in the file; `--set table={...}`: a whole
+// table.
 #include "io/detail/toml_document.hpp"
 #include "io/detail/toml_hazards.hpp"
 #include "io/message.hpp"
@@ -53,6 +54,12 @@ toml::table parsed_value(const std::string& text, const std::string& value) {
   return bare;
 }
 
+/// A table or a list of tables, as they may stand at the top of a case.
+bool is_whole_table(const toml::node& node) {
+  const auto* array = node.as_array();
+  return node.is_table() || (array != nullptr && (array->empty() || array->is_homogeneous<toml::table>()));
+}
+
 toml::node& element(toml::array& array, const std::string& segment, const std::string& text, bool last) {
   if (!is_index(segment)) {
     refuse(text, fmt::format("\"{}\" must be the number of an element, counted from 0", excerpt(segment)));
@@ -97,7 +104,7 @@ Override apply_override(toml::table& root, const std::string& text) {
   const std::string value = trimmed(text.substr(equals + 1));
   const std::vector<std::string> segments = split_key(key);
   const bool nameless = std::any_of(segments.begin(), segments.end(), [](const auto& s) { return s.empty(); });
-  if (nameless || segments.size() < 2) refuse(text, "expected table.key=value");
+  if (nameless) refuse(text, "expected table.key=value");
   if (segments.size() > deepest) refuse(text, "no key lies that deep");
   if (value.empty()) refuse(text, "the value is missing, expected table.key=value");
 
@@ -105,6 +112,8 @@ Override apply_override(toml::table& root, const std::string& text) {
   for (std::size_t i = 0; i + 1 < segments.size(); ++i) node = &descend(*node, segments[i], segments[i + 1], text);
   toml::table holder = parsed_value(text, value);
   const toml::node& parsed = *holder.get("value");
+  if (segments.size() < 2 && !is_whole_table(parsed))
+    refuse(text, "expected table.key=value, or for a whole table table={ key = value }");
   if (auto* array = node->as_array()) {
     element(*array, segments.back(), text, true);
     std::size_t index = 0;
