@@ -142,6 +142,14 @@ class OpenRuns(unittest.TestCase):
             self.run_case("cases/poiseuille.toml", {"flow.viscosity": 1e-5}, steps=2)
         self.assertEqual(pathlib.Path(caught.filename).name, "package_test.py")
 
+    def test_a_picture_without_rock_is_warned_of(self):
+        (self.folder / "a.raw").write_bytes(b"@" * 16)
+        (self.folder / "case.toml").write_text(
+            "[lattice]\nsize = [4, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 1\n[flow]\nviscosity = 0.1\n"
+            "[geometry]\ntype = 'image'\nfile = 'a.raw'\nraw_size = [4, 4]\ngrey_range = [0, 1]\n")
+        with self.assertWarnsRegex(vug.VugWarning, "a.raw: has values 64 ... 64, and geometry.grey_range, .* no rock"):
+            self.run_case(self.folder / "case.toml")
+
     def test_errors_have_types(self):
         with self.assertRaisesRegex(vug.CaseError, "viscosity.*must be") as caught:
             vug.run("cases/poiseuille.toml", self.folder / "bad", {"flow.viscosity": -1})
