@@ -3,6 +3,7 @@
 #include "coupling/module.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace vug {
 
@@ -17,6 +18,13 @@ inline double next_factor(double factor, double seen, double tolerance) {
   constexpr double safety = 0.75;  // pores that have just opened are felt at the next look
   const double change = seen > 0 ? std::min(2.0, safety * tolerance / seen) : 2;
   return std::clamp(change * factor, 1.0, largest_factor);
+}
+
+/// The largest factor until the next look, `look` s of the fluid away, for rock of this age, s, that is to go through
+/// each of the `moments` (ascending) at the factor 1: what is given to the scene bends there, which no look foresees.
+inline double factor_before(const std::vector<double>& moments, double age, double look) {
+  const auto next = std::upper_bound(moments.begin(), moments.end(), age);
+  return next == moments.end() ? largest_factor : std::max(1.0, (*next - age) / look - 1);
 }
 
 /// Chooses that factor as the run goes.
@@ -48,6 +56,7 @@ class Ageing : public Module {
     double aged;      ///< share of its age by which the rock has aged
     bool still;       ///< the flow is steady
     std::int64_t steps;
+    double most = largest_factor;  ///< until the next look
   };
   void take_in(const Look& look);
   void add_state(StateList& list);

@@ -18,6 +18,28 @@ int look_interval(const AccuracySection& accuracy) {
   return both * std::max(1, (solute_steps * accuracy.solute_interval + both - 1) / both);
 }
 
+/// Points of all tables over time that the boundaries are given by, s, ascending.
+std::vector<double> moments_of(const Scene& scene) {
+  std::vector<double> moments;
+  const auto add = [&](const TimeTable& table) {
+    moments.insert(moments.end(), table.moments().begin(), table.moments().end());
+  };
+  const auto look = [&](const BoundarySection& given) {
+    for (const TimeTable* table : {&given.flow.pressure, &given.flow.velocity[0], &given.flow.velocity[1],
+                                   &given.flow.speed, &given.heat.temperature, &given.heat.flux})
+      add(*table);
+    if (given.flow.flow_rate) add(*given.flow.flow_rate);
+    if (given.flow.mass_flow_rate) add(*given.flow.mass_flow_rate);
+    for (const auto* tables : {&given.solute.concentration, &given.solute.flux})
+      for (const auto& [species, table] : *tables) add(table);
+  };
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) look(*side);
+  for (const InjectionSection& injection : scene.injections) look(injection.conditions);
+  for (const OpeningSection& opening : scene.openings) look(opening.conditions);
+  std::sort(moments.begin(), moments.end());
+  return moments;
+}
+
 }  // namespace
 
 void Ageing::take_in(const Look& look) {
@@ -27,7 +49,7 @@ void Ageing::take_in(const Look& look) {
   if (look.made > 0) error_ += (1 - 1 / factor_) * std::min(look.residual, 1.0) * look.made;
   if (factor_ == 1) waiting_ += look.steps;
   const double seen = std::max({look.still ? residual_ : infinite, look.loss, look.aged});
-  const double next = next_factor(factor_, seen, tolerance_);
+  const double next = std::min(next_factor(factor_, seen, tolerance_), look.most);
   if (next == 1 && factor_ > 1) ++waits_;
   factor_ = next;
   largest_ = std::max(largest_, factor_);
@@ -50,6 +72,7 @@ AgeingModule<T, Set>::AgeingModule(const Scene& scene, const Geometry& geometry,
       reaction_(reaction),
       flow_(flow),
       interval_(look_interval(scene.accuracy)),
+      moments_(moments_of(scene)),
       change_("vug::ageing::change", block_count(geometry.fluid.capacity)),
       compared_(geometry.fluid.count) {
   for (const Sway& sway : reaction.sways()) {
@@ -80,11 +103,13 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   const double paid = reaction_.paid(), made = paid - paid_before_;
   const double off = before * unsteady(exec);
   paid_before_ = paid;
-  const double aged = before * interval_ * clock.time_step / (clock.time() + clock.time_step);
+  const double look = interval_ * clock.time_step, age = clock.time() + before * clock.time_step;  // after this step
+  const double aged = before * look / (clock.time() + clock.time_step);
   // where nothing reacts although there is a wall, acid is still on its way
   const double none = geometry_.surface.count > 0 ? std::numeric_limits<double>::infinity() : 0;
   const double residual = made > 0 ? off / made : none;
-  take_in({made, residual, reaction_.largest_loss(exec), aged, !flow_ || flow_->settled(), interval_});
+  take_in({made, residual, reaction_.largest_loss(exec), aged, !flow_ || flow_->settled(), interval_,
+           factor_before(moments_, age, look)});
   if (factor() != before) reaction_.set_factor(exec, factor());
 }
 

@@ -33,7 +33,8 @@ class AgeingModule final : public Ageing {
   const Geometry& geometry_;
   ReactionModule<T, Set>& reaction_;
   const FlowModule<T>* flow_;
-  int interval_;  ///< lattice steps between looks
+  int interval_;                 ///< lattice steps between looks
+  std::vector<double> moments_;  ///< s, at which what the boundaries are given bends
   std::vector<Watched> watched_;
   ScalarField<double> change_;  ///< (block) room for a sum
   int compared_;                ///< fluid nodes that were there at the last look

@@ -24,6 +24,8 @@ class TimeTable {
     const double share = (time - time_[next - 1]) / (time_[next] - time_[next - 1]);
     return value_[next - 1] + share * (value_[next] - value_[next - 1]);
   }
+  /// Its points, s; none of a number.
+  const std::vector<double>& moments() const { return time_; }
   double lowest() const { return *std::min_element(value_.begin(), value_.end()); }
   double highest() const { return *std::max_element(value_.begin(), value_.end()); }
   /// The value furthest from zero, with its sign.

@@ -172,6 +172,20 @@ TEST(SlowScenes, AReservoirThatChangesIsFollowed) {
   EXPECT_LE(followed.steps, 60000);
 }
 
+/// A reservoir that comes and goes at once: each change is gone through at the pace of the fluid.
+TEST(SlowScenes, AReservoirThatComesAndGoesIsFollowed) {
+  std::string change = "boundary.left.solute.concentration.acid=[[0,50]";
+  for (int second = 3; second < 30; second += 3)
+    change += fmt::format(",[{},{}],[{}.01,{}]", second, second % 2 ? 50 : 0, second, second % 2 ? 0 : 50);
+  change += "]";
+  const auto volume = resolved(wall, 30, 0.05, {change});
+  const Followed followed = follow(wall, 30, 150, {"accuracy.dissolution_tolerance=2e-2", change},
+                                   [&](double time) { return at(volume, time); });
+  EXPECT_LE(followed.worst, 2e-2);
+  EXPECT_LE(followed.estimate, 2e-2);
+  EXPECT_LE(followed.steps, 100000);  // of 150000
+}
+
 TEST(SlowScenes, AGrainShrinksByTheLawOfItsReactionForAnHour) {
   Simulation start(scene_of(disc));
   const double solid = now(start, "solid_volume_initial_m3_per_m"), radius = std::sqrt(solid / std::numbers::pi);

@@ -9,7 +9,7 @@ inline const std::string several_materials =
     "poisson_ratio = 0.2, thermal_expansion = 1e-5, bond = { cohesion = 4e6 } }]";
 inline const std::string moving_part =
     "boundary.top.traction.parts=[{ from = 0.004, to = 0.012, normal_stress = [[0, 2e6], [8e-5, 12e6], [3e-4, 1e6]] }, "
-    "{ from = 0.014, to = 0.018, support = \"pin\", velocity = [[0, 0, 0], [1e-4, 0, -0.02]] }]";
+    "{ from = 0.014, to = 0.02, support = \"pin\", velocity = [[0, 0, 0], [1e-4, 0, -0.02]] }]";
 inline const std::string gauges =
     "output.gauges=[{ name = \"a\", type = \"reaction\", side = \"left\" }, "
     "{ name = \"b\", type = \"displacement\", at = [0.015, 0.01] }, "

@@ -21,6 +21,23 @@ TEST(NextFactor, KeepsWhatWasSeenBelowTheToleranceAndAtMostDoubles) {
   EXPECT_EQ(next_factor(8e5, 0, 1e-2), largest_factor);
 }
 
+TEST(FactorBefore, RockGoesThroughEveryMomentAtTheFactorOne) {
+  EXPECT_EQ(factor_before({}, 5, 0.1), largest_factor);
+  EXPECT_EQ(factor_before({5}, 5, 0.1), largest_factor);  // it lies behind
+  EXPECT_DOUBLE_EQ(factor_before({5, 25}, 5, 0.1), 199);  // one look is left before it
+  const std::vector<double> moments{2, 2.05, 8};
+  double age = 0;
+  for (int looks = 0; age < 10; ++looks) {
+    const double factor = factor_before(moments, age, 0.1), until = age + 0.1 * std::min(factor, 20.0);
+    for (const double moment : moments) {
+      const bool passed = moment > age && moment <= until;
+      EXPECT_TRUE(!passed || factor == 1) << moment;
+    }
+    age = until;
+    ASSERT_LT(looks, 40);
+  }
+}
+
 TEST(ScheduleOfAgeingRock, IsDueWhenTheTimePassesAMultiple) {
   const Schedule by_steps(3, 0), by_time(1, 0.5);
   EXPECT_TRUE(by_steps.due({2, 0.1}, {3, 0.1}));

@@ -1,6 +1,7 @@
 // Numbers with a unit of their own, against what the unit is by definition.
 #include "io/case_keys.hpp"
 #include "io/detail/quantity.hpp"
+#include "io/scene.hpp"
 
 #include <gtest/gtest.h>
 

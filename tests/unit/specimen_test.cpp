@@ -3,6 +3,7 @@
 
 #include "coupling/laboratory_run.hpp"
 #include "io/history_reader.hpp"
+#include "kernels/base/require.hpp"
 #include "unit/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
