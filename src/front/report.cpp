@@ -109,11 +109,27 @@ std::optional<Checkpoint> checkpoint_before(std::int64_t step, const std::string
   return std::nullopt;
 }
 
-std::string replay_command(const RunOrigin& origin, const fs::path& file, std::int64_t steps, bool resumes) {
-  std::string command = "\"$vug\" run " + shell_word(file.string());
-  for (const std::string& entry : origin.overrides) command += " --set " + shell_word(entry);
-  return command + fmt::format(" --steps {} -o replayed{}", steps, resumes ? " --resume" : "");
-}
+/// What is told of a run, and where its replay begins.
+struct Told {
+  RunSummary summary;
+  RunOrigin origin;
+  CasePlaces places;
+  std::int64_t reached;
+  std::optional<Checkpoint> checkpoint;
+
+  std::string beginning() const {
+    return checkpoint ? fmt::format("the checkpoint of step {}", checkpoint->step())
+                      : "the first step: there is no checkpoint before its end";
+  }
+  std::string replay_command() const {
+    std::string command = "\"$vug\" run " + shell_word(places.file.string());
+    for (const std::string& entry : origin.overrides) command += " --set " + shell_word(entry);
+    return command + fmt::format(" --steps {} -o replayed{}", reached, checkpoint ? " --resume" : "");
+  }
+  /// Exit codes that a replay may have, as the shell's `case` takes them: a run that was stopped, or had no room, may
+  /// go on to its end.
+  std::string codes() const { return summary.status == "diverged" ? summary.exit_code : "0 | " + summary.exit_code; }
+};
 
 /// The last row of a run that was killed may be half there, and the replay ends with a row of its own: histories are
 /// compared as far as the run's goes.
@@ -162,6 +178,57 @@ std::string size_text(const fs::path& folder) {
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
 }
 
+/// Why a file of the case cannot be taken along; empty where it can.
+std::string what_hinders(const InputFile& input, const fs::path& place) {
+  if (place.empty()) return "is named by its whole path: send it apart";
+  try {
+    return digest_of_file(input.path).hash == input.hash ? "" : "has changed since the run";
+  } catch (const std::runtime_error&) {
+    return "cannot be read from here: call from where the run was called";
+  }
+}
+
+/// The case and its files; gives a warning for each that is not among them.
+std::string copy_case(const Told& told, const NewFolder& folder) {
+  std::string warnings;
+  folder.write(told.places.file, told.origin.case_text);
+  for (std::size_t i = 0; i < told.origin.inputs.size(); ++i) {
+    const InputFile& input = told.origin.inputs[i];
+    const std::string hindrance = what_hinders(input, told.places.inputs[i]);
+    if (hindrance.empty())
+      fs::copy_file(input.path, folder.place(told.places.inputs[i]));
+    else
+      warnings += fmt::format("warning: {}: not in the bundle: {}\n", input.path, hindrance);
+  }
+  return warnings;
+}
+
+void copy_run(const std::string& directory, const Told& told, const NewFolder& folder) {
+  for (const char* file : {"run.json", "history.csv"})
+    fs::copy_file(fs::path(directory) / file, folder.place(fs::path("run") / file));
+  if (!told.checkpoint) return;
+  const fs::path path(told.checkpoint->path());
+  fs::copy_file(path, folder.place(fs::path("run/checkpoint") / path.filename()));
+}
+
+void write_texts(const Told& told, const NewFolder& folder) {
+  using fmt::arg;
+  const RunOrigin& origin = told.origin;
+  folder.write("replay", fmt::format(replay_script, arg("version", origin.version), arg("commit", origin.commit),
+                                     arg("backend", origin.backend), arg("status", told.summary.status),
+                                     arg("prepare", told.checkpoint ? "cp -R run replayed\n" : ""),
+                                     arg("exit_code", told.summary.exit_code), arg("codes", told.codes()),
+                                     arg("command", told.replay_command())));
+  fs::permissions(folder.place("replay"), fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                  fs::perm_options::add);
+  folder.write("README.txt", fmt::format(read_me, arg("status", told.summary.status), arg("steps", told.reached),
+                                         arg("reason", told.summary.exit_reason), arg("started", told.summary.started),
+                                         arg("version", origin.version), arg("commit", origin.commit),
+                                         arg("compiler", origin.compiler), arg("backend", origin.backend),
+                                         arg("device", origin.device), arg("case_file", told.places.file.string()),
+                                         arg("beginning", told.beginning())));
+}
+
 }  // namespace
 
 std::string report_directory(const std::string& directory) {
@@ -177,53 +244,15 @@ std::string report_run(const std::string& directory, const std::string& bundle) 
                      ": has no history.csv to compare with (a laboratory test, or a run that ended before "
                      "its first step: send its case file)");
   const RunOrigin origin = read_run_origin(directory);
-  const CasePlaces places = places_of(origin);
-  NewFolder folder(bundle);
-  std::string told;
-  folder.write(places.file, origin.case_text);
-  for (std::size_t i = 0; i < origin.inputs.size(); ++i) {
-    const InputFile& input = origin.inputs[i];
-    std::string missing = "is named by its whole path: send it apart";
-    if (!places.inputs[i].empty()) try {
-        missing = digest_of_file(input.path).hash == input.hash ? "" : "has changed since the run";
-      } catch (const std::runtime_error&) {
-        missing = "cannot be read from here: call from where the run was called";
-      }
-    if (missing.empty())
-      fs::copy_file(input.path, folder.place(places.inputs[i]));
-    else
-      told += fmt::format("warning: {}: not in the bundle: {}\n", input.path, missing);
-  }
   const std::int64_t reached = step_reached(directory, *summary);
-  const std::optional<Checkpoint> checkpoint = checkpoint_before(reached, directory, *summary);
-  for (const char* file : {"run.json", "history.csv"})
-    fs::copy_file(fs::path(directory) / file, folder.place(fs::path("run") / file));
-  std::string prepare, beginning = "the first step: there is no checkpoint before its end";
-  if (checkpoint) {
-    const fs::path inside = fs::path("checkpoint") / fs::path(checkpoint->path()).filename();
-    fs::copy_file(checkpoint->path(), folder.place("run" / inside));
-    prepare = "cp -R run replayed\n";
-    beginning = fmt::format("the checkpoint of step {}", checkpoint->step());
-  }
-  // A run that was stopped, or had no room, may end here.
-  const std::string codes = summary->status == "diverged" ? summary->exit_code : "0 | " + summary->exit_code;
-  using fmt::arg;
-  folder.write("replay",
-               fmt::format(replay_script, arg("version", origin.version), arg("commit", origin.commit),
-                           arg("backend", origin.backend), arg("status", summary->status), arg("prepare", prepare),
-                           arg("exit_code", summary->exit_code), arg("codes", codes),
-                           arg("command", replay_command(origin, places.file, reached, checkpoint.has_value()))));
-  fs::permissions(folder.place("replay"), fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                  fs::perm_options::add);
-  folder.write(
-      "README.txt",
-      fmt::format(read_me, arg("status", summary->status), arg("steps", reached), arg("reason", summary->exit_reason),
-                  arg("started", summary->started), arg("version", origin.version), arg("commit", origin.commit),
-                  arg("compiler", origin.compiler), arg("backend", origin.backend), arg("device", origin.device),
-                  arg("case_file", places.file.string()), arg("beginning", beginning)));
+  const Told told{*summary, origin, places_of(origin), reached, checkpoint_before(reached, directory, *summary)};
+  NewFolder folder(bundle);
+  const std::string warnings = copy_case(told, folder);
+  copy_run(directory, told, folder);
+  write_texts(told, folder);
   folder.commit();
-  return told + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {}.tar.gz {}\n",
-                            bundle, size_text(bundle), beginning, bundle, bundle, bundle);
+  return warnings + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {}.tar.gz {}\n",
+                                bundle, size_text(bundle), told.beginning(), bundle, bundle, bundle);
 }
 
 }  // namespace vug
