@@ -174,7 +174,7 @@ def accuracy(records, figures):
         "What cheaper mechanics costs", "MassScalingLong, SubStep, SubStepLong, PreloadAccuracyLong",
         "Compression at 0.5 m/s of three specimens (10 cm × 5 cm, elements of 3 mm, calibrated), each against itself. With s times the mass the press acts as if √s times as fast: the modulus stays, inertia adds to the "
         "strength and to the cracks (the kinetic share is that of the elastic energy at the peak). Up to 0.9 of the critical step strengths stay within 0.3 %, while the rubble after the peak is another with every step; a "
-        "pulse in a bar is off by second order. A preload rests at the same displacements (5 and 7.5 MPa on 5 cm × 3.5 cm; against a ramp of 1 ms, over the largest displacement) whatever its ramp and damping; they decide how many sub-steps it takes.",
+        "pulse in a bar is off by second order. A preload rests at the same displacements (5 and 7.5 MPa on 5 cm × 3.5 cm; against a ramp of 1 ms, over the largest displacement) whatever its ramp and damping; they decide how many sub-steps it takes. A ramp lasts two crossings of sound at least: 15 µs are too short for that.",
         table(["choice", "modulus", "strength", "failed bonds", "kinetic share", "sub-steps", "time, relative"], rows) + "\n\n" + rest,
         "rock_accuracy.png")
 
