@@ -9,6 +9,11 @@
 
 namespace vug::test {
 
+/// One with legs l, its right angle at the origin.
+inline Assembly right_triangle(double l) {
+  return {{{0, 0}, {l, 0}, {0, l}}, {{0, 1, 2}}, {}};
+}
+
 /// Two equilateral triangles of edge l that share the edge from (0, 0) to (0, l); a on the left, n = +x.
 inline Assembly pair_of_triangles(double l) {
   const double height = l * std::sqrt(3.0) / 2;
@@ -53,6 +58,16 @@ inline Assembly block(double width, double height, double l, double jitter, std:
     y += jitter * dy * (2 * uniform_of(seed, name, 1, 0) - 1);
   }
   return out;
+}
+
+/// Contacts that bear next to nothing, bonds without scatter and dashpots.
+inline MechanicsParameters nearly_free() {
+  MechanicsParameters p;
+  p.contact.normal_stiffness = p.contact.tangential_stiffness = 1e-3;
+  p.contact.normal_damping = p.contact.tangential_damping = 0;
+  p.bond.damping = 0;
+  p.bond.weibull_shape = 0;
+  return p;
 }
 
 /// Rock that does not break and whose bonds take no energy.

@@ -1,26 +1,24 @@
-// A triangle or two against formulas by hand: critical step, stress, loads and supports, a crack that was there.
+// A triangle or two against formulas by hand: critical step, stress, growth, a crack that was there.
 #include "dem/gauges.hpp"
 #include "dem/materials.hpp"
 #include "dem/mean_stress.hpp"
 #include "dem_support.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
 
 namespace {
 
 using namespace vug;
 using vug::test::host_copy;
+using vug::test::nearly_free;
 
 constexpr double l = 2e-3;  // m
 
-/// A right triangle with legs l at the origin: I = m l^2 / 9, its far corners at sqrt(5)/3 l from the centroid.
-const Assembly lone{{{0, 0}, {l, 0}, {0, l}}, {{0, 1, 2}}, {}};
+/// I = m l^2 / 9, its far corners at sqrt(5)/3 l from the centroid.
+const Assembly lone = test::right_triangle(l);
 
 /// Two bonded triangles with an edge of l in common, turned by an angle.
 Assembly turned_pair(double angle) {
@@ -31,15 +29,6 @@ Assembly turned_pair(double angle) {
     y = std::sin(angle) * before + std::cos(angle) * y;
   }
   return pair;
-}
-
-MechanicsParameters nearly_free() {
-  MechanicsParameters p;
-  p.contact.normal_stiffness = p.contact.tangential_stiffness = 1e-3;
-  p.contact.normal_damping = p.contact.tangential_damping = 0;
-  p.bond.damping = 0;
-  p.bond.weibull_shape = 0;
-  return p;
 }
 
 /// 2 / omega of the leapfrog, (2 / omega) (sqrt(1 + z^2) - z) with a dashpot of z = c / (m omega).
@@ -152,136 +141,6 @@ TEST(CrackTip, IsTheEndOfTheCrackedEdge) {
   EXPECT_NEAR(norm(tip(0.1 * l * t, t) - l * t), 0, 1e-12 * l);
   EXPECT_NEAR(norm(tip(0.1 * l * t, -1.0 * t)), 0, 1e-12 * l);
   EXPECT_NEAR(norm(tip(2 * l * t, t) - 2 * l * t), 0, 1e-12 * l);
-}
-
-/// A support at one point of a side holds the triangle there; the rest of the side is free.
-TEST(PointSupport, HoldsATriangleAgainstItsWeight) {
-  for (const bool held : {false, true}) {
-    Loads loads;
-    loads.gravity = {0, -9.81};
-    if (held) loads.parts.push_back({RockSide::bottom, l / 3, l / 3, Support::fixed, {}, 0, {}, false});
-    Mechanics rock(lone, nearly_free(), loads);
-    rock.advance(Exec(), 1e-7, 10);
-    const double fallen = -9.81 * 1e-14 * 10 * 11 / 2;
-    EXPECT_NEAR(host_copy(rock.particles().u)(0, 1), held ? 0 : fallen, 1e-9 * std::abs(fallen)) << held;
-  }
-}
-
-/// A load on a part of an edge acts at the middle of that part.
-TEST(LoadOnAPart, HasItsForceAndItsLeverArm) {
-  const double dt = 1e-9, pressure = 3e6, m = 2500 * l * l / 2;
-  for (const auto& [from, to] : {std::pair{0.0, 0.4 * l}, {0.5 * l, 0.9 * l}}) {
-    Loads loads;
-    SidePart part{RockSide::left, from, to, Support::free, {}, 0, {}, false};
-    part.traction[0] = [pressure](double) { return pressure; };
-    loads.parts.push_back(part);
-    Mechanics rock(lone, nearly_free(), loads);
-    rock.advance(Exec(), dt, 1);
-    const double force = pressure * (to - from), arm_y = 0.5 * (from + to) - l / 3;
-    EXPECT_NEAR(host_copy(rock.particles().v)(0, 0) / (dt * force / m), 1, 1e-9) << from;
-    EXPECT_NEAR(host_copy(rock.particles().spin)(0) / (dt * -arm_y * force / (m * l * l / 9)), 1, 1e-9) << from;
-  }
-}
-
-/// A ramp of a hundred steps, then three looks in a row, a fifth of the ramp apart, that find the rock at rest.
-TEST(Preload, CountsItsSteps) {
-  Mechanics rock(lone, nearly_free(), {});
-  const PreloadReport report = rock.preload(Exec(), 100 * 0.3 * rock.critical_step());
-  EXPECT_TRUE(report.settled);
-  EXPECT_EQ(report.steps, 160);
-}
-
-/// 40 m of rock that sound takes 12 ms to cross: the stress is there, whatever ramp was asked for.
-TEST(Preload, OfLargeRockEndsAtRestAfterAnyRamp) {
-  Loads loads;
-  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.traction[static_cast<std::size_t>(RockSide::top)] = {0, -6e6};
-  for (const double ramp : {0.0, 150e-6}) {
-    Mechanics rock(test::block(40, 20, 4, 0.2), test::elastic(), loads);
-    const PreloadReport report = rock.preload(Exec(), ramp);
-    EXPECT_TRUE(report.settled) << ramp;
-    EXPECT_NEAR(rock.reaction(RockSide::bottom).y, 6e6 * 40, 1e-4 * 6e6 * 40) << ramp;
-    EXPECT_EQ(unrest_of(report), "");
-  }
-}
-
-/// By hand: 12 mm at sqrt(24.03e9 / (0.659 * 2500 * (1 + nu))), nu = 0.2384; four times the mass, half the speed.
-TEST(Preload, CountsCrossingsOfSound) {
-  const Assembly block = test::block(0.012, 0.006, 2e-3, 0.2);
-  MechanicsParameters parameters;
-  EXPECT_NEAR(sound_crossing(parameters, block), 0.012 / 3432.1, 1e-3 * 0.012 / 3432.1);
-  parameters.mass_scaling = 4;
-  EXPECT_NEAR(sound_crossing(parameters, block), 0.024 / 3432.1, 1e-3 * 0.024 / 3432.1);
-}
-
-TEST(Preload, SaysOfRockThatFallsThatItDidNotComeToRest) {
-  Loads loads;
-  loads.gravity = {0, -9.81};
-  Mechanics rock(test::block(0.01, 0.01, 2e-3, 0.2), {}, loads);
-  EXPECT_FALSE(rock.ramped());
-  const PreloadReport report = rock.preload(Exec(), 0);
-  EXPECT_FALSE(report.settled);
-  EXPECT_GE(report.crossings, 500);
-  EXPECT_NE(unrest_of(report).find("the preload did not come to rest: after "), std::string::npos);
-  ASSERT_TRUE(rock.ramped());
-  EXPECT_EQ(rock.ramped()->steps, report.steps);
-}
-
-/// What the rock says about loads; nothing where it takes them. The triangle has edges on its left and at its bottom.
-std::string refusal(const Loads& loads) {
-  try {
-    const Mechanics rock(lone, nearly_free(), loads);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(Loads, OfASideWithoutAnEdgeAreRefused) {
-  EXPECT_EQ(refusal({}), "");
-  for (const auto side : {RockSide::right, RockSide::top, RockSide::left, RockSide::bottom}) {
-    const auto s = static_cast<std::size_t>(side);
-    std::array<Loads, 4> each;
-    each[0].traction[s] = {0, -1e6};
-    each[1].support[s] = Support::roller;
-    each[2].stiffness[s] = 1e12;
-    each[3].support[s] = Support::servo;
-    for (std::size_t k = 0; k < each.size(); ++k) {
-      const std::string said = refusal(each[k]), name = each[k].name[s];
-      if (side == RockSide::left || side == RockSide::bottom)
-        EXPECT_EQ(said, "") << name << k;
-      else
-        EXPECT_EQ(said.find(name + ": the rock has no edge on this side to " + (k % 2 == 0 ? "push" : "hold")), 0u)
-            << said << k;
-    }
-  }
-}
-
-TEST(Loads, OfAPartThatMeetsNoEdgeAreRefused) {
-  const auto part = [](RockSide side, double from, double to, Support support, double pressure = 0) {
-    SidePart one{side, from, to, support, {}, 0, {}, false, "part"};
-    one.traction[0] = [pressure](double) { return pressure; };
-    return one;
-  };
-  const auto with = [](std::vector<SidePart> parts) {
-    Loads loads;
-    loads.parts = std::move(parts);
-    return refusal(loads);
-  };
-  const auto left = RockSide::left;
-  EXPECT_EQ(with({part(left, 0.5 * l, 0.9 * l, Support::free, 1e6)}), "");
-  EXPECT_EQ(with({part(left, 0.3 * l, 0.9 * l, Support::roller)}), "");
-  EXPECT_EQ(with({part(left, 0.5 * l, 0.5 * l, Support::pin)}), "");
-  EXPECT_EQ(with({part(RockSide::top, 0, l, Support::free)}), "") << "asks for nothing";
-  EXPECT_NE(with({part(left, 1.1 * l, 2 * l, Support::free, 1e6)}).find("no edge between its ends to push"),
-            std::string::npos);
-  for (const SidePart& lost : {part(left, 0.1 * l, 0.5 * l, Support::roller), part(left, 2 * l, 3 * l, Support::fixed),
-                               part(RockSide::right, 0.5 * l, 0.5 * l, Support::pin)})
-    EXPECT_EQ(with({lost}).find("part: the rock has no edge between its ends to hold"), 0u) << with({lost});
-  EXPECT_EQ(with({part(left, 0, l, Support::roller), part(left, 0, l, Support::free, 1e6)}), "") << "hidden by another";
-  EXPECT_NE(with({part(left, 0, l, Support::roller), part(left, 0, 0.6 * l, Support::free, 1e6)}), "")
-      << "what is left of the first holds nothing";
 }
 
 /// A warm rock that nothing holds grows by alpha dT about any point: a gauge must not only see centroids part.
