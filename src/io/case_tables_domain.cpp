@@ -1,6 +1,6 @@
 // [case], [lattice], [time], [geometry]: what is simulated, where and for how long.
 #include "io/detail/case_tables.hpp"
-#include "kernels/nodes/node_limits.hpp"
+#include "kernels/base/lattice_size.hpp"
 
 #include <fmt/format.h>
 
@@ -160,12 +160,11 @@ LatticeSection read_lattice(const TomlCursor& table) {
   if (table.describing()) return lattice;
   lattice.nx = cells_along(table, size[0], lattice.spacing, 0);
   lattice.ny = cells_along(table, size[1], lattice.spacing, 1);
-  const Lattice nodes(lattice.nx, lattice.ny);
-  if (const std::int64_t slots = slots_of(nodes); slots > most_slots)
+  if (const std::int64_t nodes = dense_nodes(lattice.nx, lattice.ny); nodes > most_nodes)
     table.fail("size",
                fmt::format("is {} x {} nodes of spacing {:g} m; with their halo, in rows of {}, these are {:.4g}, "
                            "at most 2^31 / 9 = 2.386e+08 are accepted",
-                           lattice.nx, lattice.ny, lattice.spacing, nodes.pitch, static_cast<double>(slots) / D2Q9::Q));
+                           lattice.nx, lattice.ny, lattice.spacing, row_pitch(lattice.nx), static_cast<double>(nodes)));
   return lattice;
 }
 

@@ -8,6 +8,8 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -69,6 +71,42 @@ TEST(Layers, OfTheKernelsIncludeOnlyWhatLiesBelow) {
                                   {"solute", {"base", "launch", "packs", "nodes", "scalar"}},
                                   {"reaction", {"base", "launch", "packs", "nodes", "scalar", "solute"}}});
   EXPECT_GT(includes, 150);
+}
+
+/// What a file of src and the files that it includes take from outside, one after the other.
+void collect_outer(const std::map<std::string, std::string>& files, const std::string& file,
+                   std::set<std::string>& seen, std::vector<std::string>& outer) {
+  if (!seen.insert(file).second) return;
+  const std::string& text = files.at(file);
+  const std::regex include("#include (?:\"([^\"]+)\"|<([^>]+)>)");
+  for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+    if (files.count((*match)[1]))
+      collect_outer(files, (*match)[1], seen, outer);
+    else
+      outer.push_back(file + " includes " + (*match)[1].str() + (*match)[2].str());
+  }
+}
+
+/// In a build for a GPU the host's compiler compiles them, which does not know its headers.
+TEST(Sources, OfTheHostReachNoKokkos) {
+  int checked = 0;
+  const std::map<std::string, std::string> files = sources();
+  for (const std::string folder : {"io", "study"}) {
+    std::ostringstream list;
+    list << std::ifstream(VUG_SOURCE_DIR "/src/" + folder + "/CMakeLists.txt").rdbuf();
+    const std::string text = list.str();
+    const auto begin = text.find("set(host_sources"), end = text.find(')', begin);
+    ASSERT_NE(begin, std::string::npos) << folder;
+    std::istringstream names(text.substr(begin + 16, end - begin - 16));
+    for (std::string name; names >> name; ++checked) {
+      std::set<std::string> seen;
+      std::vector<std::string> outer;
+      collect_outer(files, folder + "/" + name, seen, outer);
+      for (const std::string& include : outer)
+        EXPECT_EQ(include.find("Kokkos"), std::string::npos) << name << ": " << include;
+    }
+  }
+  EXPECT_GT(checked, 60);
 }
 
 TEST(Sources, NeitherExitNorPrintNorAskForTheBackEnd) {

@@ -1,7 +1,7 @@
 // The compact list of fluid nodes on lattices small enough to check by hand.
 #include "kernels/nodes/fluid_nodes.hpp"
 
-#include "kernels/nodes/node_limits.hpp"
+#include "kernels/base/lattice_size.hpp"
 #include "kernels/nodes/opening.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "support/host_copy.hpp"
@@ -150,15 +150,16 @@ TEST(Surface, IsTheSolidThatTouchesFluid) {
 
 /// The list never asks for more than the lattice has, so that slots of nine directions keep numbers that an int holds.
 TEST(FluidNodes, GrowByHalfButNotBeyondTheLattice) {
-  EXPECT_EQ(grown_capacity(Lattice(100, 100), 1000), 1500);
-  EXPECT_EQ(grown_capacity(Lattice(100, 100), 6667), 10000);
-  EXPECT_EQ(grown_capacity(Lattice(100, 100), 10000), 10000);
-  const Lattice large(15440, 15420);  // 238 million nodes
-  ASSERT_LE(slots_of(large), most_slots);
-  for (const int count : {150000000, 160000000, 200000000, 15440 * 15420}) {
-    const std::int64_t capacity = grown_capacity(large, count);
+  EXPECT_EQ(grown_capacity(100, 100, 1000), 1500);
+  EXPECT_EQ(grown_capacity(100, 100, 6667), 10000);
+  EXPECT_EQ(grown_capacity(100, 100, 10000), 10000);
+  EXPECT_EQ(dense_nodes(70, 5), Lattice(70, 5).size());
+  const int nx = 15440, ny = 15420;  // 238 million nodes
+  ASSERT_LE(dense_nodes(nx, ny), most_nodes);
+  for (const int count : {150000000, 160000000, 200000000, nx * ny}) {
+    const int capacity = grown_capacity(nx, ny, count);
     EXPECT_GE(capacity, count);
-    EXPECT_LE((capacity + 15) / 16 * 16 * 9, most_slots) << count;
+    EXPECT_LE((capacity + 15) / 16 * 16, most_nodes) << count;
   }
   // of a lattice that is nearly full
   const Lattice lattice(9, 9);

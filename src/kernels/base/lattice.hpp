@@ -1,6 +1,7 @@
 #pragma once
 // The rectangle of nodes and how dense fields over it are numbered.
 #include "kernels/base/base.hpp"
+#include "kernels/base/lattice_size.hpp"
 #include "kernels/base/velocity_set.hpp"
 
 namespace vug {
@@ -9,14 +10,14 @@ namespace vug {
 /// Node (x, y) has its centre at ((x + 1/2) dx, (y + 1/2) dx); x in [-1, nx], y in [-1, ny] with the halo.
 /// Dense fields have `size()` entries and use this numbering; what lies outside the halo is never read.
 struct Lattice {
-  static constexpr int pad = 16;  ///< entries before x = 0 in a row: one cache line of float, two of double
+  static constexpr int pad = row_pad;  ///< entries before x = 0 in a row
 
   int nx = 0;
   int ny = 0;
   int pitch = 0;  ///< distance between rows
 
   Lattice() = default;
-  Lattice(int nx_, int ny_) : nx(nx_), ny(ny_), pitch((pad + nx_ + 1 + pad - 1) / pad * pad) {}
+  Lattice(int nx_, int ny_) : nx(nx_), ny(ny_), pitch(row_pitch(nx_)) {}
 
   KOKKOS_FORCEINLINE_FUNCTION int size() const { return pitch * (ny + 2); }
   KOKKOS_FORCEINLINE_FUNCTION int node(int x, int y) const { return (y + 1) * pitch + pad + x; }

@@ -1,9 +1,9 @@
 #include "kernels/nodes/fluid_nodes.hpp"
 
+#include "kernels/base/lattice_size.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
-#include "kernels/nodes/node_limits.hpp"
 
 namespace vug {
 
@@ -164,7 +164,7 @@ int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNo
   const int first = nodes.count, last = first + births;
   const bool grows = last > nodes.capacity;
   // The first numbering is as tight as it gets; later ones leave room so that growth is rare.
-  if (grows) allocate(exec, nodes, first == 0 ? last : grown_capacity(nodes.lattice, last));
+  if (grows) allocate(exec, nodes, first == 0 ? last : grown_capacity(nodes.lattice.nx, nodes.lattice.ny, last));
   take_marked(exec, label, marks, NumberFluid{nodes.node, nodes.index, first});
   nodes.count = last;
   constexpr int few = 1000;  // on a GPU one thread takes longer than all of them with everything
