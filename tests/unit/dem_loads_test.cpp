@@ -72,6 +72,18 @@ TEST(Preload, OfLargeRockEndsAtRestAfterAnyRamp) {
   }
 }
 
+/// Rock that rests all the time: the ramp and three fifths of it, of two crossings of sound where less was asked for.
+TEST(Preload, RisesOverTwoCrossingsAtLeast) {
+  const Assembly block = test::block(0.02, 0.04, 2e-3, 0.2);
+  const double crossing = sound_crossing({}, block);
+  for (const double asked : {0.0, 1.0, 5.0}) {
+    Mechanics rock(block, {}, {});
+    const PreloadReport report = rock.preload(Exec(), asked * crossing);
+    EXPECT_TRUE(report.settled);
+    EXPECT_NEAR(report.crossings, 1.6 * std::max(asked, 2.0), 0.03) << asked;
+  }
+}
+
 /// By hand: 12 mm at sqrt(24.03e9 / (0.659 * 2500 * (1 + nu))), nu = 0.2384; four times the mass, half the speed.
 TEST(Preload, CountsCrossingsOfSound) {
   const Assembly block = test::block(0.012, 0.006, 2e-3, 0.2);
