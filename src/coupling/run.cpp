@@ -4,7 +4,7 @@
 #include "coupling/flow_paths.hpp"
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_limits.hpp"
-#include "coupling/run_directory.hpp"
+#include "coupling/run_book.hpp"
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
@@ -13,8 +13,6 @@
 #include "io/progress.hpp"
 #include "io/require_fields.hpp"
 #include "io/rock_inertia.hpp"
-#include "io/run_folder.hpp"
-#include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"
@@ -22,26 +20,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <exception>
-#include <memory>
-#include <span>
 
 namespace vug {
 
 namespace {
-
-RunFolder::Use use_of(const RunOptions& options) {
-  if (options.resume) return RunFolder::Use::resume;
-  return options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh;
-}
-
-/// Says which of the files that a case names are not those of the run that `held` describes.
-std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
-  for (const InputFile& input : record.inputs)
-    if (held.inputs.find(input.hash) == std::string::npos) return input.path + " has changed since";
-  return "the text of the case or a --set differs";
-}
 
 /// One run from its first step to its last.
 class Run {
@@ -50,10 +33,7 @@ class Run {
       : scene_(scene),
         options_(options),
         ranks_(options.ranks),
-        path_(run_directory(scene, options.directory)),
-        folder_(folder()),
-        record_(first_record(scene)),
-        owner_(owner()),
+        book_(scene, options),
         last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
         simulation_(scene, options.ranks) {
     require_fields(simulation_.fields(), scene.output.fields);
@@ -63,12 +43,8 @@ class Run {
     resume();
     if (!resumed_at_) require_distinct_columns(scene_, simulation_);
     const StopsInOrder in_order;  // from here on there is something to bring to an end
-    if (folder_) {
-      folder_->take();
-      if (options_.resume && !resumed_at_) folder_->clear();
-      if (!simulation_.parts().ageing) record_.last_step = last_;  // else nobody knows how many there will be
-      write_run_record(path_, record_);
-    }
+    // where the rock ages, nobody knows how many steps there will be
+    book_.open(simulation_.parts().ageing ? std::nullopt : std::optional(last_));
     std::ostream silent(nullptr);
     std::ostream* const log = options_.progress ? options_.progress : options_.warnings;
     Progress progress(log ? *log : silent, options_.terminal && options_.progress,
@@ -78,80 +54,41 @@ class Run {
       warn(progress);
       advance(progress);
       progress.finish("done");
-      finish(progress, "done", "reached the last step", 0);
+      book_.close(simulation_.clock(), progress, "done", "reached the last step", 0);
     } catch (const Interrupted& stop) {
       progress.finish("interrupted");
-      const std::string reason = fmt::format("{}; {}", stop.what(), last_good());
-      finish(progress, "interrupted", reason, 130);
+      const std::string reason = fmt::format("{}; {}", stop.what(), book_.last_good());
+      book_.close(simulation_.clock(), progress, "interrupted", reason, 130);
       throw Interrupted(reason);
     } catch (const StabilityError& error) {
-      const std::string reason = fmt::format("{}; {}", error.what(), last_good());
-      finish(progress, "diverged", reason, 3);
+      const std::string reason = fmt::format("{}; {}", error.what(), book_.last_good());
+      book_.close(simulation_.clock(), progress, "diverged", reason, 3);
       throw StabilityError(reason);
     } catch (const std::exception& error) {
-      fail(progress, error);
+      book_.close_failed(simulation_.clock(), progress, error);
       throw;
     }
   }
 
  private:
-  /// That of the rank that writes.
-  std::optional<RunFolder> folder() const {
-    if (!ranks_.first()) return std::nullopt;
-    return std::optional<RunFolder>(std::in_place, path_, use_of(options_),
-                                    "--resume continues it, --overwrite replaces it, -o DIR leaves it alone");
-  }
-
-  /// This run, or that which it continues: of the same case, or nothing is touched.
-  CheckpointOwner owner() {
-    const std::string hash = case_hash(record_.case_text, record_.overrides, record_.inputs);
-    if (!options_.resume) return {hash, record_.run};
-    if (!folder_) return {hash, ""};
-    const std::optional<RunSummary>& held = folder_->held();
-    if (!held) return {hash, ""};
-    if (held->case_hash != hash)
-      throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path_,
-                                   what_has_changed(record_, *held)));
-    record_.run = held->run;
-    return {hash, held->run};
-  }
-
   void resume() {
     if (!options_.resume) return;
-    const std::optional<Checkpoint> checkpoint = latest_checkpoint();
+    const std::optional<Checkpoint> checkpoint = book_.latest_checkpoint();
     if (!checkpoint) {
-      if (folder_) folder_->require_dispensable();
+      book_.begin_anew();
       notes_.push_back(
-          fmt::format("note: {} has no checkpoint to continue from: the run begins at its first step", path_));
-      owner_.run = record_.run;
+          fmt::format("note: {} has no checkpoint to continue from: the run begins at its first step", book_.path()));
       return;
     }
     for (const std::string& refused : checkpoint->refused()) notes_.push_back("warning: passed over: " + refused);
     simulation_.restore([&](StateList& state) { checkpoint->load(state); });
     if (simulation_.clock().step != checkpoint->step())
       throw FileError(checkpoint->path() + ": the checkpoint is of another step than it says");
-    owner_.run = record_.run = checkpoint->run();
-    continue_record(checkpoint->step());
+    book_.go_on_from(*checkpoint);
     if (last_ < checkpoint->step())
       notes_.push_back(fmt::format("note: --steps {}: the run is at step {} already", last_, checkpoint->step()));
     last_ = std::max(last_, checkpoint->step());
-    resumed_at_ = record_.last_checkpoint = record_.first_step = record_.steps = checkpoint->step();
-  }
-
-  /// What happened until the checkpoint belongs to the run, and the time that its earlier parts have taken.
-  void continue_record(std::int64_t step) {
-    if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return;
-    record_.events = folder_->held()->events_until(step);
-    earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
-  }
-
-  /// The first rank finds it, all read it.
-  std::optional<Checkpoint> latest_checkpoint() const {
-    std::optional<Checkpoint> found;
-    if (ranks_.first()) found = Checkpoint::latest(checkpoints(), owner_);
-    const std::string path = ranks_.told(found ? found->path() : "");
-    if (!ranks_.first() && !path.empty()) found = Checkpoint::open(path, owner_);
-    return found;
+    resumed_at_ = checkpoint->step();
   }
 
   /// On any of the ranks.
@@ -170,7 +107,7 @@ class Run {
   }
 
   void warn(Progress& progress) const {
-    if (folder_ && !folder_->warning().empty()) progress.note("warning: " + folder_->warning());
+    if (const std::string unlocked = book_.warning(); !unlocked.empty()) progress.note("warning: " + unlocked);
     if (!ranks_.alone()) progress.note(shares());
     for (const std::string& note : notes_) progress.note(note);
     if (scene_.mechanics && scene_.mechanics->scaling_chosen) progress.note("note: " + mass_scaling_note(scene_));
@@ -188,14 +125,15 @@ class Run {
 
   /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.
   void advance(Progress& progress) {
-    RunFiles files(scene_, simulation_, path_, resumed_at_);
+    RunFiles files(scene_, simulation_, book_.path(), resumed_at_);
     if (ranks_.first() && resumed_at_ && !simulation_.parts().ageing)
       if (const std::int64_t due = rows_until(scene_, *resumed_at_); files.rows_kept() < due)
-        progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", path_,
-                                  files.rows_kept(), due, *resumed_at_));
+        progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left",
+                                  book_.path(), files.rows_kept(), due, *resumed_at_));
+    std::vector<std::string>& events_so_far = book_.record().events;
     const auto tell = [&](const std::vector<std::string>& news) {
       for (const std::string& line : news) progress.note(line);
-      record_.events.insert(record_.events.end(), news.begin(), news.end());
+      events_so_far.insert(events_so_far.end(), news.begin(), news.end());
     };
     if (!resumed_at_) {
       simulation_.begin();
@@ -203,7 +141,7 @@ class Run {
       files.write_snapshot();
       files.write_row();
     }
-    Events events(simulation_, record_.events);
+    Events events(simulation_, events_so_far);
     const Schedule output = output_schedule(scene_), history = row_schedule(scene_);
     const Schedule checkpoint = checkpoint_schedule(scene_);
     while (!ended()) {
@@ -224,30 +162,14 @@ class Run {
         files.write_snapshot();
       }
       if (row) tell(events.look_at_row(simulation_, files.write_row()));
-      if (save) save_state(progress);
+      if (save) book_.save(simulation_, progress);
       progress.update(step, simulation_.updates_per_step(), clock.ahead);
       if (stop && !ended()) throw Interrupted(stop_reason());
     }
     tell(events.sum_up(simulation_));
     if (!ranks_.alone())
-      for (const std::string& line : traffic_table(ranks_, simulation_.clock().step - record_.first_step))
+      for (const std::string& line : traffic_table(ranks_, simulation_.clock().step - book_.record().first_step))
         progress.note(line);
-  }
-
-  /// All ranks hand on what the first one writes into a checkpoint.
-  void save_state(const Progress& progress) {
-    const Phase phase(ranks_, "files");
-    const StateList state = simulation_.state();
-    const Clock& clock = simulation_.clock();
-    if (folder_) write_record(progress);  // first, that what goes on from the checkpoint finds what happened until then
-    if (ranks_.first())
-      write_checkpoint(checkpoints(), state, clock.step, clock.time(), owner_);
-    else
-      for (const StateBlock& block : state.blocks) block.save([](std::span<const std::byte>) {});
-    const bool first = !record_.last_checkpoint;
-    record_.last_checkpoint = clock.step;
-    if (folder_ && first) write_run_record(path_, record_);  // that there has been one, should it get lost
-    ranks_.most(0);                                          // nobody ends while it is written
   }
 
   /// Whether the last step is done, or the rock as old as it was to get.
@@ -256,59 +178,14 @@ class Run {
     return clock.step >= last_ || (clock.ahead > 0 && scene_.time.end && clock.time() >= *scene_.time.end);
   }
 
-  std::string checkpoints() const { return path_ + "/checkpoint"; }
-
-  std::string last_good() const {
-    if (!record_.last_checkpoint) return "there is no checkpoint yet";
-    return fmt::format("the last good state is the checkpoint of step {} in {}", *record_.last_checkpoint,
-                       checkpoints());
-  }
-
-  void fail(const Progress& progress, const std::exception& error) {
-    reserve_.reset();
-    try {
-      note_failure(record_, error);
-      finish(progress);
-    } catch (const FileError&) {
-      // the disk that refused the results refuses the record as well; the first error is the one to report
-    }
-  }
-
-  void finish(const Progress& progress, const std::string& status, const std::string& reason, int code) {
-    record_.status = status;
-    record_.exit_reason = reason;
-    record_.exit_code = code;
-    finish(progress);
-  }
-
-  void finish(const Progress& progress) {
-    if (!folder_) return;
-    record_.ended = utc_now();
-    write_record(progress);
-  }
-
-  /// With how far the run is now.
-  void write_record(const Progress& progress) {
-    record_.steps = simulation_.clock().step;
-    record_.simulated_time = simulation_.clock().time();
-    record_.wall_time = earlier_time_ + progress.wall_time();
-    record_.mlups = progress.mlups();
-    write_run_record(path_, record_);
-  }
-
   const Scene& scene_;
   const RunOptions& options_;
   Ranks ranks_;
-  std::string path_;
-  std::optional<RunFolder> folder_;  ///< of the rank that writes
-  RunRecord record_;
-  CheckpointOwner owner_;
+  RunBook book_;
   std::int64_t last_;
   Simulation simulation_;
   std::vector<std::string> notes_;  ///< of what happened before there was a log
   std::optional<std::int64_t> resumed_at_;
-  double earlier_time_ = 0;                                              ///< s that earlier parts of the run have taken
-  std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< to say so when the memory does not suffice
 };
 
 }  // namespace

@@ -1,0 +1,146 @@
+#include "coupling/run_book.hpp"
+
+#include "coupling/run_directory.hpp"
+#include "kernels/base/require.hpp"
+#include "ranks/traffic.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <span>
+
+namespace vug {
+
+namespace {
+
+RunFolder::Use use_of(const RunOptions& options) {
+  if (options.resume) return RunFolder::Use::resume;
+  return options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh;
+}
+
+std::optional<RunFolder> folder_of_the_writer(const RunOptions& options, const std::string& path) {
+  if (!options.ranks.first()) return std::nullopt;
+  return std::optional<RunFolder>(std::in_place, path, use_of(options),
+                                  "--resume continues it, --overwrite replaces it, -o DIR leaves it alone");
+}
+
+/// Says which of the files that a case names are not those of the run that `held` describes.
+std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
+  for (const InputFile& input : record.inputs)
+    if (held.inputs.find(input.hash) == std::string::npos) return input.path + " has changed since";
+  return "the text of the case or a --set differs";
+}
+
+}  // namespace
+
+RunBook::RunBook(const Scene& scene, const RunOptions& options)
+    : options_(options),
+      path_(run_directory(scene, options.directory)),
+      folder_(folder_of_the_writer(options, path_)),
+      record_(first_record(scene)),
+      owner_(owner()) {}
+
+/// This run, or that which it continues: of the same case, or nothing is touched.
+CheckpointOwner RunBook::owner() {
+  const std::string hash = case_hash(record_.case_text, record_.overrides, record_.inputs);
+  if (!options_.resume) return {hash, record_.run};
+  if (!folder_) return {hash, ""};
+  const std::optional<RunSummary>& held = folder_->held();
+  if (!held) return {hash, ""};
+  if (held->case_hash != hash)
+    throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path_,
+                                 what_has_changed(record_, *held)));
+  record_.run = held->run;
+  return {hash, held->run};
+}
+
+std::string RunBook::warning() const {
+  return folder_ ? folder_->warning() : "";
+}
+
+std::optional<Checkpoint> RunBook::latest_checkpoint() const {
+  const Ranks& ranks = options_.ranks;
+  std::optional<Checkpoint> found;
+  if (ranks.first()) found = Checkpoint::latest(checkpoints(), owner_);
+  const std::string path = ranks.told(found ? found->path() : "");
+  if (!ranks.first() && !path.empty()) found = Checkpoint::open(path, owner_);
+  return found;
+}
+
+void RunBook::go_on_from(const Checkpoint& checkpoint) {
+  owner_.run = record_.run = checkpoint.run();
+  record_.last_checkpoint = record_.first_step = record_.steps = checkpoint.step();
+  if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return;
+  record_.events = folder_->held()->events_until(checkpoint.step());
+  earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
+}
+
+void RunBook::begin_anew() {
+  if (folder_) folder_->require_dispensable();
+  owner_.run = record_.run;
+}
+
+void RunBook::open(std::optional<std::int64_t> last_step) {
+  if (!folder_) return;
+  folder_->take();
+  if (options_.resume && !record_.last_checkpoint) folder_->clear();
+  if (last_step) record_.last_step = *last_step;
+  write_run_record(path_, record_);
+}
+
+/// All ranks hand on what the first one writes.
+void RunBook::save(Simulation& simulation, const Progress& progress) {
+  const Ranks& ranks = options_.ranks;
+  const Phase phase(ranks, "files");
+  const StateList state = simulation.state();
+  const Clock& clock = simulation.clock();
+  if (folder_) write(clock, progress);  // first, that what goes on from the checkpoint finds what happened until then
+  if (ranks.first())
+    write_checkpoint(checkpoints(), state, clock.step, clock.time(), owner_);
+  else
+    for (const StateBlock& block : state.blocks) block.save([](std::span<const std::byte>) {});
+  const bool first = !record_.last_checkpoint;
+  record_.last_checkpoint = clock.step;
+  if (folder_ && first) write_run_record(path_, record_);  // that there has been one, should it get lost
+  ranks.most(0);                                           // nobody ends while it is written
+}
+
+std::string RunBook::last_good() const {
+  if (!record_.last_checkpoint) return "there is no checkpoint yet";
+  return fmt::format("the last good state is the checkpoint of step {} in {}", *record_.last_checkpoint, checkpoints());
+}
+
+void RunBook::close_failed(const Clock& clock, const Progress& progress, const std::exception& error) {
+  reserve_.reset();
+  try {
+    note_failure(record_, error);
+    close(clock, progress);
+  } catch (const FileError&) {
+    // the disk that refused the results refuses the record as well; the first error is the one to report
+  }
+}
+
+void RunBook::close(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
+                    int code) {
+  record_.status = status;
+  record_.exit_reason = reason;
+  record_.exit_code = code;
+  close(clock, progress);
+}
+
+void RunBook::close(const Clock& clock, const Progress& progress) {
+  if (!folder_) return;
+  record_.ended = utc_now();
+  write(clock, progress);
+}
+
+/// With how far the run is now.
+void RunBook::write(const Clock& clock, const Progress& progress) {
+  record_.steps = clock.step;
+  record_.simulated_time = clock.time();
+  record_.wall_time = earlier_time_ + progress.wall_time();
+  record_.mlups = progress.mlups();
+  write_run_record(path_, record_);
+}
+
+}  // namespace vug
