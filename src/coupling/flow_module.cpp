@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug {
 
@@ -204,6 +205,9 @@ void FlowModule<T>::ledger(Ledger& ledger) const {
   for (const StretchLinks& boundary : boundaries_)
     if (boundary.stretch.opening) balance.gains.push_back({boundary.stretch.name, kg * boundary.total()});
   balance.gains.push_back({"births", kg * born_mass_});
+  // in a closed box nothing else is left
+  constexpr double roundings = 16 * std::numeric_limits<T>::epsilon();
+  balance.negligible = roundings * kg * geometry_.fluid.count;
 }
 
 template <class T>

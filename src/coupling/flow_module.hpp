@@ -40,6 +40,7 @@ class FlowModule final : public Module {
   void add_slit_drag(const Exec& exec, const VectorField<double>& centre, const VectorField<double>& force,
                      const ScalarField<double>& torque) const;
   /// Whether its forces or its viscosity depend on the temperature.
+  bool buoyant() const { return section_.buoyant(); }
   bool needs_temperature() const { return section_.buoyant() || section_.viscosity_varies(); }
   /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
   void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }

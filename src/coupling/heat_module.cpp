@@ -60,6 +60,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   const bool in_parts = !geometry.split.alone();
   if (flow && flow->needs_temperature()) {
     fluid_theta_ = zeros<ScalarField<T>>(exec, "vug::heat::fluid_theta", geometry.fluid.capacity, in_parts);
+    if (flow->buoyant()) before_ = zeros<ScalarField<T>>(exec, "vug::heat::before", geometry.fluid.capacity, in_parts);
     flow->be_heated_by(fluid_theta_);
   }
   if (flow) carrier_ = &flow->carrier(exec, interval_, directions(), even_defect_weight(fields_));
@@ -99,7 +100,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     take_temperatures(exec, fields_, watched_);
   }
   find_halos();
-  if (fluid_theta_.extent(0) > 0) take_temperatures_of_fluid(exec);
+  begin_temperatures_of_fluid(exec, 0);
   initial_energy_ = energy();
 }
 
@@ -179,7 +180,7 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     set_heat_rates(parameters(), 1, fields_);
     if (carrier_) stretch_lagged(exec, geometry_.fluid.near(geometry_.fluid.count), stretch, lagged_);
   }
-  if (fluid_theta_.extent(0) > 0) take_temperatures_of_fluid(exec);
+  take_temperatures_of_fluid(exec);
 }
 
 template <class T>
@@ -198,9 +199,9 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
   }
   set_heat_geometry(exec, geometry_.type, periodic_, fields_);
   find_halos();
-  if (fluid_theta_.extent(0) == 0) return;
-  Kokkos::resize(exec, fluid_theta_, geometry_.fluid.capacity);
-  take_temperatures_of_fluid(exec);
+  if (fluid_theta_.extent(0) > 0) Kokkos::resize(exec, fluid_theta_, geometry_.fluid.capacity);
+  if (before_.extent(0) > 0) Kokkos::resize(exec, before_, geometry_.fluid.capacity);
+  begin_temperatures_of_fluid(exec, births.first);
 }
 
 template <class T>

@@ -3,6 +3,7 @@
 #include "coupling/face_temperature.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
+#include "coupling/step_times.hpp"
 #include "kernels/base/units.hpp"
 #include "kernels/heat/heat.hpp"
 #include "kernels/heat/heat_boundary.hpp"
@@ -68,8 +69,10 @@ class HeatModule final : public Module {
   template <class Visit>
   void visit_shares(const Visit& visit) const;
   void shared_state(StateList& list) const;
-  /// fluid_theta_ of the nodes that this rank sweeps.
+  /// fluid_theta_ after a step, of the nodes that this rank sweeps.
   void take_temperatures_of_fluid(const Exec& exec) const;
+  /// The same where there was no step before, from fluid node `first` on.
+  void begin_temperatures_of_fluid(const Exec& exec, int first) const;
   double energy() const;
   /// What conducts, by its numbers, rock of none first; empty where the case gives no mineral numbers of its own.
   void set_up_minerals(const Scene& scene);
@@ -78,6 +81,8 @@ class HeatModule final : public Module {
   bool rock_asks_before_next_step(const Clock& clock) const;
   /// What the kernels call the value of a condition, at a time (s), and its transfer coefficient.
   double value_of(const HeatBoundary& heat, double time) const;
+  /// The same of a step that begins at these times.
+  double value_of(const HeatBoundary& heat, const StepTimes& times) const;
   double transfer_of(const HeatBoundary& heat) const;
   /// Widens the range of temperatures that the case names.
   void widen_range(const HeatBoundary& heat);
@@ -109,7 +114,8 @@ class HeatModule final : public Module {
   HeatFields<T> fields_;
   ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
   ScalarField<T> watched_;          ///< (node) temperatures at the last look; empty where nobody asks for changes
-  ScalarField<T> fluid_theta_;      ///< (fluid) temperatures of now; empty unless the flow asks
+  ScalarField<T> fluid_theta_;      ///< (fluid) temperatures that the flow feels; empty unless it asks
+  ScalarField<T> before_;           ///< (fluid) those of the last step; empty unless the fluid is buoyant
   mutable bool fresh_ = false;      ///< no step since
   Halo populations_;                ///< of other ranks' nodes that we conduct from or look back at
   Halo filled_;                     ///< populations in others' rows that we fill in

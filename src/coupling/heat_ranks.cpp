@@ -72,6 +72,7 @@ void HeatModule<T>::visit_shares(const Visit& visit) const {
   if (watched_.extent(0) > 0) visit("heat/watched", watched_, Shares(rows, 1, {}));
   if (fluid_theta_.extent(0) > 0)
     visit("heat/fluid_theta", fluid_theta_, Shares(split.of_fluid(geometry_.fluid), 1, {in_rows_}));
+  if (before_.extent(0) > 0) visit("heat/before", before_, Shares(split.of_fluid_by_row(geometry_.fluid), 1, {}));
 }
 
 template <class T>
@@ -110,17 +111,30 @@ void HeatModule<T>::shared_state(StateList& list) const {
 
 template <class T>
 void HeatModule<T>::take_temperatures_of_fluid(const Exec& exec) const {
-  gather_temperatures(exec, geometry_.fluid, fields_, fluid_theta_);
+  if (fluid_theta_.extent(0) == 0) return;
+  gather_temperatures(exec, geometry_.fluid, fields_, 0, fluid_theta_);
+  // in an even number of lattice steps what changes its sign in each has carried nothing
+  const double share = interval_ % 2 == 1 ? 0.5 : 0;
+  if (before_.extent(0) > 0) mix_with_before(exec, geometry_.fluid, share, before_, fluid_theta_);
   in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});
 }
 
-#define VUG_INSTANTIATE(T)                                     \
-  template void HeatModule<T>::find_halos();                   \
-  template void HeatModule<T>::gather(const Exec&);            \
-  template void HeatModule<T>::gather_sums() const;            \
-  template void HeatModule<T>::let_go();                       \
-  template void HeatModule<T>::shared_state(StateList&) const; \
-  template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const
+template <class T>
+void HeatModule<T>::begin_temperatures_of_fluid(const Exec& exec, int first) const {
+  if (fluid_theta_.extent(0) == 0) return;
+  gather_temperatures(exec, geometry_.fluid, fields_, first, fluid_theta_);
+  if (before_.extent(0) > 0) gather_temperatures(exec, geometry_.fluid, fields_, first, before_);
+  in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});
+}
+
+#define VUG_INSTANTIATE(T)                                                    \
+  template void HeatModule<T>::find_halos();                                  \
+  template void HeatModule<T>::gather(const Exec&);                           \
+  template void HeatModule<T>::gather_sums() const;                           \
+  template void HeatModule<T>::let_go();                                      \
+  template void HeatModule<T>::shared_state(StateList&) const;                \
+  template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const; \
+  template void HeatModule<T>::begin_temperatures_of_fluid(const Exec&, int) const
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);
 #undef VUG_INSTANTIATE

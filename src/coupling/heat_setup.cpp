@@ -1,6 +1,5 @@
 // What the case says of the heat, in the units of its steps: minerals, parameters, conditions at sides and openings.
 #include "coupling/heat_module.hpp"
-#include "coupling/step_times.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +54,13 @@ double HeatModule<T>::value_of(const HeatBoundary& heat, double time) const {
 }
 
 template <class T>
+double HeatModule<T>::value_of(const HeatBoundary& heat, const StepTimes& times) const {
+  if (heat.temperature.constant() && heat.flux.constant()) return value_of(heat, times.last);
+  const auto at = [&](double moment) { return value_of(heat, moment); };
+  return heat.kind == HeatBoundaryKind::flux ? times.mean(at) : times.mean_about_last(at);
+}
+
+template <class T>
 double HeatModule<T>::transfer_of(const HeatBoundary& heat) const {
   return interval_ * heat.coefficient / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
 }
@@ -71,21 +77,18 @@ void HeatModule<T>::widen_range(const HeatBoundary& heat) {
 template <class T>
 void HeatModule<T>::set_values(double time) {
   const StepTimes times{time, units_.time_step, interval_};
-  const auto set = [&](auto& surface, const HeatBoundary& heat) {
-    if (heat.temperature.constant() && heat.flux.constant()) return;
-    const auto at = [&](double moment) { return value_of(heat, moment); };
-    surface.value = heat.kind == HeatBoundaryKind::flux ? times.mean(at) : times.mean_about_last(at);
-  };
+  const auto set = [&](auto& surface, const HeatBoundary& heat) { surface.value = value_of(heat, times); };
   for (std::size_t s = 0; s < sides_.size(); ++s) set(sides_[s], stretches_[s].conditions.heat);
   for (std::size_t o = 0; o < openings_.size(); ++o) set(openings_[o], geometry_.openings[o].conditions.heat);
 }
 
-#define VUG_INSTANTIATE(T)                                                    \
-  template void HeatModule<T>::set_up_minerals(const Scene&);                 \
-  template HeatParameters HeatModule<T>::parameters() const;                  \
-  template double HeatModule<T>::value_of(const HeatBoundary&, double) const; \
-  template double HeatModule<T>::transfer_of(const HeatBoundary&) const;      \
-  template void HeatModule<T>::widen_range(const HeatBoundary&);              \
+#define VUG_INSTANTIATE(T)                                                              \
+  template void HeatModule<T>::set_up_minerals(const Scene&);                           \
+  template HeatParameters HeatModule<T>::parameters() const;                            \
+  template double HeatModule<T>::value_of(const HeatBoundary&, double) const;           \
+  template double HeatModule<T>::value_of(const HeatBoundary&, const StepTimes&) const; \
+  template double HeatModule<T>::transfer_of(const HeatBoundary&) const;                \
+  template void HeatModule<T>::widen_range(const HeatBoundary&);                        \
   template void HeatModule<T>::set_values(double)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -12,7 +12,7 @@ double Balance::relative_error() const {
     error -= gain.value;
     largest = std::max(largest, std::abs(gain.value));
   }
-  return largest > 0 ? error / largest : 0;
+  return largest > negligible ? error / largest : 0;
 }
 
 Balance& Ledger::of(const std::string& quantity, const std::string& unit) {

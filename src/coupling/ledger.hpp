@@ -17,8 +17,9 @@ struct Balance {
   double initial = 0;
   double stored = 0;
   std::vector<Term> gains;  ///< positive increases what is stored; numerical terms are named as such
+  double negligible = 0;    ///< amounts up to this are rounding of what they are differences of
 
-  /// stored - initial - sum of gains, over the largest of these amounts (0 when all are 0).
+  /// stored - initial - sum of gains, over the largest of these amounts (0 when all are negligible).
   double relative_error() const;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 // When a step that takes several lattice steps looks at tables over time.
+#include "coupling/clock.hpp"
 
 namespace vug {
 
@@ -30,5 +31,12 @@ struct StepTimes {
     return sum / count;
   }
 };
+
+/// Those of the next step that takes `count` lattice steps: the one that ends when as many are done, as Clock::every
+/// says.
+inline StepTimes next_step(const Clock& clock, int count) {
+  const std::int64_t steps_to_go = count - 1 - clock.step % count;
+  return {clock.time() + static_cast<double>(steps_to_go) * clock.time_step, clock.time_step, count};
+}
 
 }  // namespace vug

@@ -101,7 +101,7 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   const auto look = [&](const std::string& name, const HeatBoundary& heat, std::size_t number, auto surface,
                         const auto& fill) {
     surface.energy_in = ScalarField<double>("vug::surfaces::energy_in", surface.energy_in.extent(0));
-    surface.value = value_of(heat, clock.time());
+    surface.value = value_of(heat, next_step(clock, interval_));
     fill(surface);
     if (surface.condition == HeatCondition::adiabatic) return;
     if (!split.alone()) split.make_whole(owners_of_entries(number), surface.energy_in);
@@ -142,7 +142,7 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
     for (const StretchLinks& boundary : s.boundaries) dressed.push_back(dressing(exec, fluid, boundary, s.fields.h));
     std::vector<SoluteCondition<T>> conditions;
     for (const DressedBoundary<T>& d : dressed)
-      conditions.push_back(condition(s, d.boundary, StepTimes{clock.time()}, d.gain));
+      conditions.push_back(condition(s, d.boundary, next_step(clock, interval_), d.gain));
     dress<Set, T>(exec, fluid, conditions, narrow_, crossing());
     exec.fence("vug::solute::surfaces");
     for (const DressedBoundary<T>& d : dressed) {

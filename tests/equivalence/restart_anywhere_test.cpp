@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
             "boundary.injection.heat.temperature=[[0,488.15],[2e-4,288.15]]",
             "boundary.injection.solute.concentration.L1=[[0,0],[1e-4,3000]]", "output.forces=true",
             "output.flows=true"},
-        Set{"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "accuracy.heat_interval=2",
+        Set{"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "accuracy.heat_interval=3",
             "flow.viscosity_activation_energy=8000"},
         Set{"boundary.top.traction.normal_stress=[[0, 1e6], [5e-5, 9e6], [1e-4, 2e6]]",
             "boundary.right.traction={ support = \"roller\", velocity = [[0, 0, 0], [6e-5, -0.01, 0]] }"},

@@ -186,6 +186,28 @@ TEST(TransportInSI, PulseThatTheFlowBringsComesInOnceForAnyInterval) {
   }
 }
 
+/// What is told before a step of several lattice steps, at any of them, is what that step takes in.
+TEST(TransportInSI, FlowsToldAreThoseOfTheNextStep) {
+  const std::string text =
+      still + "[output]\nflows = true\n[boundary.top]\nheat = { type = \"flux\", flux = [[0, 0], [0.1, 1e5]] }\n" +
+      on_the_left("type = \"temperature\", temperature = [[0, 300], [0.1, 350]]",
+                  "type = \"concentration\", concentration = { A = [[0, 0], [0.2, 20]] }");
+  for (const int interval : {1, 3, 8}) {
+    test::CoupledRun run(text, {fmt::format("accuracy.heat_interval={}", interval),
+                                fmt::format("accuracy.solute_interval={}", interval)});
+    for (const int before : {0, interval / 2}) {
+      run.steps(5 * interval + before);
+      const double warmth = run.now("left_heat_flow_W_per_m") + run.now("top_heat_flow_W_per_m");
+      const double acid = run.now("left_A_flow_mol_per_m_s");
+      const double warmth_so_far = run.gain("heat", "sides"), acid_so_far = run.gain("A", "injected");
+      run.steps(interval - before);
+      const double seconds = interval * 1e-3;
+      EXPECT_NEAR((run.gain("heat", "sides") - warmth_so_far) / seconds / warmth, 1, 1e-9) << interval;
+      EXPECT_NEAR((run.gain("A", "injected") - acid_so_far) / seconds / acid, 1, 1e-9) << interval;
+    }
+  }
+}
+
 /// A line: the mean of the steps themselves is the value in their middle, that about the last the value there.
 TEST(StepTimes, MeansOfALineAndOfOneStep) {
   const auto line = [](double t) { return 3 + 2 * t; };

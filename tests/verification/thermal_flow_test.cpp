@@ -67,6 +67,29 @@ TEST(ThermalViscosity, TableIsLinearBetweenItsPoints) {
   test::record("thermal_viscosity", {{"law", "table"}, {"cells", 16}, {"error", fine}});
 }
 
+/// Water heated from above lies still, and rounding must not shake it (25 cells, some hundred times the time in which
+/// momentum of alternating sign would grow by e).
+TEST(StableLayer, LiesStill) {
+  for (const int interval : {1, 2, 3}) {
+    test::CoupledRun run(
+        "[lattice]\nsize = [0.0032, 0.020]\nspacing = 8e-4\ntime_step = 32e-3\n[time]\nend = 500\n"
+        "[flow]\nviscosity = 1e-6\ngravity = [0, -9.81]\nthermal_expansion = 2e-4\nreference_temperature = 293.15\n"
+        "[heat]\nfluid_diffusivity = 1.4e-7\nsolid_diffusivity = 1.4e-7\nfluid_heat_capacity = 4180\n"
+        "initial_temperature = 293.15\n"
+        "[boundary.left]\nflow = { type = \"periodic\" }\n[boundary.right]\nflow = { type = \"periodic\" }\n"
+        "[boundary.bottom]\nheat = { type = \"temperature\", temperature = 288.15 }\n"
+        "[boundary.top]\nheat = { type = \"temperature\", temperature = 298.15 }\n[output]\nflows = true\n",
+        {fmt::format("accuracy.heat_interval={}", interval)});
+    run.steps(15000);
+    double fastest = 0;
+    for (const double u : run.nodes("velocity")) fastest = std::max(fastest, std::abs(u));
+    EXPECT_EQ(run.now("fluid_mass_balance_error_1"), 0) << interval;
+    EXPECT_LT(fastest, 1e-7) << interval;  // m/s, as it warms; free convection reaches (g beta dT L)^1/2, 0.02
+    const double conducted = 0.0032 * 1.4e-7 * 1000 * 4180 * 10 / 0.020;
+    EXPECT_NEAR(run.now("top_heat_flow_W_per_m") / conducted, 1, 5e-3) << interval;
+  }
+}
+
 /// The same viscosity everywhere gives the flow of one viscosity.
 TEST(ThermalViscosity, OfNoDependenceIsThePlainFlow) {
   EXPECT_LT(error_of(8, "viscosity_table = [[300, 0.1], [310, 0.1]]", [](double) { return 0.1; }), 1e-9);

@@ -8,15 +8,35 @@ template <class T>
 struct GatherTemperature {
   IndexList node;
   Temperature<T> temperature;
+  int first;
   ScalarField<T> theta;
-  KOKKOS_FUNCTION void operator()(int i) const { theta(i) = temperature(node(i)); }
+  KOKKOS_FUNCTION void operator()(int i) const {
+    if (i >= first) theta(i) = temperature(node(i));
+  }
 };
 
 template <class T>
-void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields,
+void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields, int first,
                          const ScalarField<T>& theta) {
   for_each_node(exec, "vug::thermal_flow::temperatures", nodes.near(nodes.count),
-                GatherTemperature<T>{nodes.node, Temperature<T>(fields), theta});
+                GatherTemperature<T>{nodes.node, Temperature<T>(fields), first, theta});
+}
+
+template <class T>
+struct MixWithBefore {
+  T share;
+  ScalarField<T> before, theta;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const T now = theta(i);
+    theta(i) = now + share * (before(i) - now);
+    before(i) = now;
+  }
+};
+
+template <class T>
+void mix_with_before(const Exec& exec, const FluidNodes& nodes, double share, const ScalarField<T>& before,
+                     const ScalarField<T>& theta) {
+  for_each_node(exec, "vug::thermal_flow::mix", nodes.near(nodes.count), MixWithBefore<T>{T(share), before, theta});
 }
 
 template <class T>
@@ -33,8 +53,9 @@ void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta
   for_each_node(exec, "vug::thermal_flow::viscosities", list, SetSpread<T>{theta, law, spread});
 }
 
-#define VUG_INSTANTIATE(T)                                                                                        \
-  template void gather_temperatures(const Exec&, const FluidNodes&, const HeatFields<T>&, const ScalarField<T>&); \
+#define VUG_INSTANTIATE(T)                                                                                             \
+  template void gather_temperatures(const Exec&, const FluidNodes&, const HeatFields<T>&, int, const ScalarField<T>&); \
+  template void mix_with_before(const Exec&, const FluidNodes&, double, const ScalarField<T>&, const ScalarField<T>&); \
   template void set_spread(const Exec&, const Share&, const ScalarField<T>&, const ViscosityLaw&, const ScalarField<T>&)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -5,10 +5,19 @@
 
 namespace vug {
 
-/// theta(i) = temperature of fluid node i.
+/// theta(i) = temperature of fluid node i, from node `first` of the list on.
 template <class T>
-void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields,
+void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields, int first,
                          const ScalarField<T>& theta);
+
+/// Mixes `share` of `before` into theta, the temperatures of now, which `before` becomes.
+/// For buoyancy: collisions keep the momentum along y that changes its sign from row to row and from step to step, and
+/// so does streaming, so that nothing damps it (as along x from column to column). What it carries of a gradient of
+/// temperature changes its sign alike, and one step later drives it on where the layers are stable, as N^2 dx^2 / 8
+/// kappa does per second, N the frequency of their waves. The mean of two steps, a share of 1/2, is blind to it.
+template <class T>
+void mix_with_before(const Exec& exec, const FluidNodes& nodes, double share, const ScalarField<T>& before,
+                     const ScalarField<T>& theta);
 
 /// Viscosity as a function of the temperature: linear between the points of a table and constant outside it, or,
 /// without points, nu exp(E_a / R (1 / T - 1 / T_0)).
