@@ -101,35 +101,44 @@ Point unit_vector(const Point& v) {
   return length > 0 ? Point{v[0] / length, v[1] / length} : Point{1, 0};
 }
 
-/// Unit normal, of either sign, of the outline at the point of it that is nearest to p.
-Point normal_at(const Disc& disc, const Point& p) {
+/// 1 where the corners go round counterclockwise, else -1.
+double orientation(const Polygon& polygon) {
+  const auto& v = polygon.points;
+  double twice = 0;  // the area, by the shoelace formula
+  for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++) twice += v[b][0] * v[a][1] - v[b][1] * v[a][0];
+  return twice < 0 ? -1 : 1;
+}
+
+/// Unit normal of the outline at the point of it that is nearest to p.
+Point normal_at(const Disc& disc, const Point& p, const Point&) {
   return unit_vector({p[0] - disc.centre[0], p[1] - disc.centre[1]});
 }
 
-Point normal_at(const Polygon& polygon, const Point& p) {
+/// Of the edges that look along `out` the nearest: at a corner the other one may be nearer, which a line along `out`
+/// does not cross.
+Point normal_at(const Polygon& polygon, const Point& p, const Point& out) {
+  constexpr double aside = 1e-9;  // cosine of what lies along an edge
   const auto& v = polygon.points;
-  Point normal{1, 0};
+  const double round = orientation(polygon);
+  Point found = unit_vector(out);
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++) {
-    const Point along{v[b][0] - v[a][0], v[b][1] - v[a][1]}, to_p{p[0] - v[a][0], p[1] - v[a][1]};
+    const Point along{v[a][0] - v[b][0], v[a][1] - v[b][1]}, to_p{p[0] - v[b][0], p[1] - v[b][1]};
     const double length2 = along[0] * along[0] + along[1] * along[1];
-    if (length2 == 0) continue;
+    const Point normal = unit_vector({round * along[1], -round * along[0]});
+    if (length2 == 0 || normal[0] * out[0] + normal[1] * out[1] < aside) continue;
     const double t = std::clamp((to_p[0] * along[0] + to_p[1] * along[1]) / length2, 0.0, 1.0);
     const double distance = std::hypot(to_p[0] - t * along[0], to_p[1] - t * along[1]);
     if (distance >= nearest) continue;
     nearest = distance;
-    normal = unit_vector({-along[1], along[0]});
+    found = normal;
   }
-  return normal;
+  return found;
 }
 
-Point normal_at(const Rectangle& r, const Point& p) {
-  return normal_at(Polygon{{r.from, {r.to[0], r.from[1]}, r.to, {r.from[0], r.to[1]}}}, p);
+Point normal_at(const Rectangle& r, const Point& p, const Point& out) {
+  return normal_at(Polygon{{r.from, {r.to[0], r.from[1]}, r.to, {r.from[0], r.to[1]}}}, p, out);
 }
-
-}  // namespace
-
-namespace {
 
 Point centre_of(const Disc& disc) {
   return disc.centre;
@@ -190,8 +199,12 @@ std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& latti
                       "enlarge it or refine lattice.spacing",
                       scene.path, shape.name));
     const double dx = scene.lattice.spacing;
-    const auto normal = [&](double x, double y) {
-      return std::visit([&](const auto& form) { return normal_at(form, Point{x * dx, y * dx}); }, shape.form);
+    const auto normal = [&](const Point& at, const Point& out) {
+      return std::visit(
+          [&](const auto& form) {
+            return normal_at(form, Point{at[0] * dx, at[1] * dx}, out);
+          },
+          shape.form);
     };
     openings.push_back({"shape_" + shape.name, make_opening(lattice, nodes[o], normal), section.conditions,
                         std::visit([&](const auto& form) { return in_cells(centre_of(form), dx); }, shape.form)});

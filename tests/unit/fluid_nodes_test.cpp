@@ -204,8 +204,8 @@ TEST(Opening, TakesLinksFromFluidAndSharesItsAreaAmongThem) {
     const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type, {across, false});
     EXPECT_EQ(nodes.count, 6 * 5 - 4 - 1);
     // the surface is the square: a link across its left or right face has a horizontal normal
-    const Opening opening = make_opening(lattice, inside, [](double, double y) {
-      return y > 1 && y < 3 ? std::array<double, 2>{1, 0} : std::array<double, 2>{0, 1};
+    const Opening opening = make_opening(lattice, inside, [](const auto& at, const auto&) {
+      return at[1] > 1 && at[1] < 3 ? std::array<double, 2>{1, 0} : std::array<double, 2>{0, 1};
     });
     for (const int directions : {5, 9}) {
       const BoundaryLinks links = find_opening_links(Exec{}, nodes, opening, directions);

@@ -145,6 +145,28 @@ TEST(HeatedPipe, GivesTheFluxOfItsTrueCircumference) {
   }
 }
 
+/// A heated rectangle wherever it lies among the cells, and a triangle of 11 columns and 9 rows of them.
+TEST(HeatedPipe, GivesTheFluxOfEveryFaceThatItHas) {
+  constexpr double flux = 1e-3;
+  const auto faces = [&](const std::string& form) {
+    CoupledRun run(test::unit_lattice(24, 20) + "[geometry]\ntype = \"shapes\"\n" + form +
+                   "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\nfluid_density = 1\n"
+                   "fluid_heat_capacity = 1\ninitial_temperature = 300\n"
+                   "[boundary.shape.pipe]\nheat = { type = \"flux\", flux = 1e-3 }\n");
+    run.steps(10);
+    return run.gain("heat", "shape_pipe") / (10 * flux);
+  };
+  const std::string name = "name = \"pipe\"";
+  EXPECT_NEAR(faces(test::rectangle(12.2, 7.8, 17.7, 13.3, name)), 22, 1e-9);  // 6 x 5 cells
+  EXPECT_NEAR(faces(test::rectangle(13.5, 3, 16.5, 6, name)), 12, 1e-9);       // through the centres of cells
+  EXPECT_NEAR(faces(test::rectangle(14.4, 3.3, 15.4, 4.3, name)), 4, 1e-9);    // one
+  const auto triangle = [](const char* points) {
+    return fmt::format("[[geometry.shapes]]\ntype = \"polygon\"\npoints = {}\nname = \"pipe\"\n", points);
+  };
+  for (const char* points : {"[[4, 4], [16, 4], [4, 13]]", "[[4, 4], [4, 13], [16, 4]]"})
+    EXPECT_NEAR(faces(triangle(points)), 11 + 9 + 0.8 * 11 + 0.6 * 9, 1e-9) << points;  // either way round
+}
+
 /// Fluid from a well: the same flows through every circle, u = U R / r.
 TEST(Well, FeedsARadialFlowThatLeavesAtTheOtherOpening) {
   const Ring r = ring(12);

@@ -6,8 +6,7 @@
 
 namespace vug {
 
-Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes,
-                     const std::function<std::array<double, 2>(double, double)>& normal) {
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal) {
   constexpr int links = D2Q9::Q - 1;
   Opening opening{IndexList("vug::opening::node", nodes.size()),
                   ScalarField<double>("vug::opening::facing", links * nodes.size())};
@@ -16,9 +15,9 @@ Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes,
   for (std::size_t item = 0; item < nodes.size(); ++item) {
     node(item) = nodes[item];
     for (int q = 1; q < D2Q9::Q; ++q) {
-      const auto n = normal(lattice.x(nodes[item]) + 0.5 * (1 + D2Q9::c(q, 0)),
-                            lattice.y(nodes[item]) + 0.5 * (1 + D2Q9::c(q, 1)));
-      facing(links * item + q - 1) = std::abs(n[0] * D2Q9::c(q, 0) + n[1] * D2Q9::c(q, 1));
+      const std::array<double, 2> c{double(D2Q9::c(q, 0)), double(D2Q9::c(q, 1))};
+      const auto n = normal({lattice.x(nodes[item]) + 0.5 * (1 + c[0]), lattice.y(nodes[item]) + 0.5 * (1 + c[1])}, c);
+      facing(links * item + q - 1) = std::abs(n[0] * c[0] + n[1] * c[1]);
     }
   }
   Kokkos::deep_copy(opening.node, node);

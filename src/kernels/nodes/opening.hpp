@@ -16,9 +16,12 @@ struct Opening {
   ScalarField<double> facing;  ///< (8 item + q - 1) |n.c_q|, n the unit normal of the surface half way along link q
 };
 
-/// `nodes` are dense nodes of the lattice; normal(x, y) is the unit normal of the surface at a point in cells.
-Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes,
-                     const std::function<std::array<double, 2>(double, double)>& normal);
+/// The unit normal of a surface where a line crosses it: near `at`, cells, on a face that looks along `out`.
+using SurfaceNormal =
+    std::function<std::array<double, 2>(const std::array<double, 2>& at, const std::array<double, 2>& out)>;
+
+/// `nodes` are dense nodes of the lattice.
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal);
 
 /// Links from fluid nodes into the opening, in order of its nodes; `directions` is 9 or 5.
 BoundaryLinks find_opening_links(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
