@@ -36,15 +36,23 @@ struct Pace {
   std::int64_t value, first;  ///< told from `first` on
   std::string what;
 };
+/// What holds the rock back, as far as the last look tells.
+std::string why_it_waits(const Ageing& ageing) {
+  if (std::isinf(ageing.residual())) return "nothing dissolves";
+  if (ageing.residual() <= ageing.tolerance())
+    return "the acid is steady, but not the flow (accuracy.flow_tolerance), or a table over time has a point ahead";
+  return fmt::format("the acid is off its steady state by {:.2g}, accuracy.dissolution_tolerance = {:g}",
+                     ageing.residual(), ageing.tolerance());
+}
+
 std::vector<Pace> paces_of(const Ageing& ageing) {
   return {{"largest factor", static_cast<std::int64_t>(ageing.largest()), 10,
            fmt::format("the rock ages {:.3g} times faster than the fluid", ageing.largest())},
           {"waits", ageing.waits(), 1,
            fmt::format("the rock has waited {} times for the acid to follow (factor 1)", ageing.waits())},
           {"waiting", ageing.waiting_steps(), 100000,
-           fmt::format("warning: for {} lattice steps the acid was too far from a steady state for "
-                       "accuracy.dissolution_tolerance = {:g} (now {:.2g}), and the rock aged no faster than the fluid",
-                       ageing.waiting_steps(), ageing.tolerance(), ageing.residual())}};
+           fmt::format("warning: for {} lattice steps the rock aged no faster than the fluid; now {}",
+                       ageing.waiting_steps(), why_it_waits(ageing))}};
 }
 
 std::string at(const Clock& clock) {
@@ -81,16 +89,16 @@ Events::Events(const Simulation& simulation, const std::vector<std::string>& ear
 
 std::vector<std::string> Events::look(const Simulation& simulation) {
   std::vector<std::string> news;
+  if (const IntervalChooser* chooser = simulation.chooser()) {
+    const auto& lines = chooser->news();
+    for (auto l = static_cast<std::size_t>(next_["intervals"]); l < lines.size(); ++l) news.push_back(lines[l]);
+    next_["intervals"] = static_cast<std::int64_t>(lines.size());
+  }
   for (const Count& count : counts_of(simulation)) {
     std::int64_t& next = next_.try_emplace(count.what, 1).first->second;
     if (count.value < next) continue;
     if (begun_) news.push_back(fmt::format("{}{} {}", at(simulation.clock()), count.value, count.what));
     while (next <= count.value) next *= 10;
-  }
-  if (const IntervalChooser* chooser = simulation.chooser()) {
-    const auto& lines = chooser->news();
-    for (auto l = static_cast<std::size_t>(next_["intervals"]); l < lines.size(); ++l) news.push_back(lines[l]);
-    next_["intervals"] = static_cast<std::int64_t>(lines.size());
   }
   if (!simulation.parts().ageing) return news;
   for (const Pace& pace : paces_of(*simulation.parts().ageing)) {

@@ -15,8 +15,10 @@
 namespace vug {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
   return read_scene(VUG_SOURCE_DIR "/cases/" + name, overrides);
@@ -216,6 +218,15 @@ TEST(CaseTables, MechanicsProfilesDifferInCohesionOnly) {
 TEST(CaseTables, LowReferenceTemperatureIsRemarkedNotRefused) {
   const Scene scene = shipped("quickstart.toml", {"reaction.reference_temperature=237.15"});
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("reaction.reference_temperature = 237.15 K is below 250 K")));
+}
+
+TEST(CaseTables, NotchesThatDamageWidensAreRemarked) {
+  const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
+  const auto widened = HasSubstr("until the first update only");
+  EXPECT_THAT(warnings({"rock.notches.0.aperture=1"}),
+              ElementsAre(HasSubstr("is 1 cells wide until the first update only, then 3 or more")));
+  EXPECT_THAT(warnings({"rock.notches.0.aperture=1", "damage.minimum_aperture=1"}), Not(Contains(widened)));
+  EXPECT_THAT(warnings({"rock.notches.0.aperture=0"}), Not(Contains(widened)));  // closed: what damage gives it
 }
 
 TEST(CaseTables, WhatFluidCarriesToAnOutletMayLeaveIsRemarked) {

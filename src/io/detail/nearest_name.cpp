@@ -50,12 +50,17 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   return nearest;
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
-  if (candidates.empty()) return "";
+std::string likely_name(std::string_view name, std::span<const std::string> candidates) {
   const std::string nearest = nearest_name(name, candidates);
   const int close = std::max<int>(2, static_cast<int>(nearest.size()) / 3);
-  if (edit_distance(lower(name), lower(nearest)) <= close) return fmt::format("; did you mean \"{}\"?", nearest);
-  return fmt::format("; valid are {}", fmt::join(candidates, ", "));
+  if (nearest.empty() || edit_distance(lower(name), lower(nearest)) > close) return "";
+  return fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
+  if (candidates.empty()) return "";
+  const std::string likely = likely_name(name, candidates);
+  return likely.empty() ? fmt::format("; valid are {}", fmt::join(candidates, ", ")) : likely;
 }
 
 }  // namespace vug

@@ -158,7 +158,7 @@ std::string TomlCursor::word(std::string_view key, const std::string& fallback,
   const auto* text = found->as_string();
   if (text == nullptr) fail(key, fmt::format("must be one of the words \"{}\"", fmt::join(words, "\", \"")));
   if (std::find(words.begin(), words.end(), text->get()) == words.end()) {
-    fail(key, fmt::format("must be one of \"{}\"{}", fmt::join(words, "\", \""), suggestion(text->get(), words)));
+    fail(key, fmt::format("must be one of \"{}\"{}", fmt::join(words, "\", \""), likely_name(text->get(), words)));
   }
   return text->get();
 }

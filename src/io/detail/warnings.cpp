@@ -66,6 +66,25 @@ void warn_about_small_cavities(Scene& scene) {
     if (metres < cell) scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", entry));
 }
 
+/// A notch is of broken bonds, which [damage] widens to a least width of its own.
+void warn_about_narrow_notches(Scene& scene) {
+  const RockSection& rock = *scene.rock;
+  const DamageSection& damage = *scene.damage;
+  if (damage.aperture == ApertureLaw::opening) return;
+  const bool metres = rock.pathway_width.has_value();
+  const double least = metres ? damage.minimum_width.value_or(*rock.pathway_width) : damage.minimum_aperture;
+  std::map<int, double> narrow;  // width of notches that may be rows of lines
+  for (const Notch& notch : rock.notches) {
+    const double width = metres ? notch.width.value_or(*rock.pathway_width) : notch.aperture;
+    if (width > 0 && width < least) narrow[notch.entry] = width;
+  }
+  for (const auto& [entry, width] : narrow)
+    scene.warnings.push_back(fmt::format(
+        "rock.notches.{} is {:g} {} wide until the first update only, then {:g} or more as every broken bond: lower "
+        "damage.{} to keep it so narrow",
+        entry, width, metres ? "m" : "cells", least, metres ? "minimum_width" : "minimum_aperture"));
+}
+
 /// Rock that nothing holds drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
   for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
@@ -164,6 +183,7 @@ void collect_warnings(Scene& scene) {
   warn_about_outlets(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
+  if (scene.rock && scene.damage) warn_about_narrow_notches(scene);
   if (scene.mechanics) warn_about_support(scene);
   if (scene.mechanics) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);
