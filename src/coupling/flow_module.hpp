@@ -39,9 +39,10 @@ class FlowModule final : public Module {
   /// force and torque of triangles += the drag of the fluid in slits (slit_nodes.hpp), of triangles about `centre`.
   void add_slit_drag(const Exec& exec, const VectorField<double>& centre, const VectorField<double>& force,
                      const ScalarField<double>& torque) const;
-  /// Whether its forces or its viscosity depend on the temperature.
+  /// Whether its forces depend on the temperature.
   bool buoyant() const { return section_.buoyant(); }
-  bool needs_temperature() const { return section_.buoyant() || section_.viscosity_varies(); }
+  /// Whether its forces or its viscosity do.
+  bool needs_temperature() const { return buoyant() || section_.viscosity_varies(); }
   /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
   void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }
   /// Whether it changes by no more than accuracy.flow_tolerance.

@@ -104,6 +104,16 @@ TEST(Check, SaysWhatItMeasured) {
   EXPECT_THAT(text, testing::Not(HasSubstr("Bernoulli")));
 }
 
+/// A flow that may be held costs no more than its first steps do.
+TEST(Check, SaysAtMostWhereStepsMayTurnOutCheaper) {
+  for (const bool held : {false, true}) {
+    const CheckReport report = check_case(
+        parse_scene(obstacle, "a.toml", {held ? "accuracy.flow_tolerance=1e-3" : "accuracy.flow_tolerance=0"}));
+    EXPECT_EQ(to_text(report).find("at most 1000 steps") != std::string::npos, held);
+    EXPECT_EQ(to_json(report).find("\"at_most\": true") != std::string::npos, held);
+  }
+}
+
 TEST(Check, KnowsTheSpecimenOfALaboratoryTest) {
   const Scene scene =
       parse_scene("[laboratory]\ntest = \"compression\"\nsize = [0.02, 0.04]\n[rock]\nelement_size = 2e-3\n", "a.toml");
