@@ -26,7 +26,7 @@ CHOICES = {
     "triangles of 4 mm": ["rock.element_size=4e-3"],
 }
 
-# The groups of numbers that the paper's lattice cannot have as they are in rock (cases/acid_fracturing/README.md).
+# The groups of numbers that the paper's lattice cannot have as they are in rock (docs/acid-fracturing.md).
 SIMILARITY = {
     "half the viscosity": ["flow.viscosity=1.1e-3"],
     "twice the viscosity": ["flow.viscosity=4.4e-3"],
