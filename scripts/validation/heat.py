@@ -127,9 +127,8 @@ def openings(records, figures):
         "Left: steady conduction and diffusion in the ring between two discs that are openings (R₂ = 2.5 R₁), against the "
         "logarithmic profile. The surface of an opening lies half way along its links, up to half a cell from the circle: "
         "first order in the cell over the radius. Right: a well that feeds a given speed, against the radial flow "
-        f"that continuity asks for; the well lets in its speed times its true circumference within "
-        f"{abs(well['circumference']):.1%}, the drain takes all of it (to {abs(well['left_over_fed']):.0e}), and two cells "
-        f"from either staircase the speed is right within {well['radial']:.1%}. "
+        f"that continuity asks for; the well lets in its speed times its true circumference, the drain takes all of it "
+        f"(to {abs(well['left_over_fed']):.0e}), and two cells from either staircase the speed is right within {well['radial']:.1%}. "
         "Beside flat ends an opening gives the fields of a side of the lattice to 1e-14.",
         table(["physics", "set", "R₁, cells", "largest error of the profile", "error of the flux", "balance"], cells),
         "openings.png")

@@ -1,6 +1,7 @@
 #pragma once
 // Which cells an interval holds. A cell belongs to what holds its centre; a centre on a bound belongs to the lower one,
 // so that n cells between two bounds are n cells wherever the bounds lie.
+#include <array>
 #include <cmath>
 
 namespace vug {
@@ -12,6 +13,11 @@ constexpr double tie = 1e-9;
 inline double snapped(double at) {
   const double nearest = std::round(2 * at) / 2;
   return std::abs(at - nearest) < tie ? nearest : at;
+}
+
+/// A point in cells.
+inline std::array<double, 2> point_in_cells(const std::array<double, 2>& at, double spacing) {
+  return {snapped(at[0] / spacing), snapped(at[1] / spacing)};
 }
 
 /// The first cell with its centre at or beyond `at` (cells): [low, high) holds the cells first_cell(low) to

@@ -3,13 +3,12 @@
 #include "coupling/cells.hpp"
 #include "io/form.hpp"
 #include "io/image_reader.hpp"
+#include "io/periodic.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace vug {
 
@@ -56,32 +55,23 @@ std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geom
 }
 
 std::array<bool, 2> periodic_sides(const Scene& scene) {
-  const auto joined = [&](const BoundarySection& side) {
-    return (scene.flow && side.flow.kind == FlowBoundaryKind::periodic) ||
-           (scene.heat && side.heat.kind == HeatBoundaryKind::periodic) ||
-           (scene.solute && side.solute.kind == SoluteBoundaryKind::periodic);
-  };
-  return {joined(scene.left), joined(scene.bottom)};
+  return {is_periodic(scene, scene.left), is_periodic(scene, scene.bottom)};
 }
 
 namespace {
 
 using Point = std::array<double, 2>;
 
-Point in_cells(const Point& p, double spacing) {
-  return {snapped(p[0] / spacing), snapped(p[1] / spacing)};
-}
-
 Rectangle in_cells(const Rectangle& r, double spacing) {
-  return {in_cells(r.from, spacing), in_cells(r.to, spacing)};
+  return {point_in_cells(r.from, spacing), point_in_cells(r.to, spacing)};
 }
 
 Disc in_cells(const Disc& d, double spacing) {
-  return {in_cells(d.centre, spacing), d.radius / spacing};
+  return {point_in_cells(d.centre, spacing), d.radius / spacing};
 }
 
 Polygon in_cells(Polygon polygon, double spacing) {
-  for (Point& p : polygon.points) p = in_cells(p, spacing);
+  for (Point& p : polygon.points) p = point_in_cells(p, spacing);
   return polygon;
 }
 
@@ -96,72 +86,6 @@ void draw(const Form& shape, const LatticeSection& lattice, const Paint& paint) 
   std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape);
 }
 
-Point unit_vector(const Point& v) {
-  const double length = std::hypot(v[0], v[1]);
-  return length > 0 ? Point{v[0] / length, v[1] / length} : Point{1, 0};
-}
-
-/// 1 where the corners go round counterclockwise, else -1.
-double orientation(const Polygon& polygon) {
-  const auto& v = polygon.points;
-  double twice = 0;  // the area, by the shoelace formula
-  for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++) twice += v[b][0] * v[a][1] - v[b][1] * v[a][0];
-  return twice < 0 ? -1 : 1;
-}
-
-/// Unit normal of the outline at the point of it that is nearest to p.
-Point normal_at(const Disc& disc, const Point& p, const Point&) {
-  return unit_vector({p[0] - disc.centre[0], p[1] - disc.centre[1]});
-}
-
-/// Of the edges that look along `out` the nearest: at a corner the other one may be nearer, which a line along `out`
-/// does not cross.
-Point normal_at(const Polygon& polygon, const Point& p, const Point& out) {
-  constexpr double aside = 1e-9;  // cosine of what lies along an edge
-  const auto& v = polygon.points;
-  const double round = orientation(polygon);
-  Point found = unit_vector(out);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++) {
-    const Point along{v[a][0] - v[b][0], v[a][1] - v[b][1]}, to_p{p[0] - v[b][0], p[1] - v[b][1]};
-    const double length2 = along[0] * along[0] + along[1] * along[1];
-    const Point normal = unit_vector({round * along[1], -round * along[0]});
-    if (length2 == 0 || normal[0] * out[0] + normal[1] * out[1] < aside) continue;
-    const double t = std::clamp((to_p[0] * along[0] + to_p[1] * along[1]) / length2, 0.0, 1.0);
-    const double distance = std::hypot(to_p[0] - t * along[0], to_p[1] - t * along[1]);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = normal;
-  }
-  return found;
-}
-
-Point normal_at(const Rectangle& r, const Point& p, const Point& out) {
-  return normal_at(Polygon{{r.from, {r.to[0], r.from[1]}, r.to, {r.from[0], r.to[1]}}}, p, out);
-}
-
-Point centre_of(const Disc& disc) {
-  return disc.centre;
-}
-
-Point centre_of(const Rectangle& r) {
-  return {(r.from[0] + r.to[0]) / 2, (r.from[1] + r.to[1]) / 2};
-}
-
-/// Of the area, by the shoelace formula with the first corner as origin; where there is no area, the first corner.
-Point centre_of(const Polygon& polygon) {
-  const Point& o = polygon.points[0];
-  double twice_area = 0, x = 0, y = 0;
-  for (std::size_t k = 1; k + 1 < polygon.points.size(); ++k) {
-    const Point &a = polygon.points[k], &b = polygon.points[k + 1];
-    const double cross = (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-    twice_area += cross;
-    x += cross * (a[0] + b[0] - 2 * o[0]) / 3;
-    y += cross * (a[1] + b[1] - 2 * o[1]) / 3;
-  }
-  return twice_area == 0 ? o : Point{o[0] + x / twice_area, o[1] + y / twice_area};
-}
-
 /// What to warn of where a picture shows no rock at all.
 std::string without_rock(const ImageSection& image, const ImageSummary& found) {
   return fmt::format(
@@ -171,58 +95,6 @@ std::string without_rock(const ImageSection& image, const ImageSummary& found) {
 }
 
 }  // namespace
-
-std::vector<int> opening_of_nodes(const Scene& scene) {
-  if (scene.openings.empty()) return {};
-  std::vector<int> opening(static_cast<std::size_t>(scene.lattice.nx) * scene.lattice.ny, -1);
-  const auto& shapes = scene.geometry.shapes;
-  for (std::size_t s = 0, next = 0; s < shapes.size(); ++s) {
-    const int painted = shapes[s].name.empty() ? -1 : static_cast<int>(next++);
-    draw(shapes[s].form, scene.lattice, [&](std::size_t n) { opening[n] = painted; });
-  }
-  return opening;
-}
-
-std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& lattice) {
-  const std::vector<int> opening_of = opening_of_nodes(scene);
-  std::vector<std::vector<int>> nodes(scene.openings.size());
-  for (std::size_t n = 0; n < opening_of.size(); ++n)
-    if (opening_of[n] >= 0)
-      nodes[opening_of[n]].push_back(lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx));
-  std::vector<InnerOpening> openings;
-  for (std::size_t o = 0; o < nodes.size(); ++o) {
-    const OpeningSection& section = scene.openings[o];
-    const Shape& shape = scene.geometry.shapes[section.shape];
-    if (nodes[o].empty())
-      throw InputError(
-          fmt::format("{}: the shape \"{}\" holds the centre of no cell that a later shape leaves to it; "
-                      "enlarge it or refine lattice.spacing",
-                      scene.path, shape.name));
-    const double dx = scene.lattice.spacing;
-    const auto normal = [&](const Point& at, const Point& out) {
-      return std::visit(
-          [&](const auto& form) {
-            return normal_at(form, Point{at[0] * dx, at[1] * dx}, out);
-          },
-          shape.form);
-    };
-    openings.push_back({"shape_" + shape.name, make_opening(lattice, nodes[o], normal), section.conditions,
-                        std::visit([&](const auto& form) { return in_cells(centre_of(form), dx); }, shape.form)});
-  }
-  return openings;
-}
-
-void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geometry& geometry) {
-  if (scene.reaction || scene.damage) return;  // fluid may reach it later
-  for (const InnerOpening& opening : geometry.openings) {
-    const bool flows = scene.flow && opening.conditions.flow.kind != FlowBoundaryKind::wall;
-    const bool dissolves = scene.solute && opening.conditions.solute.kind != SoluteBoundaryKind::no_flux;
-    if (!flows && !dissolves) continue;
-    if (find_opening_links(exec, geometry.fluid, opening.nodes, D2Q9::Q).count > 0) continue;
-    throw InputError(fmt::format("{}: boundary.shape.{}.{} has no effect: no fluid touches the shape", scene.path,
-                                 opening.name.substr(opening.name.find('_') + 1), flows ? "flow" : "solute"));
-  }
-}
 
 void for_each_node_in(const Form& form, const LatticeSection& lattice, const std::function<void(std::size_t)>& visit) {
   draw(form, lattice, visit);

@@ -6,7 +6,6 @@
 #include "coupling/rock_loads.hpp"
 #include "dem/soundness.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -95,49 +94,6 @@ void MechanicsModule<T>::find_links(const Exec& exec) {
     find_wall_links(exec, geometry_.fluid, wet_->of_triangle(), wet_->node(), mechanics_.particles().x0,
                     geometry_.spacing, links_);
   if (flow_ && !geometry_.split.alone()) share_links();
-}
-
-/// The force on a triangle is summed up by the rank of the fluid at its first link, for the rank that moves it; on one
-/// without links there is none, on every rank.
-template <class T>
-void MechanicsModule<T>::share_links() {
-  const Split& split = geometry_.split;
-  const auto first_link = on_host(links_.first), slot = on_host(links_.slot);
-  std::vector<int> ours, slots, others, owners;
-  for (int g = 0; g < links_.groups(); ++g) {
-    const int first = first_link(g), last = first_link(g + 1);
-    const int owner = first < last ? split.owner_of(slot(first) % geometry_.fluid.capacity) : split.ranks().rank();
-    if (owner == split.ranks().rank()) {
-      ours.push_back(g);
-      for (int k = first; k < last; ++k) slots.push_back(slot(k));
-    } else if (mechanics_.moves(g)) {
-      others.push_back(g);
-      owners.push_back(owner);
-    }
-  }
-  our_triangles_ = to_device<IndexList>("vug::mechanics::our_triangles", ours);
-  walls_ = split.slots(geometry_.fluid, slots);
-  forces_ = Halo(split.ranks(), others, owners);
-}
-
-/// The mean temperature of a triangle is taken by the rank that has the row of its first node.
-template <class T>
-void MechanicsModule<T>::share_temperatures() {
-  const Split& split = geometry_.split;
-  const NodeGroups& groups = thermal_.of_particle;
-  const auto offset = on_host(groups.offset), first = on_host(groups.first), length = on_host(groups.length);
-  std::vector<int> owner(groups.count(), 0), ours, nodes;
-  for (int p = 0; p < groups.count(); ++p) {
-    const int begin = offset(p), end = offset(p + 1);
-    if (begin < end) owner[p] = split.rows().part_of(geometry_.lattice.y(first(begin)));
-    if (owner[p] != split.ranks().rank()) continue;
-    ours.push_back(p);
-    for (int r = begin; r < end; ++r)
-      for (int n = first(r); n < first(r) + length(r); ++n) nodes.push_back(n);
-  }
-  our_warmed_ = to_device<IndexList>("vug::mechanics::our_warmed", ours);
-  of_warmed_ = owners_of(owner, split.ranks().size());
-  temperatures_ = split.beyond_rows(geometry_.lattice, nodes);
 }
 
 template <class T>

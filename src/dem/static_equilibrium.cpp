@@ -4,16 +4,14 @@
 #include "dem/bond_kinematics.hpp"
 #include "dem/forces.hpp"
 #include "dem/gather_contacts.hpp"
+#include "dem/linear_rock.hpp"
 #include "dem/monitors.hpp"
 #include "dem/push.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -23,15 +21,11 @@ namespace vug {
 namespace {
 
 constexpr double balanced = 1e-11;         // largest force left over the largest load
-constexpr double least_pivot = 1e-12;      // over the largest: smaller ones are rigid motion that nothing holds
 constexpr int most_solves = 40;            // an increment; without sliding it takes three
 constexpr int increments_with_cracks = 8;  // friction depends on the way
 constexpr double long_time = 1e9;          // s that an increment takes: no dashpot feels it
 
 using ForceField = Kokkos::View<double* [3], Kokkos::LayoutLeft>;
-/// (bond, point, normal or tangential) stiffness, N/m.
-using StiffnessField = Kokkos::View<double* [2][2], Kokkos::LayoutLeft>;
-
 /// A copy on the host that is nobody else's.
 template <class ViewType>
 typename ViewType::host_mirror_type host_copy(const ViewType& view) {
@@ -76,70 +70,6 @@ struct PointStiffness {
       stiffness(k, s, 1) = gapes || slides ? 0 : area * (crack ? 1 : undamaged) * law.tangential_modulus;
     }
   }
-};
-
-/// The rock as a linear system in the free displacements and rotations of its particles.
-class LinearRock {
- public:
-  LinearRock(const Particles& particles, const Bonds& bonds)
-      : pair_(on_host(bonds.pair)),
-        normal_(on_host(bonds.normal)),
-        arm_(on_host(bonds.arm)),
-        row_(static_cast<std::size_t>(3 * particles.count), -1) {
-    const auto held = on_host(particles.held);
-    for (int i = 0; i < particles.count; ++i)
-      for (int c = 0; c < 3; ++c)
-        if (!(held(i) & 1 << c)) row_[static_cast<std::size_t>(3 * i + c)] = rows_++;
-  }
-
-  int rows() const { return rows_; }
-  /// Row of component c (x, y, rotation) of particle i; -1 where it is held.
-  int row(int i, int c) const { return row_[static_cast<std::size_t>(3 * i + c)]; }
-
-  /// False when some motion meets no resistance.
-  bool factorise(const StiffnessField::host_mirror_type& stiffness) {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(pair_.extent_int(0)) * 144);
-    for (int k = 0; k < pair_.extent_int(0); ++k)
-      for (int s = 0; s < 2; ++s)
-        for (int c = 0; c < 2; ++c) add_spring(entries, k, s, c, stiffness(k, s, c));
-    Eigen::SparseMatrix<double> matrix(rows_, rows_);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    factors_.compute(matrix);
-    if (factors_.info() != Eigen::Success) return false;
-    const Eigen::VectorXd pivots = factors_.vectorD();
-    return pivots.minCoeff() > least_pivot * pivots.maxCoeff();
-  }
-
-  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factors_.solve(force); }
-
- private:
-  /// Adds k g g^T with g the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
-  void add_spring(std::vector<Eigen::Triplet<double>>& entries, int k, int s, int c, double stiffness) const {
-    if (stiffness == 0) return;
-    const Vec2 n{normal_(k, 0), normal_(k, 1)}, along = c == 0 ? n : Vec2{-n.y, n.x};
-    std::array<int, 6> row;
-    std::array<double, 6> g;
-    for (int end = 0; end < 2; ++end) {
-      const double sign = end == 0 ? -1 : 1;
-      const Vec2 arm{arm_(k, s, end, 0), arm_(k, s, end, 1)};
-      const std::array<double, 3> change{along.x, along.y, cross(arm, along)};
-      for (int j = 0; j < 3; ++j) {
-        row[static_cast<std::size_t>(3 * end + j)] = this->row(pair_(k, end), j);
-        g[static_cast<std::size_t>(3 * end + j)] = sign * change[static_cast<std::size_t>(j)];
-      }
-    }
-    for (std::size_t a = 0; a < 6; ++a)
-      for (std::size_t b = 0; b < 6; ++b)
-        if (row[a] >= 0 && row[b] >= 0) entries.emplace_back(row[a], row[b], stiffness * g[a] * g[b]);
-  }
-
-  decltype(Bonds::pair)::host_mirror_type pair_;
-  VectorField<double>::host_mirror_type normal_;
-  decltype(Bonds::arm)::host_mirror_type arm_;
-  std::vector<int> row_;
-  int rows_ = 0;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
 };
 
 /// One search; the members are what its steps share.

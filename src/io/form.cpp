@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vug {
 
@@ -57,6 +58,33 @@ std::vector<Point> outline_of(const Form& form, double edge) {
   if (const auto* polygon = std::get_if<Polygon>(&form)) return polygon->points;
   const auto& [a, c] = std::get<Rectangle>(form);
   return {a, {c[0], a[1]}, c, {a[0], c[1]}};
+}
+
+Box box_of(const Form& form) {
+  if (const auto* rectangle = std::get_if<Rectangle>(&form)) {
+    const auto [x0, x1] = std::minmax(rectangle->from[0], rectangle->to[0]);
+    const auto [y0, y1] = std::minmax(rectangle->from[1], rectangle->to[1]);
+    return {x0, y0, x1, y1};
+  }
+  if (const auto* disc = std::get_if<Disc>(&form)) {
+    return {disc->centre[0] - disc->radius, disc->centre[1] - disc->radius, disc->centre[0] + disc->radius,
+            disc->centre[1] + disc->radius};
+  }
+  const auto& points = std::get<Polygon>(form).points;
+  Box box{points[0][0], points[0][1], points[0][0], points[0][1]};
+  for (const auto& [x, y] : points) {
+    box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
+  }
+  return box;
+}
+
+double outline_length(const Form& form) {
+  if (const auto* disc = std::get_if<Disc>(&form)) return 2 * std::numbers::pi * disc->radius;
+  const std::vector<Point> points = outline_of(form, 0);  // of a disc alone the edge matters
+  double length = 0;
+  for (std::size_t a = 0, b = points.size() - 1; a < points.size(); b = a++)
+    length += std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]);
+  return length;
 }
 
 }  // namespace vug

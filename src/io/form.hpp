@@ -12,6 +12,15 @@ bool holds(const Disc& disc, const std::array<double, 2>& point, double tie);
 bool holds(const Polygon& polygon, const std::array<double, 2>& point, double tie);
 bool holds(const Form& form, const std::array<double, 2>& point, double tie);
 
+/// What a form reaches to along the axes.
+struct Box {
+  double x0, y0, x1, y1;
+};
+Box box_of(const Form& form);
+
+/// Length of the outline of a form.
+double outline_length(const Form& form);
+
 /// The corners of a form, in order around it; of a disc those of a regular polygon on its circle, which is a multiple
 /// of four and has sides of about `edge`: points by the rational parametrisation of the circle, no sines, the same bits
 /// everywhere.

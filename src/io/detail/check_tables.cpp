@@ -3,6 +3,7 @@
 #include "io/detail/input_file.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/toml_cursor.hpp"
+#include "io/form.hpp"
 #include "io/message.hpp"
 #include "io/triangle_count.hpp"
 
@@ -15,28 +16,6 @@
 
 namespace vug {
 namespace {
-
-struct Box {
-  double x0, y0, x1, y1;
-};
-
-Box box_of(const Form& form) {
-  if (const auto* rectangle = std::get_if<Rectangle>(&form)) {
-    const auto [x0, x1] = std::minmax(rectangle->from[0], rectangle->to[0]);
-    const auto [y0, y1] = std::minmax(rectangle->from[1], rectangle->to[1]);
-    return {x0, y0, x1, y1};
-  }
-  if (const auto* disc = std::get_if<Disc>(&form)) {
-    return {disc->centre[0] - disc->radius, disc->centre[1] - disc->radius, disc->centre[0] + disc->radius,
-            disc->centre[1] + disc->radius};
-  }
-  const auto& points = std::get<Polygon>(form).points;
-  Box box{points[0][0], points[0][1], points[0][0], points[0][1]};
-  for (const auto& [x, y] : points) {
-    box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
-  }
-  return box;
-}
 
 /// A point on the lattice, its edge included; half a cell of slack for decimal fractions.
 void check_point(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,

@@ -56,16 +56,13 @@ std::vector<int> nodes_of(const Lattice& lattice, const HeatSide& side) {
 
 /// Writes the populations that arrive at one node through a side into the halo and books the energy they bring in, the
 /// sum of c (in - A). `Law` maps a SideLink to what arrives.
-template <class T, class Set, class Law, class Kinds>
+template <class T, class Law, class Links>
 struct FillSide {
+  using Set = typename Links::Set;
   Law law;
   SideEntry side;
-  Kinds kinds;
-  Lattice lattice;
-  Joined joined;
+  Links links;
   Kokkos::View<const std::uint8_t*> solid;
-  HeatCrossing<T> through;
-  ScalarField<T> g;
 
   KOKKOS_FORCEINLINE_FUNCTION static int along(int outward, int q) {
     return Set::c(outward, 0) == 0 ? Set::c(q, 0) : Set::c(q, 1);
@@ -86,30 +83,19 @@ struct FillSide {
   /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
   /// same kind and of this stretch by the link that crosses q.
   KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
-    const int step = along(side.outward, q), plane = lattice.size();
+    const int step = along(side.outward, q), plane = links.lattice.size();
     const int next = node + step * side.stride;
     const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
-    if (!Law::mirrors || step == 0 || !beside || kinds.kind(next) != kinds.kind(node)) return g(q * plane + node);
+    if (!Law::mirrors || step == 0 || !beside || links.kinds.kind(next) != links.kinds.kind(node))
+      return links.g(q * plane + node);
     int crossing = 5;
     while (crossing == q || !crosses(side.outward, crossing)) ++crossing;
-    return g(crossing * plane + next);
+    return links.g(crossing * plane + next);
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
-    const int plane = lattice.size(), back = Set::opposite(q);
-    SideLink<T> link{leaving(item, node, q),
-                     g(back * plane + node),
-                     static_cast<T>(Set::w(q)),
-                     kinds.share(node, share),
-                     kinds.solid(node),
-                     kinds.kind(node) != 0,
-                     0,
-                     0};
-    if constexpr (Law::has_plane) link.paired = paired_weight<T, Set>(through, node, q);
-    if constexpr (Law::looks_inside)
-      link.slope = at_corner(node) ? 0 : slope_from<T, Set>(kinds, g, lattice, joined, node, q);
-    const T arriving = law(link);
-    g(back * plane + node + lattice.offset(q)) = arriving;
-    return static_cast<double>(arriving) - static_cast<double>(link.leaving);
+    const T left = leaving(item, node, q), arriving = links.arriving(law, node, q, left, share, at_corner(node));
+    links.g(Set::opposite(q) * links.lattice.size() + node + links.lattice.offset(q)) = arriving;
+    return static_cast<double>(arriving) - static_cast<double>(left);
   }
   KOKKOS_FUNCTION void operator()(int ours) const {
     const int item = side.begin + ours, node = side.first + item * side.stride;
@@ -123,62 +109,28 @@ struct FillSide {
       entered += fill(item, node, q, share);
     }
     entered += fill(item, node, side.outward, straight_share);
-    side.entered[item] += kinds.capacity(node) * entered;
-  }
-};
-
-/// As FillSide for one link into an opening, whose node there takes what arrives.
-template <class T, class Set, class Law, class Kinds>
-struct FillOpening {
-  Law law;
-  OpeningEntry opening;
-  Kinds kinds;
-  Lattice lattice;
-  Joined joined;
-  Rows rows;
-  HeatCrossing<T> through;
-  ScalarField<T> g;
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int n = opening.node[item], q = opening.direction[item], back = Set::opposite(q), plane = lattice.size();
-    if (const int row = lattice.y(n) - rows.first; row < 0 || row >= rows.count) return;
-    SideLink<T> link{g(q * plane + n),
-                     g(back * plane + n),
-                     static_cast<T>(Set::w(q)),
-                     kinds.share(n, static_cast<T>(opening.area[item])),
-                     kinds.solid(n),
-                     kinds.kind(n) != 0,
-                     0,
-                     0};
-    if constexpr (Law::has_plane) link.paired = paired_weight<T, Set>(through, n, q);
-    if constexpr (Law::looks_inside) link.slope = slope_from<T, Set>(kinds, g, lattice, joined, n, q);
-    const T arriving = law(link);
-    g(back * plane + opening.beyond[item]) = arriving;
-    opening.entered[item] += kinds.capacity(n) * (static_cast<double>(arriving) - static_cast<double>(link.leaving));
+    side.entered[item] += links.kinds.capacity(node) * entered;
   }
 };
 
 /// All sides, each by its law.
-template <class T, class Set, class Kinds>
+template <class T, class Links>
 struct FillSides {
-  Kinds kinds;
+  Links links;
   double capacity_ratio;
-  Lattice lattice;
-  Joined joined;
   Rows rows;
   Kokkos::View<const std::uint8_t*> solid;
-  HeatCrossing<T> through;
-  ScalarField<T> g;
 
   using Entry = SideEntry;
-  int count(const HeatSide& side) const { return nodes_in_rows(lattice, side, rows).count; }
+  int count(const HeatSide& side) const { return nodes_in_rows(links.lattice, side, rows).count; }
   Entry entry(const HeatSide& side) const {
-    const auto [origin, stride] = side_nodes(lattice, side.side);
+    const auto [origin, stride] = side_nodes(links.lattice, side.side);
     const int nodes = side.last - side.first + 1;
-    const bool whole = nodes == side_length(lattice, side.side);
+    const bool whole = nodes == side_length(links.lattice, side.side);
     return {condition_of(side, capacity_ratio),
             origin + side.first * stride,
             nodes,
-            nodes_in_rows(lattice, side, rows).first,
+            nodes_in_rows(links.lattice, side, rows).first,
             stride,
             outward(side.side),
             whole,
@@ -188,78 +140,19 @@ struct FillSides {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
     e.template visit<T>([&](const auto& law) {
-      run(FillSide<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, solid, through, g});
+      run(FillSide<T, std::decay_t<decltype(law)>, Links>{law, e, links, solid});
     });
   }
 };
-
-/// All openings.
-template <class T, class Set, class Kinds>
-struct FillOpenings {
-  Kinds kinds;
-  double capacity_ratio;
-  Lattice lattice;
-  Joined joined;
-  Rows rows;
-  HeatCrossing<T> through;
-  ScalarField<T> g;
-
-  using Entry = OpeningEntry;
-  static int count(const HeatOpening& opening) { return opening.links.count; }
-  Entry entry(const HeatOpening& opening) const {
-    const DenseLinks& links = opening.links;
-    return {condition_of(opening, capacity_ratio), links.node.data(), links.beyond.data(), links.direction.data(),
-            links.area.data()};
-  }
-  template <class Run>
-  KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
-    e.template visit<T>([&](const auto& law) {
-      run(FillOpening<T, Set, std::decay_t<decltype(law)>, Kinds>{law, e, kinds, lattice, joined, rows, through, g});
-    });
-  }
-};
-
-template <class T>
-Rows own_rows(const HeatFields<T>& fields) {
-  return {fields.first_row, fields.rows};
-}
-
-template <class T>
-Joined joined_sides(const HeatFields<T>& fields) {
-  return {fields.periodic[0], fields.periodic[1]};
-}
 
 template <class T>
 void fill_heat_sides(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatSide> sides,
                      const std::type_identity_t<HeatCrossing<T>>& crossing) {
-  visit_kinds(fields, [&](auto set, const auto& kinds) {
-    using Law = FillSides<T, decltype(set), std::decay_t<decltype(kinds)>>;
+  visit_links(fields, crossing, [&](const auto& links) {
     for_each_of_lists(exec, "vug::heat::fill_side", sides,
-                      Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields),
-                          fields.solid, crossing, fields.g});
+                      FillSides<T, std::decay_t<decltype(links)>>{
+                          links, fields.rates.capacity_ratio, {fields.first_row, fields.rows}, fields.solid});
   });
-}
-
-template <class T>
-void fill_heat_openings(const Exec& exec, const HeatFields<T>& fields, std::span<const HeatOpening> openings,
-                        const std::type_identity_t<HeatCrossing<T>>& crossing) {
-  visit_kinds(fields, [&](auto set, const auto& kinds) {
-    using Law = FillOpenings<T, decltype(set), std::decay_t<decltype(kinds)>>;
-    for_each_of_lists(exec, "vug::heat::fill_opening", openings,
-                      Law{kinds, fields.rates.capacity_ratio, fields.lattice, joined_sides(fields), own_rows(fields),
-                          crossing, fields.g});
-  });
-}
-
-template <class T>
-HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, const Kokkos::View<NodeType*>& type,
-                              std::array<bool, 2> periodic, const Opening& opening, HeatCondition condition,
-                              double value) {
-  const int directions = visit_velocity_set(fields.velocity_set, [](auto set) { return decltype(set)::Q; });
-  HeatOpening made{
-      find_dense_opening_links(exec, fields.lattice, periodic, type, opening, directions), condition, value, {}, 0};
-  made.energy_in = ScalarField<double>("vug::heat::energy_in", made.links.count);
-  return made;
 }
 
 /// Copies the populations that leave through one side to the halo beside the other.
@@ -295,10 +188,6 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
 
 #define VUG_INSTANTIATE(T)                                                                                             \
   template void fill_heat_sides(const Exec&, const HeatFields<T>&, std::span<const HeatSide>, const HeatCrossing<T>&); \
-  template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>,                    \
-                                   const HeatCrossing<T>&);                                                            \
-  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&,            \
-                                         std::array<bool, 2>, const Opening&, HeatCondition, double);                  \
   template void join_heat_sides(const Exec&, const HeatFields<T>&, int)
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

@@ -150,14 +150,45 @@ struct OpeningEntry : ConditionOf {
   const double* area;
 };
 
-/// visit(Set{}, the kinds of the nodes).
+/// The links that cross sides and openings, of which each law sees one at a time.
+template <class T, class Velocities, class Kinds>
+struct HeatLinks {
+  using Set = Velocities;
+  Kinds kinds;
+  Lattice lattice;
+  Joined joined;
+  HeatCrossing<T> through;
+  ScalarField<T> g;
+
+  /// What arrives at a node through its link q by a law, of what leaves. `level`: the law sees no slope there.
+  template <class Law>
+  KOKKOS_FORCEINLINE_FUNCTION T arriving(const Law& law, int node, int q, T leaving, T share, bool level) const {
+    SideLink<T> link{leaving,
+                     g(Set::opposite(q) * lattice.size() + node),
+                     static_cast<T>(Set::w(q)),
+                     kinds.share(node, share),
+                     kinds.solid(node),
+                     kinds.kind(node) != 0,
+                     0,
+                     0};
+    if constexpr (Law::has_plane) link.paired = paired_weight<T, Set>(through, node, q);
+    if constexpr (Law::looks_inside) link.slope = level ? 0 : slope_from<T, Set>(kinds, g, lattice, joined, node, q);
+    return law(link);
+  }
+};
+
+/// visit(the HeatLinks of the fields).
 template <class T, class Visit>
-void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
+void visit_links(const HeatFields<T>& fields, const HeatCrossing<T>& crossing, const Visit& visit) {
   visit_velocity_set(fields.velocity_set, [&](auto set) {
+    const auto with = [&](const auto& kinds) {
+      visit(HeatLinks<T, decltype(set), std::decay_t<decltype(kinds)>>{
+          kinds, fields.lattice, {fields.periodic[0], fields.periodic[1]}, crossing, fields.g});
+    };
     if (fields.matter.given())
-      visit(set, ManyKinds<T>{fields.matter.capacity, fields.matter.rate, fields.matter.of_node});
+      with(ManyKinds<T>{fields.matter.capacity, fields.matter.rate, fields.matter.of_node});
     else
-      visit(set, TwoKinds<T>{fields.rates.capacity_ratio, fields.rates, fields.solid});
+      with(TwoKinds<T>{fields.rates.capacity_ratio, fields.rates, fields.solid});
   });
 }
 

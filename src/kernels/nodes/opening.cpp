@@ -6,7 +6,7 @@
 
 namespace vug {
 
-Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal) {
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal, double scale) {
   constexpr int links = D2Q9::Q - 1;
   Opening opening{IndexList("vug::opening::node", nodes.size()),
                   ScalarField<double>("vug::opening::facing", links * nodes.size())};
@@ -17,7 +17,7 @@ Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, cons
     for (int q = 1; q < D2Q9::Q; ++q) {
       const std::array<double, 2> c{double(D2Q9::c(q, 0)), double(D2Q9::c(q, 1))};
       const auto n = normal({lattice.x(nodes[item]) + 0.5 * (1 + c[0]), lattice.y(nodes[item]) + 0.5 * (1 + c[1])}, c);
-      facing(links * item + q - 1) = std::abs(n[0] * c[0] + n[1] * c[1]);
+      facing(links * item + q - 1) = scale * std::abs(n[0] * c[0] + n[1] * c[1]);
     }
   }
   Kokkos::deep_copy(opening.node, node);

@@ -12,16 +12,19 @@ namespace vug {
 
 /// The nodes of one opening and how its surface lies in the links into it.
 struct Opening {
-  IndexList node;              ///< (item) dense nodes of type NodeType::opening
-  ScalarField<double> facing;  ///< (8 item + q - 1) |n.c_q|, n the unit normal of the surface half way along link q
+  IndexList node;  ///< (item) dense nodes of type NodeType::opening
+  /// (8 item + q - 1) |n.c_q|, n the unit normal of the surface half way along link q, times a factor near 1 with which
+  /// all straight links have the length of the outline.
+  ScalarField<double> facing;
 };
 
 /// The unit normal of a surface where a line crosses it: near `at`, cells, on a face that looks along `out`.
 using SurfaceNormal =
     std::function<std::array<double, 2>(const std::array<double, 2>& at, const std::array<double, 2>& out)>;
 
-/// `nodes` are dense nodes of the lattice.
-Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal);
+/// `nodes` are dense nodes of the lattice, `scale` is that factor.
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal,
+                     double scale = 1);
 
 /// Links from fluid nodes into the opening, in order of its nodes; `directions` is 9 or 5.
 BoundaryLinks find_opening_links(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
@@ -39,7 +42,8 @@ DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, st
 
 /// (link) Area of the surface that each link of find_opening_links stands for, in cells: 6 w_q |n.c_q|, which adds up
 /// to the true area of a plane in any direction (3 sum of w_q (n.c_q)^2 = 1), times a factor near 1 with which D2Q9
-/// also has the sum of |n.c| over the straight links at corners. Computed on the host: not inside a step.
+/// also has the sum of |n.c| over the straight links at corners; of a whole form the length of its outline. Computed on
+/// the host: not inside a step.
 ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
 
 }  // namespace vug

@@ -1,0 +1,42 @@
+#pragma once
+// The rock as a linear system, for the search of static equilibrium.
+#include "dem/bonds.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <vector>
+
+namespace vug {
+
+/// (bond, point, normal or tangential) stiffness, N/m.
+using StiffnessField = Kokkos::View<double* [2][2], Kokkos::LayoutLeft>;
+
+/// The rock as a linear system in the free displacements and rotations of its particles, its bonds being springs at
+/// their two points.
+class LinearRock {
+ public:
+  LinearRock(const Particles& particles, const Bonds& bonds);
+
+  int rows() const { return rows_; }
+  /// Row of component c (x, y, rotation) of particle i; -1 where it is held.
+  int row(int i, int c) const { return row_[static_cast<std::size_t>(3 * i + c)]; }
+
+  /// False when some motion meets no resistance.
+  bool factorise(const StiffnessField::host_mirror_type& stiffness);
+
+  /// Displacements and rotations by the forces and torques of `force`, (row).
+  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factors_.solve(force); }
+
+ private:
+  /// Adds k g g^T with g the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
+  void add_spring(std::vector<Eigen::Triplet<double>>& entries, int k, int s, int c, double stiffness) const;
+
+  decltype(Bonds::pair)::host_mirror_type pair_;
+  VectorField<double>::host_mirror_type normal_;
+  decltype(Bonds::arm)::host_mirror_type arm_;
+  std::vector<int> row_;
+  int rows_ = 0;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+};
+
+}  // namespace vug

@@ -1,0 +1,14 @@
+#pragma once
+// Which sides are joined to the opposite ones.
+#include "io/scene.hpp"
+
+namespace vug {
+
+/// Whether what the scene has of fluid, heat and solutes leaves through this side for the opposite one.
+inline bool is_periodic(const Scene& scene, const BoundarySection& side) {
+  return (scene.flow && side.flow.kind == FlowBoundaryKind::periodic) ||
+         (scene.heat && side.heat.kind == HeatBoundaryKind::periodic) ||
+         (scene.solute && side.solute.kind == SoluteBoundaryKind::periodic);
+}
+
+}  // namespace vug
