@@ -144,7 +144,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   require_distinct_columns(scene, simulation);
   report.warnings = scene.warnings;
   if (!parts.warning.empty()) report.warnings.push_back(parts.warning);
-  if (parts.rock)
+  if (parts.rock && (scene.flow || scene.heat || scene.solute))
     if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
       report.warnings.push_back(*remark);
   for (const std::string& warning : find_flow_paths(scene, parts.geometry, parts.units).warnings)

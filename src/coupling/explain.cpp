@@ -47,7 +47,7 @@ void explain_flow(const FlowSection& flow, const LatticeUnits& units, Numbers& n
   for (int axis = 0; axis < 2; ++axis)
     if (flow.body_force[axis] != 0)
       numbers.put(axis == 0 ? "flow.body_force, along x" : "flow.body_force, along y", flow.body_force[axis], "m/s2",
-                  units.acceleration());
+                  units.acceleration() * units.pressure_scale);
 }
 
 /// What flows, heats and dissolves at a side, an injection or an opening.

@@ -49,7 +49,7 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
   constexpr double rounding = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
   constexpr double most = 1e-3;  // of a flow that has hardly begun it would be all
   const double noise = extremes.speed > 0 ? std::min(rounding * extremes.density / extremes.speed, most) : 0;
-  steady_.look(exec, clock, geometry_.fluid, fields_.u, noise);
+  if (!fills_slowly_ || geometry_.slits.count == 0) steady_.look(exec, clock, geometry_.fluid, fields_.u, noise);
   if (extremes.bad < 0) return;
   int node = 0;
   Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, extremes.bad));

@@ -3,6 +3,7 @@
 #include "coupling/flow_paths.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
+#include "io/narrow_cracks.hpp"
 #include "kernels/base/gas_constant.hpp"
 #include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
@@ -25,7 +26,8 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
       units_(units),
       geometry_(geometry),
       passage_speed_(find_flow_paths(scene, geometry, units).passage_speed),
-      varies_(scene.accuracy.chooses_intervals()) {
+      varies_(scene.accuracy.chooses_intervals()),
+      fills_slowly_(has_cracks_below_a_cell(scene)) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
   step_.collision = section_.collision;
   step_.rates = relaxation_rates(section_.collision, tau);

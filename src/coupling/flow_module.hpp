@@ -106,6 +106,7 @@ class FlowModule final : public Module {
   int excess_interval_ = 1;
   std::deque<Carrier<T>> carriers_;
   bool varies_;        ///< their intervals do (accuracy.tolerance)
+  bool fills_slowly_;  ///< cracks may be far narrower than a cell: no look tells that their pressure still changes
   double raised_ = 0;  ///< s, when all conditions have their last values
   SteadyFlow<T> steady_;
   /// What other ranks compute: populations that our sweep pulls; those that leave through the images of our links of

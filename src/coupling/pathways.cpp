@@ -17,8 +17,8 @@ struct LookAtBonds {
     const double closed = nodes.closed(b), open = nodes.open(b);
     const double width = gapes ? Kokkos::fmin(gap(b), open) : pathway_aperture(d_m(b), closed, open);
     double strip = width, conductivity = slot_conductivity(width);
-    if (nodes.cubic) {
-      const double slot = Kokkos::fmax(closed, width);
+    if (nodes.cubic) {  // a crack in a pathway widens it
+      const double slot = gapes ? Kokkos::fmin(closed + gap(b), open) : Kokkos::fmax(closed, width);
       conductivity = cubic_law(slot);
       strip = strip_of_slot(slot);
     } else if (gapes) {

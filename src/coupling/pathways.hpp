@@ -67,6 +67,8 @@ class PathwayOpener {
   const PathwayNodes& nodes() const { return nodes_; }
   const BondPathways& bonds() const { return bonds_; }
   bool follows_cracks() const { return rock_ != nullptr; }
+  /// (bond) As wide as cracks gape, cells; empty unless they are followed.
+  const ScalarField<double>& gap() const { return gap_; }
   int parts() const { return spread_.parts(); }  ///< minerals, or 1
   /// (triangle) solid volume of a mineral that has found no room, pixels.
   const ScalarField<double>& waiting(int mineral = 0) const { return spread_.waiting(mineral); }

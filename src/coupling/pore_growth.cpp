@@ -52,6 +52,7 @@ void PoreGrowth::state(StateList& list) {
   if (slits_) {
     slits_->state(list);
     list.add("growth/widest", opener_->bonds().widest);
+    if (opener_->follows_cracks()) list.add("growth/gap", opener_->gap());
     list.add_value("growth/slit_changes", geometry_.slit_changes, {0, most_steps});
   }
   const StateRange nodes{0, static_cast<double>(geometry_.lattice.size())};

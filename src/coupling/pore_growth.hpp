@@ -37,8 +37,10 @@ class PoreGrowth {
 
   std::int64_t dissolved_nodes() const { return dissolved_nodes_; }
   std::int64_t opened_nodes() const { return opened_nodes_; }
-  /// Nodes of cracks narrower than a cell; -1 where pathways do not follow cracks.
-  int slit_nodes() const { return opener_ && opener_->follows_cracks() ? geometry_.slits.count : -1; }
+  /// Nodes of cracks narrower than a cell; -1 where pathways are rows of nodes.
+  int slit_nodes() const {
+    return opener_ && (opener_->follows_cracks() || opener_->nodes().cubic) ? geometry_.slits.count : -1;
+  }
 
  private:
   Geometry& geometry_;

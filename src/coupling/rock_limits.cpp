@@ -17,6 +17,8 @@ namespace {
 /// to the load of a cracked plate (docs/validation.md, toughness).
 constexpr double largest_edge = 0.6;
 
+constexpr double cells_of_an_edge = 4;  // at least
+
 double mean_edge(const Bonds& bonds) {
   double sum = 0;
   const auto length = on_host(bonds.length);
@@ -31,13 +33,16 @@ Limit limit_of_edges(const Mechanics& rock) {
   for (const RockMaterial& material : rock.parameters().materials)
     softening = std::min(softening, softening_length(material.bond));
   const double longest = largest_edge * softening;
-  return {"mechanics",
-          "mean edge of the bonds",
-          mean_edge(rock.bonds()),
-          "m",
-          0,
-          longest,
-          fmt::format("cracks take more than their fracture energy; lower rock.element_size to {:.2g} m", longest)};
+  return {
+      "mechanics",
+      "mean edge of the bonds",
+      mean_edge(rock.bonds()),
+      "m",
+      0,
+      longest,
+      fmt::format("cracks take more than their fracture energy; for it to hold lower rock.element_size to {:.2g} m, "
+                  "and lattice.spacing to {:.2g} m",
+                  longest, longest / cells_of_an_edge)};
 }
 
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {
@@ -47,7 +52,7 @@ std::optional<std::string> remark_on_triangles(const Assembly& rock, double spac
     smallest = std::min(smallest, ((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1])) / 2);
   }
   const double edge = std::sqrt(4 / std::sqrt(3.0) * smallest);
-  if (edge >= 4 * spacing) return {};
+  if (edge >= cells_of_an_edge * spacing) return {};
   return fmt::format(
       "the smallest triangle of the rock, as large as one with edges of {:.3g} m, is below four cells: too "
       "small for the lattice",

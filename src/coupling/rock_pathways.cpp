@@ -25,13 +25,23 @@ struct Widths {
     const DamageSection damage = scene.damage.value_or(DamageSection{});
     of_pathways = cubic ? in_metres / spacing : scene.rock->pathway_aperture;
     of_broken = cubic ? damage.minimum_width.value_or(in_metres) / spacing : damage.minimum_aperture;
-    if (cubic && of_pathways < narrowest_slit)
-      throw InputError(fmt::format("{}: rock.pathway_width is {:g} m, {:.2g} cells; pathways have {:g} cells or more",
-                                   scene.path, in_metres, of_pathways, narrowest_slit));
+    if (!cubic) return;
+    require_width(scene, "rock.pathway_width", of_pathways);
+    if (of_broken > 0) require_width(scene, "damage.minimum_width", of_broken);
+    for (const Notch& notch : scene.rock->notches)
+      if (notch.width.value_or(0) > 0)
+        require_width(scene, fmt::format("rock.notches.{}.width", notch.entry).c_str(), of(notch));
   }
   double of(const Notch& notch) const {
     if (!cubic) return notch.aperture;
     return notch.width ? *notch.width / spacing : of_pathways;
+  }
+  /// A narrower one would close without a word.
+  void require_width(const Scene& scene, const char* key, double width) const {
+    constexpr double rounding = 1e-9;
+    if (width < narrowest_slit * (1 - rounding))
+      throw InputError(fmt::format("{}: {} is {:g} m, {:.2g} cells; pathways have {:g} cells or more", scene.path, key,
+                                   width * spacing, width, narrowest_slit));
   }
   /// Aperture of the strip of nodes that a pathway opens.
   double strip(double width) const { return cubic ? strip_of_slot(width) : width; }

@@ -1,6 +1,7 @@
 #include "dem/crack_aperture.hpp"
 
 #include "dem/bond_kinematics.hpp"
+#include "dem/dissolved_rock.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {
@@ -17,13 +18,16 @@ struct FindCrackAperture {
     return residual + (opening > 0 ? opening : 0);
   }
   KOKKOS_FUNCTION void operator()(int k) const {
-    if (bonds.d_m(k) == 0) {
+    if (is_gone(particles.solid_fraction(bonds.pair(k, 0))) || is_gone(particles.solid_fraction(bonds.pair(k, 1))))
+      return;  // where a triangle that is no longer there would be says nothing
+    const double broken = has_failed(bonds.state(k)) ? 1 : bonds.d_m(k);  // by dissolution as well, whatever its d_m
+    if (broken == 0) {
       aperture(k) = 0;
       return;
     }
     const BondMotion motion = motion_of_bond(particles, bonds, expansion, k);
     const double a = motion.opening[0].delta_n, b = motion.opening[1].delta_n;
-    aperture(k) = bonds.d_m(k) * wedge_aperture(at_end(a, b), at_end(b, a)) / unit;
+    aperture(k) = broken * wedge_aperture(at_end(a, b), at_end(b, a)) / unit;
   }
 };
 

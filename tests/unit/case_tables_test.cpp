@@ -3,6 +3,7 @@
 #include "io/presets.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/require.hpp"
+#include "support/case_shapes.hpp"
 #include "unit/image_setup.hpp"
 
 #include <gmock/gmock.h>
@@ -223,10 +224,39 @@ TEST(CaseTables, LowReferenceTemperatureIsRemarkedNotRefused) {
 TEST(CaseTables, NotchesThatDamageWidensAreRemarked) {
   const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
   const auto widened = HasSubstr("until the first update only");
-  EXPECT_THAT(warnings({"rock.notches.0.aperture=1"}),
-              ElementsAre(HasSubstr("is 1 cells wide until the first update only, then 3 or more")));
-  EXPECT_THAT(warnings({"rock.notches.0.aperture=1", "damage.minimum_aperture=1"}), Not(Contains(widened)));
+  EXPECT_THAT(
+      warnings({"rock.notches.0.aperture=1"}),
+      ElementsAre(HasSubstr("is 1 cells wide until the first update only, then some 3 as every broken bond: lower "
+                            "damage.minimum_aperture and damage.pathway_factor to")));
+  EXPECT_THAT(warnings({"rock.notches.0.aperture=1", "damage.minimum_aperture=1", "damage.pathway_factor=0"}),
+              Not(Contains(widened)));
+  // c_d times the distance of the centroids, edge / sqrt(3)
+  EXPECT_THAT(warnings({"damage.pathway_factor=1"}), ElementsAre(HasSubstr("lower damage.pathway_factor to keep")));
   EXPECT_THAT(warnings({"rock.notches.0.aperture=0"}), Not(Contains(widened)));  // closed: what damage gives it
+}
+
+TEST(CaseTables, ShapesCutByAJoinedSideAreRemarkedUnlessTheirImageIsDrawn) {
+  const auto warnings = [&](const std::string& shapes) {
+    return parsed(
+               "[geometry]\ntype = \"shapes\"\n[boundary.left]\nflow = { type = \"periodic\" }\n[boundary.right]\n"
+               "flow = { type = \"periodic\" }\n" +
+               shapes)
+        .warnings;
+  };
+  const double length = parsed("").lattice.length_x, height = parsed("").lattice.length_y, radius = length / 8;
+  EXPECT_THAT(
+      warnings(test::disc(length, height / 2, radius, "")),
+      ElementsAre(HasSubstr("geometry.shapes.0 reaches over the right side, which is periodic, and is cut there")));
+  EXPECT_TRUE(warnings(test::disc(length, height / 2, radius, "") + test::disc(0, height / 2, radius, "")).empty());
+  EXPECT_TRUE(warnings(test::disc(length / 2, 0, radius, "")).empty());  // a wall cuts it
+  EXPECT_TRUE(warnings(test::rectangle(-length, 0, 2 * length, height / 4, "")).empty());
+}
+
+TEST(CaseTables, WidthsOfTheirOwnUnderScaledPressuresAreRemarked) {
+  const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
+  const auto scaled = HasSubstr("times too little flows through them");
+  EXPECT_THAT(warnings({"damage.aperture=opening"}), Contains(scaled));
+  EXPECT_THAT(warnings({"damage.aperture=opening", "flow.pressure_scale=1"}), Not(Contains(scaled)));
 }
 
 TEST(CaseTables, WhatFluidCarriesToAnOutletMayLeaveIsRemarked) {

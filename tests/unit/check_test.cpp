@@ -149,7 +149,10 @@ TEST(Check, RemarksOnTrianglesTooSmallForTheLattice) {
   const std::string rock =
       "[lattice]\nsize = [40, 30]\nspacing = 1\ntime_step = 1e-6\n[time]\nsteps = 10\n[geometry]\ntype = \"rock\"\n"
       "[mechanics]\n";
-  const auto remarks = [&](const std::string& key) { return check_case(parse_scene(rock, "a.toml", {key})).warnings; };
+  const std::string heat = "[heat]\nfluid_diffusivity = 1e3\nsolid_diffusivity = 1e3\n";
+  const auto remarks = [&](const std::string& key, bool alone = false) {
+    return check_case(parse_scene(alone ? rock : rock + heat, "a.toml", {key})).warnings;
+  };
   const test::TemporaryFolder folder;
   const std::string file = folder / "rock.msh", mesh = "rock.mesh=\"" + file + "\"";
   const auto of_mesh = [&](double height) {  // two triangles, the smaller 4 cells wide and that high
@@ -160,6 +163,7 @@ TEST(Check, RemarksOnTrianglesTooSmallForTheLattice) {
   EXPECT_THAT(of_mesh(3.4), remark);
   EXPECT_THAT(of_mesh(3.5), testing::Not(remark));
   EXPECT_THAT(remarks("rock.element_size=3.5"), remark);
+  EXPECT_THAT(remarks("rock.element_size=3.5", true), testing::Not(remark));  // nothing is computed on the lattice
   EXPECT_THAT(remarks("rock.element_size=10"), testing::Not(remark));
 }
 

@@ -159,6 +159,10 @@ TEST_F(OneBond, GapesLikeTheSlotThatConductsAlike) {
   EXPECT_EQ(found(0.5e-6, 1e-6, 1, 0), 0);
   EXPECT_EQ(found(-2e-6, 0, 1, 0), 0);
   EXPECT_EQ(found(2e-6, 0, 0, residual), 0);  // intact
+  Kokkos::deep_copy(bonds.state, BondState::dissolved);
+  EXPECT_NEAR(found(2e-6, 0, 0, 0), 2, 1e-6);  // gapes as any that has failed, whatever its d_m
+  test::edit(particles.solid_fraction, [](const auto& host) { host(1) = 0.01; });
+  EXPECT_NEAR(found(9e-6, 0, 0, 0), 2, 1e-6);  // nobody is there any more: as it was
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 // Remarks on what a case may say but probably does not mean.
 #include "io/detail/case_checks.hpp"
+#include "io/form.hpp"
+#include "io/narrow_cracks.hpp"
+#include "io/periodic.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -66,23 +70,34 @@ void warn_about_small_cavities(Scene& scene) {
     if (metres < cell) scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", entry));
 }
 
-/// A notch is of broken bonds, which [damage] widens to a least width of its own.
+/// The keys by which broken bonds are wider than `width`.
+std::string what_widens(double width, double least, double by_distance, bool metres) {
+  const std::string own = metres ? "damage.minimum_width" : "damage.minimum_aperture";
+  if (width >= by_distance) return own;
+  return width < least ? own + " and damage.pathway_factor" : "damage.pathway_factor";
+}
+
+/// A notch is of broken bonds, which [damage] widens to c_d times the distance of their centroids, or to a least width
+/// of its own.
 void warn_about_narrow_notches(Scene& scene) {
   const RockSection& rock = *scene.rock;
   const DamageSection& damage = *scene.damage;
   if (damage.aperture == ApertureLaw::opening) return;
   const bool metres = rock.pathway_width.has_value();
+  const double cell = metres ? 1 : scene.lattice.spacing;  // in the unit of widths
   const double least = metres ? damage.minimum_width.value_or(*rock.pathway_width) : damage.minimum_aperture;
+  const double by_distance = damage.pathway_factor * rock.element_size / std::sqrt(3.0) / cell;  // of the mean triangle
   std::map<int, double> narrow;  // width of notches that may be rows of lines
   for (const Notch& notch : rock.notches) {
     const double width = metres ? notch.width.value_or(*rock.pathway_width) : notch.aperture;
-    if (width > 0 && width < least) narrow[notch.entry] = width;
+    if (width > 0 && width < std::max(least, by_distance)) narrow[notch.entry] = width;
   }
   for (const auto& [entry, width] : narrow)
     scene.warnings.push_back(fmt::format(
-        "rock.notches.{} is {:g} {} wide until the first update only, then {:g} or more as every broken bond: lower "
-        "damage.{} to keep it so narrow",
-        entry, width, metres ? "m" : "cells", least, metres ? "minimum_width" : "minimum_aperture"));
+        "rock.notches.{} is {:g} {} wide until the first update only, then some {:.3g} as every broken bond: lower "
+        "{} to keep it so narrow",
+        entry, width, metres ? "m" : "cells", std::max(least, by_distance),
+        what_widens(width, least, by_distance, metres)));
 }
 
 /// Rock that nothing holds drifts away under the thrust of the injection.
@@ -143,11 +158,60 @@ void warn_about_outlets(Scene& scene) {
 
 void warn_about_sides(Scene& scene) {
   const auto remark = [&](const char* pair, const BoundarySection& side) {
-    if (side.flow.kind != FlowBoundaryKind::periodic) return;
-    scene.warnings.push_back(fmt::format("the fluid is periodic across {}, the rock never is", pair));
+    if (is_periodic(scene, side))
+      scene.warnings.push_back(fmt::format("the lattice is periodic across {}, the rock never is", pair));
   };
   remark("left and right", scene.left);
   remark("bottom and top", scene.bottom);
+}
+
+/// A shape has no image beyond a joined side: what reaches over it is lost, unless the case draws it there as well.
+void warn_about_cut_shapes(Scene& scene) {
+  const auto& shapes = scene.geometry.shapes;
+  const std::array<bool, 2> joined{is_periodic(scene, scene.left), is_periodic(scene, scene.bottom)};
+  const std::array<double, 2> length{scene.lattice.length_x, scene.lattice.length_y};
+  const double slack = scene.lattice.spacing / 2;
+  const auto reach = [](const Form& form, int axis) {
+    const Box box = box_of(form);
+    return axis == 0 ? std::pair{box.x0, box.x1} : std::pair{box.y0, box.y1};
+  };
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto [low, high] = reach(shapes[i].form, axis);
+      const bool below = low<-slack, above = high> length[axis] + slack;
+      if (!joined[axis] || below == above) continue;
+      const double image = low + (below ? length[axis] : -length[axis]);
+      if (std::any_of(shapes.begin(), shapes.end(),
+                      [&](const Shape& other) { return std::abs(reach(other.form, axis).first - image) < slack; }))
+        continue;
+      scene.warnings.push_back(fmt::format(
+          "geometry.shapes.{}{} reaches over the {} side, which is periodic, and is cut there: draw a second shape for "
+          "what should appear on the other side",
+          i, shapes[i].name.empty() ? "" : " (" + shapes[i].name + ")",
+          axis == 0 ? (below ? "left" : "right") : (below ? "bottom" : "top")));
+    }
+}
+
+/// What S does to pressures assumes that pathways are wider in metres the coarser the lattice.
+void warn_about_scaled_pressure(Scene& scene) {
+  if (!scene.flow || scene.flow->pressure_scale == 1 || !scene.rock) return;
+  const char* given = scene.rock->pathway_width                                        ? "rock.pathway_width"
+                      : scene.damage && scene.damage->aperture == ApertureLaw::opening ? "damage.aperture = \"opening\""
+                                                                                       : nullptr;
+  if (given)
+    scene.warnings.push_back(
+        fmt::format("flow.pressure_scale = {:g} makes up for pathways that are wider on a coarse lattice, and {} gives "
+                    "them their own "
+                    "width: {:g} times too little flows through them",
+                    scene.flow->pressure_scale, given, scene.flow->pressure_scale));
+}
+
+/// A slit fills so slowly that its flow seems steady while it is not.
+void warn_about_held_slits(Scene& scene) {
+  if (scene.accuracy.flow_tolerance > 0 && has_cracks_below_a_cell(scene))
+    scene.warnings.emplace_back(
+        "accuracy.flow_tolerance: the flow is not held while there are cracks narrower than a cell, which pressure "
+        "enters too slowly for anybody to see when it is done");
 }
 
 /// Inertia strengthens rock as it breaks (docs/validation.md): in compression at 0.5 m/s by 3 % with four times the
@@ -181,6 +245,9 @@ void collect_warnings(Scene& scene) {
   if (scene.laboratory) return warn_about_press(scene);
   if (scene.reaction) warn_about_reaction(scene);
   warn_about_outlets(scene);
+  warn_about_cut_shapes(scene);
+  warn_about_scaled_pressure(scene);
+  if (scene.flow) warn_about_held_slits(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
   if (scene.rock && scene.damage) warn_about_narrow_notches(scene);

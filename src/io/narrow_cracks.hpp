@@ -1,0 +1,22 @@
+#pragma once
+// Whether a case has cracks that no cell is narrow enough for.
+#include "io/scene.hpp"
+
+#include <algorithm>
+
+namespace vug {
+
+/// Whether pathways are as wide as cracks gape, or some have a width in metres below the spacing.
+inline bool has_cracks_below_a_cell(const Scene& scene) {
+  if (!scene.rock) return false;
+  if (scene.damage && scene.damage->aperture == ApertureLaw::opening) return true;
+  const RockSection& rock = *scene.rock;
+  if (!rock.pathway_width) return false;
+  const double cell = scene.lattice.spacing;
+  const double broken = scene.damage ? scene.damage->minimum_width.value_or(*rock.pathway_width) : cell;
+  return *rock.pathway_width < cell || broken < cell ||
+         std::any_of(rock.notches.begin(), rock.notches.end(),
+                     [&](const Notch& notch) { return notch.width.value_or(cell) < cell; });
+}
+
+}  // namespace vug
