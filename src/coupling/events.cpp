@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 namespace vug {
 
@@ -59,10 +60,24 @@ std::string at(const Clock& clock) {
   return fmt::format("step {}, {:.4g} s: ", clock.step, clock.time());
 }
 
-/// The species of a column of the history, "L1" of "L1_gain_outflow_mol_per_m", or nothing.
-std::string species_of(const std::string& column, const std::string& gain) {
-  const std::string ending = "_gain_" + gain + "_mol_per_m";
-  return column.ends_with(ending) ? column.substr(0, column.size() - ending.size()) : "";
+/// Amounts of a species that have come in and gone out through sides and openings.
+struct Passed {
+  double in = 0, out = 0;
+};
+
+/// Of each species, by the columns "L1_gain_injected_mol_per_m", "..._outflow_..." and "..._shape_<name>_..." of a row.
+std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
+  std::map<std::string, Passed> passed;
+  for (const HistoryValue& value : row) {
+    if (!value.name.ends_with("_mol_per_m")) continue;
+    for (const char* gain : {"_gain_injected_", "_gain_outflow_", "_gain_shape_"}) {
+      const std::size_t at = value.name.find(gain);
+      if (at == std::string::npos) continue;
+      Passed& of = passed[value.name.substr(0, at)];
+      (value.value > 0 ? of.in : of.out) += std::abs(value.value);
+    }
+  }
+  return passed;
 }
 
 /// Volume that the rock has won, over what there is: by a reaction that has run backwards.
@@ -139,16 +154,11 @@ std::vector<std::string> Events::look_at_row(const Simulation& simulation, const
         fmt::format("{}{} on the whole, by a reaction that runs backwards (product over equilibrium_constant "
                     "exceeds the reactant): it grows in place and narrows no pore",
                     at(simulation.clock()), has_grown));
-  for (const HistoryValue& value : row) {
-    const std::string species = species_of(value.name, "outflow");
-    if (species.empty()) continue;
-    for (const HistoryValue& other : row) {
-      if (species_of(other.name, "injected") != species || !(-value.value > breakthrough * other.value)) continue;
-      if (other.value > 0 && next_.try_emplace(breakthrough_of + species, 0).second)
-        news.push_back(fmt::format("{}{}{}: {:.2g} % of what was injected has left", at(simulation.clock()),
-                                   breakthrough_of, species, -100 * value.value / other.value));
-    }
-  }
+  for (const auto& [species, passed] : passed_by(row))
+    if (passed.in > 0 && passed.out > breakthrough * passed.in &&
+        next_.try_emplace(breakthrough_of + species, 0).second)
+      news.push_back(fmt::format("{}{}{}: {:.2g} % of what was injected has left", at(simulation.clock()),
+                                 breakthrough_of, species, 100 * passed.out / passed.in));
   return news;
 }
 

@@ -114,7 +114,7 @@ class Run {
     for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
     const Parts& parts = simulation_.parts();
     if (!parts.warning.empty()) progress.note("warning: " + parts.warning);
-    if (parts.rock)
+    if (parts.rock && (scene_.flow || scene_.heat || scene_.solute))
       if (const auto remark = remark_on_triangles(parts.rock->assembly, scene_.lattice.spacing))
         progress.note("warning: " + *remark);
     for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)
@@ -126,10 +126,10 @@ class Run {
   /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.
   void advance(Progress& progress) {
     RunFiles files(scene_, simulation_, book_.path(), resumed_at_);
-    if (ranks_.first() && resumed_at_ && !simulation_.parts().ageing)
-      if (const std::int64_t due = rows_until(scene_, *resumed_at_); files.rows_kept() < due)
-        progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left",
-                                  book_.path(), files.rows_kept(), due, *resumed_at_));
+    for (const std::string& lost : files.passed_over()) progress.note("warning: passed over: " + lost);
+    if (ranks_.first() && resumed_at_ && files.rows() < book_.rows())
+      progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", book_.path(),
+                                files.rows(), book_.rows(), *resumed_at_));
     std::vector<std::string>& events_so_far = book_.record().events;
     const auto tell = [&](const std::vector<std::string>& news) {
       for (const std::string& line : news) progress.note(line);
@@ -157,12 +157,16 @@ class Run {
         simulation_.guard();
         tell(events.look(simulation_));
       }
+      if (write_now || save) book_.require_ours();
       if (write_now) {
         const Phase phase(ranks_, "files");
         files.write_snapshot();
       }
       if (row) tell(events.look_at_row(simulation_, files.write_row()));
-      if (save) book_.save(simulation_, progress);
+      if (save) {
+        files.sync_rows();
+        book_.save(simulation_, files.rows(), progress);
+      }
       progress.update(step, simulation_.updates_per_step(), clock.ahead);
       if (stop && !ended()) throw Interrupted(stop_reason());
     }

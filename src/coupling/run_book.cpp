@@ -70,9 +70,17 @@ std::optional<Checkpoint> RunBook::latest_checkpoint() const {
 void RunBook::go_on_from(const Checkpoint& checkpoint) {
   owner_.run = record_.run = checkpoint.run();
   record_.last_checkpoint = record_.first_step = record_.steps = checkpoint.step();
+  checkpoint.load(own_state());
   if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return;
   record_.events = folder_->held()->events_until(checkpoint.step());
   earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
+}
+
+/// What a run remembers beside the state of the simulation.
+StateList RunBook::own_state() {
+  StateList list;
+  list.add_value("history/rows", rows_, {0, most_steps});
+  return list;
 }
 
 void RunBook::begin_anew() {
@@ -88,11 +96,18 @@ void RunBook::open(std::optional<std::int64_t> last_step) {
   write_run_record(path_, record_);
 }
 
+void RunBook::require_ours() const {
+  if (folder_ && !folder_->is_ours())
+    throw FileError(path_ + ": was removed or replaced while the run wrote there; nothing more is written to it");
+}
+
 /// All ranks hand on what the first one writes.
-void RunBook::save(Simulation& simulation, const Progress& progress) {
+void RunBook::save(Simulation& simulation, std::int64_t rows, const Progress& progress) {
   const Ranks& ranks = options_.ranks;
   const Phase phase(ranks, "files");
-  const StateList state = simulation.state();
+  rows_ = rows;
+  StateList state = simulation.state();
+  for (const StateBlock& block : own_state().blocks) state.add(block);
   const Clock& clock = simulation.clock();
   if (folder_) write(clock, progress);  // first, that what goes on from the checkpoint finds what happened until then
   if (ranks.first())
@@ -129,7 +144,7 @@ void RunBook::close(const Clock& clock, const Progress& progress, const std::str
 }
 
 void RunBook::close(const Clock& clock, const Progress& progress) {
-  if (!folder_) return;
+  if (!folder_ || !folder_->is_ours()) return;
   record_.ended = utc_now();
   write(clock, progress);
 }

@@ -32,14 +32,18 @@ class RunBook {
   std::optional<Checkpoint> latest_checkpoint() const;
   /// Makes this run the one that the checkpoint is of: what happened until then belongs to it, and the time it took.
   void go_on_from(const Checkpoint& checkpoint);
+  /// Rows that the history had at the newest checkpoint.
+  std::int64_t rows() const { return rows_; }
   /// Makes this run a new one. Throws InputError where one would be lost that could be continued.
   void begin_anew();
 
   /// Takes the folder, clears it of what is not continued and writes the record, with the step at which the run will
   /// be done where that is known.
   void open(std::optional<std::int64_t> last_step);
-  /// Writes a checkpoint of what the ranks have computed; before it, the record.
-  void save(Simulation& simulation, const Progress& progress);
+  /// Throws FileError where the folder is no longer this run's: another one may have begun in it.
+  void require_ours() const;
+  /// Writes a checkpoint of what the ranks have computed and of how many rows the history has; before it, the record.
+  void save(Simulation& simulation, std::int64_t rows, const Progress& progress);
   /// The last record: how the run has ended, why, and with which exit code.
   void close(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
              int code);
@@ -52,6 +56,7 @@ class RunBook {
  private:
   std::string checkpoints() const { return path_ + "/checkpoint"; }
   CheckpointOwner owner();
+  StateList own_state();
   void write(const Clock& clock, const Progress& progress);
   void close(const Clock& clock, const Progress& progress);
 
@@ -60,6 +65,7 @@ class RunBook {
   std::optional<RunFolder> folder_;  ///< of the rank that writes
   RunRecord record_;
   CheckpointOwner owner_;
+  std::int64_t rows_ = 0;
   double earlier_time_ = 0;                                              ///< s that earlier parts of the run have taken
   std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< to say so when the memory does not suffice
 };

@@ -33,13 +33,21 @@ class RunFiles {
   RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
            std::optional<std::int64_t> resume_step);
 
-  /// Rows of the history that is continued; 0 where it is another rank's.
-  std::int64_t rows_kept() const { return history_ ? history_->kept() : 0; }
+  /// Rows that the history has; 0 where it is another rank's.
+  std::int64_t rows() const { return history_ ? history_->rows() : 0; }
 
   void write_snapshot();
 
   /// Writes and returns a row of the history.
   std::vector<HistoryValue> write_row();
+  /// Brings the rows to the disk.
+  void sync_rows() {
+    if (history_) history_->sync();
+  }
+  /// What could not be continued, a line each.
+  std::vector<std::string> passed_over() const {
+    return snapshots_ ? snapshots_->passed_over() : std::vector<std::string>{};
+  }
 
  private:
   std::vector<HistoryValue> row() const;

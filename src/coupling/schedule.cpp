@@ -1,7 +1,6 @@
 #include "coupling/schedule.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace vug {
 
@@ -58,12 +57,6 @@ Schedule row_schedule(const Scene& scene) {
 Schedule checkpoint_schedule(const Scene& scene) {
   if (!scene.output.checkpoint_interval) return output_schedule(scene);
   return schedule(scene, checkpoint_interval(scene), scene.output.checkpoint_interval);
-}
-
-std::int64_t rows_until(const Scene& scene, std::int64_t step) {
-  const std::int64_t output = output_interval(scene), history = history_interval(scene);
-  const std::int64_t both = output / std::gcd(output, history) <= step / history ? std::lcm(output, history) : step + 1;
-  return 1 + step / output + step / history - step / both;
 }
 
 }  // namespace vug

@@ -32,7 +32,4 @@ Schedule output_schedule(const Scene& scene);
 Schedule row_schedule(const Scene& scene);
 Schedule checkpoint_schedule(const Scene& scene);
 
-/// Rows of the history up to a step, that of the start among them.
-std::int64_t rows_until(const Scene& scene, std::int64_t step);
-
 }  // namespace vug

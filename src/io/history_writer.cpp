@@ -7,10 +7,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <unistd.h>
 
 namespace vug {
 
@@ -20,7 +22,9 @@ namespace {
 std::string kept_rows(const std::string& path, const std::string& header, double time) {
   std::istringstream in(detail::read_file(path));
   std::string line;
-  if (!std::getline(in, line) || line != header)
+  std::getline(in, line);
+  const bool torn = in.eof() && header.starts_with(line);  // before its first row was whole
+  if (!torn && line != header)
     throw FileError(path + ": the columns differ from those of this run, so it cannot be continued");
   const auto commas = std::count(header.begin(), header.end(), ',');
   std::string kept = header + "\n";
@@ -39,8 +43,8 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
   const auto header = fmt::format("{}", fmt::join(columns, ","));
   const bool resume = resume_time && std::filesystem::exists(path);
   const std::string text = resume ? kept_rows(path, header, *resume_time) : header + "\n";
-  kept_ = std::count(text.begin(), text.end(), '\n') - 1;
-  detail::replace_file(path, text, false);
+  rows_ = std::count(text.begin(), text.end(), '\n') - 1;
+  detail::replace_file(path, text, true);
   file_.reset(std::fopen(path.c_str(), "a"));
   if (!file_) detail::throw_file_error(path, "open");
 }
@@ -56,6 +60,14 @@ void HistoryWriter::write(std::span<const double> row) {
   line += '\n';
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
     detail::throw_file_error(path_, "write");
+  ++rows_;
+}
+
+void HistoryWriter::sync() {
+  const int descriptor = ::fileno(file_.get());
+  if (!detail::names_open_file(path_, descriptor))
+    throw FileError(path_ + ": was removed or replaced while the run wrote there");
+  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS) detail::throw_file_error(path_, "write");
 }
 
 }  // namespace vug

@@ -1,5 +1,6 @@
 #pragma once
 // history.csv: one row of numbers per output time.
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -18,10 +19,13 @@ class HistoryWriter {
   HistoryWriter(const std::string& path, const std::vector<std::string>& columns,
                 std::optional<double> resume_time = std::nullopt);
   void write(std::span<const double> row);
+  /// Brings the rows to the disk. Throws FileError also where the file was removed or replaced meanwhile, since then
+  /// nobody will find them.
+  void sync();
   /// Cells of NaN are left empty from now on.
   void leave_unknown_empty() { empty_ = true; }
-  /// Rows of the file that is continued, without the dropped ones.
-  long kept() const { return kept_; }
+  /// Rows of the file, with those that it had when it was continued.
+  std::int64_t rows() const { return rows_; }
 
  private:
   struct Closer {
@@ -29,7 +33,7 @@ class HistoryWriter {
   };
   std::string path_;
   std::size_t columns_;
-  long kept_ = 0;
+  std::int64_t rows_ = 0;
   bool empty_ = false;
   std::unique_ptr<std::FILE, Closer> file_;
 };

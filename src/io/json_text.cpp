@@ -1,5 +1,7 @@
 #include "io/json_text.hpp"
 
+#include "io/message.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,14 +11,15 @@
 namespace vug {
 
 std::string json_string(const std::string& text) {
+  const bool foreign = !is_utf8(text);
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\')
       out += {'\\', c};
     else if (c == '\n')
       out += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else if (const unsigned byte = static_cast<unsigned char>(c); byte < 0x20 || (foreign && byte > 0x7e))
+      out += fmt::format("\\u{:04x}", byte);
     else
       out += c;
   }
@@ -37,7 +40,7 @@ std::vector<std::string> json_texts(const std::string& list) {
       continue;
     } else if (c != '\\') {
       text += c;
-    } else if (list.compare(i + 1, 1, "u") == 0) {  // a control character: two digits of four are not zero
+    } else if (list.compare(i + 1, 1, "u") == 0) {  // one byte: two digits of four are not zero
       text += static_cast<char>(std::strtol(list.substr(i + 2, 4).c_str(), nullptr, 16));
       i += 5;
     } else if (++i < list.size()) {

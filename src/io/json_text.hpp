@@ -5,8 +5,8 @@
 
 namespace vug {
 
-/// A string in quotation marks. Bytes that are no UTF-8 would make a file unreadable; the case reader accepts only
-/// UTF-8.
+/// A string in quotation marks. A text that is no UTF-8, as names of files may be, would make a file unreadable: its
+/// bytes beyond ASCII become the characters of these numbers, which json_texts turns back.
 std::string json_string(const std::string& text);
 
 /// All digits of a double; null when it is not finite.

@@ -139,12 +139,19 @@ void RunFolder::require_dispensable() const {
         path_, held_->status, held_->steps));
 }
 
+bool RunFolder::is_ours() const {
+  return lock_.value < 0 || detail::names_open_file(path_ + "/run.lock", lock_.value);
+}
+
 void RunFolder::lock(bool create) {
   const std::string path = path_ + "/run.lock";
   lock_.value = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0644);
   if (lock_.value < 0 && !create) return;
   if (lock_.value < 0) detail::throw_file_error(path, "create");
-  if (::flock(lock_.value, LOCK_EX | LOCK_NB) == 0) return;
+  if (::flock(lock_.value, LOCK_EX | LOCK_NB) == 0) {
+    if (!is_ours()) throw InputError(path_ + ": is being replaced by another process; choose another folder");
+    return;
+  }
   if (errno == EWOULDBLOCK)
     throw InputError(fmt::format("{}: is in use by {}; choose another folder", path_, holder(lock_.value)));
   warning_ = fmt::format("{}: cannot be locked ({}): see to it that no other process writes there", path_,

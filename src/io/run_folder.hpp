@@ -11,7 +11,7 @@ namespace vug {
 bool is_in_use(const std::string& directory);
 
 /// A folder that one process writes results into at a time. The lock is the operating system's, on the file run.lock,
-/// and ends with the process, however that ends; the file itself stays and means nothing.
+/// and ends with the process, however that ends; the file itself stays and means nothing once that has ended.
 class RunFolder {
  public:
   enum class Use {
@@ -28,6 +28,9 @@ class RunFolder {
   /// Makes the folder, locks it, and looks again: what has come meanwhile is not touched either. To overwrite, clears
   /// it, error bars of the run with the runs that were made for them included. Throws InputError and FileError.
   void take();
+  /// Whether the folder of that name is still the one that was taken: not where somebody has removed or replaced it, or
+  /// its run.lock, and another run may be in it.
+  bool is_ours() const;
   /// Whether nothing is lost when the run begins anew though it was to be continued: where it ended before its first
   /// checkpoint. Throws InputError where it has had one, and where no run.json says whose results there are.
   void require_dispensable() const;

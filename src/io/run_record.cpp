@@ -73,7 +73,8 @@ void note_failure(RunRecord& record, const std::exception& error) {
 }
 
 std::string reason_of(const std::filesystem::filesystem_error& error) {
-  const std::string path = error.path1().string();
+  const std::string path = error.path1().string(), to = error.path2().string();
+  if (!to.empty()) return fmt::format("{}: cannot copy to {}: {}", path, to, error.code().message());
   return fmt::format("{}: {}", path.empty() ? "the current folder" : path, error.code().message());
 }
 

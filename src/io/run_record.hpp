@@ -49,7 +49,7 @@ struct RunRecord {
 /// errors is memory that did not suffice.
 void note_failure(RunRecord& record, const std::exception& error);
 
-/// What the system would not do with a file or a folder, as one line: `path: reason`.
+/// What the system would not do with a file or a folder, as one line: `path: reason`, of a copy both paths.
 std::string reason_of(const std::filesystem::filesystem_error& error);
 
 /// Writes `directory`/run.json: the record, the hash of the case and the peak memory of the process so far. The file is

@@ -54,7 +54,9 @@ std::optional<RunSummary> read_run_summary(const std::string& directory) {
                      value_of(json, "exit_code"),
                      json_texts(value_of(json, "events"))};
   if (summary.status.empty() || summary.case_hash.empty())
-    throw InputError(path + ": is no record of a run of vug; choose another folder");
+    throw InputError(path +
+                     ": is no record of a run of vug; choose another folder, or remove the file if it is "
+                     "what is left of one: --resume goes on from the checkpoints");
   return summary;
 }
 

@@ -15,8 +15,9 @@ SnapshotWriter::SnapshotWriter(const std::string& directory, const Lattice& latt
   if (rock)
     rock_ = std::make_unique<detail::RockSnapshots>(directory, fields, options.fields, layout, std::move(*rock));
   if (options.resume_step) {
-    lattice_->resume(*options.resume_step);
-    if (rock_) rock_->resume(*options.resume_step);
+    passed_over_ = lattice_->resume(*options.resume_step);
+    if (rock_)
+      for (std::string& damaged : rock_->resume(*options.resume_step)) passed_over_.push_back(std::move(damaged));
   } else {
     lattice_->create();
     if (rock_) rock_->create();

@@ -53,10 +53,13 @@ class SnapshotWriter {
   SnapshotWriter& operator=(SnapshotWriter&&) noexcept;
 
   void write(double time, std::int64_t step);
+  /// Damaged snapshots of a run that is continued, which stay where they are and are named by no index: a line each.
+  const std::vector<std::string>& passed_over() const { return passed_over_; }
 
  private:
   std::unique_ptr<detail::LatticeSnapshots> lattice_;
   std::unique_ptr<detail::RockSnapshots> rock_;
+  std::vector<std::string> passed_over_;
 };
 
 /// What ranks do that write no files while the first one writes a snapshot: read the same fields of the lattice.

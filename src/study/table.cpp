@@ -4,10 +4,12 @@
 #include "io/detail/nearest_name.hpp"
 #include "io/history_reader.hpp"
 #include "io/message.hpp"
+#include "io/run_summary.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -42,6 +44,16 @@ void require_columns(const Study& study, const History& history) {
     if (history.find(name) < 0)
       throw InputError(fmt::format("{}: study.results: \"{}\" is no column of the history{}", study.path, name,
                                    suggestion(name, history.names)));
+}
+
+/// Throws FileError where the end of a history is lost: an earlier row would pass for the result.
+void require_whole(const Member& member, const History& history) {
+  const std::string last = last_value(history, "step_1"), steps = read_run_summary(member.directory)->steps;
+  if (std::strtod(last.c_str(), nullptr) != std::strtod(steps.c_str(), nullptr) || last.empty())
+    throw FileError(
+        fmt::format("{0}/history.csv: ends before the last step of its run, {1}; remove {0} and call with "
+                    "--resume to run it again",
+                    member.directory, steps));
 }
 
 std::string beginning(const Study& study) {
@@ -99,6 +111,7 @@ std::string table_text(const Study& study, const std::vector<Member>& members) {
   for (const Member& member : members) {
     if (state_of(member) != MemberState::done) continue;
     const History history = read_history(member.directory + "/history.csv");
+    require_whole(member, history);
     require_columns(study, history);
     if (columns.empty()) columns = history.names;
     rows += beginning(member);

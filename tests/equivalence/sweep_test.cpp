@@ -56,6 +56,25 @@ TEST(Sweep, HasTheSameTableAfterKills) {
   EXPECT_EQ(test::contents(folder / "killed/table.csv"), test::contents(folder / "whole/table.csv"));
 }
 
+/// An earlier row must not pass for the result.
+TEST(Sweep, MakesNoTableOfAHistoryThatHasLostItsEnd) {
+  const test::TemporaryFolder folder;
+  const std::string call =
+      "sweep " + study_file(folder, "results = [\"largest_mach_1\"]\n") + " -o " + (folder / "runs") + " --quiet";
+  ASSERT_EQ(test::run_vug(call).exit_code, 3);
+  const std::string table = test::contents(folder / "runs/table.csv"), history = folder / "runs/runs/0002/history.csv";
+  const std::string whole = test::contents(history);
+  for (const std::string& rest : {whole.substr(0, whole.size() - 1), whole.substr(0, whole.find('\n') + 1)}) {
+    test::write_text(history, rest);
+    const test::Outcome outcome = test::run_vug(call + " --resume");
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.output;
+    EXPECT_NE(outcome.output.find("0002/history.csv: ends before the last step of its run, 3000; remove "),
+              std::string::npos)
+        << outcome.output;
+    EXPECT_EQ(test::contents(folder / "runs/table.csv"), table);
+  }
+}
+
 // The header of a history is there when its run begins: runs of hours need not end before a slip is told.
 TEST(Sweep, TellsOfAResultThatIsNoneWhenTheFirstRunHasBegun) {
   const test::TemporaryFolder folder;

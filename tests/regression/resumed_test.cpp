@@ -200,18 +200,50 @@ TEST(Resumed, PassesOverADamagedCheckpointAndSaysSo) {
   EXPECT_EQ(test::difference(folder / "whole", out), "");
 }
 
-/// A history that was cut off goes on, and the log says what is missing.
+/// A history that was cut off goes on, and the log says what is missing, of slow scenes as well, of which nobody knows
+/// beforehand in which steps their rows come.
 TEST(Resumed, SaysThatTheHistoryHasLostRows) {
+  const std::string slow = VUG_SOURCE_DIR "/tests/cases/coupled/slow_grain.toml";
+  for (const std::string& command :
+       {"run " + test::channel + " --threads 1 --set output.interval_steps=100 --set time.steps=1000 -o ",
+        "run " + slow + " --threads 1 --set time.end=6 -o "}) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out", history = out + "/history.csv";
+    ASSERT_EQ(run_vug(command + out).exit_code, 0);
+    const std::string whole = test::contents(history);
+    const auto rows = std::count(whole.begin(), whole.end(), '\n') - 1;
+    ASSERT_GE(rows, 3);
+    EXPECT_THAT(run_vug(command + out + " --resume").output, Not(HasSubstr("lost")));
+    test::write_text(history, whole.substr(0, whole.size() - 1));  // a row without its end
+    EXPECT_THAT(run_vug(command + out + " --resume").output,
+                HasSubstr("warning: " + history + " has lost rows: " + std::to_string(rows - 1) + " of " +
+                          std::to_string(rows) + " up to step"));
+  }
+}
+
+/// A history without a whole header has no rows, and a snapshot that cannot be read is left out: neither is in the way
+/// of a sound checkpoint.
+TEST(Resumed, GoesOnBesideADamagedHistoryAndSnapshot) {
   const TemporaryFolder folder;
-  const std::string out = folder / "out", history = out + "/history.csv";
+  const std::string out = folder / "out", history = out + "/history.csv",
+                    snapshot = out + "/fields/step_000000000400.h5";
   ASSERT_EQ(run_channel(out, "").exit_code, 0);
   const std::string whole = test::contents(history);
-  const auto rows = std::count(whole.begin(), whole.end(), '\n') - 1;
-  EXPECT_THAT(run_channel(out, "--resume").output, Not(HasSubstr("lost")));
-  test::write_text(history, whole.substr(0, whole.size() - 1));  // a row without its end
-  EXPECT_THAT(run_channel(out, "--resume").output,
-              HasSubstr("warning: " + history + " has lost rows: " + std::to_string(rows - 1) + " of " +
-                        std::to_string(rows) + " up to step 1000 are left"));
+  for (const std::string& rest : {std::string(), whole.substr(0, 30)}) {
+    test::write_text(history, rest);
+    const Outcome outcome = run_channel(out, "--resume");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("has lost rows: 0 of "));
+  }
+  test::write_text(history, "other" + whole);
+  EXPECT_EQ(run_channel(out, "--resume").exit_code, 4);
+  test::write_text(history, whole);
+  test::write_text(snapshot, test::contents(snapshot).substr(0, 1000));
+  const Outcome outcome = run_channel(out, "--resume");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("warning: passed over: " + snapshot + ": "));
+  EXPECT_THAT(test::contents(out + "/fields.xdmf"), Not(HasSubstr("step_000000000400")));
+  EXPECT_THAT(test::contents(out + "/fields.xdmf"), HasSubstr("step_000000000500"));
 }
 
 TEST(Checkpoints, AreThereAtTheEndWhateverTheIntervals) {

@@ -103,6 +103,27 @@ TEST(RunFolder, ServesOneProcessAtATimeAndNamesIt) {
   EXPECT_EQ(run_channel(out, "--overwrite").exit_code, 0) << "the lock ended with its holder";
 }
 
+/// Who clears a folder under a run and starts another there has the other: the first one ends and says so.
+TEST(RunFolder, ThatWasRemovedUnderARunIsNoLongerItsOwn) {
+  for (const char* const name : {"", "/run.lock", "/history.csv"}) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out", gone = name;
+    test::BackgroundVug first("run " + channel + " --quiet --threads 1 --set time.steps=1000000000 " +
+                                  "--set output.interval_steps=20000 -o " + out,
+                              folder / "log");
+    ASSERT_TRUE(first.wait_for_file(out + "/fields/step_000000000000.h5")) << first.log();
+    std::filesystem::rename(out + gone, folder / "gone");
+    if (gone.empty()) {
+      EXPECT_EQ(run_channel(out, "--quiet").exit_code, 0);
+    }
+    EXPECT_EQ(first.wait(), 4) << gone;
+    EXPECT_THAT(first.log(), testing::HasSubstr("was removed or replaced while the run wrote there"));
+    if (gone.empty()) {
+      EXPECT_THAT(test::contents(out + "/run.json"), testing::HasSubstr("\"steps\": 1000,"));
+    }
+  }
+}
+
 /// Of many that start at once one has the folder, and its files are those of a run alone.
 TEST(RunFolder, IsGivenToOneOfManyThatStartAtOnce) {
   const TemporaryFolder folder;

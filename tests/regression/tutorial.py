@@ -16,13 +16,16 @@ PROMISED = {"docs/tutorial.md": ["runs/channel/figures/speed.png", "runs/reactiv
 
 
 def main(executable, page="docs/tutorial.md"):
-    blocks = re.findall(r"^```sh\n(.*?)^```", (ROOT / page).read_text(encoding="utf-8"), re.S | re.M)
-    environment = os.environ | {"VUG_CASES": str(ROOT / "cases"), "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
-    environment["PATH"] = os.pathsep.join([str(pathlib.Path(executable).resolve().parent), str(ROOT / "scripts"),
-                                           environment["PATH"]])
+    text = (ROOT / page).read_text(encoding="utf-8")
+    blocks = re.findall(r"^```sh\n(.*?)^```", text, re.S | re.M)
+    # the page's own preparation in the checkout, but for its folder; then the vug of this build
+    preparation = re.search(r"^```\n(.*?)^```", text, re.S | re.M)[1].replace("mkdir ~/first-steps && cd ~/first-steps\n", "")
+    programs = pathlib.Path(executable).resolve().parent
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
     with tempfile.TemporaryDirectory() as folder:
         for block in blocks:
-            done = subprocess.run(["bash", "-euo", "pipefail", "-c", block], cwd=folder, env=environment,
+            commands = f"cd '{ROOT}'\n{preparation}PATH='{programs}':$PATH\ncd '{folder}'\n{block}"
+            done = subprocess.run(["bash", "-euo", "pipefail", "-c", commands], cwd=folder, env=environment,
                                   capture_output=True, text=True, check=False)
             if done.returncode != 0:
                 sys.exit(f"{page}: ended with {done.returncode}:\n{block}\n{done.stdout}{done.stderr}")

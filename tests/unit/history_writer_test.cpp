@@ -51,8 +51,9 @@ TEST(HistoryWriter, ContinuesWithoutLaterRowsAndTornLines) {
   const auto path = folder / "history.csv";
   test::write_text(path, "time_s,mass_kg\n0,1\n0.1,2\n0.2,3\n0.05,4");
   HistoryWriter history(path, columns, 0.1);
-  EXPECT_EQ(history.kept(), 2);
+  EXPECT_EQ(history.rows(), 2);
   history.write(std::vector<double>{0.15, 5});
+  EXPECT_EQ(history.rows(), 3);
   EXPECT_EQ(contents(path), "time_s,mass_kg\n0,1\n0.1,2\n0.14999999999999999,5\n");
 }
 

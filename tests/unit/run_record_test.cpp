@@ -32,6 +32,24 @@ TEST(RunRecord, IsJsonThatKeepsTheCaseToTheLetter) {
   EXPECT_EQ(std::system((std::string(VUG_PYTHON) + " -c \"" + script + "\" " + folder.path()).c_str()), 0);
 }
 
+/// Linux takes any bytes for the name of a file; a record of it is JSON all the same, and gives the name back.
+TEST(RunRecord, IsJsonWhateverTheNamesOfFilesAre) {
+  const test::TemporaryFolder folder;
+  RunRecord record;
+  record.case_path = "out\xff \xc3\xa9.toml";
+  record.case_text = "# \xc3\xa9";
+  record.events = {record.case_path, "\xc3\xa9"};
+  write_run_record(folder.path(), record);
+  const std::string script =
+      "import json,sys; r=json.load(open(sys.argv[1]+'/run.json',encoding='utf-8')); "
+      "assert r['case_text']=='# \\u00e9' and r['events'][1]=='\\u00e9'; "
+      "assert r['case_path'].encode('latin-1')==b'out\\xff \\xc3\\xa9.toml'";
+  test::write_text(folder / "look.py", script);
+  EXPECT_EQ(std::system((std::string(VUG_PYTHON) + " " + (folder / "look.py") + " " + folder.path()).c_str()), 0);
+  EXPECT_EQ(read_run_summary(folder.path())->events, record.events);
+  EXPECT_EQ(read_run_origin(folder.path()).case_path, record.case_path);
+}
+
 TEST(RunRecord, ReplacesTheOneBefore) {
   const test::TemporaryFolder folder;
   RunRecord record;

@@ -232,5 +232,26 @@ TEST(ReactionInSI, RockThatGrowsInPlaceIsToldOnce) {
   }
 }
 
+/// What came in and what has left, through sides or openings, in any of the two ways; told once.
+TEST(ReactionInSI, BreakthroughIsToldOfSidesAndOpenings) {
+  Simulation simulation(parse_scene(column, "case.toml", {}));
+  simulation.begin();
+  for (const std::string in : {"injected", "shape_well"})
+    for (const std::string out : {"outflow", "shape_drain"}) {
+      Events events(simulation);
+      const auto row = [&](double left) {
+        return std::vector<HistoryValue>{{"acid_gain_" + in + "_mol_per_m", 2},
+                                         {"acid_gain_" + out + "_mol_per_m", -left},
+                                         {"acid_gain_reaction_mol_per_m", -1},
+                                         {"salt_gain_" + out + "_mol_per_m", -1}};
+      };
+      EXPECT_TRUE(events.look_at_row(simulation, row(0.019)).empty());
+      EXPECT_THAT(
+          events.look_at_row(simulation, row(0.021)),
+          testing::ElementsAre(testing::HasSubstr("breakthrough of acid: 1.1 % of what was injected has left")));
+      EXPECT_TRUE(events.look_at_row(simulation, row(0.1)).empty());
+    }
+}
+
 }  // namespace
 }  // namespace vug

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -71,6 +72,13 @@ void replace_file(const std::string& path, std::string_view text, bool sync) {
   NewFile file(path);
   file.write(text);
   file.commit(sync);
+}
+
+bool names_open_file(const std::string& path, int descriptor) {
+  struct stat named {
+  }, open{};
+  return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &open) == 0 && named.st_dev == open.st_dev &&
+         named.st_ino == open.st_ino;
 }
 
 std::string read_file(const std::string& path) {

@@ -30,6 +30,9 @@ class NewFile {
 /// A whole new file in one call.
 void replace_file(const std::string& path, std::string_view text, bool sync);
 
+/// Whether `path` still names the file that is open as `descriptor`: not where it was removed or replaced.
+bool names_open_file(const std::string& path, int descriptor);
+
 /// The whole file.
 std::string read_file(const std::string& path);
 

@@ -14,7 +14,7 @@ class LatticeSnapshots {
   LatticeSnapshots& operator=(const LatticeSnapshots&) = delete;
 
   void create() { series_.create(); }
-  void resume(std::int64_t step) { series_.resume(step); }
+  std::vector<std::string> resume(std::int64_t step) { return series_.resume(step); }
   void write(double time, std::int64_t step);
 
  private:

@@ -28,9 +28,10 @@ void RockSnapshots::create() {
   add_connectivity();
 }
 
-void RockSnapshots::resume(std::int64_t step) {
-  series_.resume(step);
+std::vector<std::string> RockSnapshots::resume(std::int64_t step) {
+  std::vector<std::string> damaged = series_.resume(step);
   add_connectivity();
+  return damaged;
 }
 
 void RockSnapshots::add_connectivity() {

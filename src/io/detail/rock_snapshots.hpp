@@ -18,7 +18,7 @@ class RockSnapshots {
 
   /// Begins anew, with the part that never changes, `rock`: which vertices make a triangle or a bond.
   void create();
-  void resume(std::int64_t step);
+  std::vector<std::string> resume(std::int64_t step);
   void write(double time, std::int64_t step);
 
  private:

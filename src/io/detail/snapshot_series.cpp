@@ -27,13 +27,18 @@ void SnapshotSeries::create() {
   write_index();
 }
 
-void SnapshotSeries::resume(std::int64_t step) {
+std::vector<std::string> SnapshotSeries::resume(std::int64_t step) {
   make_folder();
   remove_after(step);
+  std::vector<std::string> damaged;
   for (const auto& entry : std::filesystem::directory_iterator(directory_ + "/" + stem_))
-    if (const auto part = entry.path().stem().string(); entry.path().extension() == ".h5" && is_step_name(part))
-      name_grid(part);
+    if (const auto part = entry.path().stem().string(); entry.path().extension() == ".h5" && is_step_name(part)) try {
+        name_grid(part);
+      } catch (const FileError& error) {
+        damaged.emplace_back(error.what());
+      }
   write_index();
+  return damaged;
 }
 
 /// Snapshots after `step`, and what was not finished.

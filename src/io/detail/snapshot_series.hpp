@@ -19,8 +19,9 @@ class SnapshotSeries {
   SnapshotSeries(std::string directory, std::string stem, Grid grid);
   /// Begins anew, without the snapshots that are there; files of other names stay.
   void create();
-  /// Continues the files, without the snapshots after `step` and without those that are no longer there.
-  void resume(std::int64_t step);
+  /// Continues the files, without the snapshots after `step`, without those that are no longer there, and without
+  /// damaged ones, which it returns, each with what is wrong with it.
+  std::vector<std::string> resume(std::int64_t step);
   /// Adds a part that has no time.
   void add_part(const std::string& name, const Fill& fill);
   /// Adds a snapshot.
