@@ -40,12 +40,22 @@ def _numbers(where, line, header):
         raise FileTrouble(f"{where}: {error}; every cell must be a number") from None
 
 
+class _Units(dict):
+    """Units of names; a whole name has that of its own end."""
+
+    def __missing__(self, column):
+        name, unit = name_and_unit(column)
+        if self.get(name) != unit:
+            raise KeyError(column)
+        return unit
+
+
 class History:
     """Numbers over time: a mapping of names to arrays, all as long as the history; SI.
 
     `history["dissolved_volume"]` and `history["dissolved_volume_m3_per_m"]` are the same column; where two columns differ
     only in their units ("a_m", "a_N_per_m"), `history["a"]` raises KeyError and the whole names stand. `units` has the
-    unit of every name. A last line that a running simulation has not finished writing is left out; any other that is not one
+    unit of every name, whole or not. A last line that a running simulation has not finished writing is left out; any other that is not one
     number per column raises FileTrouble, but for empty bars of error_bars.csv, which are NaN.
     """
 
@@ -59,7 +69,7 @@ class History:
         data = np.array([_numbers(f"{path}:{n}", line, header) for n, line in enumerate(lines[1:], 2)], dtype=float)
         data = data.reshape(-1, len(header))
         self._column = {}
-        self.units = {}
+        self.units = _Units()
         for k, (column, (name, unit)) in enumerate(_names_of(header).items()):
             self._column[name] = self._column[column] = data[:, k]
             self.units[name] = unit

@@ -96,11 +96,14 @@ def _overrides(overrides):
     return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={_toml(value)}")]
 
 
-def run(case, directory=None, overrides=None, *, steps=None, threads=None, resume=False, overwrite=False):
+def run(case, directory=None, overrides=None, *, steps=None, threads=None, resume=False, overwrite=False,
+        error_bars=False):
     """Runs a case to its end and opens what it has written.
 
     `overrides` are values in place of the case's, as of --set: {"flow.viscosity": 1e-3}; dicts are tables. `directory`
-    is where results go, runs/<name of the case> without it. Raises CaseError, Diverged, FileTrouble, OutOfMemory or
+    is where results go, runs/<name of the case> without it. `steps` is the last step, `threads` how many compute; `resume`
+    goes on from the newest checkpoint of the folder, `overwrite` replaces the run that it holds, `error_bars` runs the
+    twins as well: History(directory / "error_bars.csv") has the bars then. Raises CaseError, Diverged, FileTrouble, OutOfMemory or
     Interrupted, with the line that vug has said.
     """
     directory = pathlib.Path(directory) if directory else pathlib.Path("runs") / pathlib.Path(case).stem
@@ -108,7 +111,7 @@ def run(case, directory=None, overrides=None, *, steps=None, threads=None, resum
     for flag, value in (("--steps", steps), ("--threads", threads)):
         if value is not None:
             words += [flag, str(value)]
-    words += [flag for flag, wanted in (("--resume", resume), ("--overwrite", overwrite)) if wanted]
+    words += [flag for flag, wanted in (("--resume", resume), ("--overwrite", overwrite), ("--error-bars", error_bars)) if wanted]
     _call(words)
     return Run(directory)
 

@@ -9,7 +9,7 @@ LAWS = {
     "kernels": """base/units.hpp flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp
         flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp
         flow/outflow.hpp flow/slit.hpp flow/slit_nodes.cpp heat/conjugate_link.hpp heat/heat.cpp heat/heat.hpp
-        heat/heat_boundary.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
+        heat/heat_boundary.cpp heat/heat_openings.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
         heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp
         nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp reaction/reacting_solutes.cpp
         reaction/reaction.hpp reaction/reactive_wall.cpp reaction/reactive_wall_kernel.hpp
@@ -20,7 +20,7 @@ LAWS = {
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp
         bonds.cpp closest_point.hpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp
         dissolved_rock.hpp elastic_energy.hpp elasticity.hpp energy.cpp forces.cpp gauges.cpp heterogeneity.hpp
-        integrate.cpp laboratory.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
+        integrate.cpp laboratory.cpp linear_rock.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
         particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp static_equilibrium.cpp
         thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp error_bars.cpp
