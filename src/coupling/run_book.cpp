@@ -13,6 +13,8 @@ namespace vug {
 
 namespace {
 
+const std::string history_rows = "history/rows";
+
 RunFolder::Use use_of(const RunOptions& options) {
   if (options.resume) return RunFolder::Use::resume;
   return options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh;
@@ -70,7 +72,7 @@ std::optional<Checkpoint> RunBook::latest_checkpoint() const {
 void RunBook::go_on_from(const Checkpoint& checkpoint) {
   owner_.run = record_.run = checkpoint.run();
   record_.last_checkpoint = record_.first_step = record_.steps = checkpoint.step();
-  checkpoint.load(own_state());
+  if (checkpoint.holds(history_rows)) checkpoint.load(own_state());
   if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return;
   record_.events = folder_->held()->events_until(checkpoint.step());
   earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
@@ -79,7 +81,7 @@ void RunBook::go_on_from(const Checkpoint& checkpoint) {
 /// What a run remembers beside the state of the simulation.
 StateList RunBook::own_state() {
   StateList list;
-  list.add_value("history/rows", rows_, {0, most_steps});
+  list.add_value(history_rows, rows_, {0, most_steps});
   return list;
 }
 

@@ -43,6 +43,12 @@ class Launch(unittest.TestCase):
             with self.assertRaisesRegex(vug.CaseError, "is no (value|text)"):
                 vug.check("cases/poiseuille.toml", {"case.name": wrong})
 
+    def test_a_run_has_error_bars_where_they_are_asked_for(self):
+        vug.run("cases/tutorial/channel.toml", self.folder, {"time.steps": 200, "output.interval": 0.0125}, error_bars=True)
+        bars = vug.History(self.folder / "error_bars.csv")
+        self.assertIn("bar_of_fluid_mass_stored", bars)
+        self.assertEqual(len(bars["bar_of_fluid_mass_stored"]), 3)
+
     def test_overrides_may_be_whole_tables(self):
         minerals = vug.check("cases/minerals.toml", {"mineral": [], "time": {"steps": 7}, "output": {}})
         self.assertEqual(minerals["steps"], 7)

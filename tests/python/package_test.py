@@ -74,6 +74,10 @@ class OpenRuns(unittest.TestCase):
         self.assertEqual(history.units, {"time": "s", "right_flow": "kg/(m s)", "p_x": "N s/m", "a_m": "m", "a_N_per_m": "N/m",
                                          "b": "m", "b_m_m": "m"})
         self.assertEqual([history[name][0] for name in ("a_m", "a_N_per_m", "b", "b_m", "b_m_m")], [3, 4, 5, 5, 6])
+        self.assertEqual([history.units[name] for name in ("time_s", "b_m", "right_flow_kg_per_m_s")], ["s", "m", "kg/(m s)"])
+        for unknown in ("b_kg", "c_m"):
+            with self.assertRaises(KeyError):
+                history.units[unknown]
         with self.assertRaisesRegex(KeyError, "'a' may be a_m or a_N_per_m"):
             history["a"]
         path.write_text("time_s,a_m,a_m\n")

@@ -1,6 +1,7 @@
 // Minerals side by side: each dissolves at its own speed, takes its own amount of acid and keeps its own balance.
 #include "support/coupled_run.hpp"
 #include "support/record.hpp"
+#include "verification/mineral_channels.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,74 +13,7 @@
 namespace vug {
 namespace {
 
-constexpr double dx = 1e-4, dt = 1e-5, D = 2e-4, gas_constant = 8.31446261815324;
-constexpr int fluid_rows = 10, rock_rows = 12, channel = 4, between = 3;
-
-/// Two channels between inert walls, each over a floor of a mineral of its own; acid comes in from above.
-const std::string channels = R"(
-[lattice]
-size = [0.0017, 0.0022]
-spacing = 1e-4
-time_step = 1e-5
-[time]
-steps = 1000000
-[geometry]
-type = "shapes"
-background = "solid"
-[[geometry.shapes]]
-type = "rectangle"
-from = [0.0003, 0.0012]
-to = [0.0007, 0.0022]
-material = "fluid"
-[[geometry.shapes]]
-type = "rectangle"
-from = [0.001, 0.0012]
-to = [0.0014, 0.0022]
-material = "fluid"
-[solute]
-[[solute.species]]
-name = "acid"
-diffusivity = 2e-4
-initial = 1000
-[reaction]
-reactant = "acid"
-rate_constant = 0.5
-surface_normal = false
-[[mineral]]
-name = "calcite"
-rate_constant = 0.02
-molar_volume = 4e-5
-[[mineral.shapes]]
-type = "rectangle"
-from = [0.0003, 0]
-to = [0.0007, 0.0012]
-[[mineral]]
-name = "dolomite"
-rate_constant = 0.005
-molar_volume = 6.4e-5
-stoichiometry = 2
-[[mineral.shapes]]
-type = "rectangle"
-from = [0.001, 0]
-to = [0.0014, 0.0012]
-[[mineral]]
-name = "quartz"
-inert = true
-[[mineral.shapes]]
-type = "rectangle"
-from = [0, 0]
-to = [0.0003, 0.0022]
-[[mineral.shapes]]
-type = "rectangle"
-from = [0.0007, 0]
-to = [0.001, 0.0022]
-[[mineral.shapes]]
-type = "rectangle"
-from = [0.0014, 0]
-to = [0.0017, 0.0022]
-[boundary.top]
-solute = { type = "concentration", concentration = { acid = 1000 } }
-)";
+using namespace test::mineral_channels;
 
 struct Slab {
   std::string name;
@@ -132,19 +66,6 @@ TEST(Minerals, InertGrainsDoNotChange) {
   EXPECT_LT(run.worst_balance(), 1e-12);
 }
 
-/// mol/(m2 s) that a mineral takes in a steady state, by its own account.
-double flux_into(test::CoupledRun& run, const std::string& mineral, const std::string& reactant, double stoichiometry) {
-  const double before = run.gain(mineral + "_dissolved", "by_" + reactant);
-  run.steps(200);
-  return stoichiometry * (run.gain(mineral + "_dissolved", "by_" + reactant) - before) / (200 * dt * channel * dx);
-}
-
-/// Holds the flux against the exact one and keeps both.
-void expect_flux(const std::string& what, double value, double flux, double exact, double bound) {
-  EXPECT_NEAR(flux / exact, 1, bound) << what << " " << value;
-  test::record("mineral_flux", {{"what", what}, {"value", value}, {"flux", flux}, {"exact", exact}});
-}
-
 TEST(Minerals, EachHasItsArrheniusLaw) {
   test::CoupledRun run(
       channels, {"reaction.temperature=350", "reaction.reference_temperature=300", "reaction.activation_energy=20000",
@@ -181,16 +102,6 @@ TEST(Minerals, EachGivesItsOwnAmountOfProduct) {
   const double given = (exact(0.02, 2, 1) + 1.5 * exact(0.005, 0.5, 1.5)) * 200 * dt * channel * dx;
   EXPECT_NEAR(of_200_steps / given, 1, 1e-7);
   EXPECT_LT(run.worst_balance(), 1e-12);
-}
-
-/// k C_ref (C/C_ref)^n at the wall = D (C_0 - C)/d, by bisection.
-double flux_of_order(double k, double n, double C_ref, double C_0, double diffusivity = D) {
-  double low = 0, high = C_0;
-  for (int i = 0; i < 200; ++i) {
-    const double C = 0.5 * (low + high);
-    (k * C_ref * std::pow(C / C_ref, n) < diffusivity * (C_0 - C) / (fluid_rows * dx) ? low : high) = C;
-  }
-  return diffusivity * (C_0 - low) / (fluid_rows * dx);
 }
 
 TEST(Minerals, OrdersOtherThanOneTakeTheConcentrationAtTheWall) {
@@ -259,60 +170,6 @@ TEST(Minerals, EachHasItsEquilibrium) {
                  flux = flux_into(run, "dolomite", "acid", 2);
     expect_flux("equilibrium constant, " + law + " wall", 1.7, flux, exact, bound);
   }
-}
-
-/// Two acids at the same walls, with diffusivities, rates and moles of their own.
-const std::string weak_acid = R"(
-[[solute.species]]
-name = "weak"
-diffusivity = 1e-4
-initial = 500
-[[reaction.further]]
-reactant = "weak"
-rate_constant = 0.1
-[boundary.top.solute.concentration]
-acid = 1000
-weak = 500
-)";
-
-std::string with_weak_acid() {
-  std::string text = channels;
-  const std::string top = "solute = { type = \"concentration\", concentration = { acid = 1000 } }\n";
-  text.replace(text.find(top), top.size(), "[boundary.top.solute]\ntype = \"concentration\"\n");
-  return text + weak_acid;
-}
-
-TEST(TwoAcids, EachTakesWhatItsOwnRateAllows) {
-  test::CoupledRun run(with_weak_acid(),
-                       {"mineral.0.further=[{reactant=\"weak\", rate_constant=0.04, stoichiometry=3}]",
-                        "mineral.1.further=[{reactant=\"weak\", order=0.5}]", "reaction.reference_concentration=400",
-                        "mineral.0.molar_volume=1e-9", "mineral.1.molar_volume=1e-9"});
-  run.steps(16000);
-  const double d = fluid_rows * dx;
-  const auto exact = [&](double C, double diffusivity, double k) { return C / (d / diffusivity + 1 / k); };
-  const double volume = -run.gain("calcite_volume", "dissolved");
-  EXPECT_NEAR(flux_into(run, "calcite", "acid", 1) / exact(1000, D, 0.02), 1, 1e-7);
-  expect_flux("second acid, rate constant, m/s", 0.04, flux_into(run, "calcite", "weak", 3), exact(500, 1e-4, 0.04),
-              1e-6);
-  expect_flux("second acid, order", 0.5, flux_into(run, "dolomite", "weak", 1), flux_of_order(0.1, 0.5, 400, 500, 1e-4),
-              1e-6);
-  const double dissolved = -run.gain("calcite_volume", "dissolved") - volume;
-  const double speed = 1e-9 * (exact(1000, D, 0.02) + exact(500, 1e-4, 0.04) / 3);
-  EXPECT_NEAR(dissolved / (speed * 600 * dt * channel * dx), 1, 1e-6);
-  EXPECT_LT(run.worst_balance(), 1e-12);
-}
-
-TEST(TwoAcids, DissolveRockWithoutMineralsTogether) {
-  std::string text = with_weak_acid();
-  text = text.substr(0, text.find("[[mineral]]")) + text.substr(text.find("[boundary.top]"));
-  test::CoupledRun run(text, {"reaction.molar_volume=2e-5"});
-  run.steps(20000);
-  const double by_acid = run.gain("dissolved_volume", "acid_times_molar_volume");
-  const double by_weak = run.gain("dissolved_volume", "weak_times_molar_volume");
-  EXPECT_GT(by_acid, 0);
-  EXPECT_GT(by_weak, 0);
-  EXPECT_NEAR((by_acid + by_weak) / run.now("dissolved_volume_m3_per_m"), 1, 1e-12);
-  EXPECT_LT(run.worst_balance(), 1e-12);
 }
 
 }  // namespace

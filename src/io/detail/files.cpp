@@ -75,8 +75,8 @@ void replace_file(const std::string& path, std::string_view text, bool sync) {
 }
 
 bool names_open_file(const std::string& path, int descriptor) {
-  struct stat named {
-  }, open{};
+  struct stat named {};
+  struct stat open {};
   return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &open) == 0 && named.st_dev == open.st_dev &&
          named.st_ino == open.st_ino;
 }

@@ -31,12 +31,15 @@ std::vector<std::string> SnapshotSeries::resume(std::int64_t step) {
   make_folder();
   remove_after(step);
   std::vector<std::string> damaged;
-  for (const auto& entry : std::filesystem::directory_iterator(directory_ + "/" + stem_))
-    if (const auto part = entry.path().stem().string(); entry.path().extension() == ".h5" && is_step_name(part)) try {
-        name_grid(part);
-      } catch (const FileError& error) {
-        damaged.emplace_back(error.what());
-      }
+  for (const auto& entry : std::filesystem::directory_iterator(directory_ + "/" + stem_)) {
+    const std::string part = entry.path().stem().string();
+    if (entry.path().extension() != ".h5" || !is_step_name(part)) continue;
+    try {
+      name_grid(part);
+    } catch (const FileError& error) {
+      damaged.emplace_back(error.what());
+    }
+  }
   write_index();
   return damaged;
 }

@@ -178,7 +178,8 @@ void warn_about_cut_shapes(Scene& scene) {
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (int axis = 0; axis < 2; ++axis) {
       const auto [low, high] = reach(shapes[i].form, axis);
-      const bool below = low<-slack, above = high> length[axis] + slack;
+      const bool below = low + slack < 0;
+      const bool above = high - slack > length[axis];
       if (!joined[axis] || below == above) continue;
       const double image = low + (below ? length[axis] : -length[axis]);
       if (std::any_of(shapes.begin(), shapes.end(),
@@ -201,8 +202,7 @@ void warn_about_scaled_pressure(Scene& scene) {
   if (given)
     scene.warnings.push_back(
         fmt::format("flow.pressure_scale = {:g} makes up for pathways that are wider on a coarse lattice, and {} gives "
-                    "them their own "
-                    "width: {:g} times too little flows through them",
+                    "them their own width: {:g} times too little flows through them",
                     scene.flow->pressure_scale, given, scene.flow->pressure_scale));
 }
 
