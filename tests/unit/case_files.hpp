@@ -37,4 +37,24 @@ inline std::string refusal(const std::string& text, const std::string& path,
   return "";
 }
 
+/// A case of the project, with other values for some keys.
+inline Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return read_scene(VUG_SOURCE_DIR "/cases/" + name, overrides);
+}
+
+/// The least that flows; what follows are further tables.
+inline const std::string open_flow = R"([lattice]
+size = [0.01, 0.02]
+spacing = 1e-3
+time_step = 1e-4
+[time]
+steps = 10
+[flow]
+viscosity = 1e-3
+)";
+
+inline Scene parsed(const std::string& more, const std::vector<std::string>& overrides = {}) {
+  return parse_scene(open_flow + more, "a.toml", overrides);
+}
+
 }  // namespace vug::testing_cases

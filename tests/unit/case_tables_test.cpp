@@ -3,7 +3,7 @@
 #include "io/presets.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/require.hpp"
-#include "support/case_shapes.hpp"
+#include "unit/case_files.hpp"
 #include "unit/image_setup.hpp"
 
 #include <gmock/gmock.h>
@@ -16,28 +16,11 @@
 namespace vug {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
-
-Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return read_scene(VUG_SOURCE_DIR "/cases/" + name, overrides);
-}
-
-const std::string open_flow = R"([lattice]
-size = [0.01, 0.02]
-spacing = 1e-3
-time_step = 1e-4
-[time]
-steps = 10
-[flow]
-viscosity = 1e-3
-)";
-
-Scene parsed(const std::string& more, const std::vector<std::string>& overrides = {}) {
-  return parse_scene(open_flow + more, "a.toml", overrides);
-}
+using testing_cases::open_flow;
+using testing_cases::parsed;
+using testing_cases::shipped;
 
 TEST(CaseTables, QuickstartIsThePapersRockInSI) {
   const Scene scene = shipped("quickstart.toml");
@@ -214,75 +197,6 @@ TEST(CaseTables, MechanicsProfilesDifferInCohesionOnly) {
   const Scene own = shipped("quickstart.toml", {"mechanics.bond.cohesion=60 MPa"});
   EXPECT_EQ(own.mechanics->profile, "calibrated");
   EXPECT_DOUBLE_EQ(own.mechanics->parameters.bond.cohesion, 60e6);
-}
-
-TEST(CaseTables, LowReferenceTemperatureIsRemarkedNotRefused) {
-  const Scene scene = shipped("quickstart.toml", {"reaction.reference_temperature=237.15"});
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("reaction.reference_temperature = 237.15 K is below 250 K")));
-}
-
-TEST(CaseTables, NotchesThatDamageWidensAreRemarked) {
-  const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
-  const auto widened = HasSubstr("until the first update only");
-  EXPECT_THAT(
-      warnings({"rock.notches.0.aperture=1"}),
-      ElementsAre(HasSubstr("is 1 cells wide until the first update only, then some 3 as every broken bond: lower "
-                            "damage.minimum_aperture and damage.pathway_factor to")));
-  EXPECT_THAT(warnings({"rock.notches.0.aperture=1", "damage.minimum_aperture=1", "damage.pathway_factor=0"}),
-              Not(Contains(widened)));
-  // c_d times the distance of the centroids, edge / sqrt(3)
-  EXPECT_THAT(warnings({"damage.pathway_factor=1"}), ElementsAre(HasSubstr("lower damage.pathway_factor to keep")));
-  EXPECT_THAT(warnings({"rock.notches.0.aperture=0"}), Not(Contains(widened)));  // closed: what damage gives it
-}
-
-TEST(CaseTables, ShapesCutByAJoinedSideAreRemarkedUnlessTheirImageIsDrawn) {
-  const auto warnings = [&](const std::string& shapes) {
-    return parsed(
-               "[geometry]\ntype = \"shapes\"\n[boundary.left]\nflow = { type = \"periodic\" }\n[boundary.right]\n"
-               "flow = { type = \"periodic\" }\n" +
-               shapes)
-        .warnings;
-  };
-  const double length = parsed("").lattice.length_x, height = parsed("").lattice.length_y, radius = length / 8;
-  EXPECT_THAT(
-      warnings(test::disc(length, height / 2, radius, "")),
-      ElementsAre(HasSubstr("geometry.shapes.0 reaches over the right side, which is periodic, and is cut there")));
-  EXPECT_TRUE(warnings(test::disc(length, height / 2, radius, "") + test::disc(0, height / 2, radius, "")).empty());
-  EXPECT_TRUE(warnings(test::disc(length / 2, 0, radius, "")).empty());  // a wall cuts it
-  EXPECT_TRUE(warnings(test::rectangle(-length, 0, 2 * length, height / 4, "")).empty());
-}
-
-TEST(CaseTables, WidthsOfTheirOwnUnderScaledPressuresAreRemarked) {
-  const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
-  const auto scaled = HasSubstr("times too little flows through them");
-  EXPECT_THAT(warnings({"damage.aperture=opening"}), Contains(scaled));
-  EXPECT_THAT(warnings({"damage.aperture=opening", "flow.pressure_scale=1"}), Not(Contains(scaled)));
-}
-
-TEST(CaseTables, WhatFluidCarriesToAnOutletMayLeaveIsRemarked) {
-  EXPECT_THAT(shipped("quickstart.toml", {"boundary.right.heat={type=\"adiabatic\"}"}).warnings,
-              ElementsAre(HasSubstr("boundary.right lets fluid out, but heat is adiabatic")));
-  const std::string with_heat =
-      "[heat]\nfluid_diffusivity = 1e-3\nsolid_diffusivity = 1e-3\n[boundary.right]\nheat = { type = \"outflow\" }\n";
-  const auto warnings = [&](const std::string& flow, const std::string& more = "") {
-    return parsed(with_heat + "flow = { type = \"outflow\" }\n" + more + flow).warnings;
-  };
-  const std::string left = "[boundary.left]\nflow = { type = \"velocity\", velocity = ";
-  EXPECT_TRUE(warnings(left + "[0.1, 0] }\n").empty());  // comes in with the initial temperature
-  EXPECT_THAT(warnings(left + "[-0.1, 0] }\n"), ElementsAre(HasSubstr("boundary.left lets fluid out")));
-  EXPECT_THAT(warnings(left + "[-0.1, 0] }\nheat = { type = \"flux\", flux = 1 }\n"),
-              ElementsAre(HasSubstr("but heat is a flux")));
-  EXPECT_TRUE(warnings(left + "[-0.1, 0] }\nheat = { type = \"temperature\", temperature = 300 }\n").empty());
-  EXPECT_THAT(warnings("[boundary.top]\nflow = { type = \"velocity\", flow_rate = -1e-4 }\n"),
-              ElementsAre(HasSubstr("boundary.top lets fluid out")));
-}
-
-TEST(CaseTables, InertiaThatStrengthensTheRockIsRemarked) {
-  EXPECT_TRUE(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=4"}).warnings.empty());
-  EXPECT_THAT(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=16"}).warnings,
-              ElementsAre(HasSubstr("act like 2 m/s")));
-  EXPECT_THAT(shipped("quickstart.toml", {"mechanics.mass_scaling=100"}).warnings,
-              ElementsAre(HasSubstr("waves 10 times slower")));
 }
 
 TEST(CaseOverrides, ReachTablesElementsAndThingsNotThereYet) {

@@ -73,5 +73,14 @@ solute = { type = "outflow" }
     EXPECT_NEAR(on_lattice(table, key), expected, 1e-4 * std::abs(expected)) << key << "\n" << table;
 }
 
+/// A scaled flow is driven by S times less, whatever drives it.
+TEST(Explain, DividesTheBodyForceByThePressureScale) {
+  const Scene scene = parse_scene(
+      "[lattice]\nsize = [8e-3, 4e-3]\nspacing = 2e-4\ntime_step = 1e-3\n[time]\nend = 1.0\n"
+      "[flow]\nviscosity = 4e-6\nbody_force = [0.02, 0]\npressure_scale = 25\n",
+      "case.toml");
+  EXPECT_NEAR(on_lattice(explain(scene, units_of(scene)), "flow.body_force, along x"), 4e-6, 4e-10);
+}
+
 }  // namespace
 }  // namespace vug
