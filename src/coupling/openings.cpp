@@ -95,15 +95,17 @@ double outline_over_faces(const Form& form, const LatticeSection& section, const
     nodes.push_back(n);
   });
   double faces = 0;
-  for (const std::size_t n : nodes)
+  for (const std::size_t n : nodes) {
+    const std::size_t column = n % nx, row = n / nx;
+    const Point at{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
     for (const Point& out : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}}) {
-      const Point at{static_cast<double>(n % nx) + 0.5, static_cast<double>(n / nx) + 0.5};
       const double x = at[0] + out[0], y = at[1] + out[1];
       const bool on_lattice = x > 0 && y > 0 && x < section.nx && y < section.ny;
       if (on_lattice && inside[static_cast<std::size_t>(y) * nx + static_cast<std::size_t>(x)]) continue;
       const Point along = normal({at[0] + out[0] / 2, at[1] + out[1] / 2}, out);
       faces += std::abs(along[0] * out[0] + along[1] * out[1]);
     }
+  }
   return faces > 0 ? outline_length(form) / section.spacing / faces : 1;
 }
 

@@ -16,11 +16,11 @@ LinearRock::LinearRock(const Particles& particles, const Bonds& bonds)
     : pair_(on_host(bonds.pair)),
       normal_(on_host(bonds.normal)),
       arm_(on_host(bonds.arm)),
-      row_(static_cast<std::size_t>(3 * particles.count), -1) {
+      row_(at(particles.count, 0), -1) {
   const auto held = on_host(particles.held);
   for (int i = 0; i < particles.count; ++i)
     for (int c = 0; c < 3; ++c)
-      if (!(held(i) & 1 << c)) row_[static_cast<std::size_t>(3 * i + c)] = rows_++;
+      if (!(held(i) & 1 << c)) row_[at(i, c)] = rows_++;
 }
 
 bool LinearRock::factorise(const StiffnessField::host_mirror_type& stiffness) {
@@ -47,8 +47,8 @@ void LinearRock::add_spring(std::vector<Eigen::Triplet<double>>& entries, int k,
     const Vec2 arm{arm_(k, s, end, 0), arm_(k, s, end, 1)};
     const std::array<double, 3> change{along.x, along.y, cross(arm, along)};
     for (int j = 0; j < 3; ++j) {
-      row[static_cast<std::size_t>(3 * end + j)] = this->row(pair_(k, end), j);
-      g[static_cast<std::size_t>(3 * end + j)] = sign * change[static_cast<std::size_t>(j)];
+      row[at(end, j)] = this->row(pair_(k, end), j);
+      g[at(end, j)] = sign * change[static_cast<std::size_t>(j)];
     }
   }
   for (std::size_t a = 0; a < 6; ++a)

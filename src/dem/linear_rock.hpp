@@ -19,7 +19,7 @@ class LinearRock {
 
   int rows() const { return rows_; }
   /// Row of component c (x, y, rotation) of particle i; -1 where it is held.
-  int row(int i, int c) const { return row_[static_cast<std::size_t>(3 * i + c)]; }
+  int row(int i, int c) const { return row_[at(i, c)]; }
 
   /// False when some motion meets no resistance.
   bool factorise(const StiffnessField::host_mirror_type& stiffness);
@@ -28,6 +28,8 @@ class LinearRock {
   Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factors_.solve(force); }
 
  private:
+  /// Of component c of the i-th of several.
+  static std::size_t at(int i, int c) { return 3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(c); }
   /// Adds k g g^T with g the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
   void add_spring(std::vector<Eigen::Triplet<double>>& entries, int k, int s, int c, double stiffness) const;
 

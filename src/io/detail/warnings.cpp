@@ -72,7 +72,7 @@ void warn_about_small_cavities(Scene& scene) {
 
 /// The keys by which broken bonds are wider than `width`.
 std::string what_widens(double width, double least, double by_distance, bool metres) {
-  const std::string own = metres ? "damage.minimum_width" : "damage.minimum_aperture";
+  std::string own = metres ? "damage.minimum_width" : "damage.minimum_aperture";
   if (width >= by_distance) return own;
   return width < least ? own + " and damage.pathway_factor" : "damage.pathway_factor";
 }
