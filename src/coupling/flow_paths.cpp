@@ -1,13 +1,12 @@
 #include "coupling/flow_paths.hpp"
 
-#include "coupling/fluid_picture.hpp"
+#include "coupling/mouths.hpp"
 #include "coupling/velocity_profile.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -15,103 +14,6 @@
 namespace vug {
 
 namespace {
-
-/// A stretch or an opening with the fluid nodes beside it.
-struct Mouth {
-  std::string key;  ///< "boundary.left", "boundary.shape.well"
-  const BoundarySection* conditions;
-  std::vector<std::size_t> nodes;
-  double inflow = 0;  ///< volume that it takes in per step, cells; of prescribed velocities only
-
-  bool lets_fluid_through() const {
-    const FlowBoundaryKind kind = conditions->flow.kind;
-    return kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::velocity ||
-           kind == FlowBoundaryKind::outflow;
-  }
-  bool lets_solute_through() const {
-    const SoluteBoundaryKind kind = conditions->solute.kind;
-    return kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic;
-  }
-  /// Takes in or gives away whatever the pressure asks for.
-  bool yields() const { return lets_fluid_through() && conditions->flow.kind != FlowBoundaryKind::velocity; }
-};
-
-std::vector<std::size_t> nodes_of_side(const Stretch& stretch, const FluidPicture& picture) {
-  std::vector<std::size_t> nodes;
-  for (int i = stretch.first; i <= stretch.last; ++i) {
-    const std::size_t n = stretch.side == Side::left     ? picture.number(0, i)
-                          : stretch.side == Side::right  ? picture.number(picture.nx - 1, i)
-                          : stretch.side == Side::bottom ? picture.number(i, 0)
-                                                         : picture.number(i, picture.ny - 1);
-    if (picture.is_fluid(n)) nodes.push_back(n);
-  }
-  return nodes;
-}
-
-/// Fluid nodes beside an opening.
-std::vector<std::size_t> nodes_of_opening(const std::vector<int>& opening_of, int opening,
-                                          const FluidPicture& picture) {
-  std::set<std::size_t> nodes;
-  for (std::size_t n = 0; n < opening_of.size(); ++n)
-    if (opening_of[n] == opening)
-      picture.for_each_neighbour(n, [&](std::size_t m) {
-        if (picture.is_fluid(m)) nodes.insert(m);
-      });
-  return {nodes.begin(), nodes.end()};
-}
-
-/// Component of a velocity that points into the lattice.
-double inward(Side side, const std::array<TimeTable, 2>& velocity) {
-  switch (side) {
-    case Side::left:
-      return velocity[0].peak();
-    case Side::right:
-      return -velocity[0].peak();
-    case Side::bottom:
-      return velocity[1].peak();
-    default:
-      return -velocity[1].peak();
-  }
-}
-
-/// Volume that a boundary of so many nodes takes in per step at most, cells.
-double inflow_of(const FlowBoundary& flow, const Stretch& stretch, std::size_t nodes, double density,
-                 const LatticeUnits& units) {
-  if (flow.kind != FlowBoundaryKind::velocity) return 0;
-  if (flow.has_rate()) return flow.peak_rate(density) / units.diffusivity();
-  const double speed = stretch.opening ? flow.speed.peak() : inward(stretch.side, flow.velocity);
-  const double length = (stretch.last + 1 - stretch.first) * units.spacing;
-  return speed / units.velocity() * mean_share(flow, length) * static_cast<double>(nodes);
-}
-
-std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const LatticeUnits& units,
-                             const FluidPicture& picture) {
-  const std::vector<int> opening_of = opening_of_nodes(scene);
-  std::vector<Mouth> mouths;
-  int opening = 0;
-  for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
-    const auto injection = std::find_if(scene.injections.begin(), scene.injections.end(),
-                                        [&](const InjectionSection& own) { return own.name == stretch.name; });
-    const bool injects = injection != scene.injections.end();
-    Mouth mouth{stretch.opening ? "boundary.shape." + stretch.name.substr(6)
-                : injects       ? injection->key
-                                : "boundary." + stretch.name,
-                nullptr,
-                {},
-                0};
-    mouth.nodes = stretch.opening ? nodes_of_opening(opening_of, opening, picture) : nodes_of_side(stretch, picture);
-    mouth.conditions = stretch.opening                ? &geometry.openings[opening++].conditions
-                       : injects                      ? &injection->conditions
-                       : stretch.side == Side::left   ? &scene.left
-                       : stretch.side == Side::right  ? &scene.right
-                       : stretch.side == Side::bottom ? &scene.bottom
-                                                      : &scene.top;
-    if (scene.flow)
-      mouth.inflow = inflow_of(mouth.conditions->flow, stretch, mouth.nodes.size(), scene.flow->density, units);
-    mouths.push_back(std::move(mouth));
-  }
-  return mouths;
-}
 
 /// The least number of nodes at one distance from `mouth`, up to the first that lies at another that lets fluid out:
 /// all that comes in crosses each of them. 0 where there is no way out.
@@ -139,8 +41,7 @@ std::size_t narrowest_passage(const FluidPicture& picture, const Mouth& mouth, c
 void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths, const LatticeUnits& units) {
   for (const Mouth& mouth : mouths) {
     const FlowBoundary& flow = mouth.conditions->flow;
-    const double nodes = static_cast<double>(std::max<std::size_t>(mouth.nodes.size(), 1));
-    const double given = flow.has_rate() ? std::abs(mouth.inflow) / nodes : flow.peak_speed() / units.velocity();
+    const double given = flow.has_rate() ? std::abs(mouth.inflow) : flow.peak_speed() / units.velocity();
     const double speed = largest_share(flow) * given;
     if (speed <= speed_bound) continue;
     const char* const key = flow.flow_rate             ? "flow_rate"
@@ -175,21 +76,20 @@ void look_for_ways_out(const Scene& scene, const std::vector<Mouth>& mouths, con
                        bool rock_opens, FlowPaths& found) {
   const int pieces = 1 + *std::max_element(piece.begin(), piece.end());
   std::vector<double> net(pieces, 0), gross(pieces, 0);
-  std::vector<bool> yields(pieces, false), curved(pieces, false);
+  std::vector<bool> yields(pieces, false);
   std::vector<std::string> driven_by(pieces);
   for (const Mouth& mouth : mouths)
-    for (const std::size_t n : mouth.nodes) {
-      const double flow = mouth.inflow / static_cast<double>(mouth.nodes.size());
-      net[piece[n]] += flow;
-      gross[piece[n]] += std::abs(flow);
-      if (flow != 0) driven_by[piece[n]] = mouth.key;
-      if (mouth.yields()) yields[piece[n]] = true;
-      if (mouth.key.starts_with("boundary.shape.")) curved[piece[n]] = true;
+    for (std::size_t k = 0; k < mouth.nodes.size(); ++k) {
+      const int p = piece[mouth.nodes[k]];
+      const double flow = mouth.inflow * mouth.length[k];
+      net[p] += flow;
+      gross[p] += std::abs(flow);
+      if (flow != 0) driven_by[p] = mouth.key;
+      if (mouth.yields()) yields[p] = true;
     }
-  // velocities given to three digits may leave the first, the nodes counted for the outline of a shape the second
-  constexpr double balanced = 1e-3, balanced_outline = 0.3;
+  constexpr double balanced = 1e-3;  // velocities given to three digits may leave as much
   for (int p = 0; p < pieces; ++p) {
-    if (yields[p] || std::abs(net[p]) <= (curved[p] ? balanced_outline : balanced) * gross[p]) continue;
+    if (yields[p] || std::abs(net[p]) <= balanced * gross[p]) continue;
     const std::string line = fmt::format("{}.flow {} fluid {} a space that has no other opening", driven_by[p],
                                          net[p] > 0 ? "presses" : "draws", net[p] > 0 ? "into" : "out of");
     if (!rock_opens) throw InputError(fmt::format("{}: {}", scene.path, line));
@@ -233,7 +133,8 @@ void look_for_passages(const FluidPicture& picture, const std::vector<Mouth>& mo
         for (const std::size_t n : other.nodes) outlet[n] = true;
     const std::size_t least = narrowest_passage(picture, mouth, outlet);
     if (least > 0)
-      found.passage_speed = std::max(found.passage_speed, std::abs(mouth.inflow) / static_cast<double>(least));
+      found.passage_speed =
+          std::max(found.passage_speed, std::abs(mouth.inflow) * mouth.total_length() / static_cast<double>(least));
   }
 }
 

@@ -105,6 +105,20 @@ TEST(FlowPaths, InflowWithoutAWayOutIsRefused) {
       "");
 }
 
+/// By the lengths of the two outlines, 4 pi cells and 10; what is left over is more than rounding of the given speeds.
+TEST(FlowPaths, WellAndDrainOfAClosedBoxMustBalance) {
+  const std::string shapes =
+      "[[geometry.shapes]]\ntype = \"disc\"\nname = \"well\"\ncentre = [10, 6]\nradius = 2\n"
+      "[[geometry.shapes]]\ntype = \"rectangle\"\nname = \"drain\"\nfrom = [28, 5]\nto = [31, 7]\n"
+      "[boundary.shape.well]\nflow = { type = \"velocity\", speed = 0.01 }\n";
+  const auto drain = [](const char* speed) {
+    return std::string("[boundary.shape.drain]\nflow = { type = \"velocity\", speed = ") + speed + " }\n";
+  };
+  EXPECT_EQ(refusal(channel(shapes, drain("-0.01256637"))), "");
+  EXPECT_THAT(refusal(channel(shapes, drain("-0.0123"))), HasSubstr("presses fluid into a space"));
+  EXPECT_THAT(refusal(channel(shapes, drain("-0.0128"))), HasSubstr("draws fluid out of a space"));
+}
+
 TEST(FlowPaths, InjectionIntoRockIsRefusedUnlessRockOpens) {
   const std::string injection =
       "[boundary.injection]\nside = \"left\"\ncentre = 3\nwidth = 2\nflow = { type = \"pressure\", pressure = 0.01 }\n"

@@ -1,0 +1,41 @@
+#pragma once
+// Where fluid or solutes may get in and out: the sides and openings with the fluid nodes beside them, on the host.
+#include "coupling/fluid_picture.hpp"
+#include "io/scene.hpp"
+#include "kernels/base/units.hpp"
+
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// A stretch or an opening with the fluid nodes beside it.
+struct Mouth {
+  std::string key;  ///< "boundary.left", "boundary.shape.well"
+  const BoundarySection* conditions;
+  std::vector<std::size_t> nodes{};
+  std::vector<double> length{};  ///< (node) of the boundary that it lies at, cells
+  double inflow = 0;             ///< volume that it takes in per step and cell of length; of prescribed velocities only
+
+  double total_length() const { return std::accumulate(length.begin(), length.end(), 0.0); }
+
+  bool lets_fluid_through() const {
+    const FlowBoundaryKind kind = conditions->flow.kind;
+    return kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::velocity ||
+           kind == FlowBoundaryKind::outflow;
+  }
+  bool lets_solute_through() const {
+    const SoluteBoundaryKind kind = conditions->solute.kind;
+    return kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic;
+  }
+  /// Takes in or gives away whatever the pressure asks for.
+  bool yields() const { return lets_fluid_through() && conditions->flow.kind != FlowBoundaryKind::velocity; }
+};
+
+/// Those of a scene, in the order of boundary_stretches. They point into scene and geometry, which must outlive them.
+std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const LatticeUnits& units,
+                             const FluidPicture& picture);
+
+}  // namespace vug
