@@ -8,14 +8,14 @@ from .source import Source
 LAWS = {
     "kernels": """base/units.hpp flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp
         flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp
-        flow/outflow.hpp flow/slit.hpp flow/slit_nodes.cpp heat/conjugate_link.hpp heat/heat.cpp heat/heat.hpp
+        flow/outflow.hpp flow/slit.hpp flow/slit_drag.cpp heat/conjugate_link.hpp heat/heat.cpp heat/heat.hpp
         heat/heat_boundary.cpp heat/heat_openings.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
         heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp
         nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp reaction/reacting_solutes.cpp
         reaction/reaction.hpp reaction/reactive_wall.cpp reaction/reactive_wall_kernel.hpp
         reaction/reactive_wall_step.hpp reaction/solid_share.hpp reaction/surface_normal.cpp
         scalar/advective_form.cpp scalar/outflow_slope.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp
-        solute/face_exchange.cpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp
+        solute/face_exchange.cpp solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp
         solute/solute_totals.cpp""",
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp
         bonds.cpp closest_point.hpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp
@@ -26,7 +26,7 @@ LAWS = {
     "coupling": """ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp error_bars.cpp
         face_temperature.hpp flow_boundaries.cpp flow_limits.cpp flow_module.cpp flow_paths.cpp
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_setup.cpp initial_pathways.cpp
-        interval_chooser.cpp intervals.hpp mechanics_module.cpp minerals.cpp pathways.cpp pathways.hpp
+        interval_chooser.cpp intervals.hpp mechanics_module.cpp minerals.cpp mouths.cpp pathways.cpp pathways.hpp
         pore_growth.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_module.cpp read_fields.hpp
         rock.cpp rock_gauges.cpp rock_loads.cpp rock_map.cpp rock_pathways.cpp simulation.cpp slits.cpp
         solid_spread.cpp solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp strip.cpp

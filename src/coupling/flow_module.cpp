@@ -9,6 +9,7 @@
 #include "kernels/base/require.hpp"
 #include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/guards.hpp"
+#include "kernels/flow/slit_drag.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/scalar/advective_form.hpp"
 

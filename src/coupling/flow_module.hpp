@@ -36,7 +36,7 @@ class FlowModule final : public Module {
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
-  /// force and torque of triangles += the drag of the fluid in slits (slit_nodes.hpp), of triangles about `centre`.
+  /// force and torque of triangles += the drag of the fluid in slits (slit_drag.hpp), of triangles about `centre`.
   void add_slit_drag(const Exec& exec, const VectorField<double>& centre, const VectorField<double>& force,
                      const ScalarField<double>& torque) const;
   /// Whether its forces depend on the temperature.

@@ -2,9 +2,9 @@
 // What is rock and what is pore on the lattice, shared by all modules. Written by `build` and when pores grow only.
 #include "coupling/split.hpp"
 #include "io/scene.hpp"
-#include "kernels/flow/slit_nodes.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/opening.hpp"
+#include "kernels/nodes/slit_nodes.hpp"
 
 #include <functional>
 #include <vector>

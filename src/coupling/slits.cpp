@@ -2,6 +2,7 @@
 
 #include "kernels/flow/slit.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/solute/slit_diffusion.hpp"
 
 namespace vug {
 
@@ -11,46 +12,55 @@ KOKKOS_FORCEINLINE_FUNCTION double etched_width(double dissolved, double slope) 
   return dissolved / Kokkos::sqrt(1 + slope * slope);
 }
 
-/// Counts the places where the resistance changes. A node that several bonds open has the least of theirs.
-struct FindResistance {
+/// Counts the places where the resistance changes. A node that several bonds open conducts like the widest of them.
+struct FindSlits {
   PathwayNodes nodes;
   BondPathways bonds;
   Kokkos::View<const NodeType*> type;
   Kokkos::View<const double*> dissolved;
   int pitch;
-  ScalarField<double> resistance;
+  ScalarField<double> resistance, openness;
+
+  struct Slit {
+    double resistance = 0, openness = 1;
+  };
 
   KOKKOS_FORCEINLINE_FUNCTION double dissolved_around(int n) const {
     if (dissolved.extent(0) == 0) return 0;
     return dissolved(n) + dissolved(n - 1) + dissolved(n + 1) + dissolved(n - pitch) + dissolved(n + pitch);
   }
-  KOKKOS_FORCEINLINE_FUNCTION double found(int c) const {
+  KOKKOS_FORCEINLINE_FUNCTION Slit found(int c) const {
     const int n = nodes.node(c);
-    if (type(n) != NodeType::fluid) return 0;
+    Slit widest;  // no bond's: acid has opened it
+    if (type(n) != NodeType::fluid) return widest;
     const double gone = dissolved_around(n);
-    double least = -1;
+    bool any = false;
     for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k) {
       const int b = nodes.bond(k);
       if (nodes.least(k) > bonds.widest(b)) continue;
       // what a crack that has closed again leaves beside the narrowest strip hardly conducts
       double conductivity = nodes.least(k) <= bonds.strip(b) ? bonds.conductivity(b) : cubic_law(narrowest_slit);
-      if (gone > 0) conductivity = cubic_law(Kokkos::cbrt(12 * conductivity) + etched_width(gone, nodes.slope(b)));
+      double width = Kokkos::cbrt(12 * conductivity);
+      if (gone > 0) conductivity = cubic_law(width += etched_width(gone, nodes.slope(b)));
       const double of_bond = slit_resistance(conductivity, nodes.slope(b));
-      least = least < 0 || of_bond < least ? of_bond : least;
+      if (any && of_bond >= widest.resistance) continue;
+      any = true;
+      widest = {of_bond, of_bond > 0 ? slit_openness(width, nodes.slope(b)) : 1};
     }
-    return least < 0 ? 0 : least;  // no bond's: acid has opened it
+    return widest;
   }
   KOKKOS_FUNCTION void operator()(int place, int& changed) const {
-    const double now = found(nodes.in_order(place));
-    changed += now != resistance(place);
-    resistance(place) = now;
+    const Slit now = found(nodes.in_order(place));
+    changed += now.resistance != resistance(place);
+    resistance(place) = now.resistance;
+    openness(place) = now.openness;
   }
 };
 
 /// In the order of places, and with them of triangles.
 struct ListSlits {
   PathwayNodes nodes;
-  Kokkos::View<const double*> resistance;
+  Kokkos::View<const double*> resistance, openness;
   IndexList index, listed;
   SlitNodes slits;
   int places;
@@ -60,8 +70,10 @@ struct ListSlits {
       listed(place) = before;
       if (place + 1 == places) listed(places) = before + slit;
       if (slit) {
-        slits.fluid(before) = index(nodes.node(nodes.in_order(place)));
+        const int i = index(nodes.node(nodes.in_order(place)));
+        slits.fluid(before) = i;
         slits.resistance(before) = resistance(place);
+        slits.openness(i) = openness(place);
       }
     }
     before += slit;
@@ -76,13 +88,15 @@ struct GroupSlits {
 Slits::Slits(const PathwayNodes& nodes)
     : nodes_(nodes),
       resistance_("vug::slits::resistance", nodes.in_order.extent(0)),
+      openness_("vug::slits::openness_of_places", nodes.in_order.extent(0)),
       listed_("vug::slits::listed", nodes.in_order.extent(0) + 1) {}
 
 void Slits::update(const Exec& exec, const BondPathways& bonds, Geometry& geometry) {
   int changed = 0;
   Kokkos::parallel_reduce(
       "vug::slits::resistance", Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(resistance_.extent(0))),
-      FindResistance{nodes_, bonds, geometry.type, geometry.dissolved, geometry.lattice.pitch, resistance_}, changed);
+      FindSlits{nodes_, bonds, geometry.type, geometry.dissolved, geometry.lattice.pitch, resistance_, openness_},
+      changed);
   if (changed == 0) return;
   list(exec, geometry);
   ++geometry.slit_changes;
@@ -96,8 +110,12 @@ void Slits::list(const Exec& exec, Geometry& geometry) const {
     slits.resistance = ScalarField<double>("vug::slits::list", places);
     slits.first = IndexList("vug::slits::first", groups);
   }
+  if (slits.openness.extent(0) < static_cast<std::size_t>(geometry.fluid.capacity))
+    slits.openness = ScalarField<double>("vug::slits::openness", geometry.fluid.capacity);
+  Kokkos::deep_copy(exec, slits.openness, 1.0);
   Kokkos::parallel_scan("vug::slits::list", Kokkos::RangePolicy<Exec>(exec, 0, places),
-                        ListSlits{nodes_, resistance_, geometry.fluid.index, listed_, slits, places}, slits.count);
+                        ListSlits{nodes_, resistance_, openness_, geometry.fluid.index, listed_, slits, places},
+                        slits.count);
   for_each_node(exec, "vug::slits::group", groups, GroupSlits{nodes_.first, listed_, slits.first});
 }
 

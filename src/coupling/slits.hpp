@@ -1,13 +1,13 @@
 #pragma once
-// Pathways narrower than a cell: their nodes are fluid, and drag makes them conduct as little as the crack does
-// (docs/model.md, "Cracks narrower than a cell").
+// Pathways narrower than a cell: their nodes are fluid, and drag and what holds solutes back make them conduct as
+// little as the crack does (docs/model.md, "Cracks narrower than a cell").
 #include "coupling/geometry.hpp"
 #include "coupling/module.hpp"
 #include "coupling/pathways.hpp"
 
 namespace vug {
 
-/// Resistance of the nodes along bonds. Acid that etches the walls of a crack widens it.
+/// Resistance and openness of the nodes along bonds. Acid that etches the walls of a crack widens it.
 class Slits {
  public:
   explicit Slits(const PathwayNodes& nodes);
@@ -16,13 +16,17 @@ class Slits {
   void update(const Exec& exec, const BondPathways& bonds, Geometry& geometry);
   /// Lists the slits of a checkpoint.
   void restored(const Exec& exec, Geometry& geometry) const { list(exec, geometry); }
-  void state(StateList& list) { list.add("growth/resistance", resistance_); }
+  void state(StateList& list) {
+    list.add("growth/resistance", resistance_);
+    list.add("growth/openness", openness_);
+  }
 
  private:
   void list(const Exec& exec, Geometry& geometry) const;
 
   PathwayNodes nodes_;
   ScalarField<double> resistance_;  ///< (place) 1/k, 1/cells^2
+  ScalarField<double> openness_;    ///< (place) part of D that passes (solute/slit_diffusion.hpp)
   IndexList listed_;                ///< (place + 1) how many slits come before it
 };
 

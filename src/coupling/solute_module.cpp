@@ -6,6 +6,7 @@
 #include "kernels/reaction/dissolution.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "kernels/solute/face_exchange.hpp"
+#include "kernels/solute/slit_diffusion.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
 #include <algorithm>
@@ -131,11 +132,21 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
     sweep(exec);
   else
     turn(exec);
-  if (excess_)
-    for (const SpeciesState<T>& s : species_) {
-      neighbours_.template exchange<T, 1>(exec, {s.fields.C});
-      exchange_at_faces(exec, fluid, *excess_, interval_, s.fields, s.correction.recent());
-    }
+  act_on_links(exec);
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::act_on_links(const Exec& exec) {
+  const SlitNodes& slits = geometry_.slits;
+  if (!excess_ && slits.count == 0) return;
+  const std::optional<Displacement<T>> u = carrier_ ? std::optional(carrier_->displacement()) : std::nullopt;
+  for (const SpeciesState<T>& s : species_) {
+    neighbours_.template exchange<T, 1>(exec, {s.fields.C});
+    if (excess_) exchange_at_faces(exec, geometry_.fluid, *excess_, interval_, s.fields, s.correction.recent());
+    if (slits.count == 0) continue;
+    exchange(exec, s.fields);
+    resist_in_slits<Set>(exec, geometry_.fluid, slits, s.parameters, u ? &*u : nullptr, s.fields);
+  }
 }
 
 template <class T, class Set>

@@ -97,6 +97,8 @@ class SoluteModule final : public Module {
   void step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier);
   /// Brings on every rank what has entered, left and been added.
   void gather_sums(const SpeciesState<T>& s) const;
+  /// What links hold back or exchange beyond the sweep, after it.
+  void act_on_links(const Exec& exec);
   /// Brings the populations here that the next sweep of a species pulls.
   void exchange(const Exec& exec, const SoluteFields<T>& fields) const;
   /// What a boundary of a species says on the mean of some times; gain(link) += what enters.
@@ -119,7 +121,7 @@ class SoluteModule final : public Module {
   bool narrow_ = false;                         ///< see is_narrow; of links of an outflow
   Halo populations_;                            ///< of other ranks' nodes that our sweeps pull
   Halo before_outflow_;                         ///< other ranks' nodes before those at which something leaves
-  Halo neighbours_;                             ///< of our nodes, which faces exchange with
+  Halo neighbours_;                             ///< of our nodes, for act_on_links
   std::vector<ReactingSpecies<T>> reacting_;
 };
 

@@ -12,7 +12,7 @@ namespace vug {
 template <class T, class Set>
 void SoluteModule<T, Set>::find_halos() {
   populations_ = geometry_.split.populations(geometry_.fluid, Set::Q);
-  if (excess_) neighbours_ = geometry_.split.around(geometry_.fluid, {});
+  neighbours_ = geometry_.split.around(geometry_.fluid, {});
   if (geometry_.split.alone()) return;
   for (SpeciesState<T>& s : species_)
     for (StretchLinks& boundary : s.boundaries) geometry_.split.share_out(boundary.links);

@@ -3,7 +3,7 @@
 #include "coupling/strip.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/splitmix64.hpp"
-#include "kernels/flow/slit_nodes.hpp"
+#include "kernels/flow/slit_drag.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 
@@ -111,7 +111,7 @@ struct Crack {
     std::iota(fluid.begin(), fluid.end(), 0);
     return {nodes.count, to_device<IndexList>("fluid", fluid),
             to_device<ScalarField<double>>("resistance", std::vector<double>(nodes.count, resistance)),
-            to_device<IndexList>("first", {0, nodes.count})};
+            to_device<IndexList>("first", {0, nodes.count}), ScalarField<double>()};
   }
 };
 

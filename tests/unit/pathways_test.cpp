@@ -168,19 +168,23 @@ TEST(Slits, HaveTheResistanceOfTheCrackThatAcidWidens) {
   const auto fluid = test::host_copy(geometry.slits.fluid);
   const auto resistance = test::host_copy(geometry.slits.resistance);
   const auto first = test::host_copy(geometry.slits.first);
+  const auto openness = test::host_copy(geometry.slits.openness);
   EXPECT_EQ(first(0), 0);
   EXPECT_EQ(first(1), 7);
   for (int k = 0; k < 7; ++k) {
     const int x = fluid(k);  // numbered along the row
     const double w = x == 2 ? 0.6 : x == 5 ? 1.0 : 0.5;
     EXPECT_NEAR(resistance(k), 12 / (w * w * w) - 8, 1e-9) << x;
+    EXPECT_NEAR(openness(fluid(k)), w, 1e-12) << x;
   }
+  EXPECT_EQ(openness(7), 1);  // no slit: one of its walls is gone
   // the crack closes: what it has opened is a hundredth of a cell wide
   Kokkos::deep_copy(bonds.strip, 0.0);
   slits.update(Exec{}, bonds, geometry);
   ASSERT_EQ(geometry.slits.count, 8);
   EXPECT_EQ(test::host_copy(geometry.slits.fluid)(7), 0);
   EXPECT_NEAR(test::host_copy(geometry.slits.resistance)(7) / (12 / 1e-6 - 8), 1, 1e-9);
+  EXPECT_NEAR(test::host_copy(geometry.slits.openness)(0), 0.01, 1e-12);
 }
 
 /// The same bonds have pathways, as wide in metres, whatever the spacing; they take the porosity asked for.

@@ -1,6 +1,7 @@
 // The force of slow fluid on the walls of a slit narrower than a cell, by hand.
+#include "kernels/flow/slit_drag.hpp"
+
 #include "kernels/base/host_and_device.hpp"
-#include "kernels/flow/slit_nodes.hpp"
 #include "support/flow_setup.hpp"
 
 #include <gtest/gtest.h>

@@ -107,6 +107,32 @@ TEST(CrackedBond, ConductsByTheCubicLawHoweverManyCellsItsWidthIs) {
   }
 }
 
+/// What diffuses along a slit of w cells from C = 1 beyond its left end to 0 beyond the right one meets half a cell of
+/// the whole D, n - 1 links of w D, and half a cell again.
+TEST(CrackedBond, LetsSolutesDiffuseByItsWidth) {
+  constexpr int n = 20;
+  std::string rock = cracked_rock;
+  rock.replace(rock.find("aperture = 1"), 12, "width = 1e-4");
+  rock.replace(rock.find("porosity = 0"), 12, "porosity = 0\npathway_width = 1e-4");
+  rock.replace(rock.find("101e3"), 5, "100e3");
+  rock.replace(rock.find("[boundary.left]\n"), 16,
+               "[boundary.left]\nsolute = { type = \"concentration\", concentration = { A = 1 } }\n");
+  rock.replace(rock.find("[boundary.right]\n"), 17,
+               "[boundary.right]\nsolute = { type = \"concentration\", concentration = { A = 0 } }\n");
+  rock += "[solute]\n[[solute.species]]\nname = \"A\"\ndiffusivity = 1.25e-2\n";  // 0.5 in lattice units
+  for (const double cells : {0.1, 0.6}) {
+    const std::string width = std::to_string(cells * 2.5e-4);
+    test::CoupledRun run(
+        rock, {"lattice.size=[0.005, 0.01025]", "rock.element_size=2.4e-3", "rock.notches.0.width=" + width,
+               "rock.notches.0.to=[0.005, 5.125e-3]", "rock.pathway_width=" + width, "damage.minimum_width=1e-5"});
+    run.steps(static_cast<int>(1000 / cells));
+    const auto C = run.nodes("concentration_A");
+    const double first = C[20 * n], last = C[20 * n + n - 1];
+    EXPECT_NEAR((1 - first) / (first - last) / (cells / (2 * (n - 1))), 1, 0.01) << cells;
+    EXPECT_LT(run.worst_balance(), 1e-12);
+  }
+}
+
 /// The aperture of a bond that has failed is c_d times the distance of the centroids on its sides.
 TEST(CrackedBond, OpensToTheShareOfTheCentroidsDistanceThatTheCaseGives) {
   for (const double factor : {0.3, 0.6}) {

@@ -1,5 +1,6 @@
 #pragma once
-// The items of a list that this process computes, one by one: for reductions, whose order does not matter.
+// The items of a list that this process computes, one by one: for reductions, whose order does not matter, and for what
+// runs over some of them.
 #include "kernels/launch/launch.hpp"
 
 namespace vug {
@@ -16,5 +17,20 @@ struct OwnItems {
     return item < list.n ? item : -1;
   }
 };
+
+/// Whether this process computes item i of the list.
+KOKKOS_FORCEINLINE_FUNCTION bool is_own(const Share& share, int i) {
+  if (share.blocks < 0) return true;  // all are
+  const int block = i / nodes_per_block;
+  int first = 0, last = share.blocks;
+  while (first < last) {
+    const int middle = (first + last) / 2;
+    if (share.block[middle] < block)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  return first < share.blocks && share.block[first] == block;
+}
 
 }  // namespace vug

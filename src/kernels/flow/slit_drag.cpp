@@ -1,6 +1,7 @@
-#include "kernels/flow/slit_nodes.hpp"
+#include "kernels/flow/slit_drag.hpp"
 
 #include "kernels/launch/launch.hpp"
+#include "kernels/launch/own_items.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
@@ -16,21 +17,6 @@ struct SlitViscosity {
   }
 };
 
-/// Whether this process computes item i of the list.
-KOKKOS_FORCEINLINE_FUNCTION bool has(const Share& share, int i) {
-  if (share.blocks < 0) return true;  // all are
-  const int block = i / nodes_per_block;
-  int first = 0, last = share.blocks;
-  while (first < last) {
-    const int middle = (first + last) / 2;
-    if (share.block[middle] < block)
-      first = middle + 1;
-    else
-      last = middle;
-  }
-  return first < share.blocks && share.block[first] == block;
-}
-
 /// In double: beside walls that hardly let anything pass what a node sends out cancels but for a part in millions.
 template <class T, class Slots>
 struct DragInSlits {
@@ -42,7 +28,7 @@ struct DragInSlits {
   Share share;
   KOKKOS_FUNCTION void operator()(int k) const {
     const int i = slits.fluid(k);
-    if (!has(share, i)) return;
+    if (!is_own(share, i)) return;
     const double half = viscosity(i) * slits.resistance(k) / 2, slower = 1 / (1 + half);
     const double fx = -2 * half * slower * double(u(i, 0)), fy = -2 * half * slower * double(u(i, 1));
     for (int q = 1; q < D2Q9::Q; ++q) {

@@ -1,16 +1,9 @@
 #pragma once
-// Fluid nodes that stand for less than a cell of pore: the walls' drag is a force on their fluid.
+// Cracks narrower than a cell: the walls' drag is a force on the fluid of their nodes.
 #include "kernels/flow/flow.hpp"
+#include "kernels/nodes/slit_nodes.hpp"
 
 namespace vug {
-
-/// The nodes of cracks narrower than a cell, in groups: group g has [first(g), first(g + 1)).
-struct SlitNodes {
-  int count = 0;
-  IndexList fluid;                 ///< (slit) fluid index
-  ScalarField<double> resistance;  ///< (slit) 1/k, 1/cells^2 (slit.hpp)
-  IndexList first;                 ///< (group + 1)
-};
 
 /// Gives the fluid of slits the drag F = -nu u/k (Darcy's law; Brinkman 1949), to be called right after the sweep that
 /// collided it without. With the velocity u_0 that it had then u = u_0/(1 + nu/2k), and what left it gains
