@@ -88,33 +88,33 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
     return pointer;
   };
   Geometry& geometry = parts.geometry;
+  std::unique_ptr<PathwayOpener> opener;
+  if (scene.mechanics && scene.damage && geometry.fluid.count > 0)
+    opener = std::make_unique<PathwayOpener>(
+        geometry.lattice, parts.rock->pathways,
+        SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours,
+                    MineralNodes{geometry.mineral, static_cast<int>(scene.minerals.size()) + 1}));
   if (scene.flow) flow = add(std::make_unique<FlowModule<T>>(exec, scene, parts.units, geometry));
   if (scene.heat) heat = add(std::make_unique<HeatModule<T>>(exec, scene, parts.units, geometry, flow));
   std::unique_ptr<SoluteModule<T, Set>> solutes;
   if (scene.solute) solutes = std::make_unique<SoluteModule<T, Set>>(exec, scene, parts.units, geometry, flow);
   ReactionModule<T, Set>* reaction = nullptr;
   if (scene.reaction)
-    reaction = add(std::make_unique<ReactionModule<T, Set>>(exec, scene, parts.units, geometry, *solutes, heat));
+    reaction =
+        add(std::make_unique<ReactionModule<T, Set>>(exec, scene, parts.units, geometry, *solutes, heat, opener.get()));
   if (solutes) add(std::move(solutes));
   if (scene.accuracy.dissolution_tolerance > 0)
     parts.ageing = add(std::make_unique<AgeingModule<T, Set>>(scene, geometry, *reaction, flow));
   if (reaction) add(std::make_unique<TurnoverModule<T, Set>>(*reaction, scene.accuracy.update_interval));
 
-  std::unique_ptr<PathwayOpener> opener;
   ScalarField<double> d_m;
   if (scene.mechanics) {
     const auto* mechanics =
         add(std::make_unique<MechanicsModule<T>>(exec, scene, parts.units, geometry, *parts.rock, flow, heat));
     parts.mechanics = &mechanics->mechanics();
     d_m = mechanics->mechanics().bonds().d_m;
-    if (scene.damage && geometry.fluid.count > 0) {
-      opener = std::make_unique<PathwayOpener>(
-          geometry.lattice, parts.rock->pathways,
-          SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours,
-                      MineralNodes{geometry.mineral, static_cast<int>(scene.minerals.size()) + 1}));
-      if (scene.damage->aperture == ApertureLaw::opening)
-        opener->follow_cracks(mechanics->mechanics(), scene.damage->residual_aperture, geometry.spacing);
-    }
+    if (opener && scene.damage->aperture == ApertureLaw::opening)
+      opener->follow_cracks(mechanics->mechanics(), scene.damage->residual_aperture, geometry.spacing);
   }
   const bool dissolves = reaction && rock_dissolves(scene);
   if (!dissolves && !opener) return;

@@ -53,6 +53,20 @@ struct MarkOpening {
   }
 };
 
+/// Gives the candidates that are fluid from the start the solid that their pathway does not fill, and marks them.
+struct MarkUnfilled {
+  PathwayNodes nodes;
+  Kokkos::View<const NodeType*> type;
+  Kokkos::View<std::uint8_t*> opening;
+  ScalarField<double> volume;
+  KOKKOS_FUNCTION void operator()(int c) const {
+    const int n = nodes.node(c);
+    if (type(n) != NodeType::fluid) return;
+    volume(n) = 1 - nodes.filled(c);
+    opening(n) = 1;
+  }
+};
+
 struct ClearOpening {
   PathwayNodes nodes;
   Kokkos::View<std::uint8_t*> opening;
@@ -99,6 +113,15 @@ int PathwayOpener::open(const Exec& exec, const Kokkos::View<NodeType*>& type, c
   else
     for_each_node(exec, "vug::pathways::clear", candidates, ClearOpening{nodes_, opening_});
   return opened;
+}
+
+double PathwayOpener::return_solid(const Exec& exec, const Kokkos::View<NodeType*>& type,
+                                   const ScalarField<double>& volume, const ScalarField<double>& dissolved) {
+  if (!nodes_.cubic) return 0;  // rows of whole nodes take what they are
+  for_each_node(exec, "vug::pathways::unfilled", static_cast<int>(nodes_.node.extent(0)),
+                MarkUnfilled{nodes_, type, opening_, volume});
+  spread_.among_all(exec, type, opening_, volume, dissolved);
+  return sum_in_order(spread_.waiting());
 }
 
 }  // namespace vug

@@ -33,6 +33,7 @@ struct PathwayNodes {
   ScalarField<double> open;    ///< (bond) aperture w_1 at d_m = 1, cells
   bool cubic = false;          ///< apertures are widths of slots of any size; otherwise of rows of nodes
   ScalarField<double> slope;   ///< (bond) of its edge to the axis that it follows more closely, 0 to 1
+  ScalarField<double> filled;  ///< (candidate) part of its cell that slits of the start fill
   IndexList in_order;          ///< (place) candidates by the triangle that holds them
   IndexList first;             ///< (triangle + 1) its places are [first(t), first(t + 1))
 };
@@ -64,6 +65,10 @@ class PathwayOpener {
   /// Opens nodes. `volume` and `dissolved` may be empty (a scene without dissolution). Returns how many opened.
   int open(const Exec& exec, const Kokkos::View<NodeType*>& type, const ScalarField<double>& volume,
            const ScalarField<double>& dissolved);
+  /// Hands back, once and at the start, what the whole nodes of pathways narrower than a cell have taken of the rock
+  /// beyond their widths, to the nodes around; returns what has found no room, pixels.
+  double return_solid(const Exec& exec, const Kokkos::View<NodeType*>& type, const ScalarField<double>& volume,
+                      const ScalarField<double>& dissolved);
   const PathwayNodes& nodes() const { return nodes_; }
   const BondPathways& bonds() const { return bonds_; }
   bool follows_cracks() const { return rock_ != nullptr; }

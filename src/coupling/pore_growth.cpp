@@ -50,7 +50,7 @@ void PoreGrowth::state(StateList& list) {
     for (int m = 0; m < opener_->parts(); ++m)
       list.add(m == 0 ? "growth/waiting" : "growth/waiting/" + std::to_string(m), opener_->waiting(m));
   if (slits_) {
-    slits_->state(list);
+    slits_->state(list, below_a_cell());
     list.add("growth/widest", opener_->bonds().widest);
     if (opener_->follows_cracks()) list.add("growth/gap", opener_->gap());
     list.add_value("growth/slit_changes", geometry_.slit_changes, {0, most_steps});

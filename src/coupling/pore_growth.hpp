@@ -38,11 +38,12 @@ class PoreGrowth {
   std::int64_t dissolved_nodes() const { return dissolved_nodes_; }
   std::int64_t opened_nodes() const { return opened_nodes_; }
   /// Nodes of cracks narrower than a cell; -1 where pathways are rows of nodes.
-  int slit_nodes() const {
-    return opener_ && (opener_->follows_cracks() || opener_->nodes().cubic) ? geometry_.slits.count : -1;
-  }
+  int slit_nodes() const { return below_a_cell() ? geometry_.slits.count : -1; }
 
  private:
+  /// Whether pathways may be narrower than a cell.
+  bool below_a_cell() const { return opener_ && (opener_->follows_cracks() || opener_->nodes().cubic); }
+
   Geometry& geometry_;
   std::unique_ptr<PathwayOpener> opener_;
   std::optional<Slits> slits_;

@@ -40,7 +40,8 @@ std::vector<RateLaw> rates_of(const Scene& scene, const RateLaw& of_rock, std::s
 
 template <class T, class Set>
 ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, const LatticeUnits& units,
-                                       Geometry& geometry, SoluteModule<T, Set>& solutes, const HeatModule<T>* heat)
+                                       Geometry& geometry, SoluteModule<T, Set>& solutes, const HeatModule<T>* heat,
+                                       PathwayOpener* opener)
     : section_(*scene.reaction),
       units_(units),
       geometry_(geometry),
@@ -57,11 +58,12 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
   geometry.dissolved = ScalarField<double>("vug::reaction::dissolved", lattice.size());
   for_each_node(exec, "vug::reaction::fill", lattice.nx * lattice.ny,
                 FillVolume{geometry.type, lattice, geometry.volume});
+  const double waiting = opener ? opener->return_solid(exec, geometry.type, geometry.volume, geometry.dissolved) : 0;
   const ScalarField<double> lost("vug::reaction::lost", block_count(lattice.size()));
   if (dissolves_) losses_.all = lost;
   lost_ = lost;
-  initial_volume_ = sum_in_order(geometry.volume);
-  if (has_minerals()) set_up_minerals(scene);
+  initial_volume_ = sum_in_order(geometry.volume) + waiting;
+  if (has_minerals()) set_up_minerals(scene, waiting);
 
   attacks_.resize(1 + section_.further.size());
   for (std::size_t r = 0; r < attacks_.size(); ++r) {
@@ -83,10 +85,11 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
 }
 
 template <class T, class Set>
-void ReactionModule<T, Set>::set_up_minerals(const Scene& scene) {
-  const std::vector<double> initial =
+void ReactionModule<T, Set>::set_up_minerals(const Scene& scene, double waiting) {
+  std::vector<double> initial =
       sums_by_mineral(Exec{}, "vug::minerals::initial", geometry_.lattice.size(), geometry_.volume, geometry_.mineral,
                       static_cast<int>(scene.minerals.size()) + 1);
+  initial[0] += waiting;
   const std::vector<std::string> names = mineral_names(scene);
   losses_.of_minerals.of_node = geometry_.mineral;
   for (std::size_t m = 0; m < names.size(); ++m) {

@@ -42,12 +42,12 @@ struct Attack {
 
 /// How fast every link at a wall reacts, and what that has dissolved. The solutes react at the links when they step:
 /// this stands before them in the list of modules, and TurnoverModule after them.
-/// `heat` may be null: the temperature of the case is used everywhere.
+/// `heat` may be null: the temperature of the case is used everywhere. So may `opener`, where there are no pathways.
 template <class T, class Set>
 class ReactionModule final : public Module {
  public:
   ReactionModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, Geometry& geometry,
-                 SoluteModule<T, Set>& solutes, const HeatModule<T>* heat);
+                 SoluteModule<T, Set>& solutes, const HeatModule<T>* heat, PathwayOpener* opener);
 
   std::string_view name() const override { return "reaction"; }
   void step(const Exec& exec, const Clock& clock) override;
@@ -98,7 +98,7 @@ class ReactionModule final : public Module {
   void share_links();
   Share our_surface() const;
   void set_rates(const Exec& exec, Attack<T>& attack, double ahead);
-  void set_up_minerals(const Scene& scene);
+  void set_up_minerals(const Scene& scene, double waiting);
   void set_up(Attack<T>& attack);
   /// What acid dissolves, at the factor that holds, where the links read it.
   void set_volumes(Attack<T>& attack);

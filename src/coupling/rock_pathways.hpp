@@ -21,6 +21,7 @@ inline VertexPair ordered(int a, int b) {
 /// The shared edges with what a pathway along them needs, in the order of find_edges.
 struct BondEdges {
   std::vector<VertexPair> vertices;  ///< (bond) low, high
+  std::vector<double> length;        ///< (bond) m
   std::vector<double> spacing;       ///< (bond) distance of the two centroids across the edge, m
   std::map<VertexPair, int> number;
 };

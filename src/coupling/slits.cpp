@@ -89,7 +89,9 @@ Slits::Slits(const PathwayNodes& nodes)
     : nodes_(nodes),
       resistance_("vug::slits::resistance", nodes.in_order.extent(0)),
       openness_("vug::slits::openness_of_places", nodes.in_order.extent(0)),
-      listed_("vug::slits::listed", nodes.in_order.extent(0) + 1) {}
+      listed_("vug::slits::listed", nodes.in_order.extent(0) + 1) {
+  Kokkos::deep_copy(openness_, 1.0);
+}
 
 void Slits::update(const Exec& exec, const BondPathways& bonds, Geometry& geometry) {
   int changed = 0;

@@ -16,9 +16,10 @@ class Slits {
   void update(const Exec& exec, const BondPathways& bonds, Geometry& geometry);
   /// Lists the slits of a checkpoint.
   void restored(const Exec& exec, Geometry& geometry) const { list(exec, geometry); }
-  void state(StateList& list) {
+  /// `below_a_cell`: whether pathways may be narrower than one; else all are open.
+  void state(StateList& list, bool below_a_cell) {
     list.add("growth/resistance", resistance_);
-    list.add("growth/openness", openness_);
+    if (below_a_cell) list.add("growth/openness", openness_);
   }
 
  private:

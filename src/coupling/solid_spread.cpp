@@ -108,9 +108,15 @@ void SolidSpread::spread(const Exec& exec, const Part& part, const Kokkos::View<
 void SolidSpread::operator()(const Exec& exec, const Kokkos::View<NodeType*>& type,
                              const Kokkos::View<std::uint8_t*>& opening, const ScalarField<double>& volume,
                              const ScalarField<double>& dissolved) {
-  if (mineral_.extent(0) == 0) return spread(exec, AllSolid{}, type, opening, volume, dissolved, waiting_[0]);
+  if (mineral_.extent(0) == 0) return among_all(exec, type, opening, volume, dissolved);
   for (std::size_t m = 0; m < waiting_.size(); ++m)
     spread(exec, OneMineral{mineral_, static_cast<int>(m)}, type, opening, volume, dissolved, waiting_[m]);
+}
+
+void SolidSpread::among_all(const Exec& exec, const Kokkos::View<NodeType*>& type,
+                            const Kokkos::View<std::uint8_t*>& opening, const ScalarField<double>& volume,
+                            const ScalarField<double>& dissolved) {
+  spread(exec, AllSolid{}, type, opening, volume, dissolved, waiting_[0]);
 }
 
 }  // namespace vug

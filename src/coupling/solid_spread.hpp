@@ -40,6 +40,10 @@ class SolidSpread {
   void operator()(const Exec& exec, const Kokkos::View<NodeType*>& type, const Kokkos::View<std::uint8_t*>& opening,
                   const ScalarField<double>& volume, const ScalarField<double>& dissolved);
 
+  /// As above, to nodes of any mineral: of nodes that were never rock of one. What finds no room waits as rock of none.
+  void among_all(const Exec& exec, const Kokkos::View<NodeType*>& type, const Kokkos::View<std::uint8_t*>& opening,
+                 const ScalarField<double>& volume, const ScalarField<double>& dissolved);
+
   int parts() const { return static_cast<int>(waiting_.size()); }  ///< minerals, or 1
   /// (triangle) volume of a mineral that has found no room, cells.
   const ScalarField<double>& waiting(int mineral = 0) const { return waiting_[static_cast<std::size_t>(mineral)]; }

@@ -133,6 +133,36 @@ TEST(CrackedBond, LetsSolutesDiffuseByItsWidth) {
   }
 }
 
+/// Rock has as little of its volume in pathways as their widths say, on every lattice: a straight one along a row, and
+/// the joints between blocks in all directions (they overlap where they meet).
+TEST(CrackedBond, TakesOnlyItsWidthOfTheRock) {
+  std::string rock = cracked_rock;
+  rock.replace(rock.find("aperture = 1"), 12, "width = 1e-4");
+  rock.replace(rock.find("porosity = 0"), 12, "porosity = 0\npathway_width = 1e-4");
+  rock +=
+      "[solute]\n[[solute.species]]\nname = \"A\"\ndiffusivity = 1e-3\n[reaction]\nreactant = \"A\"\n"
+      "rate_constant = 1e-6\nmolar_volume = 1e-5\n";
+  const auto cells_of_rock = [&](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"damage.minimum_width=1e-5", "rock.pathway_width=1e-4"});
+    test::CoupledRun run(rock, settings);
+    EXPECT_LT(run.worst_balance(), 1e-14);
+    const double spacing = run.parts().geometry.spacing;  // what finds no room is rock as well
+    return sum_in_order(run.parts().geometry.volume) - run.gain("solid_volume", "waiting") / (spacing * spacing);
+  };
+  for (const double cells : {0.1, 0.6, 1.0})
+    EXPECT_NEAR(cells_of_rock({"rock.notches.0.width=" + std::to_string(cells * 2.5e-4)}), 80 * (41 - cells), 1e-9)
+        << cells;
+  for (const char* spacing : {"5e-4", "2.5e-4", "1.25e-4"}) {
+    const double rows = 0.01 / std::stod(spacing);
+    const std::string coarse = std::string("lattice.spacing=") + spacing;
+    EXPECT_NEAR(cells_of_rock({"lattice.size=[0.02, 0.01]", coarse, "rock.notches=[]", "rock.element_size=2e-3",
+                               "rock.porosity=0.1"}) /
+                    (2 * rows * rows),
+                0.9, 0.01)
+        << spacing;
+  }
+}
+
 /// The aperture of a bond that has failed is c_d times the distance of the centroids on its sides.
 TEST(CrackedBond, OpensToTheShareOfTheCentroidsDistanceThatTheCaseGives) {
   for (const double factor : {0.3, 0.6}) {
