@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,23 @@ TEST(LaboratoryOfACase, HeatsToTheStressOfItsModulus) {
   const Curve curve(scene);
   EXPECT_NEAR(curve.last("strain_1"), 8e-6 * 50, 2e-5);
   EXPECT_NEAR(curve.last("stress_Pa"), 30e9 * curve.last("strain_1"), 0.05 * 30e9 * 8e-6 * 50);
+}
+
+/// Plane strain, by the numbers that docs/case-file.md gives for it: rock that grows by alpha dT, free to do so across
+/// the load alone. Hooke in three dimensions, eps_y = eps_z = 0 and sigma_x = 0: sigma_y = E alpha dT/(1 - nu).
+TEST(LaboratoryOfACase, HeatsInPlaneStrain) {
+  const double young = 28e9, poisson = 0.25, expansion = 8e-6, rise = 50;
+  const auto number = [](const char* key, double value) { return key + std::to_string(value); };
+  const auto of_plane = [&](double alpha) {
+    std::ostringstream in_plane;
+    in_plane << "mechanics.thermal_expansion=" << alpha;
+    return laboratory("heating", {"laboratory.temperature_change=50", "laboratory.sample_strain=2e-5",
+                                  number("mechanics.young_modulus=", young / (1 - poisson * poisson)),
+                                  number("mechanics.poisson_ratio=", poisson / (1 - poisson)), in_plane.str()});
+  };
+  const double expected = young * expansion * rise / (1 - poisson);
+  EXPECT_NEAR(Curve(of_plane((1 + poisson) * expansion)).last("stress_Pa"), expected, 0.05 * expected);
+  EXPECT_LT(Curve(of_plane(expansion)).last("stress_Pa"), 0.85 * expected);  // 1/(1 + nu) of it
 }
 
 /// A base that does not grow, and grains that do: 0.5 alpha dT.
