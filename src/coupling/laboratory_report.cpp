@@ -9,11 +9,6 @@ namespace vug {
 
 namespace {
 
-std::string line(const char* what, const Spread& s, double unit, const char* name, int digits) {
-  const std::string spread = s.deviation > 0 ? fmt::format(" +- {:.{}f}", s.deviation / unit, digits) : "";
-  return fmt::format("{:<22}{:.{}f}{} {}\n", what, s.mean / unit, digits, spread, name);
-}
-
 Spread spread_over(const std::vector<LoadedSpecimen>& specimens, double PlatenResult::*number) {
   std::vector<double> values;
   for (const LoadedSpecimen& one : specimens) values.push_back(one.result.*number);
@@ -31,27 +26,32 @@ std::string elasticity(const std::vector<LoadedSpecimen>& specimens, Results& re
         "or laboratory.platen_speed\n",
         "Young's modulus");
   results.insert(results.end(), {{"modulus_Pa", modulus.mean}, {"poisson_1", poisson.mean}});
-  return line("Young's modulus", modulus, 1e9, "GPa", 2) + line("Poisson's ratio", poisson, 1, "", 3);
+  return line_of("Young's modulus", modulus, 1e9, "GPa", 2) + line_of("Poisson's ratio", poisson, 1, "", 3);
 }
 
 std::string strength(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results) {
   const Spread stress = spread_over(specimens, &PlatenResult::strength);
   const Spread strain = spread_over(specimens, &PlatenResult::peak_strain);
-  const auto whole =
-      std::count_if(specimens.begin(), specimens.end(), [](const LoadedSpecimen& s) { return !s.result.broke(); });
+  const auto whole = std::count_if(specimens.begin(), specimens.end(),
+                                   [](const LoadedSpecimen& s) { return !s.result.passed_a_peak(); });
   const std::string name = whole == 0 ? "strength" : "largest_stress";
   results.insert(
       results.end(),
       {{name + "_Pa", stress.mean}, {name + "_deviation_Pa", stress.deviation}, {"peak_strain_1", strain.mean}});
-  const std::string text = line(whole == 0 ? "strength" : "largest stress", stress, 1e6, "MPa", 2) +
-                           line("strain at the peak", strain, 0.01, "%", 3);
+  const std::string text = line_of(whole == 0 ? "strength" : "largest stress", stress, 1e6, "MPa", 2) +
+                           line_of("strain at the peak", strain, 0.01, "%", 3);
   if (whole == 0) return text;
   const std::string which =
       specimens.size() == 1 ? "the specimen" : fmt::format("{} of {} specimens", whole, specimens.size());
-  return text + fmt::format("{} did not break: {}\n", which, advice);
+  return text + fmt::format("{} did not pass a peak: {}\n", which, advice);
 }
 
 }  // namespace
+
+std::string line_of(const char* what, const Spread& s, double unit, const char* name, int digits) {
+  const std::string spread = s.deviation > 0 ? fmt::format(" +- {:.{}f}", s.deviation / unit, digits) : "";
+  return fmt::format("{:<22}{:.{}f}{} {}\n", what, s.mean / unit, digits, spread, name);
+}
 
 const std::vector<std::string> energy_columns{"work_J_per_m",     "elastic_energy_J_per_m", "kinetic_energy_J_per_m",
                                               "fracture_J_per_m", "friction_J_per_m",       "damping_J_per_m",
@@ -71,7 +71,10 @@ std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* 
       "time step             {:.3g} s, {} steps\n",
       peak.failed_in_tension, peak.failed_in_shear, end.failed_in_tension, end.failed_in_shear, 100 * first.along_load,
       first.result.time_step, first.result.steps);
-  results.insert(results.end(), {{"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
+  results.insert(results.end(), {{"specimens_1", static_cast<double>(specimens.size())},
+                                 {"time_step_s", first.result.time_step},
+                                 {"steps_1", static_cast<double>(first.result.steps)},
+                                 {"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
                                  {"failed_in_shear_1", static_cast<double>(end.failed_in_shear)},
                                  {"failed_along_load_1", first.along_load}});
   return text;

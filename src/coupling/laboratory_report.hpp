@@ -21,10 +21,13 @@ extern const std::vector<std::string> energy_columns;
 std::vector<double> values_of(const Energies& energies);
 
 /// Young's modulus and Poisson's ratio, where the curve tells them; the strength, or the largest stress where a
-/// specimen did not break; and how the bonds of the first one failed. `advice` says what makes specimens break.
+/// specimen did not pass a peak; and how the bonds of the first one failed. `advice` says what leads on to a peak.
 std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results);
 
 /// Where the work on a specimen has gone.
 std::string report_of(const Energies& energies, Results& results);
+
+/// A number of specimens in a line of the report, with its scatter where there are several.
+std::string line_of(const char* what, const Spread& s, double unit, const char* name, int digits);
 
 }  // namespace vug

@@ -192,10 +192,10 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
       result.peak_strain = result.strain.back();
       result.bonds_at_peak = bonds;
     }
-    const bool broken = bonds.failed() > 0 && result.stress.back() < test.stop_below * result.strength;
+    const bool fallen = broken(bonds) > 0 && result.stress.back() < test.stop_below * result.strength;
     const bool ended =
         heated ? static_cast<double>(result.steps) >= steps_of_heating : result.strain.back() >= test.largest_strain;
-    const bool last = broken || ended;
+    const bool last = fallen || ended;
     if (watch) watch(rock, result, last);
     if (last) break;
   }
@@ -229,20 +229,22 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
       const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test);
       if (loaded.preload && !loaded.preload->settled) fit.restless = loaded.preload;
-      if (!loaded.broke())
+      if (!loaded.passed_a_peak())
         throw InputError(
-            "laboratory: a specimen did not break, so that it has no strength to fit; raise laboratory.largest_strain, "
-            "or "
-            "laboratory.temperature_change where it is heated");
+            "laboratory: a specimen did not pass a peak of stress, so that it has no strength to fit; raise "
+            "laboratory.largest_strain, or laboratory.temperature_change where it is heated");
       strengths.push_back(loaded.strength);
     }
     fit.strength = spread_of(strengths);
     fit.cohesion = parameters.bond.cohesion;
     if (std::abs(fit.strength.mean / strength - 1) <= tolerance) return fit;
     parameters.bond.cohesion *= strength / fit.strength.mean;
+    for (RockMaterial& material : parameters.materials)  // a case that leaves it out has given them that of the rock
+      if (material.bond.cohesion == fit.cohesion) material.bond.cohesion = parameters.bond.cohesion;
   }
   throw InputError("laboratory: no cohesion found that gives a strength of " + std::to_string(strength) +
-                   " Pa; is the tensile strength or the friction too large for it?");
+                   " Pa; is the tensile strength or the friction too large for it, or does the rock break where a "
+                   "material has a cohesion of its own?");
 }
 
 }  // namespace vug

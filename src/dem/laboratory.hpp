@@ -37,6 +37,14 @@ struct PlatenTest {
 /// What the platens and flanks of a test do to the specimen.
 Loads press(const PlatenTest& test);
 
+/// A bond that load or heat has broken: neither a fracture that was there, nor dissolved.
+constexpr bool has_broken(BondState state) {
+  return state == BondState::failed_in_tension || state == BondState::failed_in_shear;
+}
+inline int broken(const BondCounts& bonds) {
+  return bonds.failed_in_tension + bonds.failed_in_shear;
+}
+
 /// What the press records. Stress and strain count positive in the sense in which the platens load: compression in a
 /// compression test, a Brazilian test and when heated, tension in a tension test.
 struct PlatenResult {
@@ -47,7 +55,7 @@ struct PlatenResult {
   /// few points there.
   double modulus = 0;
   double poisson = 0;      ///< from gauges at the flanks, the same chord
-  double strength = 0;     ///< largest stress, Pa; of the rock only if it broke
+  double strength = 0;     ///< largest stress, Pa; of the rock only if the test passed a peak
   double peak_strain = 0;  ///< strain there
   BondCounts bonds_at_peak;
   BondCounts bonds_at_end;
@@ -56,7 +64,9 @@ struct PlatenResult {
   double time_step = 0;                  ///< s
   long steps = 0;
 
-  bool broke() const { return bonds_at_end.failed() > 0; }
+  /// Bonds have failed and the stress has fallen from its largest: where it still rises at the end the rock would have
+  /// borne more, whatever has failed by then.
+  bool passed_a_peak() const { return broken(bonds_at_end) > 0 && stress.back() < 0.95 * strength; }
 };
 
 /// Called after every point of the curve with the rock and the result so far (moduli come at the end), and whether it
@@ -84,8 +94,9 @@ struct CohesionFit {
 };
 
 /// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`, to `tolerance` (relative).
-/// Strength is nearly proportional to cohesion, so c <- c strength / mean converges in a few rounds. Throws InputError
-/// when ten are not enough, or when a specimen does not break: its largest stress is then that of the end of the test.
+/// Strength is nearly proportional to cohesion, so c <- c strength / mean converges in a few rounds. Materials whose
+/// cohesion is that of the rock follow. Throws InputError when ten are not enough, or when a specimen passes no peak: its
+/// largest stress is then that of the end of the test.
 CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
                          const PlatenTest& test, double strength, int seeds, double tolerance);
 

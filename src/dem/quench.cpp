@@ -33,13 +33,13 @@ void cool(const Assembly& slab, double top, const SlabCooling& cooling, double l
   Kokkos::deep_copy(p.temperature_change, change);
 }
 
-/// Edges of failed bonds as (x, depth) pairs of their ends.
-std::vector<std::array<std::array<double, 2>, 2>> failed_edges(const Assembly& slab, double top, const Bonds& bonds) {
+/// Edges of broken bonds, notches not among them, as (x, depth) pairs of their ends.
+std::vector<std::array<std::array<double, 2>, 2>> broken_edges(const Assembly& slab, double top, const Bonds& bonds) {
   const auto state = on_host(bonds.state);
   const auto vertex = on_host(bonds.vertex);
   std::vector<std::array<std::array<double, 2>, 2>> edges;
   for (int k = 0; k < bonds.count; ++k) {
-    if (!has_failed(state(k))) continue;
+    if (!has_broken(state(k))) continue;
     const auto& p = slab.vertices[static_cast<std::size_t>(vertex(k, 0))];
     const auto& q = slab.vertices[static_cast<std::size_t>(vertex(k, 1))];
     edges.push_back({{{p[0], top - p[1]}, {q[0], top - q[1]}}});
@@ -47,7 +47,7 @@ std::vector<std::array<std::array<double, 2>, 2>> failed_edges(const Assembly& s
   return edges;
 }
 
-/// Number of failed edges that cross a level; neighbours closer than `apart` are one crack.
+/// Number of broken edges that cross a level; neighbours closer than `apart` are one crack.
 int cracks_at(double level, double apart, const std::vector<std::array<std::array<double, 2>, 2>>& edges) {
   std::vector<double> crossings;
   for (const auto& [p, q] : edges) {
@@ -89,7 +89,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
     result.steps += stride;
     if (watch) watch(rock, length, sample == test.samples);
   }
-  const auto edges = failed_edges(slab, top, rock.bonds());
+  const auto edges = broken_edges(slab, top, rock.bonds());
   // edge of an equilateral triangle of the mean area, 4 A / sqrt(3) = l^2
   const double element =
       std::sqrt(4 / std::sqrt(3.0) * (right - left) * (top - bottom) / static_cast<double>(slab.triangles.size()));

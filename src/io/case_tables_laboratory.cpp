@@ -61,7 +61,8 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
   } else {
     table.refuse("confinement_by", "is of a test with laboratory.confinement");
   }
-  table.read("chemical_damage", laboratory.chemical_damage, unit::none, {.low = 0, .high = 1, .high_open = true});
+  table.read("chemical_damage", laboratory.chemical_damage, unit::none,
+             {.low = 0, .high = ChemicalDamageLaw{}.failure_at, .high_open = true});
   need_if(thermal, table, "temperature_change", "is of heating and quench", laboratory.temperature_change,
           unit::kelvin_difference, range::positive);
   read_if(thermal, table, "duration", "is of heating and quench", laboratory.duration, unit::second, range::positive);
@@ -95,8 +96,14 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (disc)
     for (const char* key : {"rock.grading", "rock.notches", "rock.hole", "rock.holes"})
       if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a block, not of a disc", key));
-  for (const char* key : {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from"})
+  for (const char* key : {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from",
+                          "mechanics.preload", "mechanics.substeps", "mechanics.force_unstable", "mechanics.fragments"})
     if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a run on a lattice", key));
+  for (const char* key : {"mechanics.preload_time", "mechanics.preload_damping"})
+    if (laboratory.confinement == 0 && document.find(key) != nullptr)
+      document.fail_at(key, fmt::format("{} is of a test with laboratory.confinement", key));
+  if (laboratory.test == LaboratoryTest::quench && document.find("mechanics.local_damping") != nullptr)
+    document.fail_at("mechanics.local_damping", "mechanics.local_damping is 0.3 in a quench, whatever is given");
   const double smallest = disc ? laboratory.diameter : std::min(laboratory.size[0], laboratory.size[1]);
   if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
     document.fail("rock.element_size",

@@ -194,6 +194,16 @@ TEST(Plot, DrawsTheCurvesAndTheCracksOfALaboratoryTest) {
   EXPECT_TRUE(shows_lines(folder + "/figures/crack_pattern_000000000000.png"));
 }
 
+TEST(Plot, CallsOnlyAPeakThatWasPassedAStrength) {
+  const test::Outcome outcome = test::run_command(
+      VUG_PYTHON " -c \"import sys; sys.path.insert(0, '" VUG_SOURCE_DIR
+                 "/python');"
+                 " from vug.plot.laboratory import passed_a_peak as passed;"
+                 " print(passed([1, 4, 2], 5), passed([1, 4, 2], None), passed([1, 3, 4], 5), passed([1, 4, 3.9], 5),"
+                 " passed([1, 4, 2], 0))\"");
+  EXPECT_EQ(outcome.output, "True True False False False\n");
+}
+
 TEST(Plot, SaysWhatIsMissing) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(plot(folder.path(), "2> " + (folder / "error")), 4 * 256);

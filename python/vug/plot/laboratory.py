@@ -23,6 +23,11 @@ KINDS = [
 ]
 
 
+def passed_a_peak(stress, failed):
+    """Whether a curve ends clearly below its largest stress, with bonds failed (None: not told), so that this is a strength."""
+    return stress[-1] < 0.95 * max(stress) and failed != 0
+
+
 def plot_curves(path, folder, heading):
     """Stress over strain of every seed, the peaks marked, their mean and scatter in the title. None where there is no row yet."""
     table = History(path)
@@ -31,19 +36,19 @@ def plot_curves(path, folder, heading):
         return None
     figure, axes = plt.subplots(figsize=(6, 4.2), constrained_layout=True)
     failed = [table[name] for name in ("failed_in_tension_1", "failed_in_shear_1") if name in table]
-    peaks, broken = [], True
+    peaks, peaked = [], True
     for seed, colour in zip(seeds, plt.get_cmap("viridis")(np.linspace(0, 0.85, len(seeds)))):
         chosen = table["seed_1"] == seed
         strain, stress = PERCENT * table["strain_1"][chosen], MPA * table["stress_Pa"][chosen]
         top = int(np.argmax(stress))
         peaks.append(stress[top])
-        broken = broken and (not failed or sum(column[chosen][-1] for column in failed) > 0)
+        peaked = peaked and passed_a_peak(stress, sum(column[chosen][-1] for column in failed) if failed else None)
         axes.plot(strain, stress, color=colour, linewidth=0.9, label=f"seed {seed:.0f}")
         axes.plot(strain[top], stress[top], "o", color=colour, markersize=4)
     mean = np.mean(peaks)
     axes.axhline(mean, color="#555555", linestyle="--", linewidth=0.8)
     spread = f" ± {np.std(peaks, ddof=1):.1f} MPa over {len(peaks)} specimens" if len(peaks) > 1 else " MPa"
-    what = "strength" if broken else "largest stress (not all broke)"
+    what = "strength" if peaked else "largest stress (not all passed a peak)"
     axes.set_title(f"{heading}{what} {mean:.1f}{spread}", fontsize=10)
     axes.set_xlabel("strain / %")
     axes.set_ylabel("stress / MPa")
