@@ -7,10 +7,12 @@
 namespace vug {
 
 /// Table 1 in the reading that gives the paper's measured strength without a fit: the printed strengths and energies
-/// are scale parameters of their Weibull distributions (mean = scale Gamma(1 + 1/m), 6.5 % less for m = 7), f1 and f2
-/// act as printed (0.98 and 1.01 in fresh rock), and the internal friction is no part of a bond's strength.
+/// are scale parameters of their Weibull distributions of shape p.bond.weibull_shape (mean = scale Gamma(1 + 1/m), 6.5
+/// % less for m = 7; the scale itself where m = 0 says that nothing scatters), f1 and f2 act as printed (0.98 and 1.01
+/// in fresh rock), and the internal friction is no part of a bond's strength.
 inline MechanicsParameters weibull_scale_reading(MechanicsParameters p) {
-  const double mean_over_scale = std::tgamma(1 + 1 / p.bond.weibull_shape);
+  const double shape = p.bond.weibull_shape;
+  const double mean_over_scale = shape > 0 ? std::tgamma(1 + 1 / shape) : 1;
   p.bond.normal_strength *= mean_over_scale;
   p.bond.cohesion *= mean_over_scale;
   p.bond.fracture_energy_I *= mean_over_scale;

@@ -71,14 +71,18 @@ double read_bond(const TomlCursor& table, BondParameters& bond) {
   double path_ratio = 1.2;  // of the generator's triangles (docs/validation.md, toughness)
   table.read("path_ratio", path_ratio, unit::none, range::between(1, 10));
   table.read("damping", bond.damping, unit::second_per_metre, range::not_negative);
-  table.read("weibull_shape", bond.weibull_shape, unit::none, range::between(0, 1000));
-  if (bond.weibull_shape > 0 && bond.weibull_shape < 0.5)
-    table.fail("weibull_shape", "must be 0 (no scatter) or 0.5 ... 1000");
+  read_weibull_shape(table, bond);
   table.read("seed", bond.seed);
   return path_ratio;
 }
 
 }  // namespace
+
+void read_weibull_shape(const TomlCursor& bonds, BondParameters& bond) {
+  bonds.read("weibull_shape", bond.weibull_shape, unit::none, range::between(0, 1000));
+  if (bond.weibull_shape > 0 && bond.weibull_shape < 0.5)
+    bonds.fail("weibull_shape", "must be 0 (no scatter) or 0.5 ... 1000");
+}
 
 void read_materials(const TomlCursor& table, MechanicsSection& mechanics) {
   MechanicsParameters& rock = mechanics.parameters;

@@ -108,6 +108,7 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   }
   if (profile == Profile::weibull_scale) {
     mechanics.profile = "weibull-scale";
+    read_weibull_shape(table.table("bond"), parameters.bond);
     parameters = weibull_scale_reading(parameters);
   }
   table.read("density", parameters.density, unit::kilogram_per_cubic_metre, range::positive);

@@ -68,6 +68,15 @@ TEST(CaseTables, LaboratoryCasesHoldRockAloneAndTheirProfiles) {
   const MechanicsParameters& rock = scale.mechanics->parameters;
   EXPECT_NEAR(rock.bond.cohesion, 95e6 * 0.935437, 100);  // Gamma(8/7)
   EXPECT_NEAR(rock.bond.normal_strength, 15e6 * 0.935437, 20);
+  EXPECT_EQ(rock.bond.weibull_shape, 7);
+  for (const auto& [shape, mean] : {std::pair{"1", 1.0}, {"2", 0.886227}, {"0", 1.0}}) {  // Gamma(2), Gamma(1.5)
+    const BondParameters bond =
+        shipped("laboratory/compression.toml",
+                {"mechanics.profile=weibull-scale", std::string("mechanics.bond.weibull_shape=") + shape})
+            .mechanics->parameters.bond;
+    EXPECT_NEAR(bond.cohesion, 95e6 * mean, 100) << shape;
+    EXPECT_NEAR(bond.fracture_energy_II, 64 * mean / 1.2, 1e-4) << shape;
+  }
   EXPECT_EQ(rock.bond.internal_friction, 0);
   EXPECT_FALSE(rock.chemical.normalised);
 }

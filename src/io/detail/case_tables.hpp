@@ -31,6 +31,8 @@ inline constexpr Range equilibrium_range{.low = 1e-12, .infinity_allowed = true}
 MineralSection read_mineral(const TomlCursor& table, const Scene& scene);
 /// `fallback` gives what the preset of the case chooses.
 MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback);
+/// Of [mechanics.bond], which the profile of [mechanics] has to know before the rest.
+void read_weibull_shape(const TomlCursor& bonds, BondParameters& bond);
 /// Of [mechanics]: bonds, elasticity and the materials of regions.
 void read_materials(const TomlCursor& table, MechanicsSection& mechanics);
 /// Also fills the chemical law of the mechanics.
