@@ -80,6 +80,14 @@ TEST(CaseRemarks, InertiaThatStrengthensTheRockIsRemarked) {
   EXPECT_TRUE(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=4"}).warnings.empty());
   EXPECT_THAT(shipped("laboratory/compression.toml", {"mechanics.mass_scaling=16"}).warnings,
               ElementsAre(HasSubstr("act like 2 m/s")));
+  for (const auto& [test, slow, fast] :
+       {std::array{"tension", "0.2", "0.3"}, {"brazilian", "1", "1.5"}, {"compression", "1", "1.5"}}) {
+    const auto at = [name = std::string("laboratory/") + test + ".toml"](const std::string& speed) {
+      return shipped(name, {"laboratory.platen_speed=" + speed}).warnings;
+    };
+    EXPECT_TRUE(at(slow).empty()) << test;
+    EXPECT_THAT(at(fast), ElementsAre(HasSubstr("inertia adds more than 5 % to the strength"))) << test;
+  }
   EXPECT_THAT(shipped("quickstart.toml", {"mechanics.mass_scaling=100"}).warnings,
               ElementsAre(HasSubstr("waves 10 times slower")));
 }

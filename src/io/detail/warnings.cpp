@@ -226,16 +226,17 @@ void warn_about_mass_scaling(Scene& scene) {
                   scaling, std::sqrt(scaling)));
 }
 
-/// With s times the mass a press acts as if it were sqrt(s) times as fast.
+/// With s times the mass a press acts as if it were sqrt(s) times as fast. What adds more than 5 % to the mean strength
+/// of specimens (elements of 3 mm): in tension 3 % at 0.2 m/s, 7 at 0.4 and 17 at 1; in splitting 0 at 1, 14 at 5.
 void warn_about_press(Scene& scene) {
-  constexpr double notable = 1;  // m/s: 3e-4 of the speed of sound
-  if (scene.laboratory->test != LaboratoryTest::compression) return;
+  const LaboratoryTest test = scene.laboratory->test;
+  if (test == LaboratoryTest::heating || test == LaboratoryTest::quench) return;  // a limit of the specimen
+  const double notable = test == LaboratoryTest::tension ? 0.2 : 1;               // m/s
   const double scaling = scene.mechanics->parameters.mass_scaling, speed = platen_speed(*scene.laboratory);
   if (speed * std::sqrt(scaling) <= notable) return;
   scene.warnings.push_back(
-      fmt::format("platens at {:g} m/s with mechanics.mass_scaling = {:g} act like {:.3g} m/s: above {:g} m/s inertia "
-                  "adds more than "
-                  "5 % to the strength",
+      fmt::format("platens at {:g} m/s with mechanics.mass_scaling = {:g} act like {:.3g} m/s: much above {:g} m/s "
+                  "inertia adds more than 5 % to the strength",
                   speed, scaling, speed * std::sqrt(scaling), notable));
 }
 
