@@ -20,6 +20,11 @@ std::string elasticity(const std::vector<LoadedSpecimen>& specimens, Results& re
   const Spread modulus = spread_over(specimens, &PlatenResult::modulus);
   const Spread poisson = spread_over(specimens, &PlatenResult::poisson);
   if (modulus.mean == 0) return "";
+  if (std::any_of(specimens.begin(), specimens.end(), [](const LoadedSpecimen& s) { return !s.result.gauged; }))
+    return fmt::format(
+        "{:<22}not told: no triangle at a gauge, at 20 or 80 % of the height or at a flank; smaller triangles tell "
+        "it\n",
+        "Young's modulus");
   if (!std::isfinite(modulus.mean) || !std::isfinite(poisson.mean))
     return fmt::format(
         "{:<22}not told: too few points of the curve between 20 and 50 % of its peak; lower laboratory.sample_strain "

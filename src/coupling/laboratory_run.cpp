@@ -5,7 +5,6 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/specimen.hpp"
-#include "dem/require_edges.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
@@ -124,18 +123,19 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   return loaded;
 }
 
-/// Throws InputError where the test cannot be made with the specimen, before anything is written.
-void require_platens(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
-  Loads loads = press(platen_test(scene, specimen));
-  for (std::string& name : loads.name) name = scene.path + ": " + name;
-  require_edges(specimen, rock.boundary(), loads, rock.particles());
-}
-
-/// Says, and keeps in the record, that a confinement has been put on without the rock coming to rest.
-void note_unrest(const std::optional<PreloadReport>& preload, const LaboratoryOptions& options, RunRecord& record) {
-  if (!preload || preload->settled) return;
-  record.events.push_back("warning: " + unrest_of(*preload));
-  if (std::ostream* log = options.progress ? options.progress : options.warnings) *log << record.events.back() << '\n';
+/// Says, and keeps in the record, that a confinement has been put on without the rock coming to rest, or has broken
+/// bonds before the test.
+void note_preload(const std::optional<PreloadReport>& preload, const LaboratoryOptions& options, RunRecord& record) {
+  const auto note = [&](const std::string& what) {
+    record.events.push_back("warning: " + what);
+    if (std::ostream* log = options.progress ? options.progress : options.warnings)
+      *log << record.events.back() << '\n';
+  };
+  if (!preload) return;
+  if (!preload->settled) note(unrest_of(*preload));
+  if (const int failed = broken(preload->bonds); failed > 0)
+    note(fmt::format("{} failed while the confinement was put on, before the test",
+                     failed == 1 ? "1 bond" : fmt::format("{} bonds", failed)));
 }
 
 /// To be done where a specimen passed no peak.
@@ -153,7 +153,7 @@ std::string load_all(const Scene& scene, const LaboratoryOptions& options, const
   std::vector<LoadedSpecimen> specimens;
   for (int s = 0; s < options.seeds; ++s) {
     specimens.push_back(load_specimen(scene, specimen, s, directory, curve, options.progress));
-    note_unrest(specimens.back().result.preload, options, record);
+    note_preload(specimens.back().result.preload, options, record);
   }
   std::string text = report_of(specimens, what_breaks_more(scene.laboratory->test), results);
   if (scene.laboratory->energies) text += report_of(specimens.front().result.energies, results);
@@ -174,7 +174,8 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
       });
   HistoryWriter table(directory + "/cracks.csv", {"depth_m", "cracks_1"});
   for (std::size_t i = 0; i < r.depth.size(); ++i) table.write(std::vector<double>{r.depth[i], r.cracks[i]});
-  results = {{"spacing_m", r.spacing}, {"mean_depth_m", r.mean_depth}, {"deepest_m", r.deepest}};
+  if (r.spacing > 0) results.emplace_back("spacing_m", r.spacing);
+  results.insert(results.end(), {{"mean_depth_m", r.mean_depth}, {"deepest_m", r.deepest}});
   if (r.spacing == 0) return "no crack is deeper than two elements\n";
   return fmt::format(
       "crack spacing         {:.3g} mm at two elements' depth\nmean depth            {:.3g} mm\n"
@@ -185,7 +186,7 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
 std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, RunRecord& record) {
   const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene, specimen),
                                          *options.fit_strength, options.seeds, fit_tolerance);
-  note_unrest(found.restless, options, record);
+  note_preload(found.restless, options, record);
   record.results = {{"wanted_strength_Pa", *options.fit_strength},
                     {"specimens_1", static_cast<double>(options.seeds)},
                     {"rounds_1", static_cast<double>(found.rounds)},
@@ -214,7 +215,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   const Assembly specimen = build_specimen(scene);
   const Mechanics unloaded(specimen, scene.mechanics->parameters, Loads{});
   require_fields(fields_of_rock(scene, unloaded), scene.output.fields);
-  if (scene.laboratory->test != LaboratoryTest::quench) require_platens(scene, specimen, unloaded);
+  require_platens(scene, specimen, unloaded);
   RunRecord record = first_record(scene);
   const StopsInOrder in_order;
   folder.take();

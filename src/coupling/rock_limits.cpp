@@ -28,11 +28,13 @@ double mean_edge(const Bonds& bonds) {
 
 }  // namespace
 
-Limit limit_of_edges(const Mechanics& rock) {
+Limit limit_of_edges(const Mechanics& rock, bool on_lattice) {
   double softening = softening_length(rock.parameters().bond);
   for (const RockMaterial& material : rock.parameters().materials)
     softening = std::min(softening, softening_length(material.bond));
   const double longest = largest_edge * softening;
+  const std::string cells =
+      on_lattice ? fmt::format(", and lattice.spacing to {:.2g} m", longest / cells_of_an_edge) : "";
   return {
       "mechanics",
       "mean edge of the bonds",
@@ -40,9 +42,8 @@ Limit limit_of_edges(const Mechanics& rock) {
       "m",
       0,
       longest,
-      fmt::format("cracks take more than their fracture energy; for it to hold lower rock.element_size to {:.2g} m, "
-                  "and lattice.spacing to {:.2g} m",
-                  longest, longest / cells_of_an_edge)};
+      fmt::format("cracks take more than their fracture energy; for it to hold lower rock.element_size to {:.2g} m{}",
+                  longest, cells)};
 }
 
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {

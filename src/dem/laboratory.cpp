@@ -2,6 +2,7 @@
 
 #include "dem/materials.hpp"
 #include "dem/soundness.hpp"
+#include "dem/splitting.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
@@ -41,6 +42,7 @@ struct Gauge {
     for (const int i : group[g]) sum += values(i, axis);
     return sum / static_cast<double>(group[g].size());
   }
+  bool has_triangles() const { return !group[0].empty() && !group[1].empty(); }
   double strain(const Particles& p) const {
     const auto u = on_host(p.u), x0 = on_host(p.x0);
     return (mean(u, 1) - mean(u, 0)) / (mean(x0, 1) - mean(x0, 0));
@@ -129,6 +131,17 @@ double chord(const std::vector<double>& x, const std::vector<double>& y, const s
 
 }  // namespace
 
+double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundary) {
+  double length = 0;
+  for (const BoundaryEdge& edge : boundary) {
+    if (edge.side != static_cast<int>(RockSide::top) && edge.side != static_cast<int>(RockSide::bottom)) continue;
+    const auto &p = disc.vertices[static_cast<std::size_t>(edge.vertex[0])],
+               &q = disc.vertices[static_cast<std::size_t>(edge.vertex[1])];
+    length += 0.5 * std::abs(q[0] - p[0]);
+  }
+  return std::min(1.0, length / extent_of(disc).width());
+}
+
 Loads press(const PlatenTest& test) {
   Loads loads;
   loads.support[static_cast<std::size_t>(RockSide::top)] = Support::roller;
@@ -157,10 +170,13 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   start_uniform_straining(rock.particles(), low, high, test.speed);
   rock.reset_ledger(exec);
   const bool block = test.specimen == Specimen::block;
-  const double area = block ? extent.width() : 0.5 * Kokkos::numbers::pi * extent.width();
+  const double area = block ? extent.width()
+                            : 0.5 * Kokkos::numbers::pi * extent.width() /
+                                  splitting_share(std::asin(flat_width(specimen, rock.boundary())));
   const Gauge axial = axial_gauge(rock.particles(), extent), lateral = lateral_gauge(rock.particles(), extent);
   const double axial_start = axial.strain(rock.particles()), lateral_start = lateral.strain(rock.particles());
   PlatenResult result;
+  result.gauged = !block || (axial.has_triangles() && lateral.has_triangles());
   result.preload = rock.ramped();
   result.time_step = test.step_fraction * rock.critical_step();
   const int stride = std::max(1, static_cast<int>(test.sample_strain / (rate * result.time_step)));
@@ -228,7 +244,8 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
     for (int s = 0; s < seeds; ++s) {
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
       const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test);
-      if (loaded.preload && !loaded.preload->settled) fit.restless = loaded.preload;
+      if (loaded.preload && (!loaded.preload->settled || broken(loaded.preload->bonds) > 0))
+        fit.restless = loaded.preload;
       if (!loaded.passed_a_peak())
         throw InputError(
             "laboratory: a specimen did not pass a peak of stress, so that it has no strength to fit; raise "

@@ -11,7 +11,7 @@ namespace vug {
 /// What stands between the platens.
 enum class Specimen {
   block,  ///< stress = force over width
-  disc,   ///< with flats where the platens stand: stress = 2 F / (pi D), the splitting stress of the Brazilian test
+  disc,   ///< with flats where the platens stand: stress = 2 F / (pi D) times splitting_share (splitting.hpp)
 };
 
 /// A test between two rigid frictionless platens along y. The specimen is strained by the platens (compression,
@@ -34,6 +34,9 @@ struct PlatenTest {
   double chemical_damage = 0;                          ///< d_c of all bonds, as after soaking in acid
 };
 
+/// Width of the flats of a disc over its diameter: the mean of the edges at its top and at its bottom.
+double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundary);
+
 /// What the platens and flanks of a test do to the specimen.
 Loads press(const PlatenTest& test);
 
@@ -48,12 +51,13 @@ inline int broken(const BondCounts& bonds) {
 /// What the press records. Stress and strain count positive in the sense in which the platens load: compression in a
 /// compression test, a Brazilian test and when heated, tension in a tension test.
 struct PlatenResult {
-  std::vector<double> strain;       ///< of the platens over the distance of the held centroids, or mean alpha times dT
-  std::vector<double> stress;       ///< mean force of the two platens over the width, or 2 F / (pi D), Pa
+  std::vector<double> strain;  ///< of the platens over the distance of the held centroids, or mean alpha times dT
+  std::vector<double> stress;  ///< mean force of the two platens over the width, of a disc the splitting stress, Pa
   std::vector<double> confinement;  ///< mean pressure of servo platens on the flanks, or the membrane's, Pa
   /// Of a block: chord of gauges at 20 and 80 % of the height, 20 to 50 % of the peak, Pa; NaN where the curve has too
   /// few points there.
   double modulus = 0;
+  bool gauged = true;      ///< whether there are triangles at all gauges of a block
   double poisson = 0;      ///< from gauges at the flanks, the same chord
   double strength = 0;     ///< largest stress, Pa; of the rock only if the test passed a peak
   double peak_strain = 0;  ///< strain there
@@ -90,13 +94,13 @@ struct CohesionFit {
   double cohesion = 0;  ///< Pa
   Spread strength;      ///< over the seeds, Pa
   int rounds = 0;
-  std::optional<PreloadReport> restless;  ///< of a specimen that did not come to rest under its confinement
+  std::optional<PreloadReport> restless;  ///< of a specimen that did not come to rest under its confinement, or broke
 };
 
 /// The cohesion at which the mean strength over `seeds` consecutive seeds is `strength`, to `tolerance` (relative).
 /// Strength is nearly proportional to cohesion, so c <- c strength / mean converges in a few rounds. Materials whose
-/// cohesion is that of the rock follow. Throws InputError when ten are not enough, or when a specimen passes no peak: its
-/// largest stress is then that of the end of the test.
+/// cohesion is that of the rock follow. Throws InputError when ten are not enough, or when a specimen passes no peak:
+/// its largest stress is then that of the end of the test.
 CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
                          const PlatenTest& test, double strength, int seeds, double tolerance);
 

@@ -151,7 +151,7 @@ def differences(old, new, zero=()):
 def tell(case, moved, most=12):
     print(f"{case}: {len(moved)} numbers moved" if moved else f"{case}: as recorded")
     for size, kind, name, place, old, new in moved[:most]:
-        what = {"history": f"row {place}", "fields": ("count", "sum", "squares", "weighted sum", "")[place or 0]}[kind]
+        what = f"row {place}" if kind == "history" else ("count", "sum", "squares", "weighted sum")[place or 0]
         if isinstance(old, float):
             print(f"  {size:9.2e}  {name} ({what}): {old:.12g} -> {new:.12g}")
         else:

@@ -1,4 +1,5 @@
 // `vug lab` as its users meet it.
+#include "support/meshed_rock.hpp"
 #include "support/run_vug.hpp"
 
 #include <gmock/gmock.h>
@@ -172,6 +173,36 @@ TEST(Laboratory, ClaimsNoStrengthOfATestThatWasCutOff) {
   EXPECT_THAT(fitted.output, HasSubstr("no strength to fit; raise laboratory.largest_strain"));
 }
 
+/// Two triangles: none at 20 or 80 % of the height.
+TEST(Laboratory, SaysWhereItsMeshHasNoTriangleAtAGauge) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "rock.msh", test::mesh_text({{0, 0}, {1, 0}, {1, 2}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}}));
+  test::write_text(folder / "coarse.toml",
+                   "[laboratory]\ntest = \"compression\"\nlargest_strain = 1e-3\n[rock]\nmesh = \"" +
+                       (folder / "rock.msh") + "\"\n[mechanics]\n");
+  const Outcome outcome = run_vug("lab " + (folder / "coarse.toml") + " --quiet -o " + (folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("not told: no triangle at a gauge"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("lattice.spacing")));
+  // an edge that no platen can hold is seen before the test
+  test::write_text(folder / "rock.msh", test::mesh_text({{0, 0}, {1, 0}, {1, 2}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}));
+  const Outcome checked = run_vug("check " + (folder / "coarse.toml"));
+  EXPECT_EQ(checked.exit_code, 2) << checked.output;
+  EXPECT_THAT(checked.output, HasSubstr("the rock has no edge on this side to hold"));
+}
+
+TEST(Laboratory, TellsWhatBreaksUnderItsConfinement) {
+  const TemporaryFolder folder;
+  const std::string lab = "lab " VUG_SOURCE_DIR
+                          "/cases/laboratory/compression.toml --quiet --overwrite --set rock.element_size=3e-3"
+                          " --set laboratory.size=[0.015,0.03] --set laboratory.largest_strain=1e-4 -o " +
+                          (folder / "out") + " --set laboratory.confinement=";
+  const std::string told = "failed while the confinement was put on, before the test";
+  EXPECT_THAT(run_vug(lab + "10e6").output, Not(HasSubstr(told)));
+  EXPECT_THAT(run_vug(lab + "400e6").output, HasSubstr(told));
+  EXPECT_THAT(test::contents(folder / "out/run.json"), HasSubstr(told));
+}
+
 TEST(Laboratory, CountsNoNotchAmongWhatHasBroken) {
   const TemporaryFolder folder;
   const std::string out = folder / "out", record = out + "/run.json";
@@ -188,6 +219,7 @@ TEST(Laboratory, CountsNoNotchAmongWhatHasBroken) {
       lab("test = \"quench\"\nsize = [0.02, 0.02]\ntemperature_change = 1\ndiffusion_length = 0.02\nduration = 2e-4\n",
           upright);
   EXPECT_THAT(cooled.output, HasSubstr("no crack is deeper than two elements"));
+  EXPECT_THAT(test::contents(record), Not(HasSubstr("spacing_m")));
 }
 
 TEST(Laboratory, RefusesSpecimensThatAQuenchDoesNotMake) {

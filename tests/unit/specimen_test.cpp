@@ -4,10 +4,14 @@
 #include "coupling/laboratory_run.hpp"
 #include "io/history_reader.hpp"
 #include "kernels/base/require.hpp"
+#include "support/meshed_rock.hpp"
 #include "unit/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -68,6 +72,74 @@ TEST(QuenchTestOfACase, IsThatOfItsKeys) {
   EXPECT_EQ(test.samples, 70);
   EXPECT_EQ(test.chemical_damage, 0.3);
   EXPECT_EQ(test.step_fraction, 0.2);
+}
+
+/// The limit of a case's specimen that has this name.
+Limit limit_of(const Scene& scene, const std::string& name) {
+  const Assembly specimen = build_specimen(scene);
+  for (const Limit& limit : limits_of_specimen(scene, specimen, Mechanics(specimen, scene.mechanics->parameters, {})))
+    if (limit.name == name) return limit;
+  throw InputError("no limit " + name);
+}
+
+/// 8e-6 x 100 K of 30 mm in 1 ms, and with 16 times the mass four times that.
+TEST(SpecimenOfACase, KnowsHowFastHeatStrainsIt) {
+  const std::string name = "speed of thermal strain over the height";
+  const Limit slow = limit_of(laboratory("heating", {"laboratory.temperature_change=100"}), name);
+  EXPECT_NEAR(slow.value, 0.024, 1e-12);
+  EXPECT_TRUE(slow.inside());
+  const std::vector<std::string> fast{"laboratory.temperature_change=100", "laboratory.duration=5e-5",
+                                      "mechanics.mass_scaling=16"};
+  EXPECT_NEAR(limit_of(laboratory("heating", fast), name).value, 0.48 * 4, 1e-12);
+  EXPECT_FALSE(limit_of(laboratory("heating", fast), name).inside());
+  EXPECT_FALSE(limit_of(laboratory("quench", {fast[0], fast[1]}), name).inside());
+}
+
+/// Triangles about the middle of what is |x/width|^power + |y/height|^power = 2^-power, an ellipse or a lozenge or
+/// nearly a rectangle, or of what two flats leave of it.
+std::string mesh_of(double width, double height, double power, double flats = 0) {
+  std::vector<std::array<double, 2>> vertices{{0, 0}};
+  std::vector<std::array<int, 3>> triangles;
+  const int parts = 16;
+  for (int k = 0; k < parts; ++k) {
+    const double a = 2 * std::acos(-1.0) * (k + 0.5) / parts, x = std::cos(a), y = std::sin(a);
+    const double radius = 0.5 / std::pow(std::pow(std::abs(x), power) + std::pow(std::abs(y), power), 1 / power);
+    const double cut = flats > 0 ? 0.5 * std::sqrt(1 - flats * flats) : 1;
+    vertices.push_back({width * radius * x, height * std::clamp(radius * y, -cut, cut)});
+    triangles.push_back({0, 1 + k, 1 + (k + 1) % parts});
+  }
+  return test::mesh_text(vertices, triangles);
+}
+
+TEST(SpecimenOfACase, IsADiscWhereItIsSplit) {
+  const test::TemporaryFolder folder;
+  const auto scene = [&](const std::string& mesh) {
+    test::write_text(folder / "rock.msh", mesh);
+    return parse_scene(
+        "[laboratory]\ntest = \"brazilian\"\n[rock]\nmesh = \"" + (folder / "rock.msh") + "\"\n[mechanics]\n",
+        "a.toml");
+  };
+  EXPECT_NO_THROW(build_specimen(scene(mesh_of(0.05, 0.05, 2))));
+  EXPECT_NO_THROW(build_specimen(scene(mesh_of(0.05, 0.05, 2, 0.6))));
+  for (const std::string& mesh :
+       {mesh_of(0.03, 0.06, 2), mesh_of(0.06, 0.03, 2), mesh_of(0.05, 0.05, 30), mesh_of(0.05, 0.05, 1)}) {
+    try {
+      build_specimen(scene(mesh));
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("is no disc, which test = \"brazilian\" splits"), std::string::npos)
+          << error.what();
+    }
+  }
+  const std::string name = "width of the flats over the diameter";
+  const auto generated = [](const char* flats) {
+    return parse_scene(std::string("[laboratory]\ntest = \"brazilian\"\ndiameter = 0.05\nflat_width = ") + flats +
+                           "\n[rock]\nelement_size = 3e-3\n[mechanics]\n",
+                       "a.toml");
+  };
+  EXPECT_TRUE(limit_of(generated("0.3"), name).inside());
+  EXPECT_NEAR(limit_of(generated("0.4"), name).value, 0.4, 1e-9);
+  EXPECT_FALSE(limit_of(generated("0.4"), name).inside());
 }
 
 /// Rows of stress_strain.csv of a test.
