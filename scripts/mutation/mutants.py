@@ -18,7 +18,7 @@ LAWS = {
         solute/face_exchange.cpp solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp
         solute/solute_totals.cpp""",
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp
-        bonds.cpp closest_point.hpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp
+        bonds.cpp closest_point.hpp cohesion_fit.cpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp
         dissolved_rock.hpp elastic_energy.hpp elasticity.hpp energy.cpp forces.cpp gauges.cpp heterogeneity.hpp
         integrate.cpp laboratory.cpp linear_rock.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
         particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace vug {
 
@@ -231,37 +230,6 @@ Spread spread_of(const std::vector<double>& values) {
   for (const double value : values) s.deviation += (value - s.mean) * (value - s.mean);
   s.deviation = n > 1 ? std::sqrt(s.deviation / (n - 1)) : 0;
   return s;
-}
-
-CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
-                         const PlatenTest& test, double strength, int seeds, double tolerance) {
-  constexpr int most_rounds = 10;
-  const std::uint64_t first = parameters.bond.seed;
-  CohesionFit fit;
-  while (fit.rounds < most_rounds) {
-    ++fit.rounds;
-    std::vector<double> strengths;
-    for (int s = 0; s < seeds; ++s) {
-      parameters.bond.seed = first + static_cast<std::uint64_t>(s);
-      const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test);
-      if (loaded.preload && (!loaded.preload->settled || broken(loaded.preload->bonds) > 0))
-        fit.restless = loaded.preload;
-      if (!loaded.passed_a_peak())
-        throw InputError(
-            "laboratory: a specimen did not pass a peak of stress, so that it has no strength to fit; raise "
-            "laboratory.largest_strain, or laboratory.temperature_change where it is heated");
-      strengths.push_back(loaded.strength);
-    }
-    fit.strength = spread_of(strengths);
-    fit.cohesion = parameters.bond.cohesion;
-    if (std::abs(fit.strength.mean / strength - 1) <= tolerance) return fit;
-    parameters.bond.cohesion *= strength / fit.strength.mean;
-    for (RockMaterial& material : parameters.materials)  // a case that leaves it out has given them that of the rock
-      if (material.bond.cohesion == fit.cohesion) material.bond.cohesion = parameters.bond.cohesion;
-  }
-  throw InputError("laboratory: no cohesion found that gives a strength of " + std::to_string(strength) +
-                   " Pa; is the tensile strength or the friction too large for it, or does the rock break where a "
-                   "material has a cohesion of its own?");
 }
 
 }  // namespace vug
