@@ -141,6 +141,7 @@ int sweep(const CommandLine& line) {
   options.at_once = line.jobs;
   options.resume = line.resume;
   options.progress = line.quiet ? nullptr : &std::cerr;
+  options.warnings = &std::cerr;
   if (!line.batch.empty()) {
     vug::print(vug::slurm_script(line.study, options));
     return done;

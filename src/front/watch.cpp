@@ -2,7 +2,6 @@
 
 #include "io/detail/nearest_name.hpp"
 #include "io/progress.hpp"
-#include "io/run_folder.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -56,6 +55,15 @@ double number(const std::string& text) {
   return text.empty() ? 0 : std::strtod(text.c_str(), nullptr);
 }
 
+/// "done", "running", and what else it may be where nobody can tell.
+std::string status_of(const WatchedRun& run) {
+  if (run.summary.status != "running" || run.in_use == InUse::yes) return run.summary.status;
+  if (run.in_use == InUse::no) return "ended without a word (killed?)";
+  const std::string row =
+      run.since_last_row < 0 ? "no row yet" : "last row " + duration_text(run.since_last_row) + " ago";
+  return fmt::format("running, or ended without a word: {}; {}", run.doubt, row);
+}
+
 /// "running, step 1200 of 4000 (30 %), 0.012 s of physical time, 3 min 20 s left"
 std::string state_of(const WatchedRun& run) {
   const RunSummary& summary = run.summary;
@@ -64,11 +72,11 @@ std::string state_of(const WatchedRun& run) {
   const bool begun = run.history.rows() > 0 && steps >= 0;
   const double step = running && begun ? run.history.values[steps].back() : number(summary.steps);
   const double last = number(summary.last_step), first = number(summary.first_step);
-  std::string text = running && !run.alive ? "ended without a word (killed?)" : summary.status;
+  std::string text = status_of(run);
   text += last > 0 ? fmt::format(", step {:.0f} of {:.0f} ({:.0f} %)", step, last, 100 * step / last)
                    : fmt::format(", step {:.0f}", step);
   if (begun) text += fmt::format(", {:.4g} s of physical time", run.history.time().back());
-  if (running && run.alive && step > first && last > step)
+  if (running && run.in_use == InUse::yes && step > first && last > step)
     text += ", " + duration_text(run.seconds * (last - step) / (step - first)) + " left";
   if (!summary.exit_reason.empty()) text += "\n" + summary.exit_reason;
   return text;
@@ -97,9 +105,17 @@ double seconds_since(const std::string& started) {
 WatchedRun look(const std::string& directory) {
   const std::optional<RunSummary> summary = read_run_summary(directory);
   if (!summary) throw InputError(directory + ": holds no run (it has no run.json)");
-  WatchedRun run{*summary, {}, is_in_use(directory), seconds_since(summary->started)};
-  if (const std::string path = directory + "/history.csv"; std::filesystem::exists(path))
-    run.history = read_history(path);
+  WatchedRun run;
+  run.summary = *summary;
+  run.seconds = seconds_since(summary->started);
+  run.in_use = is_in_use(directory, &run.doubt);
+  const std::string path = directory + "/history.csv";
+  if (!std::filesystem::exists(path)) return run;
+  run.history = read_history(path);
+  std::error_code none;
+  const auto written = std::filesystem::last_write_time(path, none);
+  if (const auto age = std::filesystem::file_time_type::clock::now() - written; !none && run.history.rows() > 0)
+    run.since_last_row = std::max(0.0, std::chrono::duration<double>(age).count());
   return run;
 }
 
@@ -146,8 +162,7 @@ bool watch(const std::string& directory, const WatchView& view, bool once,
   while (true) {
     const WatchedRun run = look(directory);
     show(watch_text(run, view));
-    const bool running = run.summary.status == "running" && run.alive;
-    if (once || !running) return running || run.summary.status == "done";
+    if (once || !run.under_way()) return run.under_way() || run.summary.status == "done";
     std::this_thread::sleep_for(std::chrono::seconds(1));
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 // `vug watch`: a run under way, in a terminal.
 #include "io/history_reader.hpp"
+#include "io/run_folder.hpp"
 #include "io/run_summary.hpp"
 
 #include <functional>
@@ -12,9 +13,13 @@ namespace vug {
 /// What there is to draw.
 struct WatchedRun {
   RunSummary summary;
-  History history;     ///< empty before the first row
-  bool alive = true;   ///< a process writes into the folder
-  double seconds = 0;  ///< since the run began or was resumed
+  History history;             ///< empty before the first row
+  InUse in_use = InUse::yes;   ///< whether a process writes into the folder
+  double seconds = 0;          ///< since the run began or was resumed
+  std::string doubt;           ///< why it is unknown whether a process writes
+  double since_last_row = -1;  ///< s; below 0 before the first row
+
+  bool under_way() const { return summary.status == "running" && in_use != InUse::no; }
 };
 
 /// How it is drawn.
@@ -31,7 +36,8 @@ std::string sparkline(const std::vector<double>& time, const std::vector<double>
 std::string watch_text(const WatchedRun& run, const WatchView& view);
 
 /// Reads `directory`, hands its text to `show`, and again every second until no process writes there any more, or only
-/// once. Returns whether the run is done or under way. Throws InputError where there is no run, FileError.
+/// once. Returns whether the run is done or, for all that can be known, under way. Throws InputError where there is no
+/// run, FileError.
 bool watch(const std::string& directory, const WatchView& view, bool once,
            const std::function<void(const std::string&)>& show);
 

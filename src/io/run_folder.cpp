@@ -79,11 +79,14 @@ void remove_file(const fs::path& file) {
   if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
 }
 
+std::string name_of_host() {
+  char host[256] = "";
+  return ::gethostname(host, sizeof(host) - 1) == 0 ? host : "an unnamed host";
+}
+
 /// Who this is, for those who find the folder locked.
 std::string name_of_process() {
-  char host[256] = "";
-  if (::gethostname(host, sizeof(host) - 1) != 0) std::strcpy(host, "an unnamed host");
-  return fmt::format("process {} on {} since {}", ::getpid(), host, utc_now());
+  return fmt::format("process {} on {} since {}", ::getpid(), name_of_host(), utc_now());
 }
 
 /// What a folder's lock says of its holder, as one harmless line.
@@ -96,14 +99,37 @@ std::string holder(int lock) {
   return line.empty() ? "another process" : line;
 }
 
+/// The host in the name of a process; empty where there is none.
+std::string host_of(const std::string& name) {
+  const auto from = name.find(" on "), to = name.rfind(" since ");
+  return from < to && to != std::string::npos ? name.substr(from + 4, to - from - 4) : "";
+}
+
+struct OpenFile {
+  int descriptor;
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+};
+
 }  // namespace
 
-bool is_in_use(const std::string& directory) {
-  const int lock = ::open((directory + "/run.lock").c_str(), O_RDONLY | O_CLOEXEC);
-  if (lock < 0) return false;
-  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(lock);
-  return held;
+InUse is_in_use(const std::string& directory, std::string* why) {
+  const auto unknown = [&](const std::string& reason) {
+    if (why) *why = reason;
+    return InUse::unknown;
+  };
+  const OpenFile lock{::open((directory + "/run.lock").c_str(), O_RDONLY | O_CLOEXEC)};
+  if (lock.descriptor < 0 && errno == ENOENT) return InUse::no;
+  if (lock.descriptor < 0) return unknown(fmt::format("run.lock cannot be opened ({})", std::strerror(errno)));
+  if (::flock(lock.descriptor, LOCK_SH | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) return InUse::yes;
+    return unknown(fmt::format("this file system has no locks ({})", std::strerror(errno)));
+  }
+  // some file systems keep the locks of each machine to itself, and answer here that it is free
+  const std::string host = host_of(holder(lock.descriptor));
+  if (host.empty() || host == name_of_host()) return InUse::no;
+  return unknown(fmt::format("its lock is of another machine, {}, and may not be seen from here", host));
 }
 
 RunFolder::RunFolder(std::string path, Use use, std::string offer)
@@ -172,7 +198,7 @@ void RunFolder::take() {
   }
   if (use_ != Use::overwrite) return;
   for (const std::string& twin : twins_of(path_))
-    if (is_in_use(twin)) throw InputError(twin + ": is in use by another process; choose another folder");
+    if (is_in_use(twin) == InUse::yes) throw InputError(twin + ": is in use by another process; choose another folder");
   clear();
   clear_error_bars();
 }

@@ -7,8 +7,12 @@
 
 namespace vug {
 
-/// Whether a process holds the folder and writes into it.
-bool is_in_use(const std::string& directory);
+/// What a folder's lock tells of a process that writes there. `unknown`: the file system has no locks, or the lock was
+/// that of another machine, whose locks are not seen everywhere.
+enum class InUse { no, yes, unknown };
+
+/// Whether a process holds the folder and writes into it; where that is unknown, `why` says what is in the way.
+InUse is_in_use(const std::string& directory, std::string* why = nullptr);
 
 /// A folder that one process writes results into at a time. The lock is the operating system's, on the file run.lock,
 /// and ends with the process, however that ends; the file itself stays and means nothing once that has ended.

@@ -37,11 +37,18 @@ void make_directory(const std::string& path) {
 /// for those that are still writing their checkpoints.
 class SweepLock {
  public:
-  explicit SweepLock(const std::string& directory, std::ostream* progress)
+  SweepLock(const std::string& directory, const SweepOptions& options)
       : descriptor_(::open((directory + "/sweep.lock").c_str(), O_RDWR | O_CREAT, 0666)) {
     if (descriptor_ < 0) detail::throw_file_error(directory + "/sweep.lock", "open");
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    if (progress) *progress << "waiting for another sweep of " << directory << " to end" << std::endl;
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    if (errno != EWOULDBLOCK) {
+      if (options.warnings)
+        *options.warnings << fmt::format("warning: {}: cannot be locked ({}): see to it that no other sweep runs there",
+                                         directory, std::strerror(errno))
+                          << std::endl;
+      return;
+    }
+    if (options.progress) *options.progress << "waiting for another sweep of " << directory << " to end" << std::endl;
     while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
     }
   }
@@ -114,7 +121,7 @@ int sweep(const std::string& path, const SweepOptions& options) {
   open_members(members, directory, options.resume);  // looks before it writes
   require_own_files(study, members, directory, options.resume);
   make_directory(directory + "/runs");
-  const SweepLock lock(directory, options.progress);
+  const SweepLock lock(directory, options);
   const std::vector<const Member*> open = open_members(members, directory, options.resume);
   for (const Member& member : members) look_at_columns(study, member);  // of what has been run before
   detail::replace_file(directory + "/" + copy_of_study, study.text, false);

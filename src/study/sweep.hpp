@@ -11,6 +11,7 @@ struct SweepOptions {
   int at_once = 0;        ///< runs at once; 0: as many as there are processors
   bool resume = false;    ///< go on with what the directory holds
   std::ostream* progress = nullptr;
+  std::ostream* warnings = nullptr;
 };
 
 /// Runs the members of the study, each as a process of its own with one thread, and writes table.csv and failures.csv.

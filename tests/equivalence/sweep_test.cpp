@@ -1,5 +1,8 @@
 // A study has one table, however many runs are made at once and however often they are killed.
+#include "study/sweep.hpp"
+
 #include "support/background_vug.hpp"
+#include "support/no_locks.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
@@ -127,6 +130,25 @@ TEST(Sweep, KeepsTheWarningsOfItsRunsInTheirLogs) {
             0);
   const std::string log = test::contents(folder / "study/runs/0001.log");
   EXPECT_TRUE(log.starts_with("warning: flow: ")) << log;
+}
+
+TEST(Sweep, SaysThatItsFolderCannotBeLocked) {
+  const test::TemporaryFolder folder;
+  const std::string study = study_file(folder);
+  ASSERT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "out") + " --quiet").exit_code, 3);
+  const auto warning = [&] {  // nothing is left to be run: this process is no vug
+    std::ostringstream warnings;
+    SweepOptions options;
+    options.directory = folder / "out";
+    options.resume = true;
+    options.warnings = &warnings;
+    EXPECT_EQ(sweep(study, options), 2);
+    return warnings.str();
+  };
+  EXPECT_EQ(warning(), "");
+  const test::NoLocks none;
+  EXPECT_EQ(warning(), "warning: " + (folder / "out") +
+                           ": cannot be locked (Function not implemented): see to it that no other sweep runs there\n");
 }
 
 /// A folder's study.toml, table.csv and failures.csv are a sweep's, or the user's: then they stay.
