@@ -24,7 +24,7 @@ std::string slurm_script(const std::string& path, const SweepOptions& options) {
       "#SBATCH --array=0-{}\n"
       "#SBATCH --cpus-per-task=1\n"
       "#SBATCH --time=24:00:00\n"
-      "# A job that is sent again goes on from its last checkpoint. When all have ended, this makes the table:\n"
+      "# What a run says is in runs/NNNN.log. A job that is sent again goes on from its last checkpoint. When all have ended, this makes the table:\n"
       "#   {} --resume\n"
       "exec {} --member \"$SLURM_ARRAY_TASK_ID\"\n",
       shell_word(name), count - 1, call, call);

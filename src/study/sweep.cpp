@@ -159,6 +159,10 @@ void become_member(const std::string& path, const SweepOptions& options, int num
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  const int log = ::open(members[number].log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (log < 0) detail::throw_file_error(members[number].log, "open");
+  ::dup2(log, STDOUT_FILENO);
+  ::dup2(log, STDERR_FILENO);
   ::execv(pointers[0], pointers.data());
   throw FileError(fmt::format("{}: cannot run it: {}", words[0], std::strerror(errno)));
 }

@@ -20,7 +20,8 @@ struct SweepOptions {
 /// FileError, and Interrupted when asked to stop.
 int sweep(const std::string& study, const SweepOptions& options);
 
-/// Becomes the run of one member, counted from 0: for the arrays of a batch system. Throws as sweep.
+/// Becomes the run of one member, counted from 0, which says what it has to say in its log: for the arrays of a batch
+/// system. Throws as sweep.
 void become_member(const std::string& study, const SweepOptions& options, int member);
 
 /// A script for Slurm's sbatch that runs the study as an array of jobs.

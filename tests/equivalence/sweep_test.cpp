@@ -117,6 +117,10 @@ TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --resume --quiet").exit_code, 3);
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "local") + " --quiet").exit_code, 3);
   EXPECT_EQ(test::contents(folder / "array/table.csv"), test::contents(folder / "local/table.csv"));
+  const std::string failures = test::contents(folder / "array/failures.csv");
+  EXPECT_NE(failures.find("\n0003,1e-06,\"[ 30000.0, 0 ]\",diverged,\"vug: flow diverged at step "), std::string::npos)
+      << failures;
+  EXPECT_EQ(test::contents(folder / "array/runs/0001.log"), test::contents(folder / "local/runs/0001.log"));
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --member 6").exit_code, 2);
 }
 
