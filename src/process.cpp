@@ -29,7 +29,8 @@ volatile std::sig_atomic_t silent = 0;
 
 extern "C" void on_stop_signal(int signal) {
   if (StopsInOrder::now()) return request_stop(signal);
-  if (!silent) write_all(STDERR_FILENO, "vug: interrupted before anything was written\n");
+  if (!silent)
+    for (const char* part : {"vug: ", words_when_ended(), "\n"}) write_all(STDERR_FILENO, part);
   ::_exit(130);
 }
 

@@ -1,6 +1,7 @@
 #include "coupling/error_bars.hpp"
 
 #include "coupling/run_directory.hpp"
+#include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/override_scene.hpp"
 #include "io/time_table.hpp"
@@ -201,11 +202,14 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
   Twins found = find_twins(scene);  // before anything runs
   RunOptions own = options;
   own.directory = run_directory(scene, options.directory);
+  own.words_when_done = "interrupted; the run itself is done, --resume goes on with its error bars";
   run_case(scene, own);
   const History history = read_history(own.directory + "/history.csv");
   std::vector<History> histories;
   std::string left_out;
   for (const Twin& twin : found.twins) {
+    if (stop_requested())  // in the last step of the one before
+      throw Interrupted(stop_reason() + "; the run itself is done, --resume goes on with its error bars");
     RunOptions of_twin = own;
     of_twin.directory = own.directory + "/" + twin.folder;
     if (options.steps && found.ratio > 0)

@@ -55,6 +55,7 @@ class Run {
       advance(progress);
       progress.finish("done");
       book_.close(simulation_.clock(), progress, "done", "reached the last step", 0);
+      say_when_ended(options_.words_when_done);
     } catch (const Interrupted& stop) {
       progress.finish("interrupted");
       const std::string reason = fmt::format("{}; {}", stop.what(), book_.last_good());

@@ -19,7 +19,9 @@ struct RunOptions {
   bool terminal = false;   ///< the progress goes to a terminal
   std::ostream* progress = nullptr;  ///< null: quiet
   std::ostream* warnings = nullptr;  ///< where warnings go of a quiet run; null: nowhere
-  Ranks ranks{};                     ///< who computes the case together; the first of them writes
+  /// What a signal says that comes when the run is done and the process has not ended yet.
+  const char* words_when_done = "interrupted when the run was done";
+  Ranks ranks{};  ///< who computes the case together; the first of them writes
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or

@@ -9,7 +9,9 @@ namespace {
 
 std::atomic<int> signal_noted{0};
 std::atomic<int> in_order{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals may use no lock");
+std::atomic<const char*> last_words{"interrupted before anything was written"};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free,
+              "a handler of signals may use no lock");
 
 const char* name_of(int signal) {
   switch (signal) {
@@ -44,6 +46,14 @@ std::string stop_reason() {
 
 void throw_if_stop_requested() {
   if (stop_requested()) throw Interrupted(stop_reason());
+}
+
+void say_when_ended(const char* words) {
+  last_words = words;
+}
+
+const char* words_when_ended() {
+  return last_words;
 }
 
 StopsInOrder::StopsInOrder() {

@@ -18,6 +18,12 @@ std::string stop_reason();
 /// Throws Interrupted when a stop was asked for.
 void throw_if_stop_requested();
 
+/// What the handler of a signal says where it ends the process at once: that nothing has been written, until somebody
+/// who has written something gives other words, which must stay.
+void say_when_ended(const char* words);
+/// Those words; may be called by the handler.
+const char* words_when_ended();
+
 /// While one lives, somebody looks at stop_requested() at least once a second or a step. At other times there is
 /// nothing to be brought to an end, and a signal may end the process where it stands.
 class StopsInOrder {

@@ -122,6 +122,7 @@ int sweep(const std::string& path, const SweepOptions& options) {
   require_own_files(study, members, directory, options.resume);
   make_directory(directory + "/runs");
   const SweepLock lock(directory, options);
+  const StopsInOrder in_order;  // also when the last run has ended and the table is made
   const std::vector<const Member*> open = open_members(members, directory, options.resume);
   for (const Member& member : members) look_at_columns(study, member);  // of what has been run before
   detail::replace_file(directory + "/" + copy_of_study, study.text, false);
@@ -142,6 +143,7 @@ int sweep(const std::string& path, const SweepOptions& options) {
   run_jobs(jobs, at_once, tell, [&](std::size_t job) { return look_at_columns(study, *open[job]); });
   detail::replace_file(directory + "/" + table, table_text(study, members), false);
   detail::replace_file(directory + "/" + failures, failures_text(study, members), false);
+  say_when_ended("interrupted when the study was done");
   if (stop_requested()) throw Interrupted(stop_reason() + "; --resume continues the study");
   return static_cast<int>(std::count_if(members.begin(), members.end(),
                                         [](const Member& member) { return state_of(member) != MemberState::done; }));

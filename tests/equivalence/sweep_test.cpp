@@ -1,6 +1,7 @@
 // A study has one table, however many runs are made at once and however often they are killed.
 #include "study/sweep.hpp"
 
+#include "host/interruption.hpp"
 #include "support/background_vug.hpp"
 #include "support/no_locks.hpp"
 #include "support/run_vug.hpp"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 
 namespace vug {
 namespace {
@@ -153,6 +155,32 @@ TEST(Sweep, SaysThatItsFolderCannotBeLocked) {
   const test::NoLocks none;
   EXPECT_EQ(warning(), "warning: " + (folder / "out") +
                            ": cannot be locked (Function not implemented): see to it that no other sweep runs there\n");
+}
+
+/// Asks with every word that it is told whether a signal would be noted, or would end the process where it stands.
+struct AsksForOrder : std::stringbuf {
+  bool in_order = true, asked = false;
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    asked = true;
+    in_order = in_order && StopsInOrder::now();
+    return std::stringbuf::xsputn(text, count);
+  }
+};
+
+TEST(Sweep, StopsInOrderAlsoWhereNoRunIsUnderWay) {
+  const test::TemporaryFolder folder;
+  const std::string study = study_file(folder);
+  ASSERT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "out") + " --quiet").exit_code, 3);
+  AsksForOrder asks;
+  std::ostream progress(&asks);
+  SweepOptions options;
+  options.directory = folder / "out";
+  options.resume = true;
+  options.progress = &progress;
+  EXPECT_EQ(sweep(study, options), 2);
+  EXPECT_TRUE(asks.asked);
+  EXPECT_TRUE(asks.in_order);
+  EXPECT_STREQ(words_when_ended(), "interrupted when the study was done");
 }
 
 /// A folder's study.toml, table.csv and failures.csv are a sweep's, or the user's: then they stay.

@@ -91,6 +91,25 @@ TEST(Signals, StopASetUpBeforeAnythingIsWritten) {
   }
 }
 
+/// The set-up of a twin is as long as that of a run, and nothing that was written is lost.
+TEST(Signals, BetweenARunAndItsErrorBarsSayThatTheRunIsDone) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out", command = "run " VUG_SOURCE_DIR
+                                                    "/cases/tutorial/fracture.toml --quiet --threads 1 --steps 2 -o " +
+                                                    out + " --error-bars";
+  BackgroundVug vug(command, folder / "log");
+  ASSERT_TRUE(vug.wait_for([&] {
+    return test::contents(out + "/run.json").find("\"status\": \"done\"") != std::string::npos;
+  })) << vug.log();
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));  // out of the run's last lines
+  vug.signal(SIGTERM);
+  EXPECT_EQ(vug.wait(), 130) << vug.log();
+  EXPECT_THAT(vug.log(), testing::AnyOf(HasSubstr("vug: interrupted; the run itself is done, --resume goes on with"),
+                                        HasSubstr("vug: interrupted by SIGTERM; ")));
+  EXPECT_EQ(run_vug(command + " --resume").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(out + "/error_bars.csv"));
+}
+
 TEST(Signals, StopALaboratoryTest) {
   const TemporaryFolder folder;
   const std::string out = folder / "out";
