@@ -85,7 +85,7 @@ class Run {
     simulation_.restore([&](StateList& state) { checkpoint->load(state); });
     if (simulation_.clock().step != checkpoint->step())
       throw FileError(checkpoint->path() + ": the checkpoint is of another step than it says");
-    book_.go_on_from(*checkpoint);
+    if (const std::string other = book_.go_on_from(*checkpoint); !other.empty()) notes_.push_back("warning: " + other);
     if (last_ < checkpoint->step())
       notes_.push_back(fmt::format("note: --steps {}: the run is at step {} already", last_, checkpoint->step()));
     last_ = std::max(last_, checkpoint->step());

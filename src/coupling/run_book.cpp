@@ -33,6 +33,12 @@ std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
   return "the text of the case or a --set differs";
 }
 
+/// "vug 0.1.0 (commit 8b0c4f9, GCC 12.2.0, OpenMP)", of a RunRecord or a RunOrigin.
+template <class Origin>
+std::string program_of(const Origin& of) {
+  return fmt::format("vug {} (commit {}, {}, {})", of.version, of.commit, of.compiler, of.backend);
+}
+
 }  // namespace
 
 RunBook::RunBook(const Scene& scene, const RunOptions& options)
@@ -40,7 +46,9 @@ RunBook::RunBook(const Scene& scene, const RunOptions& options)
       path_(run_directory(scene, options.directory)),
       folder_(folder_of_the_writer(options, path_)),
       record_(first_record(scene)),
-      owner_(owner()) {}
+      owner_(owner()) {
+  record_.ranks = options.ranks.size();
+}
 
 /// This run, or that which it continues: of the same case, or nothing is touched.
 CheckpointOwner RunBook::owner() {
@@ -69,13 +77,17 @@ std::optional<Checkpoint> RunBook::latest_checkpoint() const {
   return found;
 }
 
-void RunBook::go_on_from(const Checkpoint& checkpoint) {
+std::string RunBook::go_on_from(const Checkpoint& checkpoint) {
   owner_.run = record_.run = checkpoint.run();
   record_.last_checkpoint = record_.first_step = record_.steps = checkpoint.step();
   if (checkpoint.holds(history_rows)) checkpoint.load(own_state());
-  if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return;
+  if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return "";
   record_.events = folder_->held()->events_until(checkpoint.step());
   earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
+  const std::string now = program_of(record_), before = program_of(read_run_origin(path_));
+  if (now == before) return "";
+  record_.events.push_back(fmt::format("step {}, resumed with {}, before by {}", checkpoint.step(), now, before));
+  return record_.events.back();
 }
 
 /// What a run remembers beside the state of the simulation.

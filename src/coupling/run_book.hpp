@@ -31,7 +31,8 @@ class RunBook {
   /// The newest checkpoint of the run that is there, the same for all ranks; none where there is none.
   std::optional<Checkpoint> latest_checkpoint() const;
   /// Makes this run the one that the checkpoint is of: what happened until then belongs to it, and the time it took.
-  void go_on_from(const Checkpoint& checkpoint);
+  /// Returns, and keeps as an event, that another program has computed it, where one has; else an empty line.
+  std::string go_on_from(const Checkpoint& checkpoint);
   /// Rows that the history had at the newest checkpoint.
   std::int64_t rows() const { return rows_; }
   /// Makes this run a new one. Throws InputError where one would be lost that could be continued.

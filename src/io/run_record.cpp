@@ -115,6 +115,7 @@ void write_run_record(const std::string& directory, const RunRecord& r) {
   put("device", json_string(r.device));
   put("precision", json_string(r.precision));
   put("threads", fmt::format("{}", r.threads));
+  put("ranks", fmt::format("{}", r.ranks));
   put("case_path", json_string(r.case_path));
   put("case_hash", json_string(case_hash(r.case_text, r.overrides, r.inputs)));
   put("overrides", list(r.overrides));

@@ -27,7 +27,8 @@ struct RunRecord {
   std::vector<InputFile> inputs;
   std::string run;  ///< a name that no other run has; a run that is resumed keeps its own
   std::string version, commit, compiler, backend, device, precision;
-  int threads = 1;
+  int threads = 1;  ///< of each rank
+  int ranks = 1;
   std::string status = "running";  ///< running, done, interrupted, diverged or failed
   std::string exit_reason;         ///< one line; empty while running
   int exit_code = 0;

@@ -142,6 +142,29 @@ TEST(Resumed, KeepsTheEventsAndAddsUpTheTime) {
   EXPECT_EQ(line_of(parts, "events"), line_of(whole, "events")) << "what comes again is told once";
 }
 
+TEST(Resumed, ByAnotherProgramIsTold) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out";
+  ASSERT_EQ(run_channel(out, "--steps 200").exit_code, 0);
+  EXPECT_THAT(test::contents(out + "/run.json"), HasSubstr("\"ranks\": 1,"));
+  EXPECT_THAT(run_channel(out, "--steps 300 --resume").output, Not(HasSubstr("resumed with")));
+  std::string record = test::contents(out + "/run.json");
+  const std::string commit = "\"commit\": \"";
+  ASSERT_NE(record.find(commit), std::string::npos);
+  test::write_text(out + "/run.json", record.replace(record.find(commit) + commit.size(), 0, "old-"));
+  for (const char* steps : {"--steps 400 --resume", "--steps 500 --resume"}) {
+    const Outcome outcome = run_channel(out, steps);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.find("warning: step 300, resumed with vug ") != std::string::npos,
+              std::string(steps).starts_with("--steps 400"))
+        << outcome.output;
+    EXPECT_THAT(line_of(out, "events"),
+                testing::ContainsRegex("\"step 300, resumed with vug [^\"]*, before by vug [^ ]* "
+                                       "\\(commit old-"));
+  }
+  EXPECT_EQ(rows_of(out), 6);
+}
+
 TEST(Resumed, WithFewerStepsThanThereAreAddsNothing) {
   const TemporaryFolder folder;
   const std::string out = folder / "out";
