@@ -228,9 +228,10 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     Kokkos::InitializationSettings settings;
     settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
-    const vug::ThreadChoice threads = vug::choose_threads(line.threads, looks_around, mpi ? mpi->beside() : 1);
+    const vug::ThreadChoice threads =
+        vug::choose_threads(line.threads, looks_around, vug::ranks_on_these_processors(ranks));
     line.remark = threads.remark;
-    if (*line.info && !line.remark.empty()) vug::complain("vug: " + line.remark);
+    if (*line.info && ranks.first() && !line.remark.empty()) vug::complain("vug: " + line.remark);
     if (threads.count > 0) settings.set_num_threads(threads.count);
     vug::watch_allocations();
     const Kokkos::ScopeGuard kokkos(settings);

@@ -85,6 +85,20 @@ int threads_of_a_region(int count) {
   return found;
 }
 
+/// That there are more threads than the processors that they may use, where a launcher, a batch system or `taskset` has
+/// seen to that, or several processes share them; who starts too many alone on a whole machine knows what he does.
+std::string remark_on_processors(int count, int sharing) {
+  const int processors = omp_get_num_procs();
+  const bool bound = processors < sysconf(_SC_NPROCESSORS_ONLN);
+  if (count * sharing <= processors || (!bound && sharing == 1)) return "";
+  const std::string threads = (sharing > 1 ? std::to_string(sharing) + " processes of " : "") + std::to_string(count);
+  return "threads: " + threads + " on " + std::to_string(processors) +
+         (processors == 1 ? " processor" : " processors") +
+         " that they may use, and they wait for each other: fewer by --threads, or more processors by the launcher "
+         "(mpirun --map-by slot:PE=" +
+         std::to_string(count) + " or --bind-to none, srun --cpus-per-task=" + std::to_string(count) + ")";
+}
+
 #endif
 
 }  // namespace
@@ -96,8 +110,7 @@ ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
   omp_set_dynamic(0);  // or OpenMP may give fewer from one parallel region to the next
   if (omp_get_max_active_levels() < 1) omp_set_max_active_levels(1);
   int usual = omp_get_max_threads();
-  if (!std::getenv("OMP_NUM_THREADS") && omp_get_num_procs() == sysconf(_SC_NPROCESSORS_ONLN))
-    usual = std::max(1, usual / sharing);
+  if (!std::getenv("OMP_NUM_THREADS")) usual = std::max(1, usual / sharing);
   const int asked = wanted > 0 ? wanted : whole_number("KOKKOS_NUM_THREADS", 1, usual);
   const auto fewer = [&](int count, const std::string& why) {
     choice.count = count;
@@ -119,6 +132,7 @@ ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
   omp_set_num_threads(choice.count);
   if (const int given = threads_of_a_region(choice.count); given < choice.count) fewer(given, "OpenMP gives no more");
   omp_set_num_threads(choice.count);
+  if (choice.remark.empty()) choice.remark = remark_on_processors(choice.count, sharing);
 #else
   (void)wanted;
   (void)looks_around;

@@ -10,13 +10,13 @@ inline constexpr int most_threads = 512;
 
 struct ThreadChoice {
   int count = 0;       ///< 0: the back end has no threads on the host
-  std::string remark;  ///< why there are fewer than asked for; empty where there are not
+  std::string remark;  ///< why there are fewer than asked for, or that they have too few processors; else empty
 };
 
 /// `wanted` threads, or for 0 what KOKKOS_NUM_THREADS, OMP_NUM_THREADS or the processors say, as far as OpenMP grants
 /// them, and tells OpenMP so. Where nobody says and `looks_around` is set, processors that other programs keep busy are
-/// left to them (idle_processors.hpp); where `sharing` processes were started together on this machine and may run on
-/// any processor, each takes its part. Throws InputError when a variable of Kokkos's environment is not what Kokkos can
+/// left to them (idle_processors.hpp); where `sharing` processes were started together and may use the same processors,
+/// each takes its part of them. Throws InputError when a variable of Kokkos's environment is not what Kokkos can
 /// read, or when the system refuses the threads. Called once, before Kokkos starts.
 ThreadChoice choose_threads(int wanted, bool looks_around = false, int sharing = 1);
 

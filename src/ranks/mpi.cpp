@@ -6,9 +6,11 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
+#include <sched.h>
 #include <string_view>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 #ifdef VUG_MPI
 #include <mpi.h>
@@ -51,14 +53,26 @@ Mpi::Mpi() {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
   world_ = Ranks(rank, size);
-  MPI_Comm machine;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  MPI_Comm_size(machine, &beside_);
-  MPI_Comm_free(&machine);
 }
 
 Mpi::~Mpi() {
   MPI_Finalize();
+}
+
+int ranks_on_these_processors(const Ranks& ranks) {
+  if (ranks.alone()) return 1;
+  cpu_set_t own;
+  CPU_ZERO(&own);
+  sched_getaffinity(0, sizeof own, &own);  // where that fails, all are alike
+  MPI_Comm machine;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  int beside = 1;
+  MPI_Comm_size(machine, &beside);
+  std::vector<cpu_set_t> all(static_cast<std::size_t>(beside));
+  MPI_Allgather(&own, sizeof own, MPI_BYTE, all.data(), sizeof own, MPI_BYTE, machine);
+  MPI_Comm_free(&machine);
+  return static_cast<int>(
+      std::count_if(all.begin(), all.end(), [&](const cpu_set_t& other) { return CPU_EQUAL(&own, &other); }));
 }
 
 namespace {
@@ -128,6 +142,9 @@ std::string mpi_library() {
 
 Mpi::Mpi() = default;
 Mpi::~Mpi() = default;
+int ranks_on_these_processors(const Ranks&) {
+  return 1;
+}
 bool takes_device_memory() {
   return true;
 }

@@ -14,13 +14,14 @@ class Mpi {
 
   /// All processes that were started together.
   Ranks world() const { return world_; }
-  /// How many of them run on this machine.
-  int beside() const { return beside_; }
 
  private:
   Ranks world_;
-  int beside_ = 1;
 };
+
+/// How many ranks of this machine, this one among them, have the processors that this one may use: all of them, or
+/// those of a core, a socket or whatever the launcher has bound it to. Called by all ranks.
+int ranks_on_these_processors(const Ranks& ranks);
 
 /// What is wrong with a case is wrong on every rank: waits for the first one to say so and to end all, if it does.
 void let_first_end(const Ranks& ranks);

@@ -2,6 +2,7 @@
 
     ends.py VUG MPIRUN...
 """
+import json
 import os
 import pathlib
 import signal
@@ -58,6 +59,16 @@ def main(root):
     process = start(3, "info")
     places = [line for line in process.communicate(timeout=60)[0].splitlines() if line.startswith("rank ")]
     expect("where ranks compute", [place.split()[:2] for place in places], [["rank", str(r)] for r in range(3)])
+    environment = {name: value for name, value in ENVIRONMENT.items() if name not in ("OMP_NUM_THREADS", "KOKKOS_NUM_THREADS")}
+    two = set(sorted(os.sched_getaffinity(0))[:2])  # of three or more they are not all that the machine has
+    shared = subprocess.run([*MPIRUN, "-n", "2", VUG, "info", "--json"], env=environment, text=True, capture_output=True,
+                            preexec_fn=lambda: os.sched_setaffinity(0, two))
+    expect("threads of two ranks on two processors", json.loads(shared.stdout)["threads"], 1)
+    crowded = subprocess.run([*MPIRUN, "-n", "2", VUG, "run", "cases/tutorial/channel.toml", "-o", root / "crowded", "--quiet",
+                              "--steps", "2", "--threads", "2"], env=environment, text=True, capture_output=True,
+                             preexec_fn=lambda: os.sched_setaffinity(0, two))
+    expect("more threads than processors", crowded.stderr.count(
+        f"warning: threads: 2 processes of 2 on {len(two)} processor"), 1)
     code, lines = end(start(3, "run", ROCK, "-o", root / "no", "--set", "lattice.spacing=-1"))
     expect("an invalid case", (code, len(lines), (root / "no").exists()), (2, 1, False))
 

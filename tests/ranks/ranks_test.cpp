@@ -17,6 +17,7 @@
 #include <chrono>
 #include <mpi.h>
 #include <numeric>
+#include <sched.h>
 #include <set>
 #include <string>
 #include <thread>
@@ -48,6 +49,23 @@ struct NumberSlots {
   double first;
   KOKKOS_FUNCTION void operator()(int i) const { values(i) = first + i; }
 };
+
+/// Ranks that a launcher has bound to different processors need not divide them.
+TEST(Mpi, CountsTheRanksThatShareTheirProcessors) {
+  cpu_set_t all, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  std::vector<int> processors;
+  for (int i = 0; i < CPU_SETSIZE; ++i)
+    if (CPU_ISSET(i, &all)) processors.push_back(i);
+  EXPECT_EQ(ranks_on_these_processors(world), world.size());
+  if (world.least(static_cast<int>(processors.size())) < 2) GTEST_SKIP() << "there is one processor";
+  const int group = world.rank() % 2;
+  CPU_ZERO(&one);
+  CPU_SET(processors[static_cast<std::size_t>(group)], &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(ranks_on_these_processors(world), (world.size() + 1 - group) / 2);
+  ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
+}
 
 /// Slots 0 ... count - 1, dealt out to the ranks in turn, three at a time.
 int owner_of(int slot) {
