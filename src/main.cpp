@@ -30,6 +30,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -142,6 +143,7 @@ int sweep(const CommandLine& line) {
   options.resume = line.resume;
   options.progress = line.quiet ? nullptr : &std::cerr;
   options.warnings = &std::cerr;
+  unsetenv("SLURM_STEP_NUM_TASKS");  // its runs are each alone, whatever srun has started
   if (!line.batch.empty()) {
     vug::print(vug::slurm_script(line.study, options));
     return done;
@@ -211,6 +213,12 @@ void require_run(const CommandLine& line, const vug::Ranks& ranks) {
   if (ranks.alone() && vug::processes_started() > 1)
     throw vug::InputError(fmt::format("{} processes were started together, but this vug has no MPI (-DVUG_MPI=ON)",
                                       vug::processes_started()));
+  if (const int strangers = vug::processes_that_mpi_does_not_know(); *line.run && strangers > 1)
+    throw vug::InputError(
+        fmt::format("srun started {} processes that MPI does not know: srun --mpi=pmix (srun --mpi=list "
+                    "says what there is), or mpirun; runs that have nothing to do with each other: "
+                    "unset SLURM_STEP_NUM_TASKS",
+                    strangers));
   if (ranks.alone() || (*line.run && !line.error_bars)) return;
   throw vug::InputError(
       fmt::format("{} ranks were started; this command needs one: call it without mpirun", ranks.size()));

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <sched.h>
 #include <string_view>
 #include <thread>
@@ -32,16 +33,33 @@ std::string machine_name() {
   return name;
 }
 
+namespace {
+
+/// What a variable of the environment says, 1 where that is no number; nothing where there is none.
+std::optional<int> number_of(const char* variable) {
+  const char* const text = std::getenv(variable);
+  if (!text) return std::nullopt;
+  const std::string_view value(text);
+  int count = 1;
+  std::from_chars(value.data(), value.data() + value.size(), count);
+  return count;
+}
+
+}  // namespace
+
 int processes_started() {
   const char* const by_slurm = std::getenv("PMIX_RANK") ? "SLURM_STEP_NUM_TASKS" : "PMIX_SIZE";
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", by_slurm})
-    if (const char* text = std::getenv(variable)) {
-      const std::string_view value(text);
-      int count = 1;
-      std::from_chars(value.data(), value.data() + value.size(), count);
-      return count;
-    }
+    if (const std::optional<int> count = number_of(variable)) return *count;
   return 1;
+}
+
+int processes_that_mpi_does_not_know() {
+  if (processes_started() > 1) return 1;
+  for (char** variable = environ; *variable; ++variable)
+    for (const std::string_view of_launcher : {"PMI", "OMPI_COMM_WORLD_", "MV2_COMM_WORLD_"})  // also of PMI2, PMIx
+      if (std::string_view(*variable).starts_with(of_launcher)) return 1;
+  return number_of("SLURM_STEP_NUM_TASKS").value_or(1);
 }
 
 #ifdef VUG_MPI

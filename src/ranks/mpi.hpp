@@ -42,4 +42,8 @@ std::string machine_name();
 /// What the environment says of how many processes were started together; 1 where nobody did.
 int processes_started();
 
+/// How many processes Slurm's srun has started together without anything by which MPI could find the others; 1 where it
+/// has not.
+int processes_that_mpi_does_not_know();
+
 }  // namespace vug

@@ -72,6 +72,32 @@ TEST(ExitCodes, WrongArgumentsGiveTwo) {
 }
 
 // One rule: a name that leads to no file and a file of the wrong content are mistakes of the input.
+/// As where Slurm's srun is not told which MPI there is: each of them would be a run of its own, in the same folder.
+TEST(ExitCodes, ProcessesThatMpiDoesNotKnowGiveTwo) {
+  const TemporaryFolder folder;
+  const auto with = [](const std::string& environment, const std::string& arguments) {
+    return run_command(environment + " OMP_PROC_BIND=false " VUG_EXECUTABLE " " + arguments);
+  };
+  const std::string channel = VUG_SOURCE_DIR "/cases/tutorial/channel.toml",
+                    run = "run " + channel + " --quiet --threads 1 --steps 2 -o " + (folder / "out");
+  const Outcome refused = with("SLURM_STEP_NUM_TASKS=2", run);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("vug: srun started 2 processes that MPI does not know: srun --mpi=pmix"));
+  EXPECT_EQ(lines_in(refused.output), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  for (const char* environment : {"SLURM_STEP_NUM_TASKS=2 PMI_RANK=0", "SLURM_STEP_NUM_TASKS=1"})
+    EXPECT_EQ(with(environment, run + " --overwrite").exit_code, 0) << environment;
+  test::write_text(folder / "study.toml",
+                   "[study]\ncase = \"" + std::filesystem::absolute(VUG_SOURCE_DIR "/cases/poiseuille.toml").string() +
+                       "\"\nset = [\"time.steps=20\", \"output.interval_steps=10\"]\n[[study.keys]]\nkey = "
+                       "\"flow.viscosity\"\nvalues = [1e-6]\n");
+  for (const char* more : {" --member 0", " --resume --quiet"})
+    EXPECT_EQ(with("SLURM_STEP_NUM_TASKS=2", "sweep " + (folder / "study.toml") + " -o " + (folder / "study") + more)
+                  .exit_code,
+              0)
+        << test::contents(folder / "study/runs/0001.log");
+}
+
 TEST(ExitCodes, InputFilesThatAreNoneOrDamagedGiveTwoAtOnce) {
   const TemporaryFolder folder;
   test::write_text(folder / "damaged.png", "\x89PNG\r\n\x1a\n and no more");
