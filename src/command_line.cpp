@@ -71,12 +71,18 @@ void describe(CLI::App& app, CommandLine& line) {
   line.sweep = app.add_subcommand("sweep", "Run a study: many runs of a case that differ in some keys");
   line.sweep->add_option("study", line.study, "Study (TOML)")->required();
   line.sweep->add_option("-o,--output", line.directory, "Directory (default: runs/<name of the study>)");
-  line.sweep->add_option("-j,--jobs", line.jobs, "Runs at once, each with one thread (default: one per processor)")
-      ->check(CLI::Range(1, 4096));
-  line.sweep->add_flag("--resume", line.resume, "Continue what the directory holds");
-  line.sweep->add_option("--batch", line.batch, "Run nothing; print a script for this batch system: slurm")
-      ->check(CLI::IsMember({"slurm"}));
-  line.sweep->add_option("--member", line.member, "Run only this one, counted from 0, in this process");
+  CLI::Option* const jobs =
+      line.sweep->add_option("-j,--jobs", line.jobs, "Runs at once, each with one thread (default: one per processor)")
+          ->check(CLI::Range(1, 4096));
+  CLI::Option* const go_on = line.sweep->add_flag("--resume", line.resume, "Continue what the directory holds");
+  CLI::Option* const batch =
+      line.sweep->add_option("--batch", line.batch, "Run nothing; print a script for this batch system: slurm")
+          ->check(CLI::IsMember({"slurm"}));
+  CLI::Option* const member =
+      line.sweep->add_option("--member", line.member, "Run only this one, counted from 0, in this process");
+  CLI::Option* const table = line.sweep->add_flag(
+      "--table", line.only_table, "Run nothing; make table.csv and failures.csv of what the directory holds");
+  for (CLI::Option* const other : {jobs, go_on, batch, member}) table->excludes(other);
   line.sweep->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.start = app.add_subcommand(
       "new", "Write a case to begin with: channel, reactive_channel, heated_channel, rock, fracture");

@@ -28,6 +28,7 @@ struct CommandLine {
   std::vector<std::string> columns;  ///< of watch and tune
   double tolerance = 1e-3;           ///< of tune
   bool once = false;                 ///< of watch
+  bool only_table = false;           ///< of sweep
   bool resume = false, overwrite = false, quiet = false, json = false, error_bars = false, cite = false,
        version = false, schedule = false, explain = false;
   CLI::App* run = nullptr;

@@ -141,6 +141,7 @@ int sweep(const CommandLine& line) {
   options.directory = line.directory;
   options.at_once = line.jobs;
   options.resume = line.resume;
+  options.only_table = line.only_table;
   options.progress = line.quiet ? nullptr : &std::cerr;
   options.warnings = &std::cerr;
   unsetenv("SLURM_STEP_NUM_TASKS");  // its runs are each alone, whatever srun has started

@@ -24,8 +24,9 @@ std::string slurm_script(const std::string& path, const SweepOptions& options) {
       "#SBATCH --array=0-{}\n"
       "#SBATCH --cpus-per-task=1\n"
       "#SBATCH --time=24:00:00\n"
-      "# What a run says is in runs/NNNN.log. A job that is sent again goes on from its last checkpoint. When all have ended, this makes the table:\n"
-      "#   {} --resume\n"
+      "# What a run says is in runs/NNNN.log. A job that is sent again goes on from its last checkpoint.\n"
+      "# This makes the table of what is there, at any time, and runs nothing:\n"
+      "#   {} --table\n"
       "exec {} --member \"$SLURM_ARRAY_TASK_ID\"\n",
       shell_word(name), count - 1, call, call);
 }

@@ -48,6 +48,7 @@ class SweepLock {
                           << std::endl;
       return;
     }
+    if (options.only_table) return;  // what that writes is whole all the same
     if (options.progress) *options.progress << "waiting for another sweep of " << directory << " to end" << std::endl;
     while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
     }
@@ -112,20 +113,32 @@ std::string said_of(const Ended& ended, const Member& member, const Study& study
   return line + fmt::format(", {:.3g} s", ended.seconds);
 }
 
+/// Writes table.csv and failures.csv; returns how many members are not done.
+int write_tables(const Study& study, const std::vector<Member>& members, const std::string& directory) {
+  detail::replace_file(directory + "/" + table, table_text(study, members), false);
+  detail::replace_file(directory + "/" + failures, failures_text(study, members), false);
+  return static_cast<int>(std::count_if(members.begin(), members.end(),
+                                        [](const Member& member) { return state_of(member) != MemberState::done; }));
+}
+
 }  // namespace
 
 int sweep(const std::string& path, const SweepOptions& options) {
   const Study study = read_study(path);
   const std::string directory = directory_of(path, options);
   const std::vector<Member> members = members_of(study, directory);
-  open_members(members, directory, options.resume);  // looks before it writes
-  require_own_files(study, members, directory, options.resume);
+  const bool go_on = options.resume || options.only_table;
+  open_members(members, directory, go_on);  // looks before it writes
+  require_own_files(study, members, directory, go_on);
+  if (options.only_table && !fs::exists(directory + "/runs"))
+    throw InputError(directory + ": holds no study of which there could be a table");
   make_directory(directory + "/runs");
   const SweepLock lock(directory, options);
   const StopsInOrder in_order;  // also when the last run has ended and the table is made
-  const std::vector<const Member*> open = open_members(members, directory, options.resume);
+  const std::vector<const Member*> open = open_members(members, directory, go_on);
   for (const Member& member : members) look_at_columns(study, member);  // of what has been run before
   detail::replace_file(directory + "/" + copy_of_study, study.text, false);
+  if (options.only_table) return write_tables(study, members, directory);
   std::vector<Job> jobs;
   for (const Member* member : open) jobs.push_back({words_of(study, *member), member->log});
   std::size_t ended = members.size() - open.size();
@@ -141,12 +154,10 @@ int sweep(const std::string& path, const SweepOptions& options) {
   };
   // as soon as a run has begun, not when all have ended
   run_jobs(jobs, at_once, tell, [&](std::size_t job) { return look_at_columns(study, *open[job]); });
-  detail::replace_file(directory + "/" + table, table_text(study, members), false);
-  detail::replace_file(directory + "/" + failures, failures_text(study, members), false);
+  const int not_done = write_tables(study, members, directory);
   say_when_ended("interrupted when the study was done");
   if (stop_requested()) throw Interrupted(stop_reason() + "; --resume continues the study");
-  return static_cast<int>(std::count_if(members.begin(), members.end(),
-                                        [](const Member& member) { return state_of(member) != MemberState::done; }));
+  return not_done;
 }
 
 void become_member(const std::string& path, const SweepOptions& options, int number) {

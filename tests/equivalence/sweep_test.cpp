@@ -114,9 +114,20 @@ TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
   ASSERT_EQ(script.exit_code, 0) << script.output;
   EXPECT_NE(script.output.find("#SBATCH --array=0-5\n"), std::string::npos) << script.output;
   test::write_text(folder / "array.sh", script.output);
-  for (int member = 0; member < 6; ++member)
+  EXPECT_NE(script.output.find("/array' --table\n"), std::string::npos) << script.output;
+  const std::string make_table = "sweep " + study + " -o " + (folder / "array") + " --table --quiet";
+  EXPECT_EQ(test::run_vug(make_table).exit_code, 2) << "there is nothing yet";
+  EXPECT_FALSE(std::filesystem::exists(folder / "array"));
+  for (int member = 0; member < 6; ++member) {
     test::run_command("SLURM_ARRAY_TASK_ID=" + std::to_string(member) + " bash " + (folder / "array.sh"));
-  EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "array") + " --resume --quiet").exit_code, 3);
+    if (member != 1) continue;
+    EXPECT_EQ(test::run_vug(make_table).exit_code, 3);
+    EXPECT_EQ(rows_of(test::contents(folder / "array/table.csv")), 2);
+    EXPECT_EQ(rows_of(test::contents(folder / "array/failures.csv")), 4);
+    EXPECT_FALSE(std::filesystem::exists(folder / "array/runs/0003")) << "it runs nothing";
+  }
+  EXPECT_EQ(test::run_vug(make_table).exit_code, 3);
+  EXPECT_EQ(test::run_vug(make_table + " --resume").exit_code, 2);
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "local") + " --quiet").exit_code, 3);
   EXPECT_EQ(test::contents(folder / "array/table.csv"), test::contents(folder / "local/table.csv"));
   const std::string failures = test::contents(folder / "array/failures.csv");
