@@ -288,6 +288,7 @@ int main(int argc, char** argv) {
   vug::wait_briefly(argv);
   vug::occupy_standard_streams();
   vug::listen_to_signals();
+  vug::end_with_parent();
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
   CommandLine line;
   vug::describe(app, line);

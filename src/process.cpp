@@ -5,9 +5,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <string_view>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 namespace vug {
@@ -59,6 +61,12 @@ void listen_to_signals() {
   }
   action.sa_handler = SIG_IGN;
   for (const int signal : {SIGPIPE, SIGXFSZ}) ::sigaction(signal, &action, nullptr);
+}
+
+void end_with_parent() {
+  if (!std::getenv("VUG_ENDS_WITH_PARENT")) return;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  ::unsetenv("VUG_ENDS_WITH_PARENT");
 }
 
 void print(const std::string& text) {

@@ -13,6 +13,10 @@ void occupy_standard_streams();
 /// as under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
 void listen_to_signals();
 
+/// Where the environment has VUG_ENDS_WITH_PARENT, this process is asked to stop when the thread that has started it
+/// ends, however that ends. What this process starts is not.
+void end_with_parent();
+
 /// Another process says why this one ends, which a launcher stops with all others.
 void leave_words_to_others();
 

@@ -28,7 +28,7 @@ def _stopped(child):
     child.send_signal(signal.SIGINT)
     try:
         return child.communicate()
-    except KeyboardInterrupt:
+    except BaseException:
         child.kill()
         child.communicate()
         raise
@@ -38,22 +38,25 @@ def _call(words):
     """Runs vug; returns what it has printed, passes its warnings on, raises what it ended with."""
     program = executable()
     try:
-        child = subprocess.Popen([program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        child = subprocess.Popen([program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                 env=os.environ | {"VUG_ENDS_WITH_PARENT": "1"})
     except OSError as error:
         raise VugError(f"{program}: cannot be run as vug: {error.strerror}") from None
-    interrupt = None
+    stop = None
     try:
         out, err = child.communicate()
-    except KeyboardInterrupt as caught:
-        interrupt = caught
+    except BaseException as caught:  # Ctrl-C, or what the handler of another signal has raised
+        stop = caught
         out, err = _stopped(child)
     for line in err.splitlines():
         if "warning: " in line and not line.startswith("vug: "):
             warnings.warn(line.replace("warning: ", "", 1), VugWarning, stacklevel=3)
     if child.returncode == 0:
-        if interrupt:  # vug was done already; whoever called is to stop all the same
-            raise interrupt
+        if stop:  # vug was done already; whoever called is to stop all the same
+            raise stop
         return out
+    if stop and not isinstance(stop, KeyboardInterrupt):
+        raise stop
     lines = [line for line in err.splitlines() if line.strip()]
     code = Interrupted.exit_code if child.returncode == -signal.SIGINT else child.returncode  # it had not begun to listen
     error = BY_CODE.get(code, VugError)(lines[-1] if lines else f"vug ended with code {code}")

@@ -2,6 +2,7 @@
 import os
 import pathlib
 import signal
+import subprocess
 import sys
 import tempfile
 import threading
@@ -69,14 +70,42 @@ class Launch(unittest.TestCase):
                     self.assertRaisesRegex(vug.VugError, f"^{place}: cannot be run as vug: "):
                 vug.check("cases/poiseuille.toml")
 
-    def interrupt_under_way(self):
-        """Ctrl-C for this process alone, as a kernel of Jupyter gets it, when the run has taken steps."""
+    def wait_for_steps(self):
         history = self.folder / "history.csv"
         for _ in range(600):
             if history.exists() and history.read_text().count("\n") > 2:
                 break
             time.sleep(0.1)
-        os.kill(os.getpid(), signal.SIGINT)
+
+    def interrupt_under_way(self, number=signal.SIGINT):
+        """A signal for this process alone, as a kernel of Jupyter gets its Ctrl-C, when the run has taken steps."""
+        self.wait_for_steps()
+        os.kill(os.getpid(), number)
+
+    def test_an_exception_of_another_signal_stops_the_run_in_order(self):
+        before = signal.signal(signal.SIGTERM, lambda *_: sys.exit(7))
+        self.addCleanup(signal.signal, signal.SIGTERM, before)
+        threading.Thread(target=self.interrupt_under_way, args=[signal.SIGTERM]).start()
+        with self.assertRaises(SystemExit) as caught:
+            vug.run("cases/poiseuille.toml", self.folder, ENDLESS)
+        self.assertEqual(caught.exception.code, 7)
+        with vug.open(self.folder) as run:
+            self.assertEqual(run.status, "interrupted")
+
+    def test_a_run_stops_in_order_when_python_is_killed(self):
+        call = f"import vug; vug.run('cases/poiseuille.toml', {str(self.folder)!r}, {ENDLESS})"
+        python = subprocess.Popen([sys.executable, "-c", call], env=os.environ | {"PYTHONPATH": str(root / "python")})
+        self.wait_for_steps()
+        python.kill()
+        python.wait()
+        for _ in range(300):
+            with vug.open(self.folder) as run:
+                status, reason = run.status, run.record["exit_reason"]
+            if status != "running":
+                break
+            time.sleep(0.1)
+        self.assertEqual(status, "interrupted")
+        self.assertIn("interrupted by SIGTERM", reason)
 
     def test_an_interrupt_stops_the_run_in_order(self):
         before = signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored where a shell has put us aside
