@@ -100,5 +100,13 @@ class History:
         """Names without units, in the order of the file."""
         return self.units.keys()
 
+    def items(self):
+        """Names without units, and their columns."""
+        return {name: self[name] for name in self}.items()
+
+    def values(self):
+        """The columns in the order of the file."""
+        return dict(self.items()).values()
+
     def __repr__(self):
         return f"<vug.History: {len(self.units)} columns, {self._length} rows>"

@@ -54,6 +54,13 @@ class Fields:
     def keys(self):
         return list(self._group)
 
+    def items(self):
+        """Names and fields; nothing is read."""
+        return {name: self[name] for name in self}.items()
+
+    def values(self):
+        return dict(self.items()).values()
+
 
 class Rock:
     """Triangles and bonds of one snapshot, each a mapping of names to Field; bond_triangles (bonds, 2) are the triangles

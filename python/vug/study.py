@@ -9,18 +9,19 @@ from .errors import FileTrouble, text_of
 from .run_folder import Run
 
 
-def _column(cells):
-    """Numbers where all of them are, else text."""
+def _column(cells, empty=""):
+    """Numbers where all of them are, else text; of an empty cell what `empty` says."""
     try:
-        return np.array([float(cell) for cell in cells])
+        return np.array([float(cell or empty) for cell in cells])
     except ValueError:
         return np.array(cells)
 
 
 class Study:
-    """The table of a study: a mapping of names to arrays, one value per run that is done, in the order of the study.
+    """The table of a study: arrays by name, one value per run that is done, in the order of the study.
 
-    `keys` are the keys that differ, `results` the columns of the histories; `run(i)` opens the i-th of the table;
+    `keys` is the list of the keys that differ, `results` that of the columns of the histories, NaN where a run has none;
+    `dict(study.items())` has them all; `run(i)` opens the i-th of the table;
     `failures` has a dict for every run that is not done.
     """
 
@@ -36,7 +37,8 @@ class Study:
         header, *rows = lines
         if any(len(row) != len(header) for row in rows):
             raise FileTrouble(f"{path}: has a row that is not as long as its header")
-        self._column = {name: _column([row[k] for row in rows]) for k, name in enumerate(header) if name != "run"}
+        self._column = {name: _column([row[k] for row in rows], "" if "." in name else "nan")
+                        for k, name in enumerate(header) if name != "run"}
         self.runs = [row[0] for row in rows]
         self.keys = [name for name in self._column if "." in name]
         self.results = [name for name in self._column if "." not in name]
@@ -51,6 +53,10 @@ class Study:
 
     def __getitem__(self, name):
         return self._column[name]
+
+    def items(self):
+        """Names and columns, in the order of the table."""
+        return self._column.items()
 
     def __iter__(self):
         return iter(self._column)

@@ -92,9 +92,10 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
       continue;
     }
     for (auto& [child, one] : running) look_at(one);
-    if (ending() && !stopped)
+    const bool end = ending();  // asked once: a signal may come at any time
+    if (end && !stopped)
       for (const auto& [child, one] : running) ::kill(child, SIGTERM);
-    stopped = ending();
+    stopped = end;
     int status = 0;
     const pid_t child = ::waitpid(-1, &status, WNOHANG);
     const auto found = running.find(child);

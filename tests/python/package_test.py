@@ -80,6 +80,9 @@ class OpenRuns(unittest.TestCase):
                 history.units[unknown]
         with self.assertRaisesRegex(KeyError, "'a' may be a_m or a_N_per_m"):
             history["a"]
+        self.assertEqual([(name, column[0]) for name, column in history.items()], list(zip(history.units, range(7))))
+        self.assertEqual({name: column[0] for name, column in dict(history).items()}, dict(zip(history.units, range(7))))
+        self.assertEqual(([column[0] for column in history.values()], len(history.values())), (list(range(7)), 7))
         path.write_text("time_s,a_m,a_m\n")
         with self.assertRaisesRegex(vug.FileTrouble, "history.csv: has two columns a_m"):
             vug.History(path)
@@ -140,6 +143,8 @@ class OpenRuns(unittest.TestCase):
                             {"output.fields": ["pressure"], "accuracy.precision": "single"}, steps=2)
         self.assertEqual(run.record["precision"], "single")
         self.assertEqual(run[-1].keys(), ["pressure"])
+        self.assertEqual([(name, field.name) for name, field in run[-1].items()], [("pressure", "pressure")])
+        self.assertEqual([field.units for field in run[-1].values()], [run[-1]["pressure"].units])
 
     def test_warnings_are_passed_on(self):
         with self.assertWarnsRegex(vug.VugWarning, "^flow: relaxation time tau_f = 3.5 is outside") as caught:
@@ -249,6 +254,13 @@ class OpenRuns(unittest.TestCase):
         np.testing.assert_allclose(axes.get_xlim(), [0.5e-6, 2.5e-6])
         plt.close(figure)
         self.assertEqual(study.run(1).record["status"], "done")
+
+    def test_a_study_knows_no_number_where_a_cell_is_empty(self):
+        (self.folder / "table.csv").write_text("run,reaction.rate,image.file,volume_m3\n0001,1,a.png,2.5\n0002,2,,\n")
+        study = vug.Study(self.folder)
+        np.testing.assert_array_equal(study["volume_m3"], [2.5, np.nan])
+        np.testing.assert_array_equal(study["image.file"], ["a.png", ""])
+        self.assertEqual(list(dict(study.items())), ["reaction.rate", "image.file", "volume_m3"])
 
     def test_a_map_over_quantities_with_units_in_which_a_run_failed(self):
         (self.folder / "table.csv").write_text("run,reaction.rate,flow.pressure,volume_m3\n"
