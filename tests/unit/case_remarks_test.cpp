@@ -20,6 +20,20 @@ TEST(CaseRemarks, LowReferenceTemperatureIsRemarkedNotRefused) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("reaction.reference_temperature = 237.15 K is below 250 K")));
 }
 
+/// exp(E_a/R (1/T_0 - 1/273.15 K)) of the case's own activation energy and temperature.
+TEST(CaseRemarks, LowReferenceTemperatureHasTheFactorOfItsOwnRate) {
+  const auto told = [](std::vector<std::string> set) {
+    set.emplace_back("reaction.activation_energy=10000");
+    return shipped("quickstart.toml", set).warnings;
+  };
+  EXPECT_THAT(shipped("quickstart.toml", {"reaction.reference_temperature=237.15"}).warnings,
+              ElementsAre(HasSubstr("which makes the rate 66.5 times as high")));
+  EXPECT_THAT(told({"reaction.reference_temperature=237.15"}),
+              ElementsAre(HasSubstr("makes the rate 1.95 times as high")));
+  EXPECT_THAT(told({"reaction.reference_temperature=249"}),
+              ElementsAre(HasSubstr("makes the rate 1.53 times as high")));
+}
+
 TEST(CaseRemarks, NotchesThatDamageWidensAreRemarked) {
   const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
   const auto widened = HasSubstr("until the first update only");

@@ -3,6 +3,7 @@
 #include "io/form.hpp"
 #include "io/narrow_cracks.hpp"
 #include "io/periodic.hpp"
+#include "kernels/base/gas_constant.hpp"
 
 #include <fmt/format.h>
 
@@ -18,12 +19,14 @@ namespace {
 
 void warn_about_reaction(Scene& scene) {
   const ReactionSection& reaction = *scene.reaction;
+  constexpr double likely = 273.15;  // K: the published 237.15 K with two digits exchanged
   if (reaction.activation_energy > 0 && reaction.reference_temperature < 250) {
+    const double factor =
+        std::exp(reaction.activation_energy / gas_constant * (1 / reaction.reference_temperature - 1 / likely));
     scene.warnings.push_back(
         fmt::format("reaction.reference_temperature = {:g} K is below 250 K; the published table prints 237.15 K where "
-                    "273.15 K is likely "
-                    "meant, which changes the rate 66 times",
-                    reaction.reference_temperature));
+                    "{:g} K is likely meant, which makes the rate {:.3g} times as high",
+                    reaction.reference_temperature, likely, factor));
   }
   const auto still = [](const RateLaw& rate) { return rate.rate_constant == 0; };
   bool nothing_reacts = still(reaction) && std::all_of(reaction.further.begin(), reaction.further.end(), still);
