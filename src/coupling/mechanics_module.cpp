@@ -169,7 +169,7 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
                    "lower lattice.time_step or raise rock.element_size"});
   table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
                    "raise mechanics.substeps or leave it out"});
-  table.push_back(limit_of_edges(mechanics_, true));
+  table.push_back(limit_of_edges(mechanics_, units_.spacing));
 }
 
 template <class T>

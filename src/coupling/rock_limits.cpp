@@ -19,6 +19,16 @@ constexpr double largest_edge = 0.6;
 
 constexpr double cells_of_an_edge = 4;  // at least
 
+/// The edge of a triangle as large as the smallest of generated rock over the mean edge: 0.69 to 0.8 were found.
+constexpr double smallest_over_mean = 0.65;
+
+/// Two digits that are no more than the number, as what is advised must be enough.
+double rounded_down(double number) {
+  if (number == 0 || std::isinf(number)) return number;  // of bonds without energy, or without strength
+  const double last = std::pow(10, std::floor(std::log10(number)) - 1);
+  return std::floor(number / last * (1 + 1e-9)) * last;
+}
+
 double mean_edge(const Bonds& bonds) {
   double sum = 0;
   const auto length = on_host(bonds.length);
@@ -28,13 +38,12 @@ double mean_edge(const Bonds& bonds) {
 
 }  // namespace
 
-Limit limit_of_edges(const Mechanics& rock, bool on_lattice) {
+Limit limit_of_edges(const Mechanics& rock, double spacing) {
   double softening = softening_length(rock.parameters().bond);
   for (const RockMaterial& material : rock.parameters().materials)
     softening = std::min(softening, softening_length(material.bond));
   const double longest = largest_edge * softening;
-  const std::string cells =
-      on_lattice ? fmt::format(", and lattice.spacing to {:.2g} m", longest / cells_of_an_edge) : "";
+  const double finest = longest * smallest_over_mean / cells_of_an_edge;
   return {
       "mechanics",
       "mean edge of the bonds",
@@ -43,7 +52,8 @@ Limit limit_of_edges(const Mechanics& rock, bool on_lattice) {
       0,
       longest,
       fmt::format("cracks take more than their fracture energy; for it to hold lower rock.element_size to {:.2g} m{}",
-                  longest, cells)};
+                  rounded_down(longest),
+                  spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "")};
 }
 
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {

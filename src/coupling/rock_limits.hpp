@@ -8,9 +8,9 @@
 
 namespace vug {
 
-/// Mean edge of the bonds against the length over which cracks soften, of the material where it is shortest.
-/// The advice speaks of cells where there are any.
-Limit limit_of_edges(const Mechanics& rock, bool on_lattice);
+/// Mean edge of the bonds against the length over which cracks soften, of the material where it is shortest. `spacing`:
+/// of the lattice, m, which finer triangles may ask to be finer; 0 where there is none.
+Limit limit_of_edges(const Mechanics& rock, double spacing);
 
 /// A remark where the smallest triangle is smaller than an equilateral one with edges of four cells, generated or read.
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing);

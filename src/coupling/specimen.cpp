@@ -108,7 +108,7 @@ LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, cons
       {"mechanics", "sub-step over its critical step", fraction, "1", 0, 0.5, "lower mechanics.critical_fraction"},
       {"laboratory", "steps of the test", longest_test(scene, specimen) / (fraction * rock.critical_step()), "1",
        fewest_steps, unbounded, warmed ? "raise laboratory.duration" : "lower laboratory.platen_speed"},
-      limit_of_edges(rock, false)};
+      limit_of_edges(rock, 0)};
   if (warmed) table.push_back(limit_of_heat(scene, specimen));
   if (test == LaboratoryTest::brazilian)
     table.push_back({"laboratory", "width of the flats over the diameter", flat_width(specimen, rock.boundary()), "1",

@@ -167,6 +167,28 @@ TEST(Check, RemarksOnTrianglesTooSmallForTheLattice) {
   EXPECT_THAT(remarks("rock.element_size=10"), testing::Not(remark));
 }
 
+/// What is advised of coarse triangles can be done, and is enough for triangles and lattice.
+TEST(Check, AdvisesWhatCanBeDoneAboutCoarseTriangles) {
+  const std::string rock = VUG_SOURCE_DIR "/cases/tutorial/rock.toml";
+  const auto advice = [](const CheckReport& report) {
+    for (const Limit& limit : report.limits)
+      if (limit.name == "mean edge of the bonds" && !limit.inside()) return limit.advice;
+    return std::string();
+  };
+  const std::string told = advice(check_case(read_scene(rock)));
+  ASSERT_THAT(told, testing::MatchesRegex(".* lower rock.element_size to [^ ]* m, and lattice.spacing to [^ ]* m"));
+  const auto number = [&](const std::string& key) {
+    const std::string before = key + " to ";
+    return key + "=" + std::to_string(std::stod(told.substr(told.find(before) + before.size())));
+  };
+  const CheckReport followed = check_case(read_scene(rock, {number("rock.element_size"), number("lattice.spacing")}));
+  EXPECT_EQ(advice(followed), "");
+  EXPECT_THAT(followed.warnings, testing::Not(testing::Contains(HasSubstr("below four cells"))));
+  const std::string without = told.substr(0, told.find(", and lattice.spacing"));
+  EXPECT_EQ(advice(check_case(read_scene(rock, {"lattice.spacing=2e-4"}))), without);
+  EXPECT_EQ(advice(check_case(read_scene(VUG_SOURCE_DIR "/cases/laboratory/compression.toml"))), without);
+}
+
 /// As of a grey_range that is not that of the picture.
 TEST(Check, WarnsOfAPictureWithoutRock) {
   const test::TemporaryFolder folder;
