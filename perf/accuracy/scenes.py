@@ -21,6 +21,8 @@ STEPS = 2000
 
 def without(text, tables, conditions):
     """A case without some of its tables, and without those conditions of its sides."""
+    if "reaction" in tables:
+        conditions = (*conditions, "fragments")  # of the mechanics: what the fluid carries off where rock dissolves
     kept, drop = [], False
     for line in text.splitlines():
         header = re.match(r"\[+([\w.]+)\]+", line)
@@ -31,13 +33,21 @@ def without(text, tables, conditions):
     return "\n".join(kept) + "\n"
 
 
-def measure(vug, root, folder, processor_time):
-    """One row per scene: bytes per node of the lattice, and processor time of a step."""
-    rows = []
+def write_cases(root, folder):
+    """The name of every scene and its case file in the folder."""
     text = (root / CASE).read_text()
+    cases = []
     for name, tables, conditions in SCENES:
         case = folder / f"{name.replace(' ', '_')}.toml"
         case.write_text(without(text, tables, conditions))
+        cases.append((name, case))
+    return cases
+
+
+def measure(vug, root, folder, processor_time):
+    """One row per scene: bytes per node of the lattice, and processor time of a step."""
+    rows = []
+    for name, case in write_cases(root, folder):
         report = json.loads(subprocess.run([vug, "check", "--json", case], capture_output=True, text=True, check=True).stdout)
         command = [vug, "run", case, "--quiet", "--threads", "1", "--set=output.interval=0.16"]
         start_up = processor_time(command + ["--steps", "1", "-o", folder / f"{case.stem}_start"])
