@@ -68,7 +68,7 @@ double read_bond(const TomlCursor& table, BondParameters& bond) {
   read_moduli(bond, read);
   table.read("length_factor", bond.length_factor, unit::none, range::positive_to(10));
   read_strengths(bond, read);
-  double path_ratio = 1.2;  // of the generator's triangles (docs/validation.md, toughness)
+  double path_ratio = generated_path_ratio;
   table.read("path_ratio", path_ratio, unit::none, range::between(1, 10));
   table.read("damping", bond.damping, unit::second_per_metre, range::not_negative);
   read_weibull_shape(table, bond);

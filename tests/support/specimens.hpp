@@ -1,6 +1,7 @@
 #pragma once
 // Specimens and records of the laboratory's tests.
 #include "dem/laboratory.hpp"
+#include "dem/toughness.hpp"
 #include "dem_support.hpp"
 #include "io/rock_generator.hpp"
 #include "support/record.hpp"
@@ -26,8 +27,15 @@ inline Assembly specimen(double size, std::uint64_t seed = 1) {
   return generate_rock(0.05, 0.1, elements(size, seed));
 }
 
-inline MechanicsParameters rock_of(double cohesion, std::uint64_t seed = 1) {
+/// Table 1 with the fracture energies as those of the rock, as a case has them that does not say otherwise.
+inline MechanicsParameters table_one(double path_ratio = generated_path_ratio) {
   MechanicsParameters p;
+  p.bond = bonds_of_rock(p.bond, path_ratio);
+  return p;
+}
+
+inline MechanicsParameters rock_of(double cohesion, std::uint64_t seed = 1, double path_ratio = generated_path_ratio) {
+  MechanicsParameters p = table_one(path_ratio);
   p.bond.cohesion = cohesion;
   p.bond.seed = seed;
   return p;

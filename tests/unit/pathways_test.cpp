@@ -49,6 +49,7 @@ struct OneBond {
              .closed = ScalarField<double>("closed", 1),
              .open = ScalarField<double>("open", 1),
              .slope = ScalarField<double>("slope", 1),
+             .filled = ScalarField<double>("filled", n),
              .in_order = IndexList("in_order", n),
              .first = IndexList("first", 2)};
     const auto node = Kokkos::create_mirror_view(nodes.node), offset = Kokkos::create_mirror_view(nodes.offset);

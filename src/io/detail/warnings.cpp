@@ -217,7 +217,7 @@ void warn_about_held_slits(Scene& scene) {
         "enters too slowly for anybody to see when it is done");
 }
 
-/// Inertia strengthens rock as it breaks (docs/validation.md): in compression at 0.5 m/s by 3 % with four times the
+/// Inertia strengthens rock as it breaks (docs/validation.md): in compression at 0.5 m/s by 2 % with four times the
 /// mass.
 void warn_about_mass_scaling(Scene& scene) {
   constexpr double notable = 4;
@@ -225,7 +225,7 @@ void warn_about_mass_scaling(Scene& scene) {
   if (scaling <= notable || scene.mechanics->scaling_chosen) return;
   scene.warnings.push_back(
       fmt::format("mechanics.mass_scaling = {:g} makes waves {:.3g} times slower: what breaks is stronger, in a "
-                  "compression test by 7 % at 16 and by 17 % at 100",
+                  "compression test by 6 % at 16 and by 17 % at 100",
                   scaling, std::sqrt(scaling)));
 }
 
