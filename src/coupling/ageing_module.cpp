@@ -114,16 +114,10 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 }
 
 template <class T, class Set>
-template <class Visit>
-void AgeingModule<T, Set>::visit_shares(const Visit& visit) const {
+void AgeingModule<T, Set>::visit_shares(const SharedFields& visit) const {
   const Shares shares(geometry_.split.of_fluid(geometry_.fluid), 1, {});
   for (std::size_t w = 0; w < watched_.size(); ++w)
     visit("ageing/before" + std::to_string(w), watched_[w].before, shares);
-}
-
-template <class T, class Set>
-void AgeingModule<T, Set>::let_go() {
-  visit_shares(LetGo{geometry_.split.ranks()});
 }
 
 template <class T, class Set>
@@ -137,7 +131,7 @@ void AgeingModule<T, Set>::state(StateList& list) {
   add_state(list);
   list.add_value("ageing/compared", compared_, {0, static_cast<double>(geometry_.fluid.count)});
   list.add_value("ageing/paid_before", paid_before_);
-  visit_shares(AddShared{list, geometry_.split.ranks()});
+  visit_shares(SharedFields(geometry_.split.ranks(), &list));
 }
 
 template class AgeingModule<float, D2Q5>;

@@ -14,7 +14,7 @@ class AgeingModule final : public Ageing {
 
   void step(const Exec& exec, const Clock& clock) override;
   void tasks(std::vector<Task>& schedule) const override;
-  void let_go() override;
+  void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void state(StateList& list) override;
 
@@ -24,9 +24,6 @@ class AgeingModule final : public Ageing {
     Sway sway;
     ScalarField<T> before;  ///< (fluid) concentration at the last look
   };
-  /// As FlowModule's.
-  template <class Visit>
-  void visit_shares(const Visit& visit) const;
   /// Volume, at the factor 1, that what has come and gone in the nodes since the last look could have dissolved, m3/m.
   double unsteady(const Exec& exec);
 

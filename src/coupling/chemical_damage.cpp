@@ -101,8 +101,8 @@ struct StoreMoved {
   }
 };
 
-/// Marks a triangle that has left its place, and takes the share that it had left.
-struct LetGo {
+/// Marks a triangle that has left its place and sets the share of it that is left to 0.
+struct LetFragmentGo {
   VectorField<double> u, u_reference;
   Kokkos::View<double* [3][2], Kokkos::LayoutLeft> corner;
   ScalarField<double> left, gone;
@@ -171,7 +171,7 @@ void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const Scalar
 
 void DissolvedShares::let_go(const Exec& exec, const Particles& particles) const {
   for_each_node(exec, "vug::chemical_damage::let_go", static_cast<int>(let_go_.extent(0)),
-                LetGo{particles.u, particles.u_reference, particles.corner, triangles_.left, let_go_});
+                LetFragmentGo{particles.u, particles.u_reference, particles.corner, triangles_.left, let_go_});
 }
 
 int DissolvedShares::let_go_count() const {

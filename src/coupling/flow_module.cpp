@@ -2,6 +2,7 @@
 
 #include "coupling/flow_paths.hpp"
 #include "coupling/read_fields.hpp"
+#include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "io/narrow_cracks.hpp"
 #include "kernels/base/gas_constant.hpp"
@@ -243,7 +244,7 @@ void FlowModule<T>::fields(FieldList& list) const {
 
 template <class T>
 void FlowModule<T>::state(StateList& list) {
-  shared_state(list);
+  visit_shares(SharedFields(geometry_.split.ranks(), &list));
   list.add_value("flow/turned", fields_.turned, {0, 1});
   list.add("flow/limited", step_.limited);
   for (StretchLinks& boundary : boundaries_) {

@@ -24,7 +24,7 @@ class FlowModule final : public Module {
   void step(const Exec& exec, const Clock& clock) override;
   void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec& exec) override;
-  void let_go() override;
+  void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -66,11 +66,6 @@ class FlowModule final : public Module {
   void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);
   void find_halos();
-  /// visit(name in checkpoints, field, Shares) of all that the ranks share out by nodes.
-  template <class Visit>
-  void visit_shares(const Visit& visit) const;
-  /// What a checkpoint must hold of these.
-  void shared_state(StateList& list) const;
   /// What only its rank has booked at sides and openings, and the levels of outflows, on all of them.
   void gather_sums() const;
   /// Has every rank know what leaves through all sides and openings, the velocities that these ask for, and the levels.

@@ -73,8 +73,7 @@ void FlowModule<T>::bring_to_all_links(const Exec& exec) const {
 }
 
 template <class T>
-template <class Visit>
-void FlowModule<T>::visit_shares(const Visit& visit) const {
+void FlowModule<T>::visit_shares(const SharedFields& visit) const {
   const Owners nodes = geometry_.split.of_fluid(geometry_.fluid);
   visit("flow/f", fields_.f, Shares(nodes, D2Q9::Q, {populations_, dressed_, around_}));
   visit("flow/u", fields_.u, Shares::of_vector(nodes, {velocities_}));
@@ -103,16 +102,6 @@ void FlowModule<T>::gather_sums() const {
     owners[split.owner_of(first)] = {{0, static_cast<int>(level.extent(0))}};
     split.make_whole(owners, level);
   }
-}
-
-template <class T>
-void FlowModule<T>::let_go() {
-  visit_shares(LetGo{geometry_.split.ranks()});
-}
-
-template <class T>
-void FlowModule<T>::shared_state(StateList& list) const {
-  visit_shares(AddShared{list, geometry_.split.ranks()});
 }
 
 template <class T>
@@ -145,16 +134,15 @@ FlowExtremes FlowModule<T>::extremes(const Exec& exec) const {
   return found;
 }
 
-#define VUG_INSTANTIATE(T)                                            \
-  template void FlowModule<T>::find_halos();                          \
-  template void FlowModule<T>::gather(const Exec&);                   \
-  template void FlowModule<T>::let_go();                              \
-  template void FlowModule<T>::gather_sums() const;                   \
-  template void FlowModule<T>::bring_to_all_links(const Exec&) const; \
-  template void FlowModule<T>::shared_state(StateList&) const;        \
-  template void FlowModule<T>::return_populations(const Exec&) const; \
-  template double FlowModule<T>::sum_mass() const;                    \
-  template double FlowModule<T>::mass() const;                        \
+#define VUG_INSTANTIATE(T)                                              \
+  template void FlowModule<T>::find_halos();                            \
+  template void FlowModule<T>::gather(const Exec&);                     \
+  template void FlowModule<T>::visit_shares(const SharedFields&) const; \
+  template void FlowModule<T>::gather_sums() const;                     \
+  template void FlowModule<T>::bring_to_all_links(const Exec&) const;   \
+  template void FlowModule<T>::return_populations(const Exec&) const;   \
+  template double FlowModule<T>::sum_mass() const;                      \
+  template double FlowModule<T>::mass() const;                          \
   template FlowExtremes FlowModule<T>::extremes(const Exec&) const
 VUG_INSTANTIATE(float);
 VUG_INSTANTIATE(double);

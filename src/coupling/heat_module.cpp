@@ -1,6 +1,7 @@
 #include "coupling/heat_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/pages.hpp"
@@ -234,7 +235,7 @@ void HeatModule<T>::fields(FieldList& list) const {
 template <class T>
 void HeatModule<T>::state(StateList& list) {
   fresh_ = false;  // other populations may come
-  shared_state(list);
+  visit_shares(SharedFields(geometry_.split.ranks(), &list));
   add_state(list, "heat/created", created_);
   list.add("heat/born", born_);
   for (std::size_t s = 0; s < sides_.size(); ++s)

@@ -27,7 +27,7 @@ class HeatModule final : public Module {
   void step(const Exec& exec, const Clock& clock) override;
   void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec& exec) override;
-  void let_go() override;
+  void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -65,10 +65,6 @@ class HeatModule final : public Module {
   void gather_sums() const;
   /// Of the entries of entered_[boundary].
   Owners owners_of_entries(std::size_t boundary) const;
-  /// As FlowModule's.
-  template <class Visit>
-  void visit_shares(const Visit& visit) const;
-  void shared_state(StateList& list) const;
   /// fluid_theta_ after a step, of the nodes that this rank sweeps.
   void take_temperatures_of_fluid(const Exec& exec) const;
   /// The same where there was no step before, from fluid node `first` on.

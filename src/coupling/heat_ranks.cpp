@@ -63,8 +63,7 @@ void HeatModule<T>::find_halos() {
 }
 
 template <class T>
-template <class Visit>
-void HeatModule<T>::visit_shares(const Visit& visit) const {
+void HeatModule<T>::visit_shares(const SharedFields& visit) const {
   const Split& split = geometry_.split;
   const Owners rows = split.of_dense(geometry_.lattice);
   visit("heat/g", fields_.g, Shares(rows, directions(), {populations_, filled_}));
@@ -100,16 +99,6 @@ void HeatModule<T>::gather(const Exec& exec) {
 }
 
 template <class T>
-void HeatModule<T>::let_go() {
-  visit_shares(LetGo{geometry_.split.ranks()});
-}
-
-template <class T>
-void HeatModule<T>::shared_state(StateList& list) const {
-  visit_shares(AddShared{list, geometry_.split.ranks()});
-}
-
-template <class T>
 void HeatModule<T>::take_temperatures_of_fluid(const Exec& exec) const {
   if (fluid_theta_.extent(0) == 0) return;
   gather_temperatures(exec, geometry_.fluid, fields_, 0, fluid_theta_);
@@ -131,8 +120,7 @@ void HeatModule<T>::begin_temperatures_of_fluid(const Exec& exec, int first) con
   template void HeatModule<T>::find_halos();                                  \
   template void HeatModule<T>::gather(const Exec&);                           \
   template void HeatModule<T>::gather_sums() const;                           \
-  template void HeatModule<T>::let_go();                                      \
-  template void HeatModule<T>::shared_state(StateList&) const;                \
+  template void HeatModule<T>::visit_shares(const SharedFields&) const;       \
   template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const; \
   template void HeatModule<T>::begin_temperatures_of_fluid(const Exec&, int) const
 VUG_INSTANTIATE(float);

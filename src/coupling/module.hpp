@@ -17,6 +17,8 @@
 
 namespace vug {
 
+class SharedFields;
+
 /// Nodes that have just turned from solid to fluid: fluid indices [first, last) of the list.
 struct Births {
   int first = 0;
@@ -46,9 +48,8 @@ class Module {
   /// Brings to each rank what others hold of its part, and to the first one sums and short lists, before fields and
   /// state are looked at. Called by all ranks, as every other function, and only where there are several.
   virtual void gather(const Exec&) {}
-  /// Where there are several: gives back the memory of what others compute, which a checkpoint or the growth of the
-  /// list of fluid nodes has filled.
-  virtual void let_go() {}
+  /// visit(name in checkpoints, field, Shares) of all that the ranks share out by nodes.
+  virtual void visit_shares(const SharedFields&) const {}
   /// Takes up newborn fluid nodes; called between steps, when the list of fluid nodes has grown.
   virtual void births(const Exec&, const Births&) {}
   /// Throws StabilityError when the state has left its bounds; called every guard interval, may wait for the device.

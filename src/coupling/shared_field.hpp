@@ -88,23 +88,22 @@ void add_shared(StateList& list, const Ranks& ranks, const std::string& name, co
                       [=](const GiveBytes& give) { detail::load_shared(ranks, shares, slots, give); }});
 }
 
-/// What modules do with the fields that they share out, each with its name in checkpoints: put them into one.
-struct AddShared {
-  StateList& list;
-  const Ranks& ranks;
+/// What is done with the fields that modules share out, each with its name in checkpoints: they are put into one
+/// (`list`), or else, on a host, the memory of what neither is ours nor comes to us is given back.
+class SharedFields {
+ public:
+  explicit SharedFields(const Ranks& ranks, StateList* list = nullptr) : ranks_(ranks), list_(list) {}
   template <class ViewType>
   void operator()(const std::string& name, const ViewType& view, const Shares& shares) const {
-    add_shared(list, ranks, name, view, shares);
+    if (list_)
+      add_shared(*list_, ranks_, name, view, shares);
+    else if (!ranks_.alone() && runs_on_host)
+      detail::let_go(ranks_, shares, view.data(), sizeof(typename ViewType::value_type), view.span());
   }
-};
-/// On a host, give back the memory of what neither is ours nor comes to us.
-struct LetGo {
-  const Ranks& ranks;
-  template <class ViewType>
-  void operator()(const std::string&, const ViewType& view, const Shares& shares) const {
-    if (!ranks.alone() && runs_on_host)
-      detail::let_go(ranks, shares, view.data(), sizeof(typename ViewType::value_type), view.span());
-  }
+
+ private:
+  const Ranks& ranks_;
+  StateList* list_;
 };
 
 }  // namespace vug

@@ -1,6 +1,7 @@
 #include "coupling/simulation.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/shared_field.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/reaction/solid_share.hpp"
@@ -104,7 +105,8 @@ void Simulation::gather() const {
 
 void Simulation::give_back() {
   if (parts_->geometry.split.alone()) return;
-  for (const auto& module : parts_->modules) module->let_go();
+  const SharedFields shared(parts_->geometry.split.ranks());
+  for (const auto& module : parts_->modules) module->visit_shares(shared);
 }
 
 void Simulation::guard() {

@@ -1,6 +1,7 @@
 #include "coupling/solute_module.hpp"
 
 #include "coupling/read_fields.hpp"
+#include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/dissolution.hpp"
@@ -224,7 +225,7 @@ template <class T, class Set>
 void SoluteModule<T, Set>::state(StateList& list) {
   if (species_[0].watched.extent(0) > 0)
     list.add_value("solute/compared", compared_, {0, static_cast<double>(geometry_.fluid.count)});
-  shared_state(list);
+  visit_shares(SharedFields(geometry_.split.ranks(), &list));
   for (SpeciesState<T>& s : species_) {
     const std::string key = "solute/" + s.section.name;
     list.add_value(key + "/turned", s.fields.turned, {0, 1});

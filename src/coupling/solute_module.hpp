@@ -56,7 +56,7 @@ class SoluteModule final : public Module {
   void step(const Exec& exec, const Clock& clock) override;
   void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec& exec) override;
-  void let_go() override;
+  void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
@@ -80,10 +80,6 @@ class SoluteModule final : public Module {
  private:
   void find_boundaries(const Exec& exec);
   void find_halos();
-  /// As FlowModule's.
-  template <class Visit>
-  void visit_shares(const Visit& visit) const;
-  void shared_state(StateList& list) const;
   /// Fluid nodes whose concentrations an outflow looks at.
   std::vector<int> nodes_before_outflow() const;
   SoluteParameters parameters_of(const Species& species) const;

@@ -44,8 +44,7 @@ void SoluteModule<T, Set>::exchange(const Exec& exec, const SoluteFields<T>& fie
 }
 
 template <class T, class Set>
-template <class Visit>
-void SoluteModule<T, Set>::visit_shares(const Visit& visit) const {
+void SoluteModule<T, Set>::visit_shares(const SharedFields& visit) const {
   const Owners nodes = geometry_.split.of_fluid(geometry_.fluid);
   for (const SpeciesState<T>& s : species_) {
     const std::string key = "solute/" + s.section.name;
@@ -61,16 +60,6 @@ void SoluteModule<T, Set>::gather(const Exec& exec) {
     if (s.fields.turned) exchange(exec, s.fields);
     gather_sums(s);
   }
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::let_go() {
-  visit_shares(LetGo{geometry_.split.ranks()});
-}
-
-template <class T, class Set>
-void SoluteModule<T, Set>::shared_state(StateList& list) const {
-  visit_shares(AddShared{list, geometry_.split.ranks()});
 }
 
 template <class T, class Set>
@@ -95,8 +84,7 @@ double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
   template void SoluteModule<T, Set>::exchange(const Exec&, const SoluteFields<T>&) const; \
   template std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const;            \
   template void SoluteModule<T, Set>::gather(const Exec&);                                 \
-  template void SoluteModule<T, Set>::let_go();                                            \
-  template void SoluteModule<T, Set>::shared_state(StateList&) const;                      \
+  template void SoluteModule<T, Set>::visit_shares(const SharedFields&) const;             \
   template void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>&) const;           \
   template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const
 VUG_INSTANTIATE(float, D2Q5);
