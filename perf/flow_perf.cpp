@@ -3,6 +3,7 @@
 #include "kernels/flow/flow.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
+#include "support/set_equilibrium.hpp"
 
 namespace vug::perf {
 namespace {
@@ -29,7 +30,7 @@ struct Setting {
     const ScalarField<T> density("density", nodes.capacity);
     Kokkos::deep_copy(exec, density, T(1e-3));
     Kokkos::deep_copy(exec, fields.u, T(1e-4));
-    set_equilibrium(exec, nodes, density, fields);
+    test::set_equilibrium(exec, nodes, density, fields);
     step.rates = relaxation_rates(Collision::trt, 0.764);
   }
 };

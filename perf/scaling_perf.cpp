@@ -5,6 +5,7 @@
 #include "kernels/solute/solute.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
+#include "support/set_equilibrium.hpp"
 
 #include <functional>
 #include <memory>
@@ -34,7 +35,7 @@ Step flow_step(const FluidNodes& nodes) {
   const ScalarField<T> density("density", nodes.capacity);
   Kokkos::deep_copy(density, T(1e-3));
   Kokkos::deep_copy(fields->u, T(1e-4));
-  set_equilibrium(Exec{}, nodes, density, *fields);
+  test::set_equilibrium(Exec{}, nodes, density, *fields);
   FlowStep<T> step;
   step.rates = relaxation_rates(Collision::trt, 0.764);
   return [=](const Exec& exec) { collide_and_stream(exec, nodes, *fields, step); };

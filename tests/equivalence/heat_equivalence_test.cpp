@@ -86,7 +86,7 @@ void expect_plain_steps(int nx, int ny, int bands) {
   HeatFields<T> fields = make_heat_fields<T>(exec, lattice, parameters, type, {true, false}, 0, Openings,
                                              random_minerals(lattice, random));
   if (runs_on_host && bands > 0) set_heat_bands(exec, bands, fields);
-  const HeatSide lower = make_heat_side(lattice, Side::bottom, HeatCondition::temperature, 0.3);
+  const HeatSide lower = make_heat_side(Side::bottom, 0, lattice.nx - 1, HeatCondition::temperature, 0.3);
   fill_at_random(fields.g, random);
   for (int step = 0; step < 3; ++step) {
     join_heat_sides(exec, fields, 0);

@@ -21,7 +21,8 @@ template <class Set, class T>
 struct ReactiveBox {
   struct GivenSide {
     BoundaryLinks links;
-    ScalarField<double> C_b, gain, product_gain;
+    std::vector<double> C_b;  ///< (link)
+    ScalarField<double> gain, product_gain;
   };
 
   Exec exec;
@@ -76,14 +77,12 @@ struct ReactiveBox {
   void give_concentration(Side side, const std::function<double(int)>& C) {
     const bool upright = side == Side::left || side == Side::right;
     GivenSide g{find_boundary_links(exec, nodes, side, 0, (upright ? lattice.ny : lattice.nx) - 1, Set::Q), {}, {}, {}};
-    g.C_b = ScalarField<double>("C_b", g.links.count);
     g.gain = ScalarField<double>("gain", g.links.count);
     g.product_gain = ScalarField<double>("product_gain", g.links.count);
     const auto fluid = test::host_copy(g.links.fluid);
     const auto node = test::host_copy(nodes.node);
-    const auto C_b = Kokkos::create_mirror_view(g.C_b);
-    for (int l = 0; l < g.links.count; ++l) C_b(l) = C(upright ? lattice.y(node(fluid(l))) : lattice.x(node(fluid(l))));
-    Kokkos::deep_copy(g.C_b, C_b);
+    for (int l = 0; l < g.links.count; ++l)
+      g.C_b.push_back(C(upright ? lattice.y(node(fluid(l))) : lattice.x(node(fluid(l)))));
     given.push_back(g);
   }
 

@@ -3,6 +3,9 @@
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/solute/solute_boundary.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace vug {
 
 template <class T>
@@ -29,12 +32,24 @@ void dress_outflow(const Exec& exec, const FluidNodes& nodes, const BoundaryLink
   dress_one(exec, nodes, outflow_condition(links, mirror, state, gain), fields);
 }
 
-/// `C_b` is a number or one for every link.
-template <class Set, class T, class Concentration>
-void dress_concentration(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
-                         const Concentration& C_b, const SoluteFields<T>& s, const ScalarField<double>& gain) {
+template <class Set, class T>
+void dress_concentration(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, double C_b,
+                         const SoluteFields<T>& s, const ScalarField<double>& gain) {
   const SoluteCondition<T> condition = concentration_condition(links, C_b, s, gain);
   dress<Set, T>(exec, nodes, {&condition, 1});
+}
+
+/// As above with a concentration of its own on every link.
+template <class Set, class T>
+void dress_concentration(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
+                         const std::vector<double>& C_b, const SoluteFields<T>& s, const ScalarField<double>& gain) {
+  std::vector<SoluteCondition<T>> conditions;
+  for (int l = 0; l < links.count; ++l) {
+    const std::pair one(l, l + 1);
+    const BoundaryLinks link{1, Kokkos::subview(links.fluid, one), Kokkos::subview(links.direction, one), -1, {}};
+    conditions.push_back(concentration_condition<T>(link, C_b[l], s, Kokkos::subview(gain, one)));
+  }
+  dress<Set, T>(exec, nodes, conditions);
 }
 
 template <class Set, class T>

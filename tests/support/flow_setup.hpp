@@ -5,6 +5,7 @@
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/mirror_links.hpp"
 #include "support/host_copy.hpp"
+#include "support/set_equilibrium.hpp"
 
 #include <stdexcept>
 #include <string>

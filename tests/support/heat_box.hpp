@@ -19,6 +19,10 @@ inline const char* name_of(ScalarVelocitySet set) {
   return set == ScalarVelocitySet::d2q5 ? "D2Q5" : "D2Q9";
 }
 
+inline HeatSide whole_side(const Lattice& lattice, Side side, HeatCondition condition, double value) {
+  return make_heat_side(side, 0, side_length(lattice, side) - 1, condition, value);
+}
+
 /// Temperature along a whole side: in = -A + 2 w theta_wall, as HeatCondition::temperature has it for one value.
 /// profile(k): theta_wall at k/2 nodes from the beginning of the side. Corners are left to the side filled last.
 template <class T>
@@ -65,9 +69,7 @@ class HeatBox {
   }
 
   /// Adds a whole side or a stretch; sides of which nothing is added and that are not periodic are adiabatic.
-  void side(Side which, HeatCondition condition, double value) {
-    side(make_heat_side(lattice, which, condition, value));
-  }
+  void side(Side which, HeatCondition condition, double value) { side(whole_side(lattice, which, condition, value)); }
   void side(const HeatSide& stretch) {
     sides.push_back(stretch);
     given_.push_back(stretch.side);
@@ -188,7 +190,7 @@ class HeatBox {
     for (const Side which : all_sides) {
       const bool joined = periodic_[which == Side::left || which == Side::right ? 0 : 1];
       if (!joined && std::find(given_.begin(), given_.end(), which) == given_.end())
-        sides.push_back(make_heat_side(lattice, which, HeatCondition::adiabatic));
+        sides.push_back(whole_side(lattice, which, HeatCondition::adiabatic, 0));
     }
     assign_corners(lattice, sides);
   }

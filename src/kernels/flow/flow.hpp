@@ -66,10 +66,6 @@ void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>&
 template <class T>
 void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
 
-/// f = feq(density, u) on every node, from a density (fluid) and the velocity that the fields hold.
-template <class T>
-void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const ScalarField<T>& density, FlowFields<T>& fields);
-
 /// (fluid) the density of every node that this process computes; allocated, for output.
 template <class T>
 ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);

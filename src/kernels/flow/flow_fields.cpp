@@ -38,25 +38,6 @@ void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowF
   Kokkos::resize(exec, fields.u, nodes.capacity);
 }
 
-/// f_q = feq_q(rho', u).
-template <class T>
-struct SetEquilibrium {
-  ScalarField<T> f;
-  Kokkos::View<const T*> density;
-  Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;
-  int capacity;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    for (int q = 0; q < D2Q9::Q; ++q) f(q * capacity + i) = equilibrium(q, density(i), u(i, 0), u(i, 1));
-  }
-};
-
-template <class T>
-void set_equilibrium(const Exec& exec, const FluidNodes& nodes, const ScalarField<T>& density, FlowFields<T>& fields) {
-  fields.turned = 0;
-  for_each_node(exec, "vug::flow::set_equilibrium", nodes.count,
-                SetEquilibrium<T>{fields.f, density, fields.u, nodes.capacity});
-}
-
 template <class T>
 struct StoreDensity {
   Density<T> value;
@@ -116,13 +97,12 @@ void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fi
   add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T, D2Q9>{fields.f, nodes.capacity}, total);
 }
 
-#define VUG_INSTANTIATE(T)                                                                              \
-  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&);                              \
-  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                            \
-  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);                   \
-  template void set_equilibrium(const Exec&, const FluidNodes&, const ScalarField<T>&, FlowFields<T>&); \
-  template ScalarField<T> densities(const Exec&, const FluidNodes&, const FlowFields<T>&);              \
-  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&);            \
+#define VUG_INSTANTIATE(T)                                                                   \
+  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&);                   \
+  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                 \
+  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);        \
+  template ScalarField<T> densities(const Exec&, const FluidNodes&, const FlowFields<T>&);   \
+  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&); \
   template void add_mass(const Exec&, const FluidNodes&, const FlowFields<T>&, const ScalarField<double>&);
 VUG_INSTANTIATE(float)
 VUG_INSTANTIATE(double)

@@ -62,8 +62,7 @@ int side_length(const Lattice& lattice, Side side);
 /// Its nodes, in their order along the side.
 std::vector<int> nodes_of(const Lattice& lattice, const HeatSide& side);
 
-/// A whole side, or a stretch of it. Stretches of one side must not overlap.
-HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value = 0);
+/// A stretch of a side. Stretches of one side must not overlap.
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value = 0);
 
 /// Gives each corner where two of the sides meet to the one that says more there: a temperature or outflow before a

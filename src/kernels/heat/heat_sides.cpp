@@ -45,8 +45,4 @@ void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides) {
     }
 }
 
-HeatSide make_heat_side(const Lattice& lattice, Side side, HeatCondition condition, double value) {
-  return make_heat_side(side, 0, side_length(lattice, side) - 1, condition, value);
-}
-
 }  // namespace vug

@@ -20,7 +20,6 @@ struct SoluteParameters {
   double tau_h = 1;    ///< of all other moments
   double carried = 1;  ///< what the collision counts of the displacement (turning.hpp)
   double diffusivity() const { return (tau_1 - 0.5) / 3; }
-  double tau_B() const { return tau_h - tau_1; }
 };
 
 /// Relaxation times for a diffusivity in lattice units with (tau_1 - 1/2)(tau_h - 1/2) = 1/4, at which halfway walls

@@ -6,23 +6,13 @@
 
 namespace vug {
 
-struct UniformSideConcentration {
-  double value;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int) const { return value; }
-};
-
-struct SideConcentrationProfile {
-  const double* value;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int link) const { return value[link]; }
-};
-
 /// h_in = -A + 2 w C_b, on D2Q9 with the even part of the equilibrium where fluid crosses.
-template <class T, class Set, class Concentration>
+template <class T, class Set>
 struct ConcentrationRule {
-  Concentration C_b;
+  double C_b;
   Crossing<T> crossing;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T out) const {
-    return T(2 * Set::w(q) * C_b(link)) * crossing.template pair<Set>(i, q) - out;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T out) const {
+    return T(2 * Set::w(q) * C_b) * crossing.template pair<Set>(i, q) - out;
   }
 };
 
@@ -77,14 +67,10 @@ struct DressSolutes {
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
     using Kind = typename Entry::Kind;
-    using Uniform = ConcentrationRule<T, Set, UniformSideConcentration>;
-    using Profile = ConcentrationRule<T, Set, SideConcentrationProfile>;
     if (c.kind == Kind::outflow)
       run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
     else if (c.kind == Kind::concentration)
-      run(DressSolute<T, Uniform>{c, capacity, {{c.value}, crossing}});
-    else if (c.kind == Kind::concentration_profile)
-      run(DressSolute<T, Profile>{c, capacity, {{c.part}, crossing}});
+      run(DressSolute<T, ConcentrationRule<T, Set>>{c, capacity, {c.value, crossing}});
     else
       run(DressSolute<T, FluxRule<T>>{c, capacity, {c.part, c.value}});
   }
@@ -116,12 +102,6 @@ template <class T>
 SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
                                            const ScalarField<double>& gain) {
   return condition(SoluteCondition<T>::Kind::concentration, links, s, gain, nullptr, C_b);
-}
-
-template <class T>
-SoluteCondition<T> concentration_condition(const BoundaryLinks& links, const ScalarField<double>& C_b,
-                                           const SoluteFields<T>& s, const ScalarField<double>& gain) {
-  return condition(SoluteCondition<T>::Kind::concentration_profile, links, s, gain, C_b.data(), 0);
 }
 
 template <class T>
@@ -166,8 +146,6 @@ bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& l
 #define VUG_INSTANTIATE(T)                                                                                             \
   template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&,            \
                                                       const ScalarField<double>&);                                     \
-  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, const ScalarField<double>&,                \
-                                                      const SoluteFields<T>&, const ScalarField<double>&);             \
   template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,                 \
                                              const SoluteFields<T>&, const ScalarField<double>&);                      \
   template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteParameters&, const SoluteFields<T>&, \

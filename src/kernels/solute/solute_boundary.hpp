@@ -13,7 +13,7 @@ namespace vug {
 /// from must outlive its use. gain(link) += what the fluid gains.
 template <class T>
 struct SoluteCondition {
-  enum class Kind { outflow, concentration, concentration_profile, flux };
+  enum class Kind { outflow, concentration, flux };
   Kind kind = Kind::outflow;
   int count = 0;                            ///< links that this process dresses
   const int* own = nullptr;                 ///< (own) their numbers; null: all
@@ -22,7 +22,7 @@ struct SoluteCondition {
   double* gain = nullptr;                   ///< (link)
   T* h = nullptr;                           ///< populations of the species
   int turned = 0;                           ///< (streaming.hpp)
-  const double* part = nullptr;             ///< (link) concentration of a profile, area of a flux
+  const double* part = nullptr;             ///< (link) area of a flux
   double value = 0;
   const T* C = nullptr;  ///< (fluid) concentrations
   T slope = 0;           ///< outflow_slope(tau_1)
@@ -33,11 +33,6 @@ struct SoluteCondition {
 template <class T>
 SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
                                            const ScalarField<double>& gain);
-
-/// As above with a concentration of its own on every link, C_b(link).
-template <class T>
-SoluteCondition<T> concentration_condition(const BoundaryLinks& links, const ScalarField<double>& C_b,
-                                           const SoluteFields<T>& s, const ScalarField<double>& gain);
 
 /// Given flux: h_in = A + area flux, amount per step and cell of a surface of which area (link) belongs to each link.
 template <class T>
