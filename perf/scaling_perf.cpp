@@ -5,6 +5,7 @@
 #include "kernels/solute/solute.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
+#include "support/advance.hpp"
 #include "support/set_equilibrium.hpp"
 
 #include <functional>

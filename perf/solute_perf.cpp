@@ -5,6 +5,7 @@
 #include "kernels/scalar/advective_form.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
+#include "support/advance.hpp"
 
 namespace vug::perf {
 namespace {

@@ -7,6 +7,7 @@
 #include "kernels/reaction/surface_normal.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "kernels/solute/face_exchange.hpp"
+#include "support/advance.hpp"
 #include "support/flow_setup.hpp"
 #include "support/heat_box.hpp"
 

@@ -1,6 +1,7 @@
 // The sweep in place, from home and from turned, does what two lattices and the equations do node by node: through
 // walls, given concentrations, outflow and births, after even and odd numbers of steps.
 #include "../reference/reactive_box.hpp"
+#include "support/advance.hpp"
 #include "support/dress_one.hpp"
 #include "support/host_copy.hpp"
 

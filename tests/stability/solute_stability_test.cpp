@@ -1,6 +1,7 @@
 // Where the solute scheme holds, and where it breaks as docs/stability.md says.
 #include "../reference/reactive_box.hpp"
 #include "kernels/scalar/advective_form.hpp"
+#include "support/advance.hpp"
 #include "support/dress_one.hpp"
 #include "support/host_copy.hpp"
 

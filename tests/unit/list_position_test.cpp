@@ -3,6 +3,7 @@
 #include "kernels/flow/flow.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "kernels/solute/solute.hpp"
+#include "support/advance.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

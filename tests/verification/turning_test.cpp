@@ -3,6 +3,7 @@
 #include "kernels/scalar/turning.hpp"
 
 #include "../reference/reactive_box.hpp"
+#include "support/advance.hpp"
 #include "support/heat_box.hpp"
 #include "support/host_copy.hpp"
 

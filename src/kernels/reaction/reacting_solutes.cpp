@@ -39,17 +39,6 @@ struct SweepAndReact {
 template <class Reactant, class Product, class React>
 SweepAndReact(Reactant, Product, React, IndexList, int) -> SweepAndReact<Reactant, Product, React>;
 
-/// visit(flow): what a sweep reads of what carries the solutes.
-template <class T, class Visit>
-void visit_flow(const SoluteCarrier<T>& carrier, const Visit& visit) {
-  if (!carrier.displacement)
-    visit(NoAdvection{});
-  else if (carrier.defect)
-    visit(AdvectiveForm<T>{*carrier.displacement, *carrier.defect});
-  else
-    visit(Advection<T>{*carrier.displacement});
-}
-
 /// By the kinetic law.
 template <class Set, class T>
 void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
@@ -83,18 +72,6 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
 }  // namespace
 
 template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
-                    const SteppingSolute<T>& solute) {
-  if (!carrier.displacement)
-    advance_solute<Set>(exec, nodes, solute.parameters, solute.fields);
-  else if (carrier.defect)
-    advance_solute<Set>(exec, nodes, solute.parameters, *carrier.displacement, *carrier.defect, solute.fields,
-                        solute.correction);
-  else
-    advance_solute<Set>(exec, nodes, solute.parameters, *carrier.displacement, solute.fields);
-}
-
-template <class Set, class T>
 void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
                               const ReactiveWall& wall, const ReactiveLinks<T>& links,
                               const SteppingSolute<T>& reactant, const SteppingSolute<T>* product) {
@@ -109,8 +86,6 @@ void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const S
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                           \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&,           \
-                                       const SteppingSolute<T>&);                                         \
   template void advance_reacting_solutes<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&, \
                                                  const ReactiveWall&, const ReactiveLinks<T>&,            \
                                                  const SteppingSolute<T>&, const SteppingSolute<T>*);

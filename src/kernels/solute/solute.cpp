@@ -46,23 +46,6 @@ SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, do
   return s;
 }
 
-/// One sweep; with the advective form `correction` gains what it adds.
-template <class Set, class T, class Flow>
-void advance(const Exec& exec, const char* label, const FluidNodes& nodes, const SoluteParameters& p,
-             SoluteFields<T>& s, const Flow& flow, const ScalarField<double>& correction = {}) {
-  visit_slots<Set>(nodes, s, [&](const auto& slots) {
-    const auto sweep = solute_sweep<Set>(slots, p, s, flow);
-    if constexpr (runs_on_host)
-      for_each_block(exec, label, nodes.share(), sweep_of_block(nodes, sweep, correction),
-                     sweep_block_size<Flow>(nodes.count));
-    else if constexpr (Flow::advective_form)
-      add_per_block(exec, label, nodes.share(), sweep, correction);
-    else
-      for_each_node(exec, label, nodes.share(), sweep);
-  });
-  s.turned = 1 - s.turned;
-}
-
 template <class Set, class T>
 void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
   const int old = static_cast<int>(s.C.extent(0));
@@ -72,32 +55,28 @@ void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count
 }
 
 template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p, SoluteFields<T>& s) {
-  advance<Set>(exec, "vug::solute::diffuse", nodes, p, s, NoAdvection{});
-}
-
-template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p,
-                    const std::type_identity_t<Displacement<T>>& u, SoluteFields<T>& s) {
-  advance<Set>(exec, "vug::solute::advect", nodes, p, s, Advection<T>{u});
-}
-
-template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& p,
-                    const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& e, SoluteFields<T>& s,
-                    const ScalarField<double>& correction) {
-  advance<Set>(exec, "vug::solute::advect_in_advective_form", nodes, p, s, AdvectiveForm<T>{u, e}, correction);
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                    const SteppingSolute<T>& s) {
+  visit_flow(carrier, [&](const auto& flow) {
+    visit_slots<Set>(nodes, s.fields, [&](const auto& slots) {
+      using Flow = std::decay_t<decltype(flow)>;
+      const auto sweep = solute_sweep<Set>(slots, s.parameters, s.fields, flow);
+      if constexpr (runs_on_host)
+        for_each_block(exec, "vug::solute::advance", nodes.share(), sweep_of_block(nodes, sweep, s.correction),
+                       sweep_block_size<Flow>(nodes.count));
+      else if constexpr (Flow::advective_form)
+        add_per_block(exec, "vug::solute::advance", nodes.share(), sweep, s.correction);
+      else
+        for_each_node(exec, "vug::solute::advance", nodes.share(), sweep);
+    });
+  });
+  s.fields.turned = 1 - s.fields.turned;
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                                    \
   template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);                     \
   template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);             \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&, SoluteFields<T>&); \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&,                    \
-                                       const Displacement<T>&, SoluteFields<T>&);                                  \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteParameters&,                    \
-                                       const Displacement<T>&, const ScalarField<T>&, SoluteFields<T>&,            \
-                                       const ScalarField<double>&);
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&, const SteppingSolute<T>&);
 VUG_INSTANTIATE(float, D2Q5)
 VUG_INSTANTIATE(double, D2Q5)
 VUG_INSTANTIATE(float, D2Q9)

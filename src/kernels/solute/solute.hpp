@@ -9,7 +9,7 @@
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/scalar/displacement.hpp"
 
-#include <type_traits>
+#include <optional>
 
 namespace vug {
 
@@ -49,22 +49,28 @@ SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, do
 template <class Set, class T>
 void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
 
-/// One lattice step of a species in a fluid at rest.
-template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters, SoluteFields<T>& s);
+/// What carries solutes: nothing, a flow, or a flow in advective form, in which a uniform concentration stays uniform
+/// although the stair-step, pseudo-compressible velocity field has the discrete divergence e.
+template <class T>
+struct SoluteCarrier {
+  std::optional<Displacement<T>> displacement;
+  /// (fluid) e: advective_defect<Set> of advective_form.hpp, taken from the velocity of the last sweep.
+  std::optional<ScalarField<T>> defect;
+};
 
-/// One lattice step of a species carried by the flow.
-template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters,
-                    const std::type_identity_t<Displacement<T>>& u, SoluteFields<T>& s);
+/// A species that takes a step.
+template <class T>
+struct SteppingSolute {
+  const SoluteParameters& parameters;
+  SoluteFields<T>& fields;
+  /// (block) gains what the advective form adds to the total, the sum of -C e; unused without it. It has at least
+  /// block_count(nodes.count) entries.
+  ScalarField<double> correction;
+};
 
-/// As above in advective form: a uniform concentration stays uniform although the stair-step, pseudo-compressible
-/// velocity field has the discrete divergence e (fluid; advective_defect<Set> of advective_form.hpp, taken from the
-/// velocity of the last sweep). What the correction adds to the total, the sum of -C e, is added to correction(block);
-/// `correction` has at least block_count(nodes.count) entries.
+/// One lattice step of a species.
 template <class Set, class T>
-void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteParameters& parameters,
-                    const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& e, SoluteFields<T>& s,
-                    const ScalarField<double>& correction);
+void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                    const SteppingSolute<T>& solute);
 
 }  // namespace vug

@@ -31,6 +31,17 @@ struct AdvectiveForm {
   Kokkos::View<const T*> e;
 };
 
+/// visit(flow): what a sweep reads of what carries the solutes.
+template <class T, class Visit>
+void visit_flow(const SoluteCarrier<T>& carrier, const Visit& visit) {
+  if (!carrier.displacement)
+    visit(NoAdvection{});
+  else if (carrier.defect)
+    visit(AdvectiveForm<T>{*carrier.displacement, *carrier.defect});
+  else
+    visit(Advection<T>{*carrier.displacement});
+}
+
 /// The collision of one node, or of a pack: with C = sum h, J = sum c h and heq = w C (1 + 3 c.u [+ 9/2 (c.u)^2 -
 /// 3/2 u^2]):
 ///   h* = h - (h - heq)/tau_h + (1/tau_h - 1/tau_1) 3 w c.(J - C u),
