@@ -213,7 +213,7 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const HeatExtremes extremes = this->extremes(exec);
   if (extremes.not_finite == 0 && extremes.lowest > lowest && extremes.highest < highest) return;
   if (!geometry_.split.alone()) geometry_.split.make_whole(geometry_.lattice, fields_.g, directions());
-  const int node = first_outside(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest);
+  const int node = field_range(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest).first_outside;
   throw StabilityError(fmt::format(
       "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "
       "{:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise the diffusivities",

@@ -5,12 +5,12 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/base/gas_constant.hpp"
+#include "kernels/flow/guards.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/mineral_sums.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/solid_share.hpp"
 #include "kernels/reaction/surface_normal.hpp"
-#include "kernels/solute/solute_totals.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 #include "coupling/solute_module.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
-#include "kernels/solute/solute_totals.hpp"
 
 #include <fmt/format.h>
 
@@ -36,18 +35,18 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
     const double bound = runaway_factor * std::max(1.0, largest);
     const Ranks& ranks = geometry_.split.ranks();
     FieldRange range = field_range(exec, s.fields.C, geometry_.fluid.share());
-    range = {ranks.least(range.min), ranks.most(range.max), ranks.most(range.first_not_finite)};
-    if (range.first_not_finite < 0 && range.min > -bound && range.max < bound) continue;
+    range = {ranks.least(range.min), ranks.most(range.max), ranks.most(range.first_outside)};
+    if (range.first_outside < 0 && range.min > -bound && range.max < bound) continue;
     if (!ranks.alone()) geometry_.split.make_whole(geometry_.split.of_fluid(geometry_.fluid), s.fields.C);
     int node = 0;
-    const int bad = first_outside(exec, s.fields.C, geometry_.fluid.count, -bound, bound);
+    const int bad = field_range(exec, s.fields.C, geometry_.fluid.count, -bound, bound).first_outside;
     Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, bad));
     throw StabilityError(fmt::format(
         "solute {} diverged at step {}: node ({}, {}) is not finite or beyond {:g} mol/m3; concentrations from {:.3g} "
         "to {:.3g} mol/m3{}; lower the velocity{} or raise the diffusivity",
         s.section.name, clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), bound * units_.concentration,
         range.min * units_.concentration, range.max * units_.concentration,
-        range.first_not_finite < 0 ? "" : ", and some that are not finite",
+        range.first_outside < 0 ? "" : ", and some that are not finite",
         interval_ > 1 ? " or accuracy.solute_interval" : ""));
   }
 }

@@ -2,6 +2,7 @@
 #include "kernels/reaction/dissolution.hpp"
 
 #include "../reference/drawn_box.hpp"
+#include "kernels/flow/guards.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "support/dress_one.hpp"
 
@@ -278,11 +279,11 @@ TEST(FieldRange, FindsExtremesAndTheFirstEntryThatIsNotFinite) {
   FieldRange range = field_range(Exec{}, field, 2000);
   EXPECT_EQ(range.min, -3);
   EXPECT_EQ(range.max, 7);
-  EXPECT_EQ(range.first_not_finite, -1);
+  EXPECT_EQ(range.first_outside, -1);
   set_entry(field, 900, std::numeric_limits<float>::quiet_NaN());
   set_entry(field, 800, std::numeric_limits<float>::infinity());
   range = field_range(Exec{}, field, 2000);
-  EXPECT_EQ(range.first_not_finite, 800);
+  EXPECT_EQ(range.first_outside, 800);
   EXPECT_EQ(range.max, 7);
 }
 

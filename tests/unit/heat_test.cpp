@@ -217,7 +217,7 @@ TEST(FirstOutside, IsTheLowestNodeThatIsNotFiniteOrBeyondTheBounds) {
                                 : x == 1 && y == 3 ? -9.0
                                                    : 0.5 * y; });
   const auto first = [&](const HeatFields<double>& fields, double lowest, double highest) {
-    return first_outside(box.exec, temperatures(box.exec, fields), box.lattice.size(), lowest, highest);
+    return field_range(box.exec, temperatures(box.exec, fields), box.lattice.size(), lowest, highest).first_outside;
   };
   EXPECT_EQ(first(box.fields, -1, 2), box.lattice.node(3, 2));
   EXPECT_EQ(first(box.fields, -1, 0.4), box.lattice.node(0, 1));

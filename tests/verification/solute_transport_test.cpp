@@ -1,5 +1,6 @@
 // Advection and diffusion of a species away from reactive walls.
 #include "../reference/reactive_box.hpp"
+#include "kernels/flow/guards.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "support/advance.hpp"
 #include "support/host_copy.hpp"

@@ -2,8 +2,6 @@
 
 #include "kernels/launch/own_items.hpp"
 
-#include <limits>
-
 namespace vug {
 
 /// Largest speed and density and lowest bad index; max and min do not depend on the order of reduction.
@@ -42,21 +40,32 @@ FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const Flow
 }
 
 template <class T>
-struct FirstOutside {
+struct RangeOfField {
   Kokkos::View<const T*> field;
   double lowest, highest;
-  KOKKOS_FUNCTION void operator()(int i, int& first) const {
+  OwnItems own;
+  KOKKOS_FUNCTION void operator()(int place, double& least, double& most, int& first) const {
+    const int i = own(place);
+    if (i < 0) return;
     const double value = double(field(i));
     if (!(value > lowest && value < highest) && i < first) first = i;  // true for NaN
+    if (!Kokkos::isfinite(value)) return;
+    if (value < least) least = value;
+    if (value > most) most = value;
   }
 };
 
 template <class T>
-int first_outside(const Exec& exec, const ScalarField<T>& field, int count, double lowest, double highest) {
-  int first = count;
-  Kokkos::parallel_reduce("vug::guards::first_outside", Kokkos::RangePolicy<Exec>(exec, 0, count),
-                          FirstOutside<T>{field, lowest, highest}, Kokkos::Min<int>(first));
-  return first < count ? first : -1;
+FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Share& list, double lowest,
+                       double highest) {
+  FieldRange range;
+  const OwnItems own{list};
+  int first = list.n;
+  Kokkos::parallel_reduce("vug::guards::field_range", Kokkos::RangePolicy<Exec>(exec, 0, own.places()),
+                          RangeOfField<T>{field, lowest, highest, own}, Kokkos::Min<double>(range.min),
+                          Kokkos::Max<double>(range.max), Kokkos::Min<int>(first));
+  if (first < list.n) range.first_outside = first;
+  return range;
 }
 
 template <class T>
@@ -83,8 +92,8 @@ double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorFi
 
 template double velocity_change(const Exec&, const FluidNodes&, const VectorField<float>&, const VectorField<float>&);
 template double velocity_change(const Exec&, const FluidNodes&, const VectorField<double>&, const VectorField<double>&);
-template int first_outside(const Exec&, const ScalarField<float>&, int, double, double);
-template int first_outside(const Exec&, const ScalarField<double>&, int, double, double);
+template FieldRange field_range(const Exec&, const ScalarField<float>&, const Share&, double, double);
+template FieldRange field_range(const Exec&, const ScalarField<double>&, const Share&, double, double);
 template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<float>&, double, double);
 template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<double>&, double, double);
 

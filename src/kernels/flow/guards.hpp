@@ -2,6 +2,8 @@
 // Watching the fields for divergence, at monitor steps. All wait for the device.
 #include "kernels/flow/flow.hpp"
 
+#include <limits>
+
 namespace vug {
 
 struct FlowExtremes {
@@ -10,9 +12,15 @@ struct FlowExtremes {
   int bad = -1;        ///< lowest fluid index whose state is not finite or beyond a bound; -1: none
 };
 
-/// The first of the first `count` entries of a field that is not finite or not within (lowest, highest); -1: none.
+/// Of our share of the entries of a field.
+struct FieldRange {
+  double min = 0, max = 0;  ///< over the finite entries; +infinity and -infinity if there is none
+  int first_outside = -1;   ///< the first that is not finite or not within (lowest, highest); -1: none
+};
 template <class T>
-int first_outside(const Exec& exec, const ScalarField<T>& field, int count, double lowest, double highest);
+FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Share& list,
+                       double lowest = -std::numeric_limits<double>::infinity(),
+                       double highest = std::numeric_limits<double>::infinity());
 
 /// Extremes of the density and velocity of the last sweep, of our share of the nodes; a broken population shows in the
 /// density of the node where it arrives. The same for any number of threads.

@@ -73,10 +73,11 @@ void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarri
   s.fields.turned = 1 - s.fields.turned;
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                    \
-  template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);                     \
-  template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);             \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&, const SteppingSolute<T>&);
+#define VUG_INSTANTIATE(T, Set)                                                                        \
+  template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);         \
+  template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&); \
+  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&,        \
+                                       const SteppingSolute<T>&);
 VUG_INSTANTIATE(float, D2Q5)
 VUG_INSTANTIATE(double, D2Q5)
 VUG_INSTANTIATE(float, D2Q9)

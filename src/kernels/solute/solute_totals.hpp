@@ -1,5 +1,5 @@
 #pragma once
-// Sums and ranges of a species for ledgers and guards. They wait for the device: for monitor steps.
+// Sums of a species over its nodes, for ledgers.
 #include "kernels/solute/solute.hpp"
 
 namespace vug {
@@ -13,13 +13,5 @@ void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>
 template <class T>
 void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<const T*>& C, int count,
                 const ScalarField<T>& before, const ScalarField<double>& total);
-
-/// Smallest and largest value of our share of the entries of a field, and the first entry that is not finite.
-struct FieldRange {
-  double min = 0, max = 0;    ///< over the finite entries; +infinity and -infinity if there is none
-  int first_not_finite = -1;  ///< -1: all are finite
-};
-template <class T>
-FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Share& list);
 
 }  // namespace vug
