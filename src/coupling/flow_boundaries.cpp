@@ -16,15 +16,11 @@ int corner_rank(const FlowBoundary& flow) {
   return flow.kind == FlowBoundaryKind::velocity ? 0 : is_open(flow) ? 2 : 1;
 }
 
-bool is_upright(Side side) {
-  return side == Side::left || side == Side::right;
-}
-
 /// Whether a stretch reaches the corner of its side with another.
 bool reaches(const Stretch& stretch, Side other, const Lattice& lattice) {
   if (stretch.opening || is_upright(stretch.side) == is_upright(other)) return false;
   const bool lower = other == Side::left || other == Side::bottom;
-  return lower ? stretch.first == 0 : stretch.last == (is_upright(stretch.side) ? lattice.ny : lattice.nx) - 1;
+  return lower ? stretch.first == 0 : stretch.last == side_length(lattice, stretch.side) - 1;
 }
 
 /// The order in which sides have the links out of the corners of one stretch: before its own those whose stretch at the

@@ -16,7 +16,7 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
   const auto& lattice = scene.lattice;
   std::vector<Stretch> stretches;
   const auto middle = [&](Side side, double along) -> std::array<double, 2> {
-    if (side == Side::left || side == Side::right) return {side == Side::left ? 0.0 : lattice.nx, along};
+    if (is_upright(side)) return {side == Side::left ? 0.0 : lattice.nx, along};
     return {along, side == Side::bottom ? 0.0 : lattice.ny};
   };
   const auto add = [&](const std::string& name, Side side, int first, int last, const BoundarySection& conditions,

@@ -67,7 +67,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   if (flow) carrier_ = &flow->carrier(exec, interval_, directions(), even_defect_weight(fields_));
   for (const Stretch& stretch : boundary_stretches(scene)) {
     const HeatBoundary& heat = stretch.conditions.heat;
-    if (periodic_[stretch.side == Side::left || stretch.side == Side::right ? 0 : 1]) continue;
+    if (periodic_[is_upright(stretch.side) ? 0 : 1]) continue;
     stretches_.push_back(stretch);
     sides_.push_back(
         make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value_of(heat, 0)));
@@ -213,7 +213,8 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const HeatExtremes extremes = this->extremes(exec);
   if (extremes.not_finite == 0 && extremes.lowest > lowest && extremes.highest < highest) return;
   if (!geometry_.split.alone()) geometry_.split.make_whole(geometry_.lattice, fields_.g, directions());
-  const int node = field_range(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest).first_outside;
+  const int node =
+      field_range(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest).first_outside;
   throw StabilityError(fmt::format(
       "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "
       "{:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise the diffusivities",

@@ -76,7 +76,7 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
       boundary.find(exec, geometry_.fluid, Set::Q);
       if (stretch.conditions.solute.kind == SoluteBoundaryKind::flux)
         boundary.area = stretch.opening ? link_areas(exec, geometry_.fluid, *stretch.opening, Set::Q)
-                                        : side_link_areas(boundary.links, Set::Q);
+                                        : link_areas(boundary.links, Set::Q);
       if (stretch.conditions.solute.kind == SoluteBoundaryKind::outflow &&
           &s == &species_[0])  // all have the same links
         narrow_ = narrow_ || is_narrow(exec, geometry_.fluid, boundary.links);

@@ -3,7 +3,7 @@
 #include "coupling/geometry.hpp"
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/launch/long_sum.hpp"
-#include "kernels/nodes/side_links.hpp"
+#include "kernels/nodes/opening.hpp"
 
 #include <vector>
 

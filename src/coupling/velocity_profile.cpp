@@ -67,9 +67,9 @@ ScalarField<double> shares_at_links(const Exec& exec, const FluidNodes& fluid, c
   if (stretch.opening || flow.profile == VelocityShape::uniform) return {};
   const BoundaryLinks& links = boundary.links;
   const ScalarField<double> share("vug::velocity_profile::share", links.count);
-  const bool upright = stretch.side == Side::left || stretch.side == Side::right;
-  for_each_node(exec, "vug::velocity_profile::crossing", links.count,
-                CrossingOfLink{fluid.lattice, upright, fluid.node, links.fluid, links.direction, share});
+  for_each_node(
+      exec, "vug::velocity_profile::crossing", links.count,
+      CrossingOfLink{fluid.lattice, is_upright(stretch.side), fluid.node, links.fluid, links.direction, share});
   const auto host = on_host(share);
   const double length = (stretch.last + 1 - stretch.first) * spacing;
   for (int link = 0; link < links.count; ++link)

@@ -76,14 +76,13 @@ struct ReactiveBox {
 
   /// Concentration C(coordinate along the side) half way beyond `side`.
   void give_concentration(Side side, const std::function<double(int)>& C) {
-    const bool upright = side == Side::left || side == Side::right;
-    GivenSide g{find_boundary_links(exec, nodes, side, 0, (upright ? lattice.ny : lattice.nx) - 1, Set::Q), {}, {}, {}};
+    GivenSide g{find_boundary_links(exec, nodes, side, 0, side_length(lattice, side) - 1, Set::Q), {}, {}, {}};
     g.gain = ScalarField<double>("gain", g.links.count);
     g.product_gain = ScalarField<double>("product_gain", g.links.count);
     const auto fluid = test::host_copy(g.links.fluid);
     const auto node = test::host_copy(nodes.node);
     for (int l = 0; l < g.links.count; ++l)
-      g.C_b.push_back(C(upright ? lattice.y(node(fluid(l))) : lattice.x(node(fluid(l)))));
+      g.C_b.push_back(C(is_upright(side) ? lattice.y(node(fluid(l))) : lattice.x(node(fluid(l)))));
     given.push_back(g);
   }
 

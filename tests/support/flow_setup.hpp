@@ -98,8 +98,7 @@ struct Flow {
   }
 
   BoundaryLinks side(Side which) const {
-    const bool upright = which == Side::left || which == Side::right;
-    return find_boundary_links(exec, nodes, which, 0, (upright ? lattice.ny : lattice.nx) - 1, D2Q9::Q);
+    return find_boundary_links(exec, nodes, which, 0, side_length(lattice, which) - 1, D2Q9::Q);
   }
   IndexList mirror(const BoundaryLinks& links) const { return find_mirror_links(exec, nodes, links); }
 };

@@ -77,14 +77,13 @@ class HeatBox {
 
   /// Sets the temperature along the wall of a whole side, by the distance in nodes from its lower or left end.
   void profile(Side which, const std::function<double(double)>& theta) {
-    const bool upright = which == Side::left || which == Side::right;
-    ScalarField<T> values("profile", 2 * (upright ? lattice.ny : lattice.nx) + 1);
+    ScalarField<T> values("profile", 2 * side_length(lattice, which) + 1);
     const auto host = Kokkos::create_mirror_view(values);
     for (std::size_t k = 0; k < values.extent(0); ++k) host(k) = static_cast<T>(theta(0.5 * static_cast<double>(k)));
     Kokkos::deep_copy(values, host);
     const int corner = lattice.node(which == Side::right ? lattice.nx - 1 : 0, which == Side::top ? lattice.ny - 1 : 0);
     profiles_.push_back(
-        {lattice, corner, upright ? lattice.pitch : 1, static_cast<int>(which), directions(), values, {}});
+        {lattice, corner, is_upright(which) ? lattice.pitch : 1, static_cast<int>(which), directions(), values, {}});
     given_.push_back(which);
   }
 
@@ -107,8 +106,7 @@ class HeatBox {
 
   /// Opens a side for the flow (its velocity passes).
   void open(Side which) {
-    const int length = which == Side::left || which == Side::right ? lattice.ny : lattice.nx;
-    mark_open(exec, nodes, find_boundary_links(exec, nodes, which, 0, length - 1, directions()));
+    mark_open(exec, nodes, find_boundary_links(exec, nodes, which, 0, side_length(lattice, which) - 1, directions()));
     rows = fluid_rows(exec, nodes);
   }
 
@@ -188,7 +186,7 @@ class HeatBox {
   void close() {
     closed_ = true;
     for (const Side which : all_sides) {
-      const bool joined = periodic_[which == Side::left || which == Side::right ? 0 : 1];
+      const bool joined = periodic_[is_upright(which) ? 0 : 1];
       if (!joined && std::find(given_.begin(), given_.end(), which) == given_.end())
         sides.push_back(whole_side(lattice, which, HeatCondition::adiabatic, 0));
     }

@@ -149,7 +149,7 @@ TEST(Poiseuille, RegularisedConvergesWithSecondOrder) {
 TEST(Couette, WallsThatMoveOnAnySideDragTheSameFlow) {
   constexpr int n = 7;
   for (const Side moving : all_sides) {
-    const bool upright = moving == Side::left || moving == Side::right;
+    const bool upright = is_upright(moving);
     Flow<double> flow(upright ? n : 2, upright ? 2 : n, {!upright, upright}, Collision::trt, 0.764);
     const BoundaryLinks wall = flow.side(moving);
     const std::array<double, 2> speed{upright ? 0 : -0.05, upright ? -0.05 : 0};

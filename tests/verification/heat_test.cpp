@@ -61,7 +61,7 @@ TEST(HeatedSlab, HasTheGradientOfItsFluxExactly) {
   const double d_f = 0.2, d_s = 0.5, sigma = 0.625, flux = 0.03;
   for (const ScalarVelocitySet set : velocity_sets)
     for (const Side heated : all_sides) {
-      const bool upright = heated == Side::left || heated == Side::right;
+      const bool upright = is_upright(heated);
       const bool reversed = heated == Side::right || heated == Side::top;
       const auto depth = [&](int x, int y) {  // in nodes, from the heated side
         const int along = upright ? x : y;
@@ -104,7 +104,7 @@ TEST(HeatedSide, GivesItsFluxToEveryNodeAndNothingElse) {
       box.side(heated, HeatCondition::flux, 0.01);
       const double before = box.energy();
       box.run(500);
-      const double given = 500 * 0.01 * (heated == Side::left || heated == Side::right ? 7 : 9);
+      const double given = 500 * 0.01 * (is_upright(heated) ? 7 : 9);
       EXPECT_NEAR(box.energy() - before, given, 1e-12 * 100) << test::name_of(set) << " " << vug::name_of(heated);
     }
 }

@@ -1,7 +1,6 @@
 #pragma once
 // A channel between open sides.
 #include "kernels/flow/guards.hpp"
-#include "kernels/nodes/side_links.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

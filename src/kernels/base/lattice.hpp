@@ -2,6 +2,7 @@
 // The rectangle of nodes and how dense fields over it are numbered.
 #include "kernels/base/base.hpp"
 #include "kernels/base/lattice_size.hpp"
+#include "kernels/base/side.hpp"
 #include "kernels/base/velocity_set.hpp"
 
 namespace vug {
@@ -27,6 +28,11 @@ struct Lattice {
   /// Distance in memory from a node to its neighbour along velocity q.
   KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return D2Q9::c(q, 1) * pitch + D2Q9::c(q, 0); }
 };
+
+/// Nodes along a side.
+inline int side_length(const Lattice& lattice, Side side) {
+  return is_upright(side) ? lattice.ny : lattice.nx;
+}
 
 /// Dense neighbour of `node` along velocity q, joined sides included; -1 outside the lattice.
 KOKKOS_FORCEINLINE_FUNCTION int neighbour(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {

@@ -6,7 +6,12 @@ namespace vug {
 
 /// Sides of the lattice; the value is the outward velocity of the set.
 enum class Side : int { right = 1, top = 2, left = 3, bottom = 4 };
-inline constexpr std::array<Side, 4> all_sides{Side::left, Side::right, Side::bottom, Side::top};
+using SideOrder = std::array<Side, 4>;
+inline constexpr SideOrder all_sides{Side::left, Side::right, Side::bottom, Side::top};
+
+constexpr bool is_upright(Side side) {
+  return side == Side::left || side == Side::right;
+}
 
 /// Name of a side in the case file.
 constexpr const char* name_of(Side side) {

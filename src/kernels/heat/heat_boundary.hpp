@@ -56,9 +56,6 @@ struct HeatSide {
   double transfer = 0;  ///< h of convection per step, in fluid heat capacities; then `value` is theta outside
 };
 
-/// Nodes along a side.
-int side_length(const Lattice& lattice, Side side);
-
 /// Its nodes, in their order along the side.
 std::vector<int> nodes_of(const Lattice& lattice, const HeatSide& side);
 

@@ -15,10 +15,6 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
 
 namespace {
 
-bool is_upright(Side side) {
-  return side == Side::left || side == Side::right;
-}
-
 /// What a condition says: the more, the sooner it has a corner.
 int rank(const HeatSide& side) {
   const bool flux = side.condition == HeatCondition::flux || side.condition == HeatCondition::convection;
@@ -26,10 +22,6 @@ int rank(const HeatSide& side) {
 }
 
 }  // namespace
-
-int side_length(const Lattice& lattice, Side side) {
-  return is_upright(side) ? lattice.ny : lattice.nx;
-}
 
 void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides) {
   const auto at_end = [&](const HeatSide& side, int end) {

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 namespace vug {
 
@@ -110,9 +111,17 @@ struct BoundaryLinks {
 
 /// Links that leave the lattice through `side` from nodes whose coordinate along it lies in [first, last], in order
 /// of that coordinate. A diagonal link out of a corner leaves through two sides and belongs to the one that comes
-/// first in all_sides. `directions` is 9 or 5.
+/// first in `order`. `directions` is 9 or 5.
 BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
-                                  int directions);
+                                  int directions, const SideOrder& order = all_sides);
+
+/// (link) Area of the surface that each link stands for, cells: 6 w_q |n.c_q|, which adds up to the true area of a
+/// plane in any direction (3 sum of w_q (n.c_q)^2 = 1), times a factor near 1 with which D2Q9 also has the sum of |n.c|
+/// over the straight links where corners keep or lack diagonal ones. facing(link, q) is |n.c_q|, 1 on a side. Computed
+/// on the host: not inside a step.
+ScalarField<double> link_areas(
+    const BoundaryLinks& links, int directions,
+    const std::function<double(int, int)>& facing = [](int, int) { return 1.0; });
 
 /// Sets the bits of `links` in nodes.open_links. Births clear those of the nodes around them: mark all anew.
 void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);

@@ -4,7 +4,6 @@
 #include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
-#include "kernels/nodes/side_links.hpp"
 
 namespace vug {
 
@@ -96,11 +95,6 @@ struct CollectLinks {
 };
 
 BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
-                                  int directions) {
-  return find_boundary_links(exec, nodes, side, first, last, directions, all_sides);
-}
-
-BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Side side, int first, int last,
                                   int directions, const SideOrder& order) {
   BoundaryLinks links;
   const int length = last - first + 1;
@@ -122,18 +116,20 @@ BoundaryLinks find_boundary_links(const Exec& exec, const FluidNodes& nodes, Sid
   return links;
 }
 
-ScalarField<double> side_link_areas(const BoundaryLinks& links, int directions) {
-  const ScalarField<double> area("vug::fluid_nodes::side_area", links.count);
+ScalarField<double> link_areas(const BoundaryLinks& links, int directions,
+                               const std::function<double(int, int)>& facing) {
+  const ScalarField<double> area("vug::fluid_nodes::link_area", links.count);
   const auto direction = on_host(links.direction);
   const auto host = Kokkos::create_mirror_view(area);
-  double faces = 0, all = 0;
+  double straight = 0, all = 0;
   for (int link = 0; link < links.count; ++link) {
     const int q = direction(link);
-    host(link) = 6 * (directions == D2Q9::Q ? D2Q9::w(q) : D2Q5::w(q));
-    faces += q < D2Q5::Q ? 1 : 0;
+    const double across = facing(link, q);
+    host(link) = 6 * (directions == D2Q9::Q ? D2Q9::w(q) : D2Q5::w(q)) * across;
     all += host(link);
+    if (q < D2Q5::Q) straight += across;
   }
-  for (int link = 0; link < links.count; ++link) host(link) *= faces / all;
+  for (int link = 0; link < links.count; ++link) host(link) *= straight / all;
   Kokkos::deep_copy(area, host);
   return area;
 }

@@ -67,27 +67,11 @@ FoundLinks find_links(const Exec& exec, const Lattice& lattice, std::array<bool,
   return found;
 }
 
-double weight(int directions, int q) {
-  return directions == D2Q9::Q ? D2Q9::w(q) : D2Q5::w(q);
-}
-
 ScalarField<double> areas(const FoundLinks& found, const Opening& opening, int directions) {
-  ScalarField<double> area("vug::opening::area", found.links.count);
   const auto item = on_host(found.item);
-  const auto direction = on_host(found.links.direction);
   const auto facing = on_host(opening.facing);
-  const auto host = Kokkos::create_mirror_view(area);
-  double straight = 0, all = 0;
-  for (int l = 0; l < found.links.count; ++l) {
-    const int q = D2Q9::opposite(direction(l));
-    const double across = facing((D2Q9::Q - 1) * item(l) + q - 1);
-    host(l) = 6 * weight(directions, q) * across;
-    all += host(l);
-    if (q < D2Q5::Q) straight += across;
-  }
-  for (int l = 0; l < found.links.count && directions == D2Q9::Q; ++l) host(l) *= straight / all;
-  Kokkos::deep_copy(area, host);
-  return area;
+  return link_areas(found.links, directions,
+                    [&](int link, int q) { return facing((D2Q9::Q - 1) * item(link) + D2Q9::opposite(q) - 1); });
 }
 
 /// A number for every node that is not in an opening: the node itself.

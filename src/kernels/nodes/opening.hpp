@@ -40,10 +40,7 @@ struct DenseLinks {
 DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic,
                                     const Kokkos::View<NodeType*>& type, const Opening& opening, int directions);
 
-/// (link) Area of the surface that each link of find_opening_links stands for, in cells: 6 w_q |n.c_q|, which adds up
-/// to the true area of a plane in any direction (3 sum of w_q (n.c_q)^2 = 1), times a factor near 1 with which D2Q9
-/// also has the sum of |n.c| over the straight links at corners; of a whole form the length of its outline. Computed on
-/// the host: not inside a step.
+/// Those of the links of find_opening_links; of a whole form they add up to the length of its outline.
 ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
 
 }  // namespace vug
