@@ -52,8 +52,9 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
       };
       const auto launch = [&](const auto& its_product, const auto& sweep_of_product) {
         const int block = sweep_block_size<std::decay_t<decltype(flow)>>(nodes.count);
-        visit_kinetic_step<Set>(wall, links, reactant.fields.h, its_product, [&](const auto& step) {
-          const detail::ScatteredLoop<std::decay_t<decltype(step)>> react{step};
+        visit_rock<T, Set>(wall, [&](const auto& rock) {
+          using Step = KineticStep<T, std::decay_t<decltype(rock)>, std::decay_t<decltype(its_product)>>;
+          const detail::ScatteredLoop<Step> react{{rock, links, reactant.fields.h, its_product}};
           for_each_block(exec, "vug::solute::advance_and_react", nodes.share(),
                          SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},
                          blocks_at_a_time * block);

@@ -52,11 +52,12 @@ struct ListReactiveLinks {
 };
 
 /// The mineral of the surface node of a link.
+template <class T>
 struct MineralOfLink {
-  IndexList root, node;
+  ReactiveLinks<T> links;
+  IndexList node;
   Kokkos::View<const std::uint8_t*> of_node;
-  Kokkos::View<std::uint8_t*> mineral;
-  KOKKOS_FUNCTION void operator()(int l) const { mineral(l) = of_node(node(root(l) / 8)); }
+  KOKKOS_FUNCTION void operator()(int l) const { links.mineral(l) = of_node(node(links.surface_of(l))); }
 };
 
 namespace {
@@ -107,7 +108,7 @@ void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surfac
   for_each_node(exec, "vug::reactive_wall::list", surface.count, list);
   if (mineral.extent(0) > 0)
     for_each_node(exec, "vug::reactive_wall::mineral_of_link", links.count,
-                  MineralOfLink{links.root, surface.node, mineral, links.mineral});
+                  MineralOfLink<T>{links, surface.node, mineral});
 }
 
 template <class Set, class T>
@@ -115,20 +116,18 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
                    const SoluteFields<T>& reactant, const SoluteFields<T>* product) {
   require_product(wall, product != nullptr);
   const char* label = "vug::reactive_wall::react";
-  const auto by_paper = [&](const auto& equilibrium, const auto& its_product) {
-    using Step = PaperStep<T, Set, std::decay_t<decltype(equilibrium)>, std::decay_t<decltype(its_product)>>;
-    for_each_node(exec, label, links.share(),
-                  Step{equilibrium, T(wall.D_reactant), T(wall.D_product), nodes.capacity, links, reactant.h,
-                       reactant.C, its_product});
-  };
   const auto launch = [&](const auto& its_product) {
-    if (wall.law == ReactiveWallLaw::kinetic)
-      visit_kinetic_step<Set>(wall, links, reactant.h, its_product,
-                              [&](const auto& step) { for_each_scattered(exec, label, links.share(), step); });
-    else if (wall.minerals.given())
-      by_paper(MineralEquilibrium<T>{wall.minerals.rate, links.mineral}, its_product);
-    else
-      by_paper(SameEquilibrium<T>{T(wall.inverse_equilibrium), T(wall.product_yield)}, its_product);
+    using Product = std::decay_t<decltype(its_product)>;
+    visit_rock<T, Set>(wall, [&](const auto& rock) {
+      using Rock = std::decay_t<decltype(rock)>;
+      if (wall.law == ReactiveWallLaw::kinetic)
+        for_each_scattered(exec, label, links.share(),
+                           KineticStep<T, Rock, Product>{rock, links, reactant.h, its_product});
+      else
+        for_each_node(exec, label, links.share(),
+                      PaperStep<T, Set, Rock, Product>{rock, T(wall.D_reactant), T(wall.D_product), nodes.capacity,
+                                                       links, reactant.h, reactant.C, its_product});
+    });
   };
   if (product)
     launch(WithProduct<T>{product->h, product->C});

@@ -54,7 +54,8 @@ struct ReactiveLinks {
   IndexList of_surface;       ///< (surface + 1) surface node s has entries [of_surface(s), of_surface(s + 1)) of
   IndexList of_surface_link;  ///< (entry) the link, in order of direction from s
   IndexList slot;             ///< (link) slot of the population that leaves the fluid through it
-  IndexList root;             ///< (link) 8 s + q - 1: it leads from surface node s along q into the fluid
+  IndexList root;             ///< (link) 8 s + q - 1: it leads from surface node s = surface_of(link) along
+                              ///< q = direction_of(link) into the fluid
   Kokkos::View<std::uint8_t*> mineral;  ///< (link) of the surface node; empty without minerals
   ScalarField<T> rate;                  ///< (link) rate constant times share of true area, when that was last asked for
   ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances; of an
@@ -65,6 +66,8 @@ struct ReactiveLinks {
   int own_count = -1;                  ///< blocks of the list that hold links of nodes of this process; -1: all
   IndexList own_blocks;                ///< (own) their numbers
 
+  KOKKOS_FORCEINLINE_FUNCTION int surface_of(int l) const { return root(l) / 8; }
+  KOKKOS_FORCEINLINE_FUNCTION int direction_of(int l) const { return root(l) % 8 + 1; }
   /// What this process computes of them.
   Share share() const { return {count, own_count, own_blocks.data()}; }
 };

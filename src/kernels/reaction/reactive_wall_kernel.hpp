@@ -1,33 +1,16 @@
 #pragma once
 // The kernel behind set_conductances, for whoever brings a rate policy of their own.
 #include "kernels/launch/launch.hpp"
-#include "kernels/reaction/reactive_wall.hpp"
+#include "kernels/reaction/rock_of_links.hpp"
 
 namespace vug {
 
-/// Constants of a rate that are the same at all walls: 1/K_eq at a solid node, y, first order.
-template <class T>
-struct SameConstants {
-  T q, y;
-  KOKKOS_FORCEINLINE_FUNCTION T equilibrium(int) const { return q; }
-  KOKKOS_FORCEINLINE_FUNCTION T yield(int) const { return y; }
-  KOKKOS_FORCEINLINE_FUNCTION bool first_order(int) const { return true; }
-};
-/// Those of minerals.
-template <class T>
-struct MineralConstants {
-  MineralRates minerals;
-  KOKKOS_FORCEINLINE_FUNCTION T equilibrium(int node) const { return T(minerals.at(node).inverse_equilibrium); }
-  KOKKOS_FORCEINLINE_FUNCTION T yield(int node) const { return T(minerals.at(node).product_yield); }
-  KOKKOS_FORCEINLINE_FUNCTION bool first_order(int node) const { return minerals.at(node).order == 1; }
-};
-
 /// J = conductance (A1 - q A2) by the kinetic law, rate = conductance (C1 - q C2) by the paper's
 /// (paper_wall); of another order the rate constant itself.
-template <class T, class Set, class Constants, class Rate, class Area>
+template <class T, class Set, class Rock, class Rate, class Area>
 struct SetConductance {
   ReactiveWallLaw law;
-  Constants constants;
+  Rock rock;
   T D1, D2, ahead;
   Rate rate;
   Area area;
@@ -36,23 +19,25 @@ struct SetConductance {
   ReactiveLinks<T> links;
 
   /// The nodes at both ends of a link.
-  KOKKOS_FORCEINLINE_FUNCTION int solid(int l) const { return surface(links.root(l) / 8); }
+  KOKKOS_FORCEINLINE_FUNCTION int solid(int l) const { return surface(links.surface_of(l)); }
   KOKKOS_FORCEINLINE_FUNCTION int fluid(int l) const {
-    return fluid_node(links.slot(l) - Set::opposite(links.root(l) % 8 + 1) * capacity);
+    return fluid_node(links.slot(l) - Set::opposite(links.direction_of(l)) * capacity);
   }
   /// What is looked up here and there: share of true area; temperature of the face, by `rate`.
-  KOKKOS_FORCEINLINE_FUNCTION double share(int l) const { return area.share(links.root(l) / 8, links.root(l) % 8 + 1); }
+  KOKKOS_FORCEINLINE_FUNCTION double share(int l) const {
+    return area.share(links.surface_of(l), links.direction_of(l));
+  }
   /// What is computed from it.
   KOKKOS_FORCEINLINE_FUNCTION void set(int l, double kelvin, double share) const {
     const T now = T(rate.at(solid(l), kelvin) * share);
     const T led = now + ahead * (now - links.rate(l));
     const T k = led < now / 2 ? now / 2 : led > 2 * now ? 2 * now : led;
     links.rate(l) = now;
-    if (!constants.first_order(solid(l))) {
+    if (!rock.first_order(links, l)) {
       links.conductance(l) = k;
       return;
     }
-    const T q = constants.equilibrium(solid(l)), y = constants.yield(solid(l));
+    const T q = rock.equilibrium(links, l), y = rock.yield(links, l);
     links.conductance(l) =
         law == ReactiveWallLaw::kinetic ? kinetic_conductance(k, q, y) : paper_conductance(k, q, D1, D2, y);
   }
@@ -72,7 +57,7 @@ struct SetConductancesOfBlock {
       solid[i] = local.solid(first + i);
       fluid[i] = local.fluid(first + i);
       local.rate.announce(solid[i], fluid[i]);
-      local.area.announce(local.links.root(first + i) / 8);
+      local.area.announce(local.links.surface_of(first + i));
     }
     for (int i = 0; i < count; ++i) {
       kelvin[i] = local.rate.kelvin(solid[i], fluid[i]);
@@ -87,10 +72,10 @@ template <class Set, class T, class Rate>
 void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
                       const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
                       double ahead) {
-  const auto launch = [&](const auto& constants) {
+  visit_rock<T, Set>(wall, [&](const auto& rock) {
     with_link_area(normal, [&](const auto& area) {
-      using Body = SetConductance<T, Set, std::decay_t<decltype(constants)>, Rate, std::decay_t<decltype(area)>>;
-      const Body body{wall.law, constants,    T(wall.D_reactant), T(wall.D_product), T(ahead), rate,
+      using Body = SetConductance<T, Set, std::decay_t<decltype(rock)>, Rate, std::decay_t<decltype(area)>>;
+      const Body body{wall.law, rock,         T(wall.D_reactant), T(wall.D_product), T(ahead), rate,
                       area,     surface.node, nodes.node,         nodes.capacity,    links};
       const char* label = "vug::reactive_wall::conductances";
       if constexpr (runs_on_host)
@@ -98,11 +83,7 @@ void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& 
       else
         for_each_node(exec, label, links.share(), body);
     });
-  };
-  if (wall.minerals.given())
-    launch(MineralConstants<T>{wall.minerals});
-  else
-    launch(SameConstants<T>{T(wall.inverse_equilibrium), T(wall.product_yield)});
+  });
 }
 
 }  // namespace vug
