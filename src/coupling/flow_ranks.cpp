@@ -4,6 +4,7 @@
 #include "coupling/shared_field.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_neighbour.hpp"
 
 #include <limits>
 
@@ -22,8 +23,8 @@ void add_nodes_at(const FluidNodes& fluid, const BoundaryLinks& links, std::vect
   const auto direction = on_host(links.direction);
   for (int link = 0; link < links.count; ++link) {
     nodes.push_back(node(link));
-    const int out = direction(link) * fluid.capacity, behind = source(out + nodes.back()) - out;
-    if (behind >= 0 && behind < fluid.count) nodes.push_back(behind);
+    const int behind = upstream_node(source, fluid.capacity, direction(link), nodes.back());
+    if (behind >= 0) nodes.push_back(behind);
   }
 }
 

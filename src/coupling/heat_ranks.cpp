@@ -10,16 +10,17 @@ namespace vug {
 template <class T>
 std::vector<int> HeatModule<T>::nodes_before_outflows() const {
   const Lattice& lattice = geometry_.lattice;
+  const DenseNeighbour around(lattice, periodic_);
   std::vector<int> nodes;
   const auto look = [&](int node, int q) {
-    const int before = node_before(lattice, periodic_[0], periodic_[1], node, q);
+    const int before = around.before(node, q);
     if (geometry_.split.has_row(lattice.y(node)) && before >= 0) nodes.push_back(before);
   };
   for (const HeatSide& side : sides_) {
     if (side.condition != HeatCondition::outflow) continue;
     for (const int node : nodes_of(lattice, side))
       for (int q = 1; q < directions(); ++q)
-        if (neighbour(lattice, periodic_[0], periodic_[1], node, q) < 0) look(node, q);
+        if (around.along(node, q) < 0) look(node, q);
   }
   for (const HeatOpening& opening : openings_) {
     if (opening.condition != HeatCondition::outflow) continue;

@@ -207,7 +207,7 @@ Owners Split::of_neighbours(const FluidNodes& nodes, int first, int last) const 
   std::vector<int> old;
   for (int i = first; i < last; ++i)
     for (int q = 1; q < D2Q9::Q; ++q) {
-      const int n = neighbour(nodes.lattice, nodes.periodic[0], nodes.periodic[1], node(i), q);
+      const int n = nodes.around().along(node(i), q);
       if (n >= 0 && index(n) >= 0 && index(n) < first) old.push_back(index(n));
     }
   sort_once(old);

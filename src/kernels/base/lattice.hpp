@@ -1,9 +1,11 @@
 #pragma once
-// The rectangle of nodes and how dense fields over it are numbered.
+// The rectangle of nodes, how dense fields over it are numbered, and steps from node to node.
 #include "kernels/base/base.hpp"
 #include "kernels/base/lattice_size.hpp"
 #include "kernels/base/side.hpp"
 #include "kernels/base/velocity_set.hpp"
+
+#include <array>
 
 namespace vug {
 
@@ -34,13 +36,54 @@ inline int side_length(const Lattice& lattice, Side side) {
   return is_upright(side) ? lattice.ny : lattice.nx;
 }
 
-/// Dense neighbour of `node` along velocity q, joined sides included; -1 outside the lattice.
-KOKKOS_FORCEINLINE_FUNCTION int neighbour(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {
-  int x = lattice.x(node) + D2Q9::c(q, 0);
-  int y = lattice.y(node) + D2Q9::c(q, 1);
-  if (periodic_x) x = (x + lattice.nx) % lattice.nx;
-  if (periodic_y) y = (y + lattice.ny) % lattice.ny;
-  return lattice.inside(x, y) ? lattice.node(x, y) : -1;
-}
+/// Steps from node to node with joined sides folded back.
+struct DenseNeighbour {
+  Lattice lattice;
+  bool periodic_x = false, periodic_y = false;
+
+  DenseNeighbour() = default;
+  /// `periodic`: which opposite sides are joined, {left-right, bottom-top}.
+  DenseNeighbour(const Lattice& lattice_, std::array<bool, 2> periodic)
+      : lattice(lattice_), periodic_x(periodic[0]), periodic_y(periodic[1]) {}
+
+  /// The node one step along velocity q of D2Q9; -1 outside the lattice.
+  KOKKOS_FORCEINLINE_FUNCTION int along(int node, int q) const { return at(node, D2Q9::c(q, 0), D2Q9::c(q, 1)); }
+
+  /// Fluid index of the node one step along q; -1 if it is solid or outside.
+  KOKKOS_FORCEINLINE_FUNCTION int fluid_along(const IndexList& index, int node, int q) const {
+    if (!periodic_x && !periodic_y) return index(node + lattice.offset(q));  // -1 in the halo as well
+    const int n = along(node, q);
+    return n < 0 ? -1 : index(n);
+  }
+
+  /// The node that an outflow through link q of a node looks back at: the one before it, or, where that is outside the
+  /// lattice, the one before it along an axis; -1 without any.
+  KOKKOS_FORCEINLINE_FUNCTION int before(int node, int q) const {
+    const int dx = D2Q9::c(q, 0), dy = D2Q9::c(q, 1);
+    int n = at(node, -dx, -dy);
+    if (n < 0 && dx != 0) n = at(node, -dx, 0);
+    if (n < 0 && dy != 0) n = at(node, 0, -dy);
+    return n;
+  }
+
+  /// The node (dx, dy) away; beyond a side that is not joined, the nearest node inside.
+  KOKKOS_FORCEINLINE_FUNCTION int nearest(int node, int dx, int dy) const {
+    const int x = lattice.x(node) + dx, y = lattice.y(node) + dy;
+    return lattice.node(periodic_x ? wrapped(x, lattice.nx) : clamped(x, lattice.nx),
+                        periodic_y ? wrapped(y, lattice.ny) : clamped(y, lattice.ny));
+  }
+
+ private:
+  /// The node one step of at most one each way from another; -1 outside the lattice.
+  KOKKOS_FORCEINLINE_FUNCTION int at(int node, int dx, int dy) const {
+    int x = lattice.x(node) + dx, y = lattice.y(node) + dy;
+    if (periodic_x) x = folded(x, lattice.nx);
+    if (periodic_y) y = folded(y, lattice.ny);
+    return lattice.inside(x, y) ? lattice.node(x, y) : -1;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static int folded(int x, int n) { return x < 0 ? x + n : x < n ? x : x - n; }
+  KOKKOS_FORCEINLINE_FUNCTION static int wrapped(int x, int n) { return (x % n + n) % n; }
+  KOKKOS_FORCEINLINE_FUNCTION static int clamped(int x, int n) { return x < 0 ? 0 : x < n ? x : n - 1; }
+};
 
 }  // namespace vug

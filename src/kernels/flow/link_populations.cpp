@@ -38,9 +38,9 @@ void restore_outgoing(const Exec& exec, const FluidNodes& nodes, const BoundaryL
 
 /// Where a node at the end of link q lies, nodes: beside an opening, which the link may reach across a joined side, at
 /// its image on the opening's side of that; else where it is.
-KOKKOS_FORCEINLINE_FUNCTION Kokkos::Array<int, 2> place_at_link(const Lattice& lattice, bool periodic_x,
-                                                                bool periodic_y, int node, int q) {
-  const int beyond = neighbour(lattice, periodic_x, periodic_y, node, q);
+KOKKOS_FORCEINLINE_FUNCTION Kokkos::Array<int, 2> place_at_link(const DenseNeighbour& around, int node, int q) {
+  const Lattice& lattice = around.lattice;
+  const int beyond = around.along(node, q);
   if (beyond < 0) return {lattice.x(node), lattice.y(node)};  // out of the lattice, by a side
   return {lattice.x(beyond) - D2Q9::c(q, 0), lattice.y(beyond) - D2Q9::c(q, 1)};
 }
@@ -48,8 +48,7 @@ KOKKOS_FORCEINLINE_FUNCTION Kokkos::Array<int, 2> place_at_link(const Lattice& l
 /// One component (0: x, 1: y, 2: torque) of what a link gives. The force lies along the link, through its node.
 template <class T>
 struct ForceOfLink {
-  Lattice lattice;
-  bool periodic_x, periodic_y;
+  DenseNeighbour around;
   IndexList node, fluid;
   Kokkos::View<const std::uint8_t*> direction;
   int capacity;
@@ -61,7 +60,7 @@ struct ForceOfLink {
     const double momentum = double(outgoing(link)) + double(f(q * capacity + i));
     const double x = momentum * D2Q9::c(q, 0), y = momentum * D2Q9::c(q, 1);
     if (component < 2) return component == 0 ? x : y;
-    const Kokkos::Array<int, 2> place = place_at_link(lattice, periodic_x, periodic_y, node(i), q);
+    const Kokkos::Array<int, 2> place = place_at_link(around, node(i), q);
     return (place[0] + 0.5 - centre_x) * y - (place[1] + 0.5 - centre_y) * x;
   }
 };
@@ -82,8 +81,8 @@ LinkForce force_on_links(const Exec& exec, const FluidNodes& nodes, const Bounda
                          const ScalarField<T>& outgoing, const ScalarField<T>& f, std::array<double, 2> centre) {
   const auto sum = [&](int component) {
     return sum_over(exec, "vug::link_populations::force", links,
-                    ForceOfLink<T>{nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.node, links.fluid,
-                                   links.direction, nodes.capacity, outgoing, f, centre[0], centre[1], component});
+                    ForceOfLink<T>{nodes.around(), nodes.node, links.fluid, links.direction, nodes.capacity, outgoing,
+                                   f, centre[0], centre[1], component});
   };
   return {sum(0), sum(1), sum(2)};
 }

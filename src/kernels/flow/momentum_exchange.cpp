@@ -3,7 +3,6 @@
 #include "kernels/base/offsets.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
-#include "kernels/nodes/dense_neighbour.hpp"
 
 namespace vug {
 
@@ -85,7 +84,7 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
   }
   if (links.touch.extent(0) < node.extent(0))
     links.touch = Kokkos::View<std::uint8_t*>("vug::momentum_exchange::touch", node.extent(0));
-  const DenseNeighbour lattice(nodes);
+  const DenseNeighbour lattice = nodes.around();
   for_each_node(exec, "vug::momentum_exchange::count", groups,
                 CountWallLinks{lattice, nodes.index, offset, node, links});
   const int count = accumulate_counts(exec, "vug::momentum_exchange::places", links.first);

@@ -103,22 +103,18 @@ struct CopySolid {
 /// The mask in the halo, where it makes the conjugate link inert: like the node joined to it, and where there is none,
 /// like the nearest node inside or, if `marked`, as outside.
 struct CopySolidToHalo {
-  Lattice lattice;
-  bool periodic_x, periodic_y, marked;
+  DenseNeighbour around;
+  bool marked;
   std::uint8_t mark;
   Kokkos::View<std::uint8_t*> solid;
 
-  KOKKOS_FUNCTION static int source(int p, int n, bool periodic) {
-    if (periodic) return (p + n) % n;
-    return p < 0 ? 0 : p >= n ? n - 1 : p;
-  }
   KOKKOS_FUNCTION void copy(int x, int y) const {
-    const bool outside = (!periodic_x && (x < 0 || x == lattice.nx)) || (!periodic_y && (y < 0 || y == lattice.ny));
-    const int from = lattice.node(source(x, lattice.nx, periodic_x), source(y, lattice.ny, periodic_y));
-    solid(lattice.node(x, y)) = outside && marked ? mark : solid(from);
+    const int node = around.lattice.node(x, y);
+    solid(node) = marked && around.along(node, 0) < 0 ? mark : solid(around.nearest(node, 0, 0));
   }
   /// Both ends of row `item` - 1, or of a column beyond the rows.
   KOKKOS_FUNCTION void operator()(int item) const {
+    const Lattice& lattice = around.lattice;
     const int y = item - 1, x = y - lattice.ny - 1;
     if (y <= lattice.ny) {
       copy(-1, y);
@@ -147,15 +143,16 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
   const Lattice& lattice = fields.lattice;
   for_each_dense_node(exec, "vug::heat::copy_solid", lattice, CopySolid{type, fields.solid});
   const bool marked = fields.velocity_set == ScalarVelocitySet::d2q9;
+  const DenseNeighbour around(lattice, periodic);
   const int ends = lattice.ny + 2 + lattice.nx;
   for_each_node(exec, "vug::heat::copy_solid_to_halo", ends,
-                CopySolidToHalo{lattice, periodic[0], periodic[1], marked, outside_lattice, fields.solid});
+                CopySolidToHalo{around, marked, outside_lattice, fields.solid});
   HeatMatter& matter = fields.matter;
   if (!matter.given()) return;
   for_each_dense_node(exec, "vug::heat::copy_matter", lattice,
                       CopyMatter{fields.solid, matter.mineral, matter.of_node});
   for_each_node(exec, "vug::heat::copy_matter_to_halo", ends,
-                CopySolidToHalo{lattice, periodic[0], periodic[1], marked, no_matter, matter.of_node});
+                CopySolidToHalo{around, marked, no_matter, matter.of_node});
 }
 
 /// Populations at rest, g_q = w_q theta, of the nodes from `first` on.

@@ -83,7 +83,7 @@ struct FillSide {
   /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
   /// same kind and of this stretch by the link that crosses q.
   KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
-    const int step = along(side.outward, q), plane = links.lattice.size();
+    const int step = along(side.outward, q), plane = links.around.lattice.size();
     const int next = node + step * side.stride;
     const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
     if (!Law::mirrors || step == 0 || !beside || links.kinds.kind(next) != links.kinds.kind(node))
@@ -94,7 +94,7 @@ struct FillSide {
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
     const T left = leaving(item, node, q), arriving = links.arriving(law, node, q, left, share, at_corner(node));
-    links.g(Set::opposite(q) * links.lattice.size() + node + links.lattice.offset(q)) = arriving;
+    links.g(Set::opposite(q) * links.around.lattice.size() + node + links.around.lattice.offset(q)) = arriving;
     return static_cast<double>(arriving) - static_cast<double>(left);
   }
   KOKKOS_FUNCTION void operator()(int ours) const {
@@ -122,15 +122,15 @@ struct FillSides {
   Kokkos::View<const std::uint8_t*> solid;
 
   using Entry = SideEntry;
-  int count(const HeatSide& side) const { return nodes_in_rows(links.lattice, side, rows).count; }
+  int count(const HeatSide& side) const { return nodes_in_rows(links.around.lattice, side, rows).count; }
   Entry entry(const HeatSide& side) const {
-    const auto [origin, stride] = side_nodes(links.lattice, side.side);
+    const auto [origin, stride] = side_nodes(links.around.lattice, side.side);
     const int nodes = side.last - side.first + 1;
-    const bool whole = nodes == side_length(links.lattice, side.side);
+    const bool whole = nodes == side_length(links.around.lattice, side.side);
     return {condition_of(side, capacity_ratio),
             origin + side.first * stride,
             nodes,
-            nodes_in_rows(links.lattice, side, rows).first,
+            nodes_in_rows(links.around.lattice, side, rows).first,
             stride,
             outward(side.side),
             whole,

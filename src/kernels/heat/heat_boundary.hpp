@@ -20,22 +20,6 @@ enum class HeatCondition {
   outflow       ///< zero gradient: in rock in = A, in fluid the node's own population, less what it conducts
 };
 
-/// The node that an outflow through link q of a node looks back at, across joined sides too: the one before it, or,
-/// where that is outside the lattice, the one before it along an axis; -1 without any.
-KOKKOS_FORCEINLINE_FUNCTION int node_before(const Lattice& lattice, bool periodic_x, bool periodic_y, int node, int q) {
-  const int dx = D2Q9::c(q, 0), dy = D2Q9::c(q, 1);
-  const auto back = [&](int across, int up) {
-    int x = lattice.x(node) - across, y = lattice.y(node) - up;
-    if (periodic_x) x = (x + lattice.nx) % lattice.nx;
-    if (periodic_y) y = (y + lattice.ny) % lattice.ny;
-    return lattice.inside(x, y) ? lattice.node(x, y) : -1;
-  };
-  int before = back(dx, dy);
-  if (before < 0 && dx != 0) before = back(dx, 0);
-  if (before < 0 && dy != 0) before = back(0, dy);
-  return before;
-}
-
 /// How fluid crosses sides and openings; none: nothing flows.
 template <class T>
 struct HeatCrossing {

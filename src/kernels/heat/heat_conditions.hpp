@@ -84,18 +84,13 @@ struct OutflowIn {
   }
 };
 
-/// Which sides are joined: left and right, bottom and top.
-struct Joined {
-  bool x, y;
-};
-
 /// SideLink::slope at the link q of a node; none where the node before is of another kind of matter.
 template <class T, class Set, class Kinds>
-KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const Lattice& lattice, const Joined& joined,
-                             int node, int q) {
-  const int before = node_before(lattice, joined.x, joined.y, node, q);
+KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const DenseNeighbour& around, int node,
+                             int q) {
+  const int before = around.before(node, q);
   if (before < 0 || kinds.kind(before) != kinds.kind(node)) return 0;
-  const int plane = lattice.size();
+  const int plane = around.lattice.size();
   const T rise = sum_of_populations<Set, T>(&g(node), plane) - sum_of_populations<Set, T>(&g(before), plane);
   return outflow_slope(1 / kinds.rate(node)) * rise;
 }
@@ -155,8 +150,7 @@ template <class T, class Velocities, class Kinds>
 struct HeatLinks {
   using Set = Velocities;
   Kinds kinds;
-  Lattice lattice;
-  Joined joined;
+  DenseNeighbour around;
   HeatCrossing<T> through;
   ScalarField<T> g;
 
@@ -164,7 +158,7 @@ struct HeatLinks {
   template <class Law>
   KOKKOS_FORCEINLINE_FUNCTION T arriving(const Law& law, int node, int q, T leaving, T share, bool level) const {
     SideLink<T> link{leaving,
-                     g(Set::opposite(q) * lattice.size() + node),
+                     g(Set::opposite(q) * around.lattice.size() + node),
                      static_cast<T>(Set::w(q)),
                      kinds.share(node, share),
                      kinds.solid(node),
@@ -172,7 +166,7 @@ struct HeatLinks {
                      0,
                      0};
     if constexpr (Law::has_plane) link.paired = paired_weight<T, Set>(through, node, q);
-    if constexpr (Law::looks_inside) link.slope = level ? 0 : slope_from<T, Set>(kinds, g, lattice, joined, node, q);
+    if constexpr (Law::looks_inside) link.slope = level ? 0 : slope_from<T, Set>(kinds, g, around, node, q);
     return law(link);
   }
 };
@@ -183,7 +177,7 @@ void visit_links(const HeatFields<T>& fields, const HeatCrossing<T>& crossing, c
   visit_velocity_set(fields.velocity_set, [&](auto set) {
     const auto with = [&](const auto& kinds) {
       visit(HeatLinks<T, decltype(set), std::decay_t<decltype(kinds)>>{
-          kinds, fields.lattice, {fields.periodic[0], fields.periodic[1]}, crossing, fields.g});
+          kinds, {fields.lattice, fields.periodic}, crossing, fields.g});
     };
     if (fields.matter.given())
       with(ManyKinds<T>{fields.matter.capacity, fields.matter.rate, fields.matter.of_node});

@@ -17,8 +17,8 @@ struct FillOpening {
   Links links;
   Rows rows;
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int n = opening.node[item], q = opening.direction[item], plane = links.lattice.size();
-    if (const int row = links.lattice.y(n) - rows.first; row < 0 || row >= rows.count) return;
+    const int n = opening.node[item], q = opening.direction[item], plane = links.around.lattice.size();
+    if (const int row = links.around.lattice.y(n) - rows.first; row < 0 || row >= rows.count) return;
     const T leaving = links.g(q * plane + n);
     const T arriving = links.arriving(law, n, q, leaving, static_cast<T>(opening.area[item]), false);
     links.g(Set::opposite(q) * plane + opening.beyond[item]) = arriving;

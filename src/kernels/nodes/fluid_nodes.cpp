@@ -2,7 +2,6 @@
 
 #include "kernels/base/lattice_size.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
 
 namespace vug {
@@ -37,8 +36,7 @@ struct NumberFluid {
 
 /// Bakes the walls into the table of sources and notes what lies beyond every link of one fluid node.
 struct BuildLinks {
-  Lattice lattice;
-  bool periodic_x, periodic_y;
+  DenseNeighbour around;
   int capacity;
   IndexList node, index, source;
   Kokkos::View<std::uint16_t*> solid_links, side_links, open_links;
@@ -47,8 +45,8 @@ struct BuildLinks {
     source(i) = i;
     for (int q = 1; q < Q; ++q) {
       const int opposite = D2Q9::opposite(q);
-      const int beyond = neighbour(lattice, periodic_x, periodic_y, node(i), q);
-      const int upstream = neighbour(lattice, periodic_x, periodic_y, node(i), opposite);
+      const int beyond = around.along(node(i), q);
+      const int upstream = around.along(node(i), opposite);
       if (beyond < 0 || index(beyond) == in_opening)
         side |= 1u << q;
       else if (index(beyond) < 0)
@@ -77,8 +75,8 @@ struct BuildWindows {
 namespace {
 
 BuildLinks build_links(const FluidNodes& nodes) {
-  return {nodes.lattice, nodes.periodic[0], nodes.periodic[1], nodes.capacity,   nodes.node,
-          nodes.index,   nodes.source,      nodes.solid_links, nodes.side_links, nodes.open_links};
+  return {nodes.around(), nodes.capacity,    nodes.node,       nodes.index,
+          nodes.source,   nodes.solid_links, nodes.side_links, nodes.open_links};
 }
 
 BuildWindows build_windows(const FluidNodes& nodes) {
@@ -105,7 +103,7 @@ struct LinkNewborns {
     for (int i = first; i < last; ++i) {
       visit(i);
       for (int q = 1; q < Q; ++q) {
-        const int n = neighbour(links.lattice, links.periodic_x, links.periodic_y, links.node(i), q);
+        const int n = links.around.along(links.node(i), q);
         if (n >= 0 && links.index(n) >= 0) visit(links.index(n));
       }
     }

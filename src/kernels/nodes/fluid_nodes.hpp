@@ -50,6 +50,7 @@ struct FluidNodes {
   int near_count = -1;   ///< these and the blocks that our nodes pull from; -1: all
   IndexList near_blocks;
 
+  DenseNeighbour around() const { return {lattice, periodic}; }
   /// What sweeps run over.
   Share share() const { return {count, own_count, own_blocks.data()}; }
   /// Of the first `first` nodes ours and those that lie beside them.

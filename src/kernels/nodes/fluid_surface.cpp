@@ -1,7 +1,6 @@
 // The boundary of a list of fluid nodes: the surface of the rock, and the links through the sides of the lattice.
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/unroll.hpp"
-#include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
 
@@ -35,7 +34,7 @@ struct ListNode {
 
 void find_surface(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<NodeType*>& type, Surface& surface) {
   const char* label = "vug::fluid_nodes::surface";
-  const DenseNeighbour around(nodes);
+  const DenseNeighbour around = nodes.around();
   const NodeMarks marks = around.periodic_x || around.periodic_y
                               ? mark_nodes(exec, label, nodes.lattice, IsSurface<true>{around, type, nodes.index})
                               : mark_nodes(exec, label, nodes.lattice, IsSurface<false>{around, type, nodes.index});

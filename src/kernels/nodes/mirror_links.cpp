@@ -6,8 +6,7 @@ namespace vug {
 
 /// The image of one link; reads the list only.
 struct FindMirrorLink {
-  Lattice lattice;
-  bool periodic_x, periodic_y;
+  DenseNeighbour around;
   bool staircase;
   BoundaryLinks links;
   IndexList node, index, mirror;
@@ -32,9 +31,7 @@ struct FindMirrorLink {
     if (y_open && is_fluid(i, along_x)) return links.find(link, beside(i, along_x), D2Q9::opposite(turned));
     return is_fluid(i, along_x) && is_fluid(i, along_y) ? link : -1;
   }
-  KOKKOS_FUNCTION int beside(int i, int q) const {
-    return index(neighbour(lattice, periodic_x, periodic_y, node(i), q));
-  }
+  KOKKOS_FUNCTION int beside(int i, int q) const { return index(around.along(node(i), q)); }
 };
 
 /// Counts the steps of a surface: nodes with two straight links through it, at right angles and next to each other in
@@ -61,8 +58,8 @@ IndexList find_mirror_links(const Exec& exec, const FluidNodes& nodes, const Bou
   const bool staircase = steps > corners_of_rectangle * links_of_corner;
   const IndexList mirror("vug::mirror_links::mirror", links.count);
   for_each_node(exec, "vug::mirror_links::find", links.count,
-                FindMirrorLink{nodes.lattice, nodes.periodic[0], nodes.periodic[1], staircase, links, nodes.node,
-                               nodes.index, mirror, nodes.solid_links, nodes.side_links});
+                FindMirrorLink{nodes.around(), staircase, links, nodes.node, nodes.index, mirror, nodes.solid_links,
+                               nodes.side_links});
   return mirror;
 }
 

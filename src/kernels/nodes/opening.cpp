@@ -27,14 +27,13 @@ Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, cons
 
 /// Collects the links into an opening from the nodes that have a number: `number` (dense node), negative for none.
 struct CollectOpeningLinks {
-  Lattice lattice;
-  bool periodic_x, periodic_y;
+  DenseNeighbour around;
   int directions;
   IndexList opening, number, from, item;
   Kokkos::View<std::uint8_t*> direction;
   KOKKOS_FUNCTION void operator()(int k, int& running, bool last) const {
     for (int q = 1; q < directions; ++q) {
-      const int beyond = neighbour(lattice, periodic_x, periodic_y, opening(k), q);
+      const int beyond = around.along(opening(k), q);
       if (beyond < 0 || number(beyond) < 0) continue;
       if (last) {
         from(running) = number(beyond);
@@ -53,16 +52,16 @@ struct FoundLinks {
   IndexList item;  ///< (link) of the opening
 };
 
-FoundLinks find_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic, const IndexList& number,
-                      const Opening& opening, int directions) {
+FoundLinks find_links(const Exec& exec, const DenseNeighbour& around, const IndexList& number, const Opening& opening,
+                      int directions) {
   FoundLinks found;
   const std::size_t nodes = opening.node.extent(0), most = (directions - 1) * nodes;
   found.links.fluid = IndexList("vug::opening::fluid", most);
   found.links.direction = Kokkos::View<std::uint8_t*>("vug::opening::direction", most);
   found.item = IndexList("vug::opening::item", most);
   Kokkos::parallel_scan("vug::opening::collect_links", Kokkos::RangePolicy<Exec>(exec, 0, nodes),
-                        CollectOpeningLinks{lattice, periodic[0], periodic[1], directions, opening.node, number,
-                                            found.links.fluid, found.item, found.links.direction},
+                        CollectOpeningLinks{around, directions, opening.node, number, found.links.fluid, found.item,
+                                            found.links.direction},
                         found.links.count);
   return found;
 }
@@ -87,11 +86,11 @@ IndexList dense_numbers(const Lattice& lattice, const Kokkos::View<NodeType*>& t
 }  // namespace
 
 BoundaryLinks find_opening_links(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions) {
-  return find_links(exec, nodes.lattice, nodes.periodic, nodes.index, opening, directions).links;
+  return find_links(exec, nodes.around(), nodes.index, opening, directions).links;
 }
 
 ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions) {
-  return areas(find_links(exec, nodes.lattice, nodes.periodic, nodes.index, opening, directions), opening, directions);
+  return areas(find_links(exec, nodes.around(), nodes.index, opening, directions), opening, directions);
 }
 
 /// The opening's node of every link.
@@ -102,7 +101,7 @@ struct NodesBeyond {
 
 DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic,
                                     const Kokkos::View<NodeType*>& type, const Opening& opening, int directions) {
-  const FoundLinks found = find_links(exec, lattice, periodic, dense_numbers(lattice, type), opening, directions);
+  const FoundLinks found = find_links(exec, {lattice, periodic}, dense_numbers(lattice, type), opening, directions);
   const BoundaryLinks& links = found.links;
   IndexList beyond("vug::opening::beyond", links.count);
   Kokkos::parallel_for("vug::opening::beyond", Kokkos::RangePolicy<Exec>(exec, 0, links.count),

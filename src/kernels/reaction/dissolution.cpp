@@ -2,7 +2,6 @@
 
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
-#include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/nodes/streaming.hpp"
 
@@ -116,14 +115,14 @@ int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& sur
                           MarkDissolved{surface.node, type, V, surface.count}, count);
   if (count == 0) return 0;
   if (minerals.of_node.extent(0) > 0) {
-    const BequeathOverdraft<SameMineral> bequest{{minerals.of_node}, DenseNeighbour(nodes), surface.node, type, V};
+    const BequeathOverdraft<SameMineral> bequest{{minerals.of_node}, nodes.around(), surface.node, type, V};
     for (std::size_t m = 0; m < minerals.lost.size(); ++m)
       add_per_block(exec, "vug::dissolution::lost_of_mineral", surface.count,
                     LostOfMineral{bequest, static_cast<int>(m)}, minerals.lost[m]);
     add_per_block(exec, "vug::dissolution::bequeath", surface.count, bequest, lost);
   } else {
     add_per_block(exec, "vug::dissolution::bequeath", surface.count,
-                  BequeathOverdraft<AnyKin>{{}, DenseNeighbour(nodes), surface.node, type, V}, lost);
+                  BequeathOverdraft<AnyKin>{{}, nodes.around(), surface.node, type, V}, lost);
   }
   for_each_node(exec, "vug::dissolution::empty", surface.count, EmptyDissolved{surface.node, type, V});
   return count;

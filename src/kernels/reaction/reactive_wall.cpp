@@ -1,6 +1,5 @@
 #include "kernels/base/offsets.hpp"
 #include "kernels/launch/prefetch.hpp"
-#include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/reactive_wall_step.hpp"
 
@@ -101,8 +100,8 @@ void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surfac
   make_room(links, law, mineral.extent(0) > 0);
   Kokkos::deep_copy(exec, links.rate, T(0));  // of places that no link takes: nothing is left of former lists
   Kokkos::deep_copy(exec, links.conductance, T(0));
-  ListReactiveLinks<T, Set> list{DenseNeighbour(nodes), surface.node, nodes.index, nodes.solid_links,
-                                 nodes.capacity,        links,        false};
+  ListReactiveLinks<T, Set> list{nodes.around(), surface.node, nodes.index, nodes.solid_links,
+                                 nodes.capacity, links,        false};
   places(exec, "vug::reactive_wall::count_of_surface", surface.count, list, links.of_surface);
   list.fill = true;
   for_each_node(exec, "vug::reactive_wall::list", surface.count, list);

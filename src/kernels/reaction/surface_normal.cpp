@@ -3,7 +3,6 @@
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
-#include "kernels/nodes/dense_neighbour.hpp"
 #include "kernels/packs/pack.hpp"
 #include "kernels/reaction/link_area.hpp"
 #include "kernels/reaction/solid_share.hpp"
@@ -168,7 +167,7 @@ void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surf
   if (static_cast<int>(normal.extent(0)) < surface.count)
     normal = VectorField<double>("vug::surface_normal::normal", surface.count + surface.count / 2);
   launch_normals<double>(exec, only.value_or(Share(surface.count)),
-                         SurfaceNormal{DenseNeighbour(nodes), surface.node, volume, dissolved, normal});
+                         SurfaceNormal{nodes.around(), surface.node, volume, dissolved, normal});
 }
 
 /// Area of the links of one surface node.
@@ -193,7 +192,7 @@ double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& su
   with_link_area(normal, [&](const auto& area) {
     using Area = std::decay_t<decltype(area)>;
     add_per_block(exec, "vug::surface_normal::sum_area", surface.count,
-                  SurfaceNodeArea<Set, Area>{DenseNeighbour(nodes), surface.node, nodes.index, area}, total);
+                  SurfaceNodeArea<Set, Area>{nodes.around(), surface.node, nodes.index, area}, total);
   });
   exec.fence();
   return sum_in_order(total);
