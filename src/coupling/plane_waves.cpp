@@ -91,9 +91,9 @@ template <class Set>
 auto heat_collision(double diffusivity, const Vector2& u) {
   const auto rates = heat_rates<double>({diffusivity, diffusivity, 1});
   return jacobian<Set>({}, [&](Populations<Set>& g) {
-    Populations<Set> arrived, nothing{};
+    Populations<Set> arrived;
     std::copy(g, g + Set::Q, arrived);
-    Conduction<double, Set>{rates}(g, arrived, 0, nothing);
+    conduct_node<double, Set>(g, arrived, rates.fluid, [](int, double pulled, double) { return pulled; });
     double temperature = 0;
     for (const double part : g) temperature += part;
     const Convection<double, Set> law{rates.fluid};

@@ -3,27 +3,7 @@
 // pressure: f = 0 is fluid at rest there, so that creeping flow keeps its digits in float.
 #include "kernels/base/velocity_set.hpp"
 
-#include <utility>
-
 namespace vug {
-
-/// On a lambda inside a kernel: a call left standing in a loop over nodes keeps the loop from vectorising.
-#define VUG_INLINED __attribute__((always_inline))
-
-/// A number that the type carries: std::integral_constant, whose conversion is not for the device.
-template <int k>
-struct Constant {
-  KOKKOS_FORCEINLINE_FUNCTION constexpr operator int() const { return k; }
-};
-
-/// Calls body(Constant<k>) for k = 0 .. N-1 in order, so that tables indexed by k fold to constants.
-template <int N, class Body>
-KOKKOS_FORCEINLINE_FUNCTION constexpr void unroll(const Body& body) {
-  [&]<int... k>(std::integer_sequence<int, k...>) VUG_INLINED {
-    (body(Constant<k>{}), ...);
-  }
-  (std::make_integer_sequence<int, N>{});
-}
 
 /// Gauge density rho' = 3 p' and velocity of one node, lattice units (reference density 1, so u is the momentum).
 template <class T>

@@ -96,6 +96,37 @@ struct Temperature {
   }
 };
 
+/// What boundaries and sums ask of the nodes: fluid and one solid.
+template <class T>
+struct TwoKinds {
+  double capacity_ratio;
+  HeatRates<T> rates;
+  Kokkos::View<const std::uint8_t*> kind;
+  KOKKOS_FORCEINLINE_FUNCTION bool solid(int node) const { return kind(node) != 0; }
+  KOKKOS_FORCEINLINE_FUNCTION T rate(int node) const { return kind(node) ? rates.solid : rates.fluid; }
+  KOKKOS_FORCEINLINE_FUNCTION T share(int, T share) const { return share; }
+  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return kind(node) ? capacity_ratio : 1; }
+};
+/// Fluid and minerals.
+template <class T>
+struct ManyKinds {
+  Kokkos::View<const double*> capacities, rates;
+  Kokkos::View<const std::uint8_t*> kind;
+  KOKKOS_FORCEINLINE_FUNCTION bool solid(int) const { return false; }
+  KOKKOS_FORCEINLINE_FUNCTION T rate(int node) const { return static_cast<T>(rates(kind(node))); }
+  KOKKOS_FORCEINLINE_FUNCTION T share(int node, T share) const { return share / static_cast<T>(capacity(node)); }
+  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return capacities(kind(node)); }
+};
+
+/// visit(kinds of matter of the nodes).
+template <class T, class Visit>
+void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
+  if (fields.matter.given())
+    visit(ManyKinds<T>{fields.matter.capacity, fields.matter.rate, fields.matter.of_node});
+  else
+    visit(TwoKinds<T>{fields.rates.capacity_ratio, fields.rates, fields.solid});
+}
+
 /// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
 /// `mineral` (dense node) numbers parameters.minerals. `rows`: those that are ours, where processes share them.
 template <class T>

@@ -18,28 +18,6 @@ struct SideLink {
   T slope;     ///< outflow_slope(tau) times the rise of the temperature from the node before; only if the law asks
 };
 
-/// What a boundary asks of its nodes: fluid and one solid.
-template <class T>
-struct TwoKinds {
-  double capacity_ratio;
-  HeatRates<T> rates;
-  Kokkos::View<const std::uint8_t*> kind;
-  KOKKOS_FORCEINLINE_FUNCTION bool solid(int node) const { return kind(node) != 0; }
-  KOKKOS_FORCEINLINE_FUNCTION T rate(int node) const { return kind(node) ? rates.solid : rates.fluid; }
-  KOKKOS_FORCEINLINE_FUNCTION T share(int, T share) const { return share; }
-  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return kind(node) ? capacity_ratio : 1; }
-};
-/// Fluid and minerals.
-template <class T>
-struct ManyKinds {
-  Kokkos::View<const double*> capacities, rates;
-  Kokkos::View<const std::uint8_t*> kind;
-  KOKKOS_FORCEINLINE_FUNCTION bool solid(int) const { return false; }
-  KOKKOS_FORCEINLINE_FUNCTION T rate(int node) const { return static_cast<T>(rates(kind(node))); }
-  KOKKOS_FORCEINLINE_FUNCTION T share(int node, T share) const { return share / static_cast<T>(capacity(node)); }
-  KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return capacities(kind(node)); }
-};
-
 /// in = A + share q / c.
 template <class T>
 struct FluxIn {
@@ -175,14 +153,10 @@ struct HeatLinks {
 template <class T, class Visit>
 void visit_links(const HeatFields<T>& fields, const HeatCrossing<T>& crossing, const Visit& visit) {
   visit_velocity_set(fields.velocity_set, [&](auto set) {
-    const auto with = [&](const auto& kinds) {
+    visit_kinds(fields, [&](const auto& kinds) {
       visit(HeatLinks<T, decltype(set), std::decay_t<decltype(kinds)>>{
           kinds, {fields.lattice, fields.periodic}, crossing, fields.g});
-    };
-    if (fields.matter.given())
-      with(ManyKinds<T>{fields.matter.capacity, fields.matter.rate, fields.matter.of_node});
-    else
-      with(TwoKinds<T>{fields.rates.capacity_ratio, fields.rates, fields.solid});
+    });
   });
 }
 

@@ -7,58 +7,27 @@
 
 namespace vug {
 
-/// Conduction in fluid and solid (paper Eqs. 3, 4): g_q(x, t+1) is what arrives through the conjugate link, and the
-/// collision relaxes its odd part with s, its even part with s_plus towards w_q T. With Lambda = 1/4, s_plus = 2 - s,
-/// so
+/// Conduction at one node (paper Eqs. 3, 4): turns its populations `g` into those after the step. g_q(x, t+1) is what
+/// arrives through the conjugate link, link(q, pulled[q], own) with `pulled` what left the neighbour that q comes from
+/// and `own` what left the node for it; the collision relaxes the odd part with s, the even part with s_plus towards
+/// w_q T. With Lambda = 1/4, s_plus = 2 - s, so
 ///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
 /// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it to
 /// the last digit at any precision.
-template <class T, class Set>
-struct Conduction {
-  T fluid_rate, rate_step, reflection;
-
-  explicit Conduction(const HeatRates<T>& rates)
-      : fluid_rate(rates.fluid), rate_step(rates.solid - rates.fluid), reflection(rates.reflection) {}
-
-  /// Turns the populations `g` of a node into those after the step. `pulled` (q) left the neighbour that q comes from;
-  /// `beyond` (q) is 1 if that neighbour is solid, `solid` if the node is, else 0.
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T solid,
-                                              const T (&beyond)[Set::Q]) const {
-    T in[Set::Q];
-    T temperature = g[0];
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q)
-      temperature += in[q] = conjugate_link(pulled[q], g[Set::opposite(q)], reflection, solid, beyond[q]);
-    const T s = fluid_rate + solid * rate_step;
-    const T even = (2 - s) * temperature;
-    g[0] = temperature;
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
-      g[0] -= g[q];
-    }
+template <class T, class Set, class Link>
+KOKKOS_FORCEINLINE_FUNCTION void conduct_node(T (&g)[Set::Q], const T (&pulled)[Set::Q], T s, const Link& link) {
+  T in[Set::Q];
+  T temperature = g[0];
+  VUG_UNROLL
+  for (int q = 1; q < Set::Q; ++q) temperature += in[q] = link(q, pulled[q], g[Set::opposite(q)]);
+  const T even = (2 - s) * temperature;
+  g[0] = temperature;
+  VUG_UNROLL
+  for (int q = 1; q < Set::Q; ++q) {
+    g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
+    g[0] -= g[q];
   }
-};
-
-/// The same where every node has the heat capacity and the rate of its own matter.
-template <class T, class Set>
-struct MineralConduction {
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(T (&g)[Set::Q], const T (&pulled)[Set::Q], T rate, T capacity,
-                                              const T (&beyond)[Set::Q]) const {
-    T in[Set::Q];
-    T temperature = g[0];
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q)
-      temperature += in[q] = conjugate_link_of(pulled[q], g[Set::opposite(q)], capacity, beyond[q]);
-    const T even = (2 - rate) * temperature;
-    g[0] = temperature;
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q) {
-      g[q] = (rate - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
-      g[0] -= g[q];
-    }
-  }
-};
+}
 
 /// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
 /// `inside_opening`), that of the node itself. D2Q5 without openings never meets such.
@@ -74,16 +43,22 @@ KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
 /// which `staged` makes what the law takes for here and beyond.
 template <class T, class Set, bool Openings>
 struct TwoPhases {
-  Conduction<T, Set> law;
+  T fluid_rate, rate_step, reflection;
   Kokkos::View<const std::uint8_t*> kind;
 
-  explicit TwoPhases(const HeatFields<T>& fields) : law(fields.rates), kind(fields.solid) {}
+  explicit TwoPhases(const HeatFields<T>& fields)
+      : fluid_rate(fields.rates.fluid),
+        rate_step(fields.rates.solid - fields.rates.fluid),
+        reflection(fields.rates.reflection),
+        kind(fields.solid) {}
   KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(k); }
   KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return solid_beyond<T, Set, Openings>(there, here); }
   KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return !Openings || here <= 1; }
   KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t, T here,
                                            const T (&there)[Set::Q]) const {
-    law(g, pulled, here, there);
+    conduct_node<T, Set>(g, pulled, fluid_rate + here * rate_step, [&](int q, T arrived, T own) VUG_INLINED {
+      return conjugate_link(arrived, own, reflection, here, there[q]);
+    });
   }
 };
 
@@ -100,7 +75,9 @@ struct ManyMinerals {
   KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return here > 0; }
   KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t k, T here,
                                            const T (&there)[Set::Q]) const {
-    MineralConduction<T, Set>{}(g, pulled, static_cast<T>(rate(k)), here, there);
+    conduct_node<T, Set>(g, pulled, static_cast<T>(rate(k)), [&](int q, T arrived, T own) VUG_INLINED {
+      return conjugate_link_of(arrived, own, here, there[q]);
+    });
   }
 };
 

@@ -6,70 +6,47 @@
 
 namespace vug {
 
-/// Heat capacity of a node of one solid, over that of the fluid.
-struct SolidCapacity {
-  double of_solid;
-  Kokkos::View<const std::uint8_t*> solid;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int node) const { return solid(node) ? of_solid : 1.0; }
-};
-/// Of several.
-struct MineralCapacity {
-  Kokkos::View<const std::uint8_t*> matter;
-  Kokkos::View<const double*> capacity;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int node) const { return capacity(matter(node)); }
-};
-
-/// visit(capacity of a node).
-template <class T, class Visit>
-void visit_capacity(const HeatFields<T>& fields, const Visit& visit) {
-  if (fields.matter.given())
-    visit(MineralCapacity{fields.matter.of_node, fields.matter.capacity});
-  else
-    visit(SolidCapacity{fields.rates.capacity_ratio, fields.solid});
-}
-
 /// Energy of one node; none in openings.
-template <class T, class Capacity>
+template <class T, class Kinds>
 struct NodeEnergy {
-  Capacity capacity;
+  Kinds kinds;
   Kokkos::View<const std::uint8_t*> solid;
   Temperature<T> theta;
   KOKKOS_FUNCTION double operator()(int node) const {
-    const double energy = capacity(node) * static_cast<double>(theta(node));
+    const double energy = kinds.capacity(node) * static_cast<double>(theta(node));
     return solid(node) > 1 ? 0.0 : energy;
   }
 };
 
 template <class T>
 void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total) {
-  visit_capacity(fields, [&](const auto& capacity) {
+  visit_kinds(fields, [&](const auto& kinds) {
     add_per_dense_row(exec, "vug::heat::energy", fields.lattice, {fields.first_row, fields.rows},
-                      NodeEnergy<T, std::decay_t<decltype(capacity)>>{capacity, fields.solid, Temperature<T>(fields)},
-                      total);
+                      NodeEnergy<T, std::decay_t<decltype(kinds)>>{kinds, fields.solid, Temperature<T>(fields)}, total);
   });
 }
 
 /// (1 - sigma) theta of a solid node that becomes fluid.
-template <class T, class Capacity>
+template <class T, class Kinds>
 struct BirthEnergy {
   int first;
-  Capacity capacity;
+  Kinds kinds;
   IndexList list;
   Kokkos::View<const std::uint8_t*> solid;
   Temperature<T> theta;
   KOKKOS_FUNCTION double operator()(int item) const {
     const int node = list(first + item);
-    return solid(node) ? (1 - capacity(node)) * static_cast<double>(theta(node)) : 0.0;
+    return solid(node) ? (1 - kinds.capacity(node)) * static_cast<double>(theta(node)) : 0.0;
   }
 };
 
 template <class T>
 void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
                       const ScalarField<double>& total) {
-  visit_capacity(fields, [&](const auto& capacity) {
-    using Body = BirthEnergy<T, std::decay_t<decltype(capacity)>>;
+  visit_kinds(fields, [&](const auto& kinds) {
+    using Body = BirthEnergy<T, std::decay_t<decltype(kinds)>>;
     add_per_block(exec, "vug::heat::birth_energy", last - first,
-                  Body{first, capacity, list, fields.solid, Temperature<T>(fields)}, total);
+                  Body{first, kinds, list, fields.solid, Temperature<T>(fields)}, total);
   });
 }
 
