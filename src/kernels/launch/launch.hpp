@@ -113,6 +113,15 @@ struct NodeOfBlocks {
   }
 };
 
+/// On a GPU: *total += sum of body(i) over a range, by a team.
+template <class Team, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void add_by_team(const Team& team, int begin, int end, const Body& body, double* total) {
+  double sum = 0;
+  Kokkos::parallel_reduce(
+      Kokkos::TeamThreadRange(team, begin, end), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
+  Kokkos::single(Kokkos::PerTeam(team), [&] { *total += sum; });
+}
+
 /// On a GPU: a team per block.
 template <class Body>
 struct TeamSum {
@@ -123,11 +132,7 @@ struct TeamSum {
   const int* listed = nullptr;  ///< numbers of the blocks that run; null: all do
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int block = listed ? listed[team.league_rank()] : team.league_rank(), first = block * nodes_per_block;
-    const int last = first + nodes_per_block < n ? first + nodes_per_block : n;
-    double sum = 0;
-    Kokkos::parallel_reduce(
-        Kokkos::TeamThreadRange(team, first, last), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
-    Kokkos::single(Kokkos::PerTeam(team), [&] { total(block) += sum; });
+    add_by_team(team, first, first + nodes_per_block < n ? first + nodes_per_block : n, body, &total(block));
   }
 };
 

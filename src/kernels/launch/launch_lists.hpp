@@ -98,10 +98,7 @@ struct SumByTeam {
   double* total;
   template <class Body>
   KOKKOS_FUNCTION void operator()(const Body& body) const {
-    double sum = 0;
-    Kokkos::parallel_reduce(
-        Kokkos::TeamThreadRange(team, begin, end), [&](int i, double& s) { s += static_cast<double>(body(i)); }, sum);
-    Kokkos::single(Kokkos::PerTeam(team), [&] { *total += sum; });
+    add_by_team(team, begin, end, body, total);
   }
 };
 

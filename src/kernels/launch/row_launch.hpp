@@ -58,11 +58,7 @@ struct TeamRowSum {
   ScalarField<double> total;
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int y = first_row + team.league_rank();
-    double sum = 0;
-    Kokkos::parallel_reduce(
-        Kokkos::TeamThreadRange(team, items.begin(y), items.end(y)),
-        [&](int item, double& s) { s += static_cast<double>(body(item)); }, sum);
-    Kokkos::single(Kokkos::PerTeam(team), [&] { total(y) += sum; });
+    add_by_team(team, items.begin(y), items.end(y), body, &total(y));
   }
 };
 
