@@ -102,23 +102,6 @@ struct NormalSpeedRule {
   }
 };
 
-/// Dresses the outgoing population of each link by a rule and books the change of mass. Touches one population and
-/// 21 bytes of lists and ledger per link.
-template <class T, class Rule>
-struct DressLinks {
-  FlowCondition links;
-  ScalarField<T> f;
-  int capacity;
-  Rule rule;
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int link = links.link(item), i = links.fluid[link], q = links.direction[link];
-    const T outgoing = f(q * capacity + i);
-    const T incoming = rule(link, i, q, outgoing);
-    f(q * capacity + i) = incoming;
-    links.gain[link] += double(incoming) - double(outgoing);
-  }
-};
-
 using Kind = FlowCondition::Kind;
 
 /// Each stretch by its rule.
@@ -143,33 +126,17 @@ struct DressFlow {
     else if (c.kind == Kind::outflow)
       run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c}});
     else if (c.kind == Kind::velocity)
-      run(DressLinks<T, VelocityRule<T>>{c, f, capacity, {x, y}});
+      run(DressLinks<T, VelocityRule<T>>{c, f.data(), capacity, {x, y}});
     else if (c.kind == Kind::velocity_profile)
-      run(DressLinks<T, VelocityProfileRule<T>>{c, f, capacity, {x, y, c.part}});
+      run(DressLinks<T, VelocityProfileRule<T>>{c, f.data(), capacity, {x, y, c.part}});
     else
-      run(DressLinks<T, NormalSpeedRule<T>>{c, f, capacity, {c.part, c.value[0]}});
+      run(DressLinks<T, NormalSpeedRule<T>>{c, f.data(), capacity, {c.part, c.value[0]}});
   }
 };
 
-namespace {
-
-FlowCondition on_links(Kind kind, const BoundaryLinks& links, const ScalarField<double>& gain) {
-  FlowCondition made;
-  made.kind = kind;
-  made.count = links.count;
-  made.own_count = links.own_count < 0 ? links.count : links.own_count;
-  made.own = links.own_count < 0 ? nullptr : links.own.data();
-  made.fluid = links.fluid.data();
-  made.direction = links.direction.data();
-  made.gain = gain.data();
-  return made;
-}
-
-}  // namespace
-
 FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
                                  const ScalarField<double>& gain) {
-  FlowCondition made = on_links(Kind::pressure, links, gain);
+  FlowCondition made{{links, gain}, Kind::pressure};
   made.mirror = mirror.data();
   made.value[0] = pressure;
   return made;
@@ -178,7 +145,7 @@ FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mi
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
                                  const ScalarField<double>& share, const ScalarField<double>& gain) {
   const bool uniform = share.extent(0) == 0;
-  FlowCondition made = on_links(uniform ? Kind::velocity : Kind::velocity_profile, links, gain);
+  FlowCondition made{{links, gain}, uniform ? Kind::velocity : Kind::velocity_profile};
   made.part = share.data();
   for (int axis = 0; axis < 2; ++axis) made.value[axis] = velocity[axis];
   return made;
@@ -186,7 +153,7 @@ FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 
 
 FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
                                      const ScalarField<double>& gain) {
-  FlowCondition made = on_links(Kind::normal_speed, links, gain);
+  FlowCondition made{{links, gain}, Kind::normal_speed};
   made.part = area.data();
   made.value[0] = speed;
   return made;
@@ -194,7 +161,7 @@ FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarFie
 
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain) {
-  FlowCondition made = on_links(Kind::outflow, links, gain);
+  FlowCondition made{{links, gain}, Kind::outflow};
   made.mirror = mirror.data();
   made.faces = state.faces;
   made.total = state.speed.data();

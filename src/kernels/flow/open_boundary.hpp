@@ -3,35 +3,22 @@
 // link before the sweep, whose bounce-back then brings it in. Call them after the sweep, once per step and link.
 // All act half way between the node and its neighbour beyond the link.
 #include "kernels/flow/flow.hpp"
+#include "kernels/nodes/dressed_links.hpp"
 
 #include <span>
 
 namespace vug {
 
-/// The condition on the links of one stretch. Made by the functions below; holds no View: what it was made from must
-/// outlive its use. All add to gain(link) what entered minus what left, for the balance of mass.
-struct FlowCondition {
+/// The condition on the links of one stretch, made by the functions below.
+struct FlowCondition : DressedLinks {
   enum class Kind { none, pressure, outflow, velocity, velocity_profile, normal_speed };
   Kind kind = Kind::none;
-  int count = 0;                            ///< links
-  int own_count = 0;                        ///< of them, that this process dresses
-  const int* own = nullptr;                 ///< (own) their numbers; null: all
-  const int* fluid = nullptr;               ///< (link) fluid index
-  const std::uint8_t* direction = nullptr;  ///< (link)
-  double* gain = nullptr;                   ///< (link)
-  const int* mirror = nullptr;              ///< (link) of pressures and outflows
-  const double* part = nullptr;             ///< (link) share of a velocity, area of a normal speed
+  const int* mirror = nullptr;   ///< (link) of pressures and outflows
+  const double* part = nullptr;  ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
   double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< those of an OutflowState
   const int *next = nullptr, *previous = nullptr, *face = nullptr;         ///< likewise
 
-  /// This process dresses all links.
-  void take_all() {
-    own_count = count;
-    own = nullptr;
-  }
-  /// The number of an own link.
-  KOKKOS_FORCEINLINE_FUNCTION int link(int item) const { return own ? own[item] : item; }
   /// Links of an outflow of which this process dresses some, and must know all: its conditions follow from their mean.
   int known() const { return kind == Kind::outflow && faces > 0 && own_count > 0 ? count : 0; }
 };

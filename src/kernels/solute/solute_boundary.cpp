@@ -40,21 +40,6 @@ struct SoluteOutflowRule {
   }
 };
 
-/// What comes in by a rule, in the slot of the outgoing population of one link. 8 + 5 + 2 s + 16 bytes per link.
-template <class T, class Rule>
-struct DressSolute {
-  SoluteCondition<T> links;
-  int capacity;
-  Rule rule;
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int link = links.own ? links.own[item] : item, i = links.fluid[link], q = links.direction[link];
-    T& slot = links.h[q * capacity + i];
-    const T out = slot, in = rule(link, i, q, out);
-    slot = in;
-    links.gain[link] += double(in) - double(out);
-  }
-};
-
 /// Each stretch by its rule.
 template <class T, class Set>
 struct DressSolutes {
@@ -63,16 +48,16 @@ struct DressSolutes {
   int capacity;
   Crossing<T> crossing;
 
-  static int count(const Entry& c) { return c.count; }
+  static int count(const Entry& c) { return c.own_count; }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
     using Kind = typename Entry::Kind;
     if (c.kind == Kind::outflow)
-      run(DressSolute<T, SoluteOutflowRule<T, Set>>{c, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
+      run(DressLinks<T, SoluteOutflowRule<T, Set>>{c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
     else if (c.kind == Kind::concentration)
-      run(DressSolute<T, ConcentrationRule<T, Set>>{c, capacity, {c.value, crossing}});
+      run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing}});
     else
-      run(DressSolute<T, FluxRule<T>>{c, capacity, {c.part, c.value}});
+      run(DressLinks<T, FluxRule<T>>{c, c.h, capacity, {c.part, c.value}});
   }
 };
 
@@ -82,18 +67,7 @@ template <class T>
 SoluteCondition<T> condition(typename SoluteCondition<T>::Kind kind, const BoundaryLinks& links,
                              const SoluteFields<T>& s, const ScalarField<double>& gain, const double* part,
                              double value) {
-  return {kind,
-          links.own_count < 0 ? links.count : links.own_count,
-          links.own_count < 0 ? nullptr : links.own.data(),
-          links.fluid.data(),
-          links.direction.data(),
-          gain.data(),
-          s.h.data(),
-          s.turned,
-          part,
-          value,
-          s.C.data(),
-          0};
+  return {{links, gain}, kind, s.turned, s.h.data(), s.C.data(), part, value, 0};
 }
 
 }  // namespace

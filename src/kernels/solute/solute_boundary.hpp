@@ -1,6 +1,7 @@
 #pragma once
 // What happens to a species at the sides of the lattice: the outgoing population is dressed before the sweep, and the
 // bounce-back in the table of sources brings it home. No flux needs nothing. Where several meet: outflow first.
+#include "kernels/nodes/dressed_links.hpp"
 #include "kernels/scalar/crossing.hpp"
 #include "kernels/solute/solute.hpp"
 
@@ -9,23 +10,17 @@
 
 namespace vug {
 
-/// The condition of a species on the links of one stretch. Made by the functions below; holds no View: what it was made
-/// from must outlive its use. gain(link) += what the fluid gains.
+/// The condition of a species on the links of one stretch, made by the functions below.
 template <class T>
-struct SoluteCondition {
+struct SoluteCondition : DressedLinks {
   enum class Kind { outflow, concentration, flux };
   Kind kind = Kind::outflow;
-  int count = 0;                            ///< links that this process dresses
-  const int* own = nullptr;                 ///< (own) their numbers; null: all
-  const int* fluid = nullptr;               ///< (link) fluid index
-  const std::uint8_t* direction = nullptr;  ///< (link)
-  double* gain = nullptr;                   ///< (link)
-  T* h = nullptr;                           ///< populations of the species
-  int turned = 0;                           ///< (streaming.hpp)
-  const double* part = nullptr;             ///< (link) area of a flux
+  int turned = 0;                ///< (streaming.hpp)
+  T* h = nullptr;                ///< populations of the species
+  const T* C = nullptr;          ///< (fluid) concentrations
+  const double* part = nullptr;  ///< (link) area of a flux
   double value = 0;
-  const T* C = nullptr;  ///< (fluid) concentrations
-  T slope = 0;           ///< outflow_slope(tau_1)
+  T slope = 0;  ///< outflow_slope(tau_1)
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population; where fluid
