@@ -61,9 +61,9 @@ void explain_side(const Scene& scene, const Stretch& stretch, const LatticeUnits
   if (scene.flow && flow.has_rate())
     numbers.put(key + "flow, volume per depth", flow.peak_rate(scene.flow->density), "m2/s", units.diffusivity());
   const HeatBoundary& heat = stretch.conditions.heat;
-  if (scene.heat && (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection))
+  if (scene.heat && (heat.kind == HeatCondition::temperature || heat.kind == HeatCondition::convection))
     numbers.temperature(key + "heat.temperature", heat.temperature.peak());
-  if (scene.heat && heat.kind == HeatBoundaryKind::flux)
+  if (scene.heat && heat.kind == HeatCondition::flux)
     numbers.put(key + "heat.flux", heat.flux.peak(), "W/m2",
                 scene.heat->fluid_density * scene.heat->fluid_heat_capacity * units.velocity());
   const SoluteBoundary& solute = stretch.conditions.solute;

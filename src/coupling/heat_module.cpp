@@ -23,21 +23,6 @@ namespace {
 // but rock and water that a model like this one is for do not outlive the second.
 constexpr double runaway_margin = 1000, runaway_margin_with_flux = 1e5;  // K
 
-HeatCondition condition_of(HeatBoundaryKind kind) {
-  switch (kind) {
-    case HeatBoundaryKind::temperature:
-      return HeatCondition::temperature;
-    case HeatBoundaryKind::flux:
-      return HeatCondition::flux;
-    case HeatBoundaryKind::convection:
-      return HeatCondition::convection;
-    case HeatBoundaryKind::outflow:
-      return HeatCondition::outflow;
-    default:
-      return HeatCondition::adiabatic;
-  }
-}
-
 }  // namespace
 
 template <class T>
@@ -69,8 +54,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     const HeatBoundary& heat = stretch.conditions.heat;
     if (periodic_[is_upright(stretch.side) ? 0 : 1]) continue;
     stretches_.push_back(stretch);
-    sides_.push_back(
-        make_heat_side(stretch.side, stretch.first, stretch.last, condition_of(heat.kind), value_of(heat, 0)));
+    sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, heat.kind, value_of(heat, 0)));
     sides_.back().transfer = transfer_of(heat);
     widen_range(heat);
     entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
@@ -79,8 +63,8 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
   assign_corners(geometry.lattice, sides_);
   for (const InnerOpening& opening : geometry.openings) {
     const HeatBoundary& heat = opening.conditions.heat;
-    openings_.push_back(make_heat_opening(exec, fields_, geometry.type, periodic_, opening.nodes,
-                                          condition_of(heat.kind), value_of(heat, 0)));
+    openings_.push_back(
+        make_heat_opening(exec, fields_, geometry.type, periodic_, opening.nodes, heat.kind, value_of(heat, 0)));
     openings_.back().transfer = transfer_of(heat);
     widen_range(heat);
     entered_.emplace_back("vug::heat::entered", openings_.back().energy_in.extent(0));
@@ -137,14 +121,13 @@ const ScalarField<T>& HeatModule<T>::temperature(const Exec& exec, const Halo& o
 
 template <class T>
 FaceTemperature<T> HeatModule<T>::face_temperature(const Exec& exec, const Halo& others) const {
-  const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
-  const double solid = section_.solid_density * section_.solid_heat_capacity * section_.solid_diffusivity;
-  return {temperature(exec, others), solid / (fluid + solid), units_.reference_temperature};
+  const double share = solid_share(section_.solid_density, section_.solid_heat_capacity, section_.solid_diffusivity);
+  return {temperature(exec, others), {share}, units_.reference_temperature};
 }
 
 template <class T>
-MineralFaceTemperature<T> HeatModule<T>::mineral_face_temperature(const Exec& exec, const Halo& others) const {
-  return {temperature(exec, others), geometry_.mineral, solid_share_, units_.reference_temperature};
+FaceTemperature<T, ShareOfMineral> HeatModule<T>::mineral_face_temperature(const Exec& exec, const Halo& others) const {
+  return {temperature(exec, others), {geometry_.mineral, solid_share_}, units_.reference_temperature};
 }
 
 template <class T>

@@ -50,7 +50,7 @@ class HeatModule final : public Module {
   FaceTemperature<T> face_temperature(const Exec& exec, const Halo& others) const;
   /// The same where minerals conduct each in their way.
   bool has_minerals() const { return !minerals_.empty(); }
-  MineralFaceTemperature<T> mineral_face_temperature(const Exec& exec, const Halo& others) const;
+  FaceTemperature<T, ShareOfMineral> mineral_face_temperature(const Exec& exec, const Halo& others) const;
   double coldest() const { return coldest_; }  ///< K, of everything the case names
   double hottest() const { return hottest_; }  ///< K
 
@@ -97,6 +97,9 @@ class HeatModule final : public Module {
     std::string name;
     double diffusivity, density, heat_capacity;
   };
+
+  /// lambda_s/(lambda_f + lambda_s) of a solid.
+  double solid_share(double density, double heat_capacity, double diffusivity) const;
 
   HeatSection section_;
   std::vector<Mineral> minerals_;

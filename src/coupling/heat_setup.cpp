@@ -21,12 +21,16 @@ void HeatModule<T>::set_up_minerals(const Scene& scene) {
   if (!differ || !scene.reaction) return;
   solid_share_ = ScalarField<double>("vug::minerals::solid_share", minerals_.size());
   const auto share = Kokkos::create_mirror_view(solid_share_);
-  const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
-  for (std::size_t m = 0; m < minerals_.size(); ++m) {
-    const double solid = minerals_[m].density * minerals_[m].heat_capacity * minerals_[m].diffusivity;
-    share(m) = solid / (fluid + solid);
-  }
+  for (std::size_t m = 0; m < minerals_.size(); ++m)
+    share(m) = solid_share(minerals_[m].density, minerals_[m].heat_capacity, minerals_[m].diffusivity);
   Kokkos::deep_copy(solid_share_, share);
+}
+
+template <class T>
+double HeatModule<T>::solid_share(double density, double heat_capacity, double diffusivity) const {
+  const double fluid = section_.fluid_density * section_.fluid_heat_capacity * section_.fluid_diffusivity;
+  const double solid = density * heat_capacity * diffusivity;
+  return solid / (fluid + solid);
 }
 
 template <class T>
@@ -47,9 +51,9 @@ HeatParameters HeatModule<T>::parameters() const {
 
 template <class T>
 double HeatModule<T>::value_of(const HeatBoundary& heat, double time) const {
-  if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection)
+  if (heat.kind == HeatCondition::temperature || heat.kind == HeatCondition::convection)
     return units_.lattice_temperature(heat.temperature.at(time));
-  if (heat.kind != HeatBoundaryKind::flux) return 0;
+  if (heat.kind != HeatCondition::flux) return 0;
   return interval_ * heat.flux.at(time) / (section_.fluid_density * section_.fluid_heat_capacity * units_.velocity());
 }
 
@@ -57,7 +61,7 @@ template <class T>
 double HeatModule<T>::value_of(const HeatBoundary& heat, const StepTimes& times) const {
   if (heat.temperature.constant() && heat.flux.constant()) return value_of(heat, times.last);
   const auto at = [&](double moment) { return value_of(heat, moment); };
-  return heat.kind == HeatBoundaryKind::flux ? times.mean(at) : times.mean_about_last(at);
+  return heat.kind == HeatCondition::flux ? times.mean(at) : times.mean_about_last(at);
 }
 
 template <class T>
@@ -67,11 +71,11 @@ double HeatModule<T>::transfer_of(const HeatBoundary& heat) const {
 
 template <class T>
 void HeatModule<T>::widen_range(const HeatBoundary& heat) {
-  if (heat.kind == HeatBoundaryKind::temperature || heat.kind == HeatBoundaryKind::convection) {
+  if (heat.kind == HeatCondition::temperature || heat.kind == HeatCondition::convection) {
     coldest_ = std::min(coldest_, heat.temperature.lowest());
     hottest_ = std::max(hottest_, heat.temperature.highest());
   }
-  heated_ = heated_ || (heat.kind == HeatBoundaryKind::flux && heat.flux.peak() != 0);
+  heated_ = heated_ || (heat.kind == HeatCondition::flux && heat.flux.peak() != 0);
 }
 
 template <class T>
@@ -84,6 +88,7 @@ void HeatModule<T>::set_values(double time) {
 
 #define VUG_INSTANTIATE(T)                                                              \
   template void HeatModule<T>::set_up_minerals(const Scene&);                           \
+  template double HeatModule<T>::solid_share(double, double, double) const;             \
   template HeatParameters HeatModule<T>::parameters() const;                            \
   template double HeatModule<T>::value_of(const HeatBoundary&, double) const;           \
   template double HeatModule<T>::value_of(const HeatBoundary&, const StepTimes&) const; \

@@ -104,7 +104,7 @@ void MechanicsModule<T>::warm(const Exec& exec, double time) {
   geometry_.split.make_whole(of_warmed_, change);
   for (std::size_t o = 0; o < thermal_.in_opening.size(); ++o) {
     const HeatBoundary& heat = geometry_.openings[o].conditions.heat;
-    if (heat.kind == HeatBoundaryKind::temperature)  // of now, as a resumed run knows it too
+    if (heat.kind == HeatCondition::temperature)  // of now, as a resumed run knows it too
       warm_particles_to(exec, thermal_.in_opening[o],
                         units_.lattice_temperature(heat.temperature.at(time)) - heat_->initial_theta(), change);
   }

@@ -179,8 +179,8 @@ void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, doub
   const double reference = section_.reference_temperature;
   const MineralRates& minerals = attack.wall.minerals;
   if (minerals.given() && heat_ && heat_->has_minerals())
-    set(MineralArrhenius<MineralFaceTemperature<T>>{minerals, reference,
-                                                    heat_->mineral_face_temperature(exec, temperatures_)});
+    set(MineralArrhenius<FaceTemperature<T, ShareOfMineral>>{minerals, reference,
+                                                             heat_->mineral_face_temperature(exec, temperatures_)});
   else if (minerals.given() && heat_)
     set(MineralArrhenius<FaceTemperature<T>>{minerals, reference, heat_->face_temperature(exec, temperatures_)});
   else if (minerals.given())

@@ -11,11 +11,11 @@ TemperatureRange temperature_range(const Scene& scene) {
   const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
   double warmed = 0, cooled = 0;
   const auto add = [&](const HeatBoundary& boundary) {
-    if (boundary.kind == HeatBoundaryKind::temperature || boundary.kind == HeatBoundaryKind::convection) {
+    if (boundary.kind == HeatCondition::temperature || boundary.kind == HeatCondition::convection) {
       range.coldest = std::min(range.coldest, boundary.temperature.lowest());
       range.hottest = std::max(range.hottest, boundary.temperature.highest());
     }
-    if (boundary.kind != HeatBoundaryKind::flux) return;
+    if (boundary.kind != HeatCondition::flux) return;
     warmed = std::max(warmed, boundary.flux.highest() * length / conductivity);
     cooled = std::max(cooled, -boundary.flux.lowest() * length / conductivity);
   };

@@ -93,7 +93,7 @@ FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {
 
 HeatBoundary read_heat_boundary(const TomlCursor& table) {
   HeatBoundary boundary;
-  using Kind = HeatBoundaryKind;
+  using Kind = HeatCondition;
   table.need_choice("type", boundary.kind,
                     {{"adiabatic", Kind::adiabatic},
                      {"temperature", Kind::temperature},

@@ -7,7 +7,7 @@ namespace vug {
 /// Whether what the scene has of fluid, heat and solutes leaves through this side for the opposite one.
 inline bool is_periodic(const Scene& scene, const BoundarySection& side) {
   return (scene.flow && side.flow.kind == FlowBoundaryKind::periodic) ||
-         (scene.heat && side.heat.kind == HeatBoundaryKind::periodic) ||
+         (scene.heat && side.heat.kind == HeatCondition::periodic) ||
          (scene.solute && side.solute.kind == SoluteBoundaryKind::periodic);
 }
 

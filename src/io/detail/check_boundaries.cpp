@@ -78,7 +78,7 @@ void check_periodic(const TomlDocument& document, const Scene& scene, const char
   check_pair(document, "flow", name_a, a.flow.kind, name_b, b.flow.kind);
   check_pair(document, "heat", name_a, a.heat.kind, name_b, b.heat.kind);
   check_pair(document, "solute", name_a, a.solute.kind, name_b, b.solute.kind);
-  const bool periodic = a.flow.kind == FlowBoundaryKind::periodic || a.heat.kind == HeatBoundaryKind::periodic ||
+  const bool periodic = a.flow.kind == FlowBoundaryKind::periodic || a.heat.kind == HeatCondition::periodic ||
                         a.solute.kind == SoluteBoundaryKind::periodic;
   if (!periodic) return;
   for (auto [name, side] : {std::pair{name_a, &a}, std::pair{name_b, &b}}) {
@@ -117,7 +117,7 @@ void check_injection(const TomlDocument& document, const Scene& scene, const Inj
   for (const auto& [name, section] : sides(scene)) {
     if (injection.side != name) continue;
     const bool periodic = section.flow.kind == FlowBoundaryKind::periodic ||
-                          section.heat.kind == HeatBoundaryKind::periodic ||
+                          section.heat.kind == HeatCondition::periodic ||
                           section.solute.kind == SoluteBoundaryKind::periodic;
     if (periodic)
       document.fail(injection.key + ".side", "is periodic; a stretch of it cannot have conditions of its own");
@@ -141,7 +141,7 @@ void check_not_periodic(const TomlDocument& document, const std::string& name, c
     if (periodic) document.fail(fmt::format("boundary.{}.{}.type", name, physics), "is a condition of a whole side");
   };
   refuse("flow", own.flow.kind == FlowBoundaryKind::periodic);
-  refuse("heat", own.heat.kind == HeatBoundaryKind::periodic);
+  refuse("heat", own.heat.kind == HeatCondition::periodic);
   refuse("solute", own.solute.kind == SoluteBoundaryKind::periodic);
 }
 

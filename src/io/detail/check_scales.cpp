@@ -28,7 +28,7 @@ void check_diffusivity(const TomlDocument& document, const LatticeSection& latti
 std::vector<double> named_temperatures(const Scene& scene) {
   std::vector<double> found{scene.heat->initial_temperature};
   const auto add = [&](const HeatBoundary& heat) {
-    if (heat.kind != HeatBoundaryKind::temperature && heat.kind != HeatBoundaryKind::convection) return;
+    if (heat.kind != HeatCondition::temperature && heat.kind != HeatCondition::convection) return;
     found.push_back(heat.temperature.lowest());
     found.push_back(heat.temperature.highest());
   };

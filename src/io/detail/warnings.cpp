@@ -138,10 +138,10 @@ void warn_about_outlets(Scene& scene) {
           "{1} = {{ type = \"outflow\" }} where fluid leaves, or what holds where it enters",
           key, what, given));
     };
-    const HeatBoundaryKind heat = at.heat.kind;
-    if (scene.heat && heat == HeatBoundaryKind::adiabatic) remark("heat", "adiabatic");
-    if (scene.heat && heat == HeatBoundaryKind::flux) remark("heat", "a flux");
-    if (scene.heat && heat == HeatBoundaryKind::convection) remark("heat", "convection");
+    const HeatCondition heat = at.heat.kind;
+    if (scene.heat && heat == HeatCondition::adiabatic) remark("heat", "adiabatic");
+    if (scene.heat && heat == HeatCondition::flux) remark("heat", "a flux");
+    if (scene.heat && heat == HeatCondition::convection) remark("heat", "convection");
     const SoluteBoundaryKind solute = at.solute.kind;
     if (scene.solute && solute == SoluteBoundaryKind::no_flux) remark("solute", "without flux");
     if (scene.solute && solute == SoluteBoundaryKind::flux) remark("solute", "a flux");

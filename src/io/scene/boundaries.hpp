@@ -52,9 +52,8 @@ inline bool is_open(const FlowBoundary& flow) {
   return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow ||
          flow.kind == FlowBoundaryKind::velocity;
 }
-enum class HeatBoundaryKind { adiabatic, temperature, flux, convection, outflow, periodic };
 struct HeatBoundary {
-  HeatBoundaryKind kind = HeatBoundaryKind::adiabatic;
+  HeatCondition kind = HeatCondition::adiabatic;
   TimeTable temperature;   ///< K
   TimeTable flux;          ///< W/m2 into the domain
   double coefficient = 0;  ///< W/(m2 K) of convection beyond the side, where the temperature is that given

@@ -17,6 +17,16 @@ enum class ScalarVelocitySet {
   d2q9   ///< diagonal ones as well
 };
 
+/// What the heat meets at a side or an opening.
+enum class HeatCondition {
+  adiabatic,    ///< nothing passes
+  temperature,  ///< given half way along the links
+  flux,         ///< given, into the domain
+  convection,   ///< Newton's law of cooling, towards a temperature beyond
+  outflow,      ///< no gradient
+  periodic      ///< of sides: joined to the opposite one
+};
+
 /// How a wall link reacts.
 enum class ReactiveWallLaw {
   kinetic,  ///< flux from the outgoing populations, closed form: acid, product and solid balance to the last digit

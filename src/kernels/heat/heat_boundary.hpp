@@ -12,14 +12,6 @@
 
 namespace vug {
 
-enum class HeatCondition {
-  adiabatic,    ///< in = A: nothing passes
-  temperature,  ///< in = -A + 2 w theta_wall: the wall plane has that temperature; for w see crossing.hpp
-  convection,   ///< in = A + share h (theta_out - theta_wall) / c, theta_wall = (in + A) / 2w: Newton's law of cooling
-  flux,         ///< in = A + share q / c: the heat q enters per node and step, c the node's heat capacity
-  outflow       ///< zero gradient: in rock in = A, in fluid the node's own population, less what it conducts
-};
-
 /// How fluid crosses sides and openings; none: nothing flows.
 template <class T>
 struct HeatCrossing {

@@ -91,6 +91,7 @@ struct ConditionOf {
   KOKKOS_FUNCTION void visit(const Visit& visit) const {
     switch (condition) {
       case HeatCondition::adiabatic:
+      case HeatCondition::periodic:  // has no links of its own
         return visit(FluxIn<T>{0, 0});
       case HeatCondition::temperature:
         return visit(TemperatureIn<T>{static_cast<T>(2 * value)});
