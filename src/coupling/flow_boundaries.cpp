@@ -113,9 +113,8 @@ FlowCondition FlowModule<T>::condition(const StretchLinks& boundary, double time
 
 #define VUG_INSTANTIATE(T)                                   \
   template void FlowModule<T>::find_boundaries(const Exec&); \
-  template FlowCondition FlowModule<T>::condition(const StretchLinks&, double, const ScalarField<double>&) const
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template FlowCondition FlowModule<T>::condition(const StretchLinks&, double, const ScalarField<double>&) const;
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -142,9 +142,8 @@ void FlowModule<T>::limits(LimitTable& table) const {
   template void FlowModule<T>::guard(const Exec&, const Clock&); \
   template double FlowModule<T>::prescribed_speed() const;       \
   template double FlowModule<T>::largest_speed() const;          \
-  template void FlowModule<T>::limits(LimitTable&) const
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void FlowModule<T>::limits(LimitTable&) const;
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -144,9 +144,8 @@ FlowExtremes FlowModule<T>::extremes(const Exec& exec) const {
   template void FlowModule<T>::return_populations(const Exec&) const;   \
   template double FlowModule<T>::sum_mass() const;                      \
   template double FlowModule<T>::mass() const;                          \
-  template FlowExtremes FlowModule<T>::extremes(const Exec&) const
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template FlowExtremes FlowModule<T>::extremes(const Exec&) const;
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

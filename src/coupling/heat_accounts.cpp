@@ -60,8 +60,7 @@ void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
   template void HeatModule<T>::limits(LimitTable&) const; \
   template void HeatModule<T>::ledger(Ledger&) const;     \
   template void HeatModule<T>::history(std::vector<HistoryValue>&) const;
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

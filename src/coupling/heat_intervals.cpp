@@ -75,9 +75,8 @@ void HeatModule<T>::resume(const Exec& exec, const Intervals& intervals) {
   template void HeatModule<T>::bound(std::optional<double>, Intervals&) const; \
   template void HeatModule<T>::watch(const Exec&, const Clock&, Changes&);     \
   template void HeatModule<T>::take(const Exec&, const Intervals&);            \
-  template void HeatModule<T>::resume(const Exec&, const Intervals&)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void HeatModule<T>::resume(const Exec&, const Intervals&);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

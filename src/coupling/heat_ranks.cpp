@@ -123,9 +123,8 @@ void HeatModule<T>::begin_temperatures_of_fluid(const Exec& exec, int first) con
   template void HeatModule<T>::gather_sums() const;                           \
   template void HeatModule<T>::visit_shares(const SharedFields&) const;       \
   template void HeatModule<T>::take_temperatures_of_fluid(const Exec&) const; \
-  template void HeatModule<T>::begin_temperatures_of_fluid(const Exec&, int) const
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void HeatModule<T>::begin_temperatures_of_fluid(const Exec&, int) const;
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -94,9 +94,8 @@ void HeatModule<T>::set_values(double time) {
   template double HeatModule<T>::value_of(const HeatBoundary&, const StepTimes&) const; \
   template double HeatModule<T>::transfer_of(const HeatBoundary&) const;                \
   template void HeatModule<T>::widen_range(const HeatBoundary&);                        \
-  template void HeatModule<T>::set_values(double)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void HeatModule<T>::set_values(double);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -225,10 +225,7 @@ void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
   template void ReactionModule<T, Set>::limits(LimitTable&) const;                                   \
   template void ReactionModule<T, Set>::ledger(Ledger&) const;                                       \
   template void ReactionModule<T, Set>::history(std::vector<HistoryValue>&) const;
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

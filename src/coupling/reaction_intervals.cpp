@@ -41,11 +41,8 @@ void ReactionModule<T, Set>::resume(const Exec&, const Intervals& intervals) {
   template void ReactionModule<T, Set>::bound(std::optional<double>, Intervals&) const; \
   template void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes&);     \
   template void ReactionModule<T, Set>::take(const Exec&, const Intervals&);            \
-  template void ReactionModule<T, Set>::resume(const Exec&, const Intervals&)
-VUG_INSTANTIATE(float, D2Q5);
-VUG_INSTANTIATE(float, D2Q9);
-VUG_INSTANTIATE(double, D2Q5);
-VUG_INSTANTIATE(double, D2Q9);
+  template void ReactionModule<T, Set>::resume(const Exec&, const Intervals&);
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

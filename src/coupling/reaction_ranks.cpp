@@ -95,10 +95,7 @@ void ReactionModule<T, Set>::gather_links() const {
   template Share ReactionModule<T, Set>::our_surface() const; \
   template void ReactionModule<T, Set>::gather(const Exec&);  \
   template void ReactionModule<T, Set>::gather_links() const;
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

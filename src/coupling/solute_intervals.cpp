@@ -64,11 +64,8 @@ void SoluteModule<T, Set>::resume(const Exec& exec, const Intervals& intervals) 
   template void SoluteModule<T, Set>::bound(std::optional<double>, Intervals&) const; \
   template void SoluteModule<T, Set>::watch(const Exec&, const Clock&, Changes&);     \
   template void SoluteModule<T, Set>::take(const Exec&, const Intervals&);            \
-  template void SoluteModule<T, Set>::resume(const Exec&, const Intervals&)
-VUG_INSTANTIATE(float, D2Q5);
-VUG_INSTANTIATE(float, D2Q9);
-VUG_INSTANTIATE(double, D2Q5);
-VUG_INSTANTIATE(double, D2Q9);
+  template void SoluteModule<T, Set>::resume(const Exec&, const Intervals&);
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

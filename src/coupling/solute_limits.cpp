@@ -78,11 +78,8 @@ void SoluteModule<T, Set>::limits(LimitTable& table) const {
 
 #define VUG_INSTANTIATE(T, Set)                                         \
   template void SoluteModule<T, Set>::guard(const Exec&, const Clock&); \
-  template void SoluteModule<T, Set>::limits(LimitTable&) const
-VUG_INSTANTIATE(float, D2Q5);
-VUG_INSTANTIATE(float, D2Q9);
-VUG_INSTANTIATE(double, D2Q5);
-VUG_INSTANTIATE(double, D2Q9);
+  template void SoluteModule<T, Set>::limits(LimitTable&) const;
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -86,11 +86,8 @@ double SoluteModule<T, Set>::total(const SpeciesState<T>& s) const {
   template void SoluteModule<T, Set>::gather(const Exec&);                                 \
   template void SoluteModule<T, Set>::visit_shares(const SharedFields&) const;             \
   template void SoluteModule<T, Set>::gather_sums(const SpeciesState<T>&) const;           \
-  template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const
-VUG_INSTANTIATE(float, D2Q5);
-VUG_INSTANTIATE(float, D2Q9);
-VUG_INSTANTIATE(double, D2Q5);
-VUG_INSTANTIATE(double, D2Q9);
+  template double SoluteModule<T, Set>::total(const SpeciesState<T>&) const;
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -161,9 +161,8 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
   template void FlowModule<T>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const;         \
   template void HeatModule<T>::surfaces(const Clock& clock, const OutputSection&, std::vector<HistoryValue>&) const;   \
   template void SoluteModule<T, D2Q5>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const; \
-  template void SoluteModule<T, D2Q9>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void SoluteModule<T, D2Q9>::surfaces(const Clock&, const OutputSection&, std::vector<HistoryValue>&) const;
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

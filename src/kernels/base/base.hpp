@@ -24,4 +24,9 @@ template <class T>
 using VectorField = Kokkos::View<T* [2], Kokkos::LayoutLeft>;  ///< (item, axis), each component contiguous
 using IndexList = Kokkos::View<int*>;                          ///< (item)
 
+/// Templates are compiled for these numbers and velocity sets.
+#define VUG_FOR_NUMBERS(INSTANTIATE) INSTANTIATE(float) INSTANTIATE(double)
+#define VUG_FOR_NUMBERS_AND_SETS(INSTANTIATE) \
+  INSTANTIATE(float, D2Q5) INSTANTIATE(float, D2Q9) INSTANTIATE(double, D2Q5) INSTANTIATE(double, D2Q9)
+
 }  // namespace vug

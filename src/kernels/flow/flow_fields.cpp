@@ -104,8 +104,7 @@ void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fi
   template ScalarField<T> densities(const Exec&, const FluidNodes&, const FlowFields<T>&);   \
   template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&); \
   template void add_mass(const Exec&, const FluidNodes&, const FlowFields<T>&, const ScalarField<double>&);
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

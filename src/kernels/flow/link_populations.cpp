@@ -123,8 +123,7 @@ LinkMean mean_at_links(const Exec& exec, const BoundaryLinks& links, const Scala
   template LinkForce force_on_links(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<T>&, \
                                     const ScalarField<T>&, std::array<double, 2>);                               \
   template LinkMean mean_at_links(const Exec&, const BoundaryLinks&, const ScalarField<T>&, const VectorField<T>&);
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -246,9 +246,8 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                        \
   template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                          \
   template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                   \
-  template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -73,9 +73,8 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
   template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>,         \
                                    const HeatCrossing<T>&);                                                 \
   template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
-                                         std::array<bool, 2>, const Opening&, HeatCondition, double)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+                                         std::array<bool, 2>, const Opening&, HeatCondition, double);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

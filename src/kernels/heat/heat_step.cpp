@@ -89,9 +89,8 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
   template void conduct(const Exec&, HeatFields<T>&, const ScalarField<T>&);                                 \
   template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const Displacement<T>&, \
                                    const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,             \
-                                   const ScalarField<double>&, const ScalarField<T>&)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+                                   const ScalarField<double>&, const ScalarField<T>&);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

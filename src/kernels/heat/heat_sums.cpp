@@ -137,9 +137,8 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
                                  const ScalarField<double>&);                                    \
   template void add_temperature_change(const Exec&, const HeatFields<T>&, const ScalarField<T>&, \
                                        const ScalarField<double>&, const ScalarField<double>&);  \
-  template HeatExtremes heat_extremes(const Exec&, const HeatFields<T>&)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template HeatExtremes heat_extremes(const Exec&, const HeatFields<T>&);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

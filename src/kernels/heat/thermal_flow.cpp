@@ -56,9 +56,9 @@ void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta
 #define VUG_INSTANTIATE(T)                                                                                             \
   template void gather_temperatures(const Exec&, const FluidNodes&, const HeatFields<T>&, int, const ScalarField<T>&); \
   template void mix_with_before(const Exec&, const FluidNodes&, double, const ScalarField<T>&, const ScalarField<T>&); \
-  template void set_spread(const Exec&, const Share&, const ScalarField<T>&, const ViscosityLaw&, const ScalarField<T>&)
-VUG_INSTANTIATE(float);
-VUG_INSTANTIATE(double);
+  template void set_spread(const Exec&, const Share&, const ScalarField<T>&, const ViscosityLaw&,                      \
+                           const ScalarField<T>&);
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -230,10 +230,7 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
   template void settle<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);                           \
   template void initialise_births<Set, T>(const Exec&, const FluidNodes&, int, int, BirthFill, SoluteFields<T>&, \
                                           const ScalarField<double>&);
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

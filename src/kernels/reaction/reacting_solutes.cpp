@@ -90,10 +90,7 @@ void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const S
   template void advance_reacting_solutes<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&, \
                                                  const ReactiveWall&, const ReactiveLinks<T>&,            \
                                                  const SteppingSolute<T>&, const SteppingSolute<T>*);
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

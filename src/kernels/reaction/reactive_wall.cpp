@@ -244,10 +244,7 @@ void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall&
       const MineralArrhenius<UniformTemperature>&, const VectorField<double>&, const ReactiveLinks<T>&, double);    \
   template void react_at_wall<Set, T>(const Exec&, const FluidNodes&, const ReactiveWall&, const ReactiveLinks<T>&, \
                                       const SoluteFields<T>&, const SoluteFields<T>*);
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,

@@ -102,10 +102,7 @@ void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type
 
 #define VUG_INSTANTIATE(T, Set) \
   template void advective_defect<Set>(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&, T);
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

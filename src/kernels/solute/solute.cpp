@@ -78,10 +78,7 @@ void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarri
   template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&); \
   template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&,        \
                                        const SteppingSolute<T>&);
-VUG_INSTANTIATE(float, D2Q5)
-VUG_INSTANTIATE(double, D2Q5)
-VUG_INSTANTIATE(float, D2Q9)
-VUG_INSTANTIATE(double, D2Q9)
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

@@ -128,8 +128,7 @@ bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& l
                             const Crossing<T>&);                                                                       \
   template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool,                 \
                             const Crossing<T>&);
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

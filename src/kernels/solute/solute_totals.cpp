@@ -34,8 +34,7 @@ void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<co
   template void add_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,       \
                                     const ScalarField<double>&);                                  \
   template void add_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&, const ScalarField<double>&);
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug
