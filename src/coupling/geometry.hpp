@@ -1,5 +1,6 @@
 #pragma once
-// What is rock and what is pore on the lattice, shared by all modules. Written by `build` and when pores grow only.
+// What is rock and what is pore on the lattice, shared by all modules. Written by `build` and when pores grow; `volume`
+// and `dissolved` by the reaction as well (book_turnover).
 #include "coupling/split.hpp"
 #include "io/scene.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"

@@ -84,7 +84,7 @@ Point centre_of(const Polygon& polygon) {
 
 /// How much longer the outline of a form is than the faces of its nodes that look at others, each by how far it faces
 /// along the normal: 1 within some per cent where it is many cells large, and taken as 1 where the lattice cuts it.
-double outline_over_faces(const Form& form, const LatticeSection& section, const SurfaceNormal& normal) {
+double outline_over_faces(const Form& form, const LatticeSection& section, const OutlineNormal& normal) {
   const Box box = box_of(form);
   if (box.x0 < 0 || box.y0 < 0 || box.x1 > section.length_x || box.y1 > section.length_y) return 1;
   const auto nx = static_cast<std::size_t>(section.nx);

@@ -11,7 +11,8 @@ namespace vug {
 
 /// nx × ny nodes at cell centres, inside a ring of halo nodes, in rows padded so that every row starts aligned.
 /// Node (x, y) has its centre at ((x + 1/2) dx, (y + 1/2) dx); x in [-1, nx], y in [-1, ny] with the halo.
-/// Dense fields have `size()` entries and use this numbering; what lies outside the halo is never read.
+/// Dense fields have `size()` entries and use this numbering; what lies outside the halo has no meaning: packs may read
+/// it, and write back what they read.
 struct Lattice {
   static constexpr int pad = row_pad;  ///< entries before x = 0 in a row
 

@@ -10,7 +10,9 @@ namespace vug {
 /// change, so that a step reads the populations of these links and nothing else of the lattice.
 struct WallLinks {
   IndexList first;  ///< (group + 1) links of group g: [first(g), first(g + 1)), node by node in the order of q
-  IndexList slot;   ///< (link) of the population that leaves the fluid into the solid along q; longer than that
+  /// (link) of the population that leaves the fluid into the solid along q; links_ahead entries longer than there are
+  /// links, so that what is asked for ahead lies inside.
+  IndexList slot;
   /// (link) 16 arm + 4 (c_y + 1) + c_x + 1; arm: torque per momentum about the group's first node, nodes
   IndexList lever;
   VectorField<double> origin;         ///< (group, axis) that node as seen from the centre of the group, nodes

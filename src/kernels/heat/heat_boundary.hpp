@@ -39,7 +39,7 @@ std::vector<int> nodes_of(const Lattice& lattice, const HeatSide& side);
 HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition, double value = 0);
 
 /// Gives each corner where two of the sides meet to the one that says more there: a temperature or outflow before a
-/// flux before none; of equals, to the left or right side. A profile along an adiabatic side then stays
+/// flux or convection before none; of equals, to the left or right side. A profile along an adiabatic side then stays
 /// one-dimensional up to its end.
 void assign_corners(const Lattice& lattice, std::vector<HeatSide>& sides);
 

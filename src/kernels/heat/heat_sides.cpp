@@ -15,7 +15,7 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
 
 namespace {
 
-/// What a condition says: the more, the sooner it has a corner.
+/// Precedence at a corner: the higher has its diagonal links; of equals the left or right side.
 int rank(const HeatSide& side) {
   const bool flux = side.condition == HeatCondition::flux || side.condition == HeatCondition::convection;
   return side.condition == HeatCondition::adiabatic ? 0 : flux ? 1 : 2;

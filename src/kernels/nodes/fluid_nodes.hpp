@@ -67,8 +67,9 @@ FluidNodes make_fluid_nodes(const Exec& exec, const Lattice& lattice, const Kokk
                             std::array<bool, 2> periodic = {false, false});
 
 /// Appends every node that `type` calls fluid and that is not in the list yet, in order of node number, and brings the
-/// tables up to date. Returns how many. When the capacity is too small it grows by half and `capacity` changes:
-/// populations must then be moved with `restride`. The new nodes are [old count, new count).
+/// tables up to date. Returns how many. When the capacity is too small it grows to one and a half times the nodes there
+/// are then, at most those of the lattice, and `capacity` changes: populations must then be moved with `restride`. The
+/// new nodes are [old count, new count).
 int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNodes& nodes);
 
 /// Replaces the list by `node` (fluid), which a checkpoint has kept, with the capacity it had then.

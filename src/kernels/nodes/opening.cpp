@@ -6,7 +6,7 @@
 
 namespace vug {
 
-Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal, double scale) {
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const OutlineNormal& normal, double scale) {
   constexpr int links = D2Q9::Q - 1;
   Opening opening{IndexList("vug::opening::node", nodes.size()),
                   ScalarField<double>("vug::opening::facing", links * nodes.size())};

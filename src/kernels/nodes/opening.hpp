@@ -19,11 +19,11 @@ struct Opening {
 };
 
 /// The unit normal of a surface where a line crosses it: near `at`, cells, on a face that looks along `out`.
-using SurfaceNormal =
+using OutlineNormal =
     std::function<std::array<double, 2>(const std::array<double, 2>& at, const std::array<double, 2>& out)>;
 
 /// `nodes` are dense nodes of the lattice, `scale` is that factor.
-Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const SurfaceNormal& normal,
+Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const OutlineNormal& normal,
                      double scale = 1);
 
 /// Links from fluid nodes into the opening, in order of its nodes; `directions` is 9 or 5.

@@ -1,8 +1,8 @@
 #pragma once
 // From a pixel that has dissolved to a fluid node (volume of pixel, paper section 3.3): called at a fixed small
 // interval, between two lattice steps, as
-//   mark_dissolved -> append_births -> fit_solute_to_capacity -> initialise_births per species ->
-//   find_surface.
+//   mark_dissolved -> append_births -> find_surface -> per species
+//   fit_solute_to_capacity -> settle -> initialise_births.
 #include "kernels/base/choices.hpp"
 #include "kernels/solute/solute.hpp"
 
