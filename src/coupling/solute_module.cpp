@@ -140,21 +140,27 @@ template <class T, class Set>
 void SoluteModule<T, Set>::act_on_links(const Exec& exec) {
   const SlitNodes& slits = geometry_.slits;
   if (!excess_ && slits.count == 0) return;
-  const std::optional<Displacement<T>> u = carrier_ ? std::optional(carrier_->displacement()) : std::nullopt;
+  const SoluteCarrier<T> carrier = carrier_of_all();
   for (const SpeciesState<T>& s : species_) {
     neighbours_.template exchange<T, 1>(exec, {s.fields.C});
     if (excess_) exchange_at_faces(exec, geometry_.fluid, *excess_, interval_, s.fields, s.correction.recent());
     if (slits.count == 0) continue;
     exchange(exec, s.fields);
-    resist_in_slits<Set>(exec, geometry_.fluid, slits, s.parameters, u ? &*u : nullptr, s.fields);
+    resist_in_slits<Set>(exec, geometry_.fluid, slits, carrier, s.parameters, s.fields);
   }
 }
 
 template <class T, class Set>
-void SoluteModule<T, Set>::sweep(const Exec& exec) {
+SoluteCarrier<T> SoluteModule<T, Set>::carrier_of_all() const {
   SoluteCarrier<T> carrier;
   if (carrier_) carrier.displacement = carrier_->displacement();
   if (carrier_ && section_.advective_form) carrier.defect = carrier_->e;
+  return carrier;
+}
+
+template <class T, class Set>
+void SoluteModule<T, Set>::sweep(const Exec& exec) {
+  const SoluteCarrier<T> carrier = carrier_of_all();
   const FluidNodes& fluid = geometry_.fluid;
   const bool one_pair = reacting_.size() == 1, many_pairs = reacting_.size() > 1;
   const ReactingSpecies<T> none, &pair = one_pair ? reacting_[0] : none;

@@ -87,6 +87,8 @@ class SoluteModule final : public Module {
   void set_interval(int interval);
   /// A sweep of which the collision turns the populations over to steps of another length (turning.hpp).
   void turn(const Exec& exec);
+  /// What carries the species, each alike.
+  SoluteCarrier<T> carrier_of_all() const;
   /// Sweeps of all species, and their reaction.
   void sweep(const Exec& exec);
   /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.

@@ -34,14 +34,14 @@ struct Slit {
   }
   void step() {
     box.step();
-    resist_in_slits<Set>(box.exec, box.nodes, slits, box.parameters, nullptr, box.acid);
+    resist_in_slits<Set>(box.exec, box.nodes, slits, SoluteCarrier<T>{}, box.parameters, box.acid);
   }
   void step_with_flow() {
     for (const auto& side : box.given)
       dress_concentration<Set>(box.exec, box.nodes, side.links, side.C_b, box.acid, side.gain);
     const Displacement<T> way(u);
     advance_solute<Set>(box.exec, box.nodes, box.parameters, way, box.acid);
-    resist_in_slits<Set>(box.exec, box.nodes, slits, box.parameters, &way, box.acid);
+    resist_in_slits<Set>(box.exec, box.nodes, slits, SoluteCarrier<T>{way, {}}, box.parameters, box.acid);
   }
 };
 

@@ -109,8 +109,7 @@ void add_slit_drag(const Exec& exec, const FluidNodes& nodes, const SlitNodes& s
   template void add_slit_drag(const Exec&, const FluidNodes&, const SlitNodes&, double, const FlowStep<T>&, \
                               const FlowFields<T>&, const VectorField<double>&, double, double, double,     \
                               const VectorField<double>&, const ScalarField<double>&);
-VUG_INSTANTIATE(float)
-VUG_INSTANTIATE(double)
+VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

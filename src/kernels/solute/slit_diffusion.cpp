@@ -3,18 +3,18 @@
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/own_items.hpp"
 #include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/solute/solute_sweep.hpp"
 
 namespace vug {
 
-template <class T, class Set>
+template <class T, class Set, class Flow>
 struct ResistInSlits {
   SlitNodes slits;
   Kokkos::View<const int*> source;
   int capacity;
   Share share;
   double D;
-  bool moves;
-  Displacement<T> u;
+  Flow flow;
   Kokkos::View<const T*> C;
   ScalarField<T> h;
   int turned;
@@ -36,8 +36,10 @@ struct ResistInSlits {
   KOKKOS_FORCEINLINE_FUNCTION void resist(int q, int i, int n, double conductance) const {
     const int here = q * capacity + i, there = Set::opposite(q) * capacity + n;
     const int out = turned ? there : here, in = turned ? here : there;
-    const double way =
-        moves ? 0.5 * (along(q, double(u(i, 0)), double(u(i, 1))) + along(q, double(u(n, 0)), double(u(n, 1)))) : 0;
+    double way = 0;
+    if constexpr (Flow::moves)
+      way = 0.5 * (along(q, double(flow.u(i, 0)), double(flow.u(i, 1))) +
+                   along(q, double(flow.u(n, 0)), double(flow.u(n, 1))));
     const double flows = 6 * Set::w(q) * way * 0.5 * (double(C(i)) + double(C(n)));
     const double r = reflected_share(Set::w(q), D, Kokkos::fmax(conductance, 0.5 * Kokkos::fabs(way)));
     const T before = h(out);
@@ -47,21 +49,20 @@ struct ResistInSlits {
 };
 
 template <class Set, class T>
-void resist_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& slits,
-                     const SoluteParameters& parameters, const std::type_identity_t<Displacement<T>>* u,
-                     const SoluteFields<T>& s) {
-  for_each_node(exec, "vug::solute::resist_in_slits", slits.count,
-                ResistInSlits<T, Set>{slits, nodes.source, nodes.capacity, nodes.share(), parameters.diffusivity(),
-                                      u != nullptr, u ? *u : Displacement<T>{VectorField<T>{}}, s.C, s.h, s.turned});
+void resist_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& slits, const SoluteCarrier<T>& carrier,
+                     const SoluteParameters& parameters, const SoluteFields<T>& s) {
+  visit_flow(carrier, [&](const auto& flow) {
+    for_each_node(
+        exec, "vug::solute::resist_in_slits", slits.count,
+        ResistInSlits<T, Set, std::decay_t<decltype(flow)>>{slits, nodes.source, nodes.capacity, nodes.share(),
+                                                            parameters.diffusivity(), flow, s.C, s.h, s.turned});
+  });
 }
 
-#define VUG_INSTANTIATE(Set, T)                                                                                 \
-  template void resist_in_slits<Set>(const Exec&, const FluidNodes&, const SlitNodes&, const SoluteParameters&, \
-                                     const Displacement<T>*, const SoluteFields<T>&);
-VUG_INSTANTIATE(D2Q5, float)
-VUG_INSTANTIATE(D2Q9, float)
-VUG_INSTANTIATE(D2Q5, double)
-VUG_INSTANTIATE(D2Q9, double)
+#define VUG_INSTANTIATE(T, Set)                                                                                 \
+  template void resist_in_slits<Set>(const Exec&, const FluidNodes&, const SlitNodes&, const SoluteCarrier<T>&, \
+                                     const SoluteParameters&, const SoluteFields<T>&);
+VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE
 
 }  // namespace vug

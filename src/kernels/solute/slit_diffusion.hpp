@@ -3,8 +3,6 @@
 #include "kernels/nodes/slit_nodes.hpp"
 #include "kernels/solute/solute.hpp"
 
-#include <type_traits>
-
 namespace vug {
 
 /// Part of its diffusivity D that each node of the narrowest strip must keep so that what diffuses along a crack of
@@ -26,10 +24,9 @@ KOKKOS_FORCEINLINE_FUNCTION double reflected_share(double weight, double D, doub
 /// populations that go out are those of `nodes` and, where processes share them, of the nodes around. Both halves of a
 /// link count, so that it conducts D over the mean of 1/openness, but no less than |u|/2 (as in hybrid differencing,
 /// Spalding 1972: what flows makes no waves). What flows, 6 weight C u.c of the means of both, passes. Conserves the
-/// species to rounding. `u` null: the fluid is at rest.
+/// species to rounding.
 template <class Set, class T>
-void resist_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& slits,
-                     const SoluteParameters& parameters, const std::type_identity_t<Displacement<T>>* u,
-                     const SoluteFields<T>& s);
+void resist_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& slits, const SoluteCarrier<T>& carrier,
+                     const SoluteParameters& parameters, const SoluteFields<T>& s);
 
 }  // namespace vug
