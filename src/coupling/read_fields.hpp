@@ -64,6 +64,7 @@ template <class ViewType, std::size_t components>
 ReadItems read_fluid(const Geometry& geometry, const std::array<ViewType, components>& values,
                      const Conversion& conversion) {
   std::vector<decltype(on_host(values[0]))> host;
+  host.reserve(components);
   for (const ViewType& component : values) host.push_back(on_host(component));
   const auto index = on_host(geometry.fluid.index);
   const auto value = [=](int node, int c) {

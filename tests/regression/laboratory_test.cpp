@@ -19,62 +19,61 @@ using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 
+/// A command that presses a small specimen fast.
+std::string press(const TemporaryFolder& folder, const std::string& more) {
+  return "lab " VUG_SOURCE_DIR
+         "/cases/laboratory/compression.toml --quiet --set laboratory.size=[0.015,0.03]"
+         " --set laboratory.platen_speed=2 -o " +
+         (folder / "out") + more;
+}
+
+/// What Python makes of the run's record `record` and the results `r` in it.
+std::string from_record(const TemporaryFolder& folder, const std::string& expression) {
+  return run_command(VUG_PYTHON " -c \"import json; record = json.load(open('" + (folder / "out") +
+                     "/run.json')); r = record['results']; print(" + expression + ", end='')\"")
+      .output;
+}
+
 TEST(Laboratory, WritesCurvePicturesAndRecordAndPrintsWhatItFound) {
   const TemporaryFolder folder;
-  const std::string lab = "lab " VUG_SOURCE_DIR
-                          "/cases/laboratory/compression.toml --quiet"
-                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2 -o " +
-                          (folder / "out");
-  const Outcome outcome = run_vug(lab + " --seeds 2");
+  const Outcome outcome = run_vug(press(folder, " --seeds 2"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   for (const char* expected : {"Young's modulus", "strength", "bonds failed", "GPa"})
     EXPECT_THAT(outcome.output, HasSubstr(expected));
   EXPECT_THAT(test::contents((folder / "out") + "/stress_strain.csv"),
               testing::StartsWith("strain_1,stress_Pa,seed_1"));
   EXPECT_TRUE(std::filesystem::exists((folder / "out") + "/particles.xdmf"));
-  const Outcome record = run_command(VUG_PYTHON " -c \"import json; r = json.load(open('" + (folder / "out") +
-                                     "/run.json')); print(20e9 < r['results']['modulus_Pa'] < 35e9, r['status'],"
-                                     " r['results']['specimens_1'], r['results']['steps_1'] > 1000)\"");
-  EXPECT_EQ(record.output, "True done 2 True\n");
+  EXPECT_EQ(
+      from_record(folder, "20e9 < r['modulus_Pa'] < 35e9, record['status'], r['specimens_1'], r['steps_1'] > 1000"),
+      "True done 2 True");
 }
 
 TEST(Laboratory, FindsTheCohesionOfAStrength) {
   const TemporaryFolder folder;
-  const std::string lab = "lab " VUG_SOURCE_DIR
-                          "/cases/laboratory/compression.toml --quiet --set rock.element_size=3e-3"
-                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2 -o " +
-                          (folder / "out");
-  const Outcome outcome = run_vug(lab + " --fit-cohesion 70 --seeds 2");
+  const Outcome outcome = run_vug(press(folder, " --set rock.element_size=3e-3 --fit-cohesion 70 --seeds 2"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("mechanics.bond.cohesion = "));
   // the cohesion found gives the strength asked for, to the one per cent of the search
-  const Outcome check = run_command(
-      VUG_PYTHON " -c \"import json; r = json.load(open('" + (folder / "out") +
-      "/run.json'))['results']; print(abs(r['strength_Pa'] / 70e6 - 1) < 0.01, 30e6 < r['cohesion_Pa'] < 70e6,"
-      " r['wanted_strength_Pa'], r['specimens_1'], r['rounds_1'] > 1)\"");
-  EXPECT_EQ(check.output, "True True 70000000 2 True\n");
+  EXPECT_EQ(from_record(folder,
+                        "abs(r['strength_Pa'] / 70e6 - 1) < 0.01, 30e6 < r['cohesion_Pa'] < 70e6,"
+                        " r['wanted_strength_Pa'], r['specimens_1'], r['rounds_1'] > 1"),
+            "True True 70000000 2 True");
 }
 
 /// Lower half of another density: its bonds are as strong as the rock's, and stay so while the cohesion is searched
 /// for.
 TEST(Laboratory, FindsACohesionThatMaterialsShare) {
   const TemporaryFolder folder;
-  const std::string lab = "lab " VUG_SOURCE_DIR
-                          "/cases/laboratory/compression.toml --quiet --overwrite --set rock.element_size=3e-3"
-                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2 --seeds 2 -o " +
-                          (folder / "out") +
-                          " --set 'mechanics.material=[{type=\"rectangle\", from=[0.0,0.0], to=[0.015,0.015], "
-                          "density=2700}";
-  const auto results = [&](const std::string& numbers) {
-    return run_command(VUG_PYTHON " -c \"import json; r = json.load(open('" + (folder / "out") +
-                       "/run.json'))['results']; print(" + numbers + ", end='')\"")
-        .output;
-  };
+  const std::string lab = press(folder,
+                                " --overwrite --set rock.element_size=3e-3 --seeds 2"
+                                " --set 'mechanics.material=[{type=\"rectangle\", from=[0.0,0.0], to=[0.015,0.015], "
+                                "density=2700}");
   const Outcome fitted = run_vug(lab + "]' --fit-cohesion 70");
   EXPECT_EQ(fitted.exit_code, 0) << fitted.output;
-  const std::string cohesion = results("'%.10g' % r['cohesion_Pa']"), strength = results("r['strength_Pa']");
+  const std::string cohesion = from_record(folder, "'%.10g' % r['cohesion_Pa']"),
+                    strength = from_record(folder, "r['strength_Pa']");
   EXPECT_EQ(run_vug(lab + "]' --set mechanics.bond.cohesion=" + cohesion).exit_code, 0);
-  EXPECT_EQ(results("abs(r['strength_Pa'] / " + strength + " - 1) < 1e-6"), "True");
+  EXPECT_EQ(from_record(folder, "abs(r['strength_Pa'] / " + strength + " - 1) < 1e-6"), "True");
   // another cohesion of its own is not searched for
   const std::string own = ", {type=\"rectangle\", from=[0.0,0.0], to=[0.015,0.03], bond={cohesion=57e6}}]'";
   const Outcome stuck = run_vug(lab + own + " --fit-cohesion 40");
@@ -84,12 +83,9 @@ TEST(Laboratory, FindsACohesionThatMaterialsShare) {
 
 TEST(Laboratory, SaysInTheRecordWhyNoCohesionWasFound) {
   const TemporaryFolder folder;
-  const std::string lab = "lab " VUG_SOURCE_DIR
-                          "/cases/laboratory/compression.toml --quiet --set rock.element_size=3e-3 --seeds 1"
-                          " --set laboratory.size=[0.015,0.03] --set laboratory.platen_speed=2"
-                          " --set laboratory.largest_strain=3e-4 --fit-cohesion 700 -o " +
-                          (folder / "out");
-  const Outcome outcome = run_vug(lab);
+  const Outcome outcome = run_vug(press(folder,
+                                        " --set rock.element_size=3e-3 --seeds 1"
+                                        " --set laboratory.largest_strain=3e-4 --fit-cohesion 700"));
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("a specimen did not pass a peak of stress, so that it has no strength to fit"));
   EXPECT_THAT(test::contents(folder / "out/run.json"), HasSubstr("\"status\": \"failed\""));
