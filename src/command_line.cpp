@@ -37,7 +37,10 @@ void describe(CLI::App& app, CommandLine& line) {
   line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
   line.run->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
   line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(not_negative);
-  line.run->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.run
+      ->add_option("--threads", line.threads,
+                   "Threads (default: KOKKOS_NUM_THREADS, OMP_NUM_THREADS, else one per idle processor)")
+      ->check(CLI::Range(1, most_threads));
   CLI::Option* resume =
       line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory, if any");
   line.run->add_flag("--overwrite", line.overwrite, "Replace the run that the run directory holds")->excludes(resume);
@@ -47,7 +50,10 @@ void describe(CLI::App& app, CommandLine& line) {
   line.check = app.add_subcommand("check", "Validate a case and print its derived numbers, memory and cost");
   line.check->add_option("case", line.case_file, "Case file (TOML)")->required();
   line.check->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
-  line.check->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.check
+      ->add_option("--threads", line.threads,
+                   "Threads (default: KOKKOS_NUM_THREADS, OMP_NUM_THREADS, else one per idle processor)")
+      ->check(CLI::Range(1, most_threads));
   CLI::Option* const json = line.check->add_flag("--json", line.json, "Machine-readable");
   line.check->add_option("--preview", line.preview, "Draw rock and pores into this PNG file");
   line.check->add_flag("--schedule", line.schedule, "List what a lattice step does, what it reads and what it writes")
@@ -63,7 +69,10 @@ void describe(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(1, 1000));
   line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
       ->check(positive);
-  line.lab->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.lab
+      ->add_option("--threads", line.threads,
+                   "Threads (default: KOKKOS_NUM_THREADS, OMP_NUM_THREADS, else one per idle processor)")
+      ->check(CLI::Range(1, most_threads));
   line.lab->add_flag("--overwrite", line.overwrite, "Replace the results that the directory holds");
   line.lab->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.info = app.add_subcommand("info", "Version, back ends, precisions, device");
@@ -106,7 +115,10 @@ void describe(CLI::App& app, CommandLine& line) {
       ->delimiter(',')
       ->allow_extra_args(false);
   line.tune->add_option("--set", line.overrides, "Override a key: table.key=value")->allow_extra_args(false);
-  line.tune->add_option("--threads", line.threads, "Threads (default: all)")->check(CLI::Range(1, most_threads));
+  line.tune
+      ->add_option("--threads", line.threads,
+                   "Threads (default: KOKKOS_NUM_THREADS, OMP_NUM_THREADS, else one per idle processor)")
+      ->check(CLI::Range(1, most_threads));
   line.tune->add_flag("--quiet", line.quiet, "No progress, only warnings");
   line.watch = app.add_subcommand("watch", "Follow a run under way: how far it is, and the course of its numbers");
   line.watch->add_option("directory", line.directory, "Run directory")->required();

@@ -78,7 +78,7 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     if (const std::optional<int> code = vug::plain_command(app, line, std::cerr)) return *code;
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
-    settings.set_disable_warnings(true);  // about thread binding: a matter of speed on large machines, see README
+    settings.set_disable_warnings(true);  // about thread binding: see docs/scaling.md, "Threads"
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
     const vug::ThreadChoice threads =
         vug::choose_threads(line.threads, looks_around, vug::ranks_on_these_processors(ranks));

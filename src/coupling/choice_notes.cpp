@@ -46,7 +46,7 @@ std::string alone(const MeasuredChoice& choice) {
 /// Says so where a value is far from all that were measured.
 void note_unknown(const char* key, double value, const std::vector<double>& measured, std::vector<std::string>& notes) {
   if (std::any_of(measured.begin(), measured.end(), [&](double one) { return is_near(value, one); })) return;
-  notes.push_back(fmt::format("{} = {:g}: what it gains and costs was not measured; it was at {:g}", key, value,
+  notes.push_back(fmt::format("{} = {:g}: its speed and error have not been measured; those of {:g} have", key, value,
                               fmt::join(measured, ", ")));
 }
 
@@ -63,7 +63,7 @@ bool is_of_ladder(const std::string& name) {
 /// without.
 std::vector<std::string> notes_without_mechanics(const Scene& scene) {
   const auto only_there = [](const std::string& choice) {
-    return choice + ": what it gains and costs was measured on the paper's rock only";
+    return choice + ": its speed and error have been measured on the paper's rock only";
   };
   std::vector<std::string> notes, told;
   for (const MeasuredChoice& choice : measured_choices()) {
@@ -89,8 +89,8 @@ std::vector<std::string> choice_notes(const Scene& scene) {
   std::vector<std::string> notes;
   if (scene.accuracy.chooses_intervals()) {
     notes.push_back(
-        fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] as the run goes; "
-                    "docs/tuning.md has what that gained and cost",
+        fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] during the run; "
+                    "docs/tuning.md has measured speeds and errors",
                     scene.accuracy.tolerance));
     if (scene.mechanics && scene.mechanics->scaling_chosen) notes.push_back(mass_scaling_note(scene));
     return notes;

@@ -49,7 +49,7 @@ void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths, const
                             : flow.speed.peak() != 0.0 ? "speed"
                                                        : "velocity";
     throw InputError(
-        fmt::format("{}: {}.flow.{} is {:.3g} cells in a time step, and above {:g} no run holds; lower it "
+        fmt::format("{}: {}.flow.{} is {:.3g} cells in a time step, and above {:g} no run is stable; lower it "
                     "or lattice.time_step",
                     scene.path, mouth.key, key, speed, speed_bound));
   }

@@ -44,16 +44,16 @@ Limit limit_of_edges(const Mechanics& rock, double spacing) {
     softening = std::min(softening, softening_length(material.bond));
   const double longest = largest_edge * softening;
   const double finest = longest * smallest_over_mean / cells_of_an_edge;
-  return {
-      "mechanics",
-      "mean edge of the bonds",
-      mean_edge(rock.bonds()),
-      "m",
-      0,
-      longest,
-      fmt::format("cracks take more than their fracture energy; for it to hold lower rock.element_size to {:.2g} m{}",
-                  rounded_down(longest),
-                  spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "")};
+  return {"mechanics",
+          "mean edge of the bonds",
+          mean_edge(rock.bonds()),
+          "m",
+          0,
+          longest,
+          fmt::format(
+              "cracks dissipate more than their fracture energy; to avoid this lower rock.element_size to {:.2g} m{}",
+              rounded_down(longest),
+              spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "")};
 }
 
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {

@@ -85,7 +85,7 @@ double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
 std::string mass_scaling_note(const Scene& scene) {
   const double time = quickest_load(scene);
   return fmt::format(
-      "accuracy.tolerance = {:g} bears rock {:g} times as heavy (mechanics.mass_scaling): {}", scene.accuracy.tolerance,
+      "accuracy.tolerance = {:g} allows mechanics.mass_scaling = {:g}: {}", scene.accuracy.tolerance,
       scene.mechanics->parameters.mass_scaling,
       time == never ? "no load changes" : fmt::format("no load changes within less than {:.3g} s", time));
 }

@@ -144,8 +144,8 @@ TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
   EXPECT_TRUE(notes_of(channel, {}).empty());
   EXPECT_THAT(notes_of(channel, {"accuracy.precision=single", "reaction.wall=paper"}),
               ElementsAre(StartsWith("precision = single: 0.6"),
-                          "reaction.wall = paper: what it gains and costs was measured on the paper's rock only"));
-  EXPECT_THAT(notes_of(channel, {"accuracy.preset=fast"}), ElementsAre(StartsWith("preset = fast: what it gains")));
+                          "reaction.wall = paper: its speed and error have been measured on the paper's rock only"));
+  EXPECT_THAT(notes_of(channel, {"accuracy.preset=fast"}), ElementsAre(StartsWith("preset = fast: its speed and error")));
   const auto rock = choice_notes(read_scene(test::small_rock, {"accuracy.precision=single", "reaction.wall=paper"}));
   ASSERT_EQ(rock.size(), 2u);
   for (const std::string& note : rock)  // none claims more than rounding leaves
@@ -159,11 +159,11 @@ TEST(MeasuredChoices, AreNotQuotedFarFromWhatWasMeasured) {
   begins("accuracy.solute_interval=4", "solute_interval = 4: 0.");
   begins("accuracy.solute_interval=5", "solute_interval = 4: 0.");
   begins("accuracy.solute_interval=300",
-         "solute_interval = 300: what it gains and costs was not measured; it was at 2, 4, 8");
+         "solute_interval = 300: its speed and error have not been measured; those of 2, 4, 8 have");
   begins("accuracy.wall_interval=200",
-         "wall_interval = 200: what it gains and costs was measured on the paper's rock only");
+         "wall_interval = 200: its speed and error have been measured on the paper's rock only");
   begins("accuracy.update_interval=120", "update_interval = 100: 0.");
-  begins("accuracy.update_interval=1000", "update_interval = 1000: what it gains and costs was not measured");
+  begins("accuracy.update_interval=1000", "update_interval = 1000: its speed and error have not been measured");
   EXPECT_TRUE(notes_of(channel, {"accuracy.heat_interval=300"}).empty());  // no heat in it
   EXPECT_TRUE(notes_of(channel, {"accuracy.update_interval=5"}).empty());  // more careful than careful
 }
@@ -173,9 +173,10 @@ TEST(MeasuredChoices, AreNotQuotedOfRockFarFromWhatWasMeasured) {
   const auto has = [](const std::string& set, const std::string& beginning) {
     EXPECT_THAT(choice_notes(read_scene(test::small_rock, {set})), Contains(StartsWith(beginning))) << set;
   };
-  has("accuracy.wall_interval=200", "wall_interval = 200: what it gains and costs was not measured; it was at 50, 100");
+  has("accuracy.wall_interval=200",
+      "wall_interval = 200: its speed and error have not been measured; those of 50, 100");
   has("accuracy.wall_interval=120", "wall_interval = 100: 1.00 of the time");
-  has("accuracy.solute_interval=10", "solute_interval = 10: what it gains and costs was not measured; it was at 2, 4");
+  has("accuracy.solute_interval=10", "solute_interval = 10: its speed and error have not been measured; those of 2, 4");
 }
 
 /// Runs n steps with the checks that `vug run` makes.

@@ -36,11 +36,11 @@ TEST(CaseRemarks, LowReferenceTemperatureHasTheFactorOfItsOwnRate) {
 
 TEST(CaseRemarks, NotchesThatDamageWidensAreRemarked) {
   const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
-  const auto widened = HasSubstr("until the first update only");
+  const auto widened = HasSubstr("only until the first update");
   EXPECT_THAT(
       warnings({"rock.notches.0.aperture=1"}),
-      ElementsAre(HasSubstr("is 1 cells wide until the first update only, then some 3 as every broken bond: lower "
-                            "damage.minimum_aperture and damage.pathway_factor to")));
+      ElementsAre(HasSubstr("is 1 cells wide only until the first update, and about 3 wide from then on, like every "
+                            "broken bond: lower damage.minimum_aperture and damage.pathway_factor to")));
   EXPECT_THAT(warnings({"rock.notches.0.aperture=1", "damage.minimum_aperture=1", "damage.pathway_factor=0"}),
               Not(Contains(widened)));
   // c_d times the distance of the centroids, edge / sqrt(3)

@@ -133,7 +133,7 @@ TEST(FlowPaths, InjectionIntoRockIsRefusedUnlessRockOpens) {
 
 TEST(FlowPaths, NothingMovesFasterThanTheSchemeFollows) {
   EXPECT_THAT(refusal(channel("", "[boundary.top]\nflow = { type = \"wall\", velocity = [0.6, 0] }\n")),
-              HasSubstr("boundary.top.flow.velocity is 0.6 cells in a time step, and above 0.5 no run holds"));
+              HasSubstr("boundary.top.flow.velocity is 0.6 cells in a time step, and above 0.5 no run is stable"));
   EXPECT_EQ(refusal(channel("", "[boundary.top]\nflow = { type = \"wall\", velocity = [0.4, 0] }\n")), "");
 }
 

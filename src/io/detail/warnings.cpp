@@ -96,11 +96,11 @@ void warn_about_narrow_notches(Scene& scene) {
     if (width > 0 && width < std::max(least, by_distance)) narrow[notch.entry] = width;
   }
   for (const auto& [entry, width] : narrow)
-    scene.warnings.push_back(fmt::format(
-        "rock.notches.{} is {:g} {} wide until the first update only, then some {:.3g} as every broken bond: lower "
-        "{} to keep it so narrow",
-        entry, width, metres ? "m" : "cells", std::max(least, by_distance),
-        what_widens(width, least, by_distance, metres)));
+    scene.warnings.push_back(
+        fmt::format("rock.notches.{} is {:g} {} wide only until the first update, and about {:.3g} wide from then on, "
+                    "like every broken bond: lower {} to keep it narrower",
+                    entry, width, metres ? "m" : "cells", std::max(least, by_distance),
+                    what_widens(width, least, by_distance, metres)));
 }
 
 /// Rock that nothing holds drifts away under the thrust of the injection.
@@ -133,10 +133,10 @@ void warn_about_outlets(Scene& scene) {
   const auto look = [&](const std::string& key, const BoundarySection& at, std::optional<std::pair<int, int>> inward) {
     if (!scene.flow || !may_leave(at.flow, inward)) return;
     const auto remark = [&](const char* what, const char* given) {
-      scene.warnings.push_back(fmt::format(
-          "{0} lets fluid out, but {1} is {2}: what the fluid carries there stays behind and piles up; give "
-          "{1} = {{ type = \"outflow\" }} where fluid leaves, or what holds where it enters",
-          key, what, given));
+      scene.warnings.push_back(
+          fmt::format("{0} lets fluid out, but {1} is {2}: what the fluid carries there accumulates at the side; "
+                      "give {1} = {{ type = \"outflow\" }} where fluid leaves, or the value of what enters",
+                      key, what, given));
     };
     const HeatCondition heat = at.heat.kind;
     if (scene.heat && heat == HeatCondition::adiabatic) remark("heat", "adiabatic");
@@ -204,8 +204,8 @@ void warn_about_scaled_pressure(Scene& scene) {
                                                                                        : nullptr;
   if (given)
     scene.warnings.push_back(
-        fmt::format("flow.pressure_scale = {:g} makes up for pathways that are wider on a coarse lattice, and {} gives "
-                    "them their own width: {:g} times too little flows through them",
+        fmt::format("flow.pressure_scale = {:g} compensates for pathways that are too wide on a coarse lattice, but {} "
+                    "gives them their true width: the flow through them is {:g} times too small",
                     scene.flow->pressure_scale, given, scene.flow->pressure_scale));
 }
 
@@ -213,8 +213,8 @@ void warn_about_scaled_pressure(Scene& scene) {
 void warn_about_held_slits(Scene& scene) {
   if (scene.accuracy.flow_tolerance > 0 && has_cracks_below_a_cell(scene))
     scene.warnings.emplace_back(
-        "accuracy.flow_tolerance: the flow is not held while there are cracks narrower than a cell, which pressure "
-        "enters too slowly for anybody to see when it is done");
+        "accuracy.flow_tolerance: the flow is not held while there are cracks narrower than a cell: pressure enters "
+        "them too slowly for the flow to be seen as steady");
 }
 
 /// Inertia strengthens rock as it breaks (docs/validation.md): in compression at 0.5 m/s by 2 % with four times the
@@ -224,8 +224,8 @@ void warn_about_mass_scaling(Scene& scene) {
   const double scaling = scene.mechanics->parameters.mass_scaling;
   if (scaling <= notable || scene.mechanics->scaling_chosen) return;
   scene.warnings.push_back(
-      fmt::format("mechanics.mass_scaling = {:g} makes waves {:.3g} times slower: what breaks is stronger, in a "
-                  "compression test by 6 % at 16 and by 17 % at 100",
+      fmt::format("mechanics.mass_scaling = {:g} slows waves down by a factor of {:.3g}, and the rock appears "
+                  "stronger: in a compression test by 6 % at 16 and by 17 % at 100",
                   scaling, std::sqrt(scaling)));
 }
 
