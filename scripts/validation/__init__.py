@@ -1,5 +1,5 @@
 """The sections of docs/validation.md, one module per field of physics."""
-from .records import Records
+from .records import Records, overview, wrap
 from . import coupling, flow, heat, rock, rock_scenes, solute
 
 chapters = [
@@ -9,4 +9,4 @@ chapters = [
     ("Rock", rock.entries + rock_scenes.entries),
     ("Couplings", coupling.entries),
 ]
-__all__ = ["Records", "chapters"]
+__all__ = ["Records", "chapters", "overview", "wrap"]

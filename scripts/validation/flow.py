@@ -52,12 +52,15 @@ def poiseuille(records, figures):
     return section(
         "Poiseuille flow",
         "Poiseuille.ExactAtAnyWidthAndViscosityWithTwoRelaxationTimes",
-        "A channel between plates, driven by a body force, against the parabola. With two relaxation times and Λ = 3/16 "
-        "(Ginzburg and d'Humières) halfway bounce-back puts the wall exactly half way, so that channels of one node and "
-        f"more are exact to round-off for τ from 0.55 to 5; in float the error stays below {largest(single):.0e} for "
-        "speeds from 1e-2 down to 1e-12 lattice units, since populations are stored as deviations from rest. Other "
-        "collisions slip by the amount that theory predicts (asserted to ten digits).",
-        table(["nodes", "largest relative error, τ = 0.55 … 5"], rows), "poiseuille.png")
+        "Flow in a channel between two plates, driven by a body force, is compared with the parabola.",
+        table(["nodes", "largest relative error, τ = 0.55 … 5"], rows), "poiseuille.png",
+        "- With two relaxation times and Λ = 3/16 (Ginzburg and d'Humières), halfway bounce-back places the wall exactly "
+        "half way. Channels of one node and more are therefore exact to round-off for τ from 0.55 to 5.\n"
+        f"- In float the error stays below {largest(single):.0e} for speeds from 1e-2 down to 1e-12 lattice units, because "
+        "populations are stored as deviations from rest.",
+        "The other collisions have slip at the wall, by the amount that theory predicts (asserted to ten digits).",
+        ("velocity between two plates", "the parabola",
+         f"round-off, {largest(exact):.1e} at most (two relaxation times, Λ = 3/16)"))
 
 
 def couette(records, figures):
@@ -73,9 +76,11 @@ def couette(records, figures):
     error = max(abs(row["u"] - row["y"]) for row in rows)
     return section(
         "Couette flow", "Couette.LinearProfileIsExactInEveryCollision",
-        "A wall that slides drags the fluid: the linear profile is exact to round-off for each of the four collisions and "
-        f"for walls that move on any side of the lattice. Largest deviation here: {error:.0e} of the wall's speed.",
-        figure="couette.png")
+        "A sliding wall drags the fluid along. The exact profile is linear.",
+        None, "couette.png",
+        "The linear profile is exact to round-off for each of the four collisions and for walls that move on any side of "
+        f"the lattice. The largest deviation here is {error:.0e} of the wall's speed.",
+        overview=("velocity beside a sliding wall", "the linear profile", f"round-off, {error:.0e} of the wall's speed"))
 
 
 def taylor_green(records, figures):
@@ -102,11 +107,14 @@ def taylor_green(records, figures):
     return section(
         "Taylor-Green vortices, at rest and carried", "TaylorGreen.SecondOrderInEveryCollision, "
         "TaylorGreen.SecondOrderAlsoOnAUniformFlow",
-        "Periodic vortices at Reynolds number 100 until their speed U has halved, against the exact solution of the "
-        "Navier-Stokes equations; at rest, and riding obliquely on a uniform flow of U and 2 U, which by "
-        "Galilean invariance must change nothing. What is left is the phase, a share of order (k dx)² of the way travelled: the "
-        "error falls with the square of the resolution in both.",
-        table(["collision", "uniform flow", "error at nodes", "order"], results), "taylor_green.png")
+        "Periodic vortices at Reynolds number 100 decay until their speed U has halved. They are compared with the exact "
+        "solution of the Navier-Stokes equations, both at rest and carried obliquely by a uniform flow of U and 2 U. By "
+        "Galilean invariance the uniform flow must change nothing.",
+        table(["collision", "uniform flow", "error at nodes", "order"], results), "taylor_green.png",
+        "The error falls with the square of the resolution in both cases. What remains is an error of the phase, a share of "
+        "order (k dx)² of the distance travelled.",
+        overview=("decaying vortices, at rest and carried by a uniform flow", "exact solution of Navier-Stokes",
+                  f"order {min(float(row[3]) for row in results):.2f} to {max(float(row[3]) for row in results):.2f}"))
 
 
 def cavity(records, figures):
@@ -131,11 +139,15 @@ def cavity(records, figures):
              f"{r['ghia']:.5f} ({100 * (r['measured'] / r['ghia'] - 1):+.2f} %)"] for r in extremes]
     return section(
         "Lid-driven cavity", "LidCavity.Reynolds100, LidCavity.Reynolds1000",
-        "Velocity on the centre lines against the table of Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982, 387), and its "
-        "extremes against values that are converged to six digits: Marchi, Suero and Araki (2009) for Re 100, the spectral "
-        "solution of Botella and Peyret (Comput. Fluids 27, 1998, 421) for Re 1000. The table of 1982 is itself 1.5 to "
-        "3.4 % short of these, so that what converges cannot agree with it better than that.",
-        table(["Re", "nodes", "extreme", "measured", "converged (deviation)", "Ghia et al. (deviation)"], rows), "cavity.png")
+        "The velocity on the centre lines is compared with the table of Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982, "
+        "387). Its extremes are also compared with values that are converged to six digits:\n\n"
+        "- Re 100: Marchi, Suero and Araki (2009);\n"
+        "- Re 1000: the spectral solution of Botella and Peyret (Comput. Fluids 27, 1998, 421).",
+        table(["Re", "nodes", "extreme", "measured", "converged (deviation)", "Ghia et al. (deviation)"], rows), "cavity.png",
+        limits="The table of 1982 is itself 1.5 to 3.4 % below the converged values, so that a converged result cannot agree "
+        "with it better than that.",
+        overview=("extremes of the velocity in a cavity, Re 100 and 1000", "converged tables (Marchi; Botella and Peyret)",
+                  f"within {100 * max(abs(r['measured'] / r['converged'] - 1) for r in extremes):.2f} %"))
 
 
 def open_channel(records, figures):
@@ -152,25 +164,37 @@ def open_channel(records, figures):
     names = ["trt"] + sorted({row["collision"] for row in mirror} - {"trt"})
     rows = [line(name, [row for row in mirror if row["collision"] == name]) for name in names]
     rows.append(line("trt, each link its own image", itself))
-    echoes = ", ".join(f"{100 * row['echo']:.3f} % at {row['speed']:g} U" for row in sorted(vortex, key=lambda row: row["speed"]))
+    without_pressure = {0.2: "0.09 %", 0.5: "0.55 %", 1: "2.4 %"}  # measured once, without the pressure along the side
+    echoes = table(["largest speed in the vortex", "energy that comes back", "without the pressure along the side"],
+                   [[f"{row['speed']:g} U", f"{100 * row['echo']:.3f} %", without_pressure.get(row["speed"], "")]
+                    for row in sorted(vortex, key=lambda row: row["speed"])])
     return section(
         "Channels between open sides",
         "PressureDrivenChannel, Outflow.DevelopedProfileLeavesUnchangedInEveryDirectionAndCollision, "
         "Outflow.AVortexLeavesWithoutAnEcho, Outflow.AVortexLeavesAlikeThroughEverySideAndAnywhereOnIt",
-        "A channel of length 4 H between two pressures, creeping: flow rate (sum over the cells of a section) against "
-        "G H³/(12 ν), with the gradient G over the whole length from side to side. Second order in every collision, and "
-        "none of it from the sides: the slip of the walls and the sum together are (8 Λ - 1)/n², with Λ the product of the "
-        "collision. With `trt`, Λ = 3/16, the walls have no slip: every node has the speed of the parabola, and the table "
-        "shows the midpoint sum of an exact parabola, 1/(2 n²). From the parabola with the slip that theory predicts no "
-        f"node from side to side is further than {largest(mirror, 'field'):.0e} of the mean speed, and the speed along the "
-        f"sides is at most {largest(mirror, 'along_side'):.0e} of it, in all four directions. Last line: the rule that the "
-        "mirror image replaces, anti-bounce-back of each link by itself, which leaves the shear along a side free; it "
-        f"carries too much on any lattice, with speeds along the sides of up to {largest(itself, 'along_side'):.2f} of the mean.\n\n"
-        "Outflow: behind an inlet with plug flow the developed profile leaves unchanged to "
-        f"{largest(profile):.0e} of the mean, with the pressure at its reference on the side. Of the energy of a vortex "
-        "that a flow U carries out comes back, by the largest speed in the vortex: "
-        f"{echoes} (0.09, 0.55 and 2.4 % without the pressure along the side that carries it out).",
-        table(["collision"] + [f"{n} cells" for n in widths], rows))
+        "**Pressure sides.** Creeping flow in a channel of length 4 H between two pressures. The table shows the error of the "
+        "flow rate (sum over the cells of a cross-section) against G H³/(12 ν), with the gradient G over the whole length "
+        "from side to side. Its last line is for the rule that the mirror image replaces: anti-bounce-back of each link by "
+        "itself, which leaves the shear along a side free.\n\n"
+        "**Outflow.** Behind an inlet with plug flow the profile develops, and must leave through the outflow unchanged. A "
+        "vortex carried by a flow U must leave without sending energy back.",
+        table(["collision"] + [f"{n} cells" for n in widths], rows), None,
+        "Pressure sides: the flow rate converges with second order in every collision. None of its error comes from the "
+        "sides.\n\n"
+        "- The slip of the walls and the sum together give (8 Λ - 1)/n², with Λ the product of the collision.\n"
+        "- With `trt`, Λ = 3/16, the walls have no slip: every node has the speed of the parabola. The table then shows the "
+        "midpoint sum of an exact parabola, 1/(2 n²).\n"
+        f"- No node from side to side deviates by more than {largest(mirror, 'field'):.0e} of the mean speed from the parabola "
+        "with the slip that theory predicts. The speed along the sides is at most "
+        f"{largest(mirror, 'along_side'):.0e} of the mean speed. This holds in all four directions.\n"
+        "- Anti-bounce-back of each link by itself carries too much on any lattice, with speeds along the sides of up to "
+        f"{largest(itself, 'along_side'):.2f} of the mean.\n\n"
+        f"Outflow: the developed profile leaves unchanged to {largest(profile):.0e} of the mean speed, with the pressure at "
+        "its reference on the side. The share of a vortex's energy that comes back, with and without the pressure along the "
+        f"side through which it leaves:\n\n{echoes}",
+        overview=("flow rate between two pressures", "G H³/(12 ν)",
+                  "second order, no error from the sides; `trt` "
+                  f"{rows[0][-1]} at {widths[-1]} cells"))
 
 
 def cylinder(records, figures):
@@ -181,15 +205,20 @@ def cylinder(records, figures):
     def against(value, exact):
         return f"{value:.5f} ({100 * (value / exact - 1):+.2f} %)"
 
+    finest = rows[-1]
     return section(
         "Drag and lift of a cylinder", "Cylinder.*, CylinderLong.*",
-        "The benchmark 2D-1 of Schäfer and Turek (1996), a cylinder a little below the middle of a channel at Reynolds number "
-        "20: `cases/cylinder.toml` run by the program and read from its `history.csv`. Published bounds: C_D 5.57 to 5.59, "
-        "C_L 0.0104 to 0.0110; converged 5.57954 and 0.010619 (Nabh 1998), against which deviations are given. The staircase "
-        "of the circle is of first order in the cell over the diameter, and not smooth (the lift is a five-hundredth of the drag); a time "
-        "step half as long changes the drag by 2e-4.",
+        "The benchmark 2D-1 of Schäfer and Turek (1996): a cylinder a little below the middle of a channel, at Reynolds "
+        "number 20. The program runs `cases/cylinder.toml`, and drag and lift are read from its `history.csv`.\n\n"
+        "- Published bounds: C_D 5.57 to 5.59, C_L 0.0104 to 0.0110.\n"
+        "- Converged values (Nabh 1998): 5.57954 and 0.010619. Deviations are given against these.",
         table(["cells per diameter", "C_D", "C_L"],
-              [[row["cells"], against(row["drag"], 5.57953523384), against(row["lift"], 0.010618948146)] for row in rows]))
+              [[row["cells"], against(row["drag"], 5.57953523384), against(row["lift"], 0.010618948146)] for row in rows]),
+        limits="The circle is a staircase on the lattice. Its error is of first order in the cell over the diameter, and not "
+        "smooth (the lift is a five-hundredth of the drag). A time step half as long changes the drag by 2e-4.",
+        overview=("drag and lift of a cylinder, Re 20", "Schäfer and Turek 1996, Nabh 1998",
+                  f"{100 * (finest['drag'] / 5.57953523384 - 1):+.2f} % and {100 * (finest['lift'] / 0.010618948146 - 1):+.2f} % "
+                  f"at {finest['cells']} cells per diameter"))
 
 
 entries = [poiseuille, couette, open_channel, taylor_green, cavity, cylinder]
