@@ -43,7 +43,7 @@ def wrap(text):
 
     def fill(line):
         line = re.sub(r"`[^`]+`", lambda code: code[0].replace(" ", stick), line)
-        line = re.sub(r"(?<=\S) (?=([-+*=]|\d+[.)]|%) )|(?<=\d) (?=%)", stick, line)
+        line = re.sub(r"(?<=\S) (?=([-+*=]|\d+[.)]) )|(?<=\d) (?=%)|(?<= =) ", stick, line)
         lines = textwrap.fill(line, 120, subsequent_indent="  " if line.startswith("- ") else "",
                               break_long_words=False, break_on_hyphens=False)
         return lines.replace(stick, " ")
