@@ -1,4 +1,6 @@
 """Rock of the example cases in cases/rock, read from the columns of their history, and its elasticity."""
+import re
+
 from .records import section, table
 
 
@@ -12,10 +14,13 @@ def elasticity(records, _figures):
         return None
     return section(
         "Elasticity of bonded rock", "Elasticity",
-        "A generated block (60 mm, elements of 1.5 mm) whose bonds are to give E and ν, M_n = χ E/(1 - ν) and M_t = χ E/(1 + 3ν), "
-        "is pressed: what it measures.",
+        "The bonds of a generated block (60 mm, elements of 1.5 mm) are given the moduli that should yield E and ν: "
+        "M_n = χ E/(1 - ν) and M_t = χ E/(1 + 3ν). The block is pressed, and its E and ν are measured.",
         table(["ν given", "E measured / given", "ν measured"],
-              [(f"{r['nu']:.3f}", f"{r['young']:.4f}", f"{r['poisson']:.4f}") for r in rows]))
+              [(f"{r['nu']:.3f}", f"{r['young']:.4f}", f"{r['poisson']:.4f}") for r in rows]),
+        overview=("E and ν of a generated block", "those given",
+                  f"E within {100 * max(abs(r['young'] - 1) for r in rows):.2f} %, "
+                  f"ν within {max(abs(r['poisson'] - r['nu']) for r in rows):.4f}"))
 
 
 def statics(records, _figures):
@@ -38,11 +43,14 @@ def statics(records, _figures):
               ", ".join(per_cent(1 + (r[c] - r[f"exact_{c}"]) / max(1, abs(r[f"exact_{c}"]))) for c in ("xx", "yy"))
               + " of the stress or the pull, which is larger")
              for r in {r["gauge"]: r for r in hole}.values()]
+    most = max(abs(float(number)) for row in rows for number in re.findall(r"[-+]\d+\.\d+(?= %)", row[-1]))
     return section(
         "Beams, layers and holes", "ThreePointBending, Cantilever, DoubleCantilever, LayeredRock, HoleInAPlate",
-        "The example cases of `cases/rock` under steady loads, by the gauges in their `history.csv`. Beams of 12 to 20 triangles in their "
-        "height are 2 to 3 % too stiff, of first order in the size of the triangles; bearings stand at centroids.",
-        table(["case", "number", "against", "deviation"], rows))
+        "The example cases of `cases/rock` under steady loads, read from the gauges in their `history.csv`.",
+        table(["case", "number", "against", "deviation"], rows),
+        limits="Beams of 12 to 20 triangles in their height are 2 to 3 % too stiff, of first order in the size of the triangles. "
+        "Bearings stand at centroids.",
+        overview=("beams, layers, a hole under steady loads", "Timoshenko, Fichter, laminate theory, Kirsch", f"within {most:.1f} %"))
 
 
 def dynamics(records, _figures):
@@ -52,13 +60,15 @@ def dynamics(records, _figures):
     w, c, m = wave[-1], crack[-1], meeting[-1]
     return section(
         "Impact", "Impact, MeetingBodies",
-        "`cases/rock/impact.toml`: a side is struck, c = (E/(1 - ν²)/ρ)^½. The wave comes back as tension from the free side and sets a "
-        "notch going. Two halves of a bar that meet at a crack exchange their speeds.",
+        "In `cases/rock/impact.toml` a side is struck; waves travel at c = (E/(1 - ν²)/ρ)^½. The wave comes back as "
+        "tension from the free side and starts a crack at a notch. In a second test two halves of a bar meet at a crack and must exchange their speeds.",
         table(["number", "against", "measured"],
               [("speed of the wave", "c", per_cent(w["speed"])),
                ("its stress", "ρ c v", per_cent(w["stress"])),
                ("largest speed of the crack over 6 µs", "below Rayleigh's", f"{c['fastest']:.2f} of it"),
-               ("speeds after two halves have met", "0 and 1 m/s", f"{m['left']:.3f} and {m['right']:.3f} m/s")]))
+               ("speeds after two halves have met", "0 and 1 m/s", f"{m['left']:.3f} and {m['right']:.3f} m/s")]),
+        overview=("speed and stress of the wave of an impact", "c, ρ c v",
+                  f"{per_cent(w['speed'])} and {per_cent(w['stress'])}"))
 
 
 entries = [elasticity, statics, dynamics]
