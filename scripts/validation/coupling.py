@@ -8,14 +8,18 @@ def settling_disc(records, _):
     rows = records["settling_disc"]
     if not rows:
         return None
+    against = [100 * (r["reynolds"] / 17.27 - 1) for r in rows]
     return section(
         "A settling disc", "SettlingDisc.SinksAtThePublishedSpeed",
-        "A disc of 1.25 times the fluid's density sinks in a channel eight diameters wide; its weight must be the drag that "
-        "momentum exchange gives. The channel moves and the disc keeps its place, as vug's rock does. Published largest "
-        "Reynolds numbers, formed with the density of the disc: 17.15 to 17.31 (Glowinski et al. 2001), 17.27 (Wan and "
-        "Turek 2006).",
+        "A disc of 1.25 times the fluid's density sinks in a channel eight diameters wide. At its terminal speed the "
+        "weight must equal the drag that momentum exchange gives. The channel moves and the disc keeps its place, as "
+        "vug's rock does.\n\n"
+        "Published largest Reynolds numbers, formed with the density of the disc: 17.15 to 17.31 (Glowinski et al. "
+        "2001), 17.27 (Wan and Turek 2006).",
         table(["nodes per diameter", "Reynolds number", "to 17.27"],
-              [[r["nodes"], f"{r['reynolds']:.2f}", f"{100 * (r['reynolds'] / 17.27 - 1):+.1f} %"] for r in rows]))
+              [[r["nodes"], f"{r['reynolds']:.2f}", f"{100 * (r['reynolds'] / 17.27 - 1):+.1f} %"] for r in rows]),
+        overview=("Reynolds number of a settling disc", "17.27 (Wan and Turek 2006)",
+                  f"{min(against):+.1f} % to {max(against):+.1f} %"))
 
 
 def dissolved_cavity(records, _):
@@ -23,17 +27,22 @@ def dissolved_cavity(records, _):
     if not rows or not ledger:
         return None
     rings, thirds = ("1.3 a ... 1.6 a", "1.6 a ... 2 a", "2 a ... 2.5 a"), ("0 ... 30°", "30 ... 60°", "60 ... 90°")
+    imbalance = table(["time step / 4e-8 s", "error of the energy"],
+                      [[f"{r['fraction']:g}", f"{r['imbalance']:.1e}"] for r in ledger])
     return section(
         "A cavity that dissolves, and its energy",
         "DissolvedCavity.BearsTheStressOfKirschAndThatOfAHoleThatWasCut, DissolvedRock, DissolvedSeam",
-        "Acid eats a hole of radius a = 10 mm from its middle outwards into rock with elements of 1.5 mm under 5 and 7.5 MPa. "
-        "Hoop stress over that of Kirsch (1898) in rings of elements, from the smaller stress (0°) to the larger; beside it "
-        "the same rock with the hole cut out from the start, along whole triangles. No bond and no contact in the cavity "
-        "carries anything. What goes with the rock is booked: of a block that rings while its middle dissolves momentum is "
-        "kept to 1e-12 and energy to second order in the time step, to " +
-        ", ".join(f"{r['imbalance']:.1e} at {r['fraction']:g}" for r in ledger) + " of 4e-8 s.",
+        "Acid dissolves a hole of radius a = 10 mm from its middle outwards, in rock with elements of 1.5 mm under 5 "
+        "and 7.5 MPa. The table has the hoop stress over that of Kirsch (1898) in rings of elements, from the "
+        "direction of the smaller stress (0°) to that of the larger. Beside it stands the same rock with the hole cut "
+        "out from the start, along whole triangles.",
         table(["ring", "from the smaller stress", "dissolved", "cut"],
-              [[rings[r["ring"]], thirds[r["third"]], f"{r['dissolved']:.3f}", f"{r['cut']:.3f}"] for r in rows]))
+              [[rings[r["ring"]], thirds[r["third"]], f"{r['dissolved']:.3f}", f"{r['cut']:.3f}"] for r in rows]), None,
+        "No bond and no contact in the cavity carries a load. Momentum and energy that leave with the dissolved rock "
+        "are accounted for: in a block that rings while its middle dissolves, momentum is conserved to 1e-12 and "
+        f"energy to second order in the time step:\n\n{imbalance}",
+        overview=("hoop stress around a cavity that dissolves", "Kirsch 1898",
+                  f"{min(r['dissolved'] for r in rows):.3f} to {max(r['dissolved'] for r in rows):.3f} of it"))
 
 
 def arrows(records, figures):
@@ -73,9 +82,13 @@ def arrows(records, figures):
     ]
     return section(
         "The arrows between the physics", "coupling_*_test.cpp",
-        "Each coupling of the paper's Fig. 3 by itself. A crack of n nodes conducts as the cubic law says, but for the share "
-        "1/(2 n²) that the sum over the nodes of an exact parabola is larger than its integral: 5.6 % at three nodes.",
-        table(["arrow", "test", "error"], rows), "coupling_arrows.png")
+        "Each coupling of the paper's Fig. 3 by itself.",
+        table(["arrow", "test", "error"], rows), "coupling_arrows.png",
+        "A crack of n nodes conducts as the cubic law says, except for the share 1/(2 n²) by which the sum over the "
+        "nodes of an exact parabola is larger than its integral: 5.6 % at three nodes.",
+        overview=("each coupling of the paper's Fig. 3 by itself", "closed forms, balances",
+                  f"thermal stress {100 * off:.1f} % of E α ΔT; rate {worst:.0e}; cubic law (sum over n nodes) 1e-4; "
+                  "balances 1e-12"))
 
 
 def errors_by_direction(rows):
@@ -92,53 +105,72 @@ def strips(records, _):
     if not rows or not cracks:
         return None
     means = [abs(r["mean"]) for r in cracks]
+    worst = f"{100 * max(means):.1f} %"
     return section(
         "Pathways in every direction",
         "PathwayStrip.ConductsAlikeInEveryDirection, PathwayStrip.CracksOfManyBondsConductAlikeInEveryDirection",
-        "Stokes flow along a crack of four bonds that closes on itself on a periodic lattice, against the plane slot of its "
-        "aperture in cells, (w³ + w/2)/12. Whole apertures along an axis are exact wherever the line lies "
-        "(`PathwayStrip.ObeysTheCubicLawWhereverAnAxisParallelLineLies`). The narrowest strip that is one piece across faces "
-        "of cells is wider than one cell in oblique directions. Between 1 and 3 cells a column of n + 1 nodes more or less "
-        "counts for much in a bond of 20 columns. Along a crack that averages out: cracks of five bonds of random lengths at "
+        "Stokes flow along a crack of four bonds that closes on itself on a periodic lattice is compared with the "
+        "plane slot of its aperture in cells, (w³ + w/2)/12. The table has the error by direction and aperture.",
+        errors_by_direction(rows), None,
+        "- Whole apertures along an axis are exact wherever the line lies "
+        "(`PathwayStrip.ObeysTheCubicLawWhereverAnAxisParallelLineLies`).\n"
+        "- Along a crack of many bonds the errors average out. The test has cracks of five bonds of random lengths at "
         f"random places, eight for each direction and each of {len({r['aperture'] for r in cracks})} apertures from "
-        f"{min(r['aperture'] for r in cracks):g} to {max(r['aperture'] for r in cracks):g} cells, are off by "
-        f"{100 * math.sqrt(sum(r['mean_square'] for r in cracks) / len(cracks)):.1f} % (root mean square over cracks); the mean "
-        f"of a direction and aperture is within 5 % in {sum(m <= 0.05 for m in means)} of {len(means)} and off by "
-        f"{100 * max(means):.1f} % at most.",
-        errors_by_direction(rows))
+        f"{min(r['aperture'] for r in cracks):g} to {max(r['aperture'] for r in cracks):g} cells. They are off by "
+        f"{100 * math.sqrt(sum(r['mean_square'] for r in cracks) / len(cracks)):.1f} % (root mean square over cracks). "
+        f"The mean of a direction and aperture is within 5 % in {sum(m <= 0.05 for m in means)} of {len(means)} "
+        f"combinations and off by {worst} at most.",
+        "- The narrowest strip that is one piece across faces of cells is wider than one cell in oblique directions.\n"
+        "- Between 1 and 3 cells a column of n + 1 nodes more or less has a large effect in a bond of 20 columns.",
+        ("flow along a crack of many bonds, in every direction", "plane slot, (w³ + w/2)/12",
+         f"mean of a direction and aperture within {worst}; a single bond more, see the table"))
 
 
 def slits(records, _):
     rows, gaps, diffusion = records["slit"], records["gaping_crack"], records["slit_diffusion"]
     if not rows or not gaps or not diffusion:
         return None
+    wave = f"{100 * max(abs(r['error']) for r in diffusion):.1f} %"
+    lifted = table(["lifted by, cells", "flow rate over that of the cubic law"],
+                   [[f"{r['gap']:g}", f"{r['ratio']:.4f}"] for r in gaps])
+    narrow = 100 * max(abs(r["error"]) for r in rows if r["aperture"] <= 1)
     return section(
         "Cracks narrower than a cell", "SlitFlow, SlitDiffusion, GapingCrack, Slits",
-        "The narrowest strip of nodes with the drag of `damage.aperture = \"opening\"`, and from 1.2 cells on wider strips, "
-        "against the cubic law w³/12, by direction. Between walls the drag follows Brinkman's solution to second order "
-        "(2e-4 at 40 nodes; 9e-4 with lallemand_luo), without walls Darcy's law to 1e-8. In a coupled run the upper half of a cracked "
-        "block is lifted by so many cells: flow rate over that of the cubic law "
-        + ", ".join(f"{r['ratio']:.4f} at {r['gap']:g}" for r in gaps) + " (from 1.6 on columns of n and n + 1 nodes in turn). "
-        "The force and torque of the fluid on the rock are those of the pressure at the inlet to 0.2 %. "
-        "What diffuses along a row of slits of 0.01 to 1 cells is w D times the gradient to 1e-6; a wave of concentration along a crack of 0.3 "
-        f"cells decays at the rate of the slit within {100 * max(abs(r['error']) for r in diffusion):.1f} % in all of "
-        f"{len(diffusion)} directions.",
-        errors_by_direction(rows))
+        "The narrowest strip of nodes with the drag of `damage.aperture = \"opening\"`, and from 1.2 cells on wider "
+        "strips, is compared with the cubic law w³/12. The table has the error by direction and width in cells.",
+        errors_by_direction(rows), None,
+        "- Between walls the drag follows Brinkman's solution to second order (2e-4 at 40 nodes; 9e-4 with "
+        "lallemand_luo). Without walls it follows Darcy's law to 1e-8.\n"
+        "- The force and torque of the fluid on the rock are those of the pressure at the inlet to 0.2 %.\n"
+        "- Diffusion along a row of slits of 0.01 to 1 cells is w D times the gradient to 1e-6. A wave of "
+        f"concentration along a crack of 0.3 cells decays at the rate of the slit within {wave} in all of "
+        f"{len(diffusion)} directions.\n\nIn a coupled run the upper half of a cracked block is lifted by a given "
+        f"number of cells (from 1.6 on, columns of n and n + 1 nodes alternate):\n\n{lifted}",
+        overview=("flow and diffusion along cracks narrower than a cell", "w³/12; w D",
+                  f"flow within {narrow:.1f} % up to one cell; decay of a wave within {wave}"))
 
 
 def cracked_slab(records, _):
     rows = records["cracked_slab"]
     if not rows:
         return None
+    diffusive = [r["passed"] for r in rows if r["k"] > 1]
     return section(
         "A front of acid in cracked rock", "CrackedSlab",
-        "A slab of 60 x 24 cells that acid dissolves from one side, with two bonds of three open as pathways of three cells; "
-        "the solid of the opened cells is still there, in the nodes beside them, never more than two cells' worth in one. "
-        "Times over those of the same rock uncracked, means of five rocks: until half of the slab's solid is gone, and until 1 % is left of its "
-        "first half (no stones stay behind). Where diffusion decides, k h/D = 100 with h the cell, cracks must not matter, "
-        "but for acid that goes ahead in those that are open before it comes. Where the reaction decides, they do: the walls of open pathways are reactive surface.",
+        "Acid dissolves a slab of 60 x 24 cells from one side. Two of every three bonds are open as pathways of three "
+        "cells. The solid of the opened cells is still there, in the nodes beside them, never more than two cells' "
+        "worth in one node.\n\n"
+        "The table has times over those of the same rock uncracked, means of five rocks: until half of the slab's "
+        "solid is gone, and until 1 % is left of its first half (no stones stay behind).",
         table(["k h/D", "cracks", "half gone", "first half gone", "most in a node, cells"],
-              [[f"{r['k']:g}", r["cracks"], f"{r['half']:.3f}", f"{r['passed']:.3f}", f"{r['most']:.2f}"] for r in rows]))
+              [[f"{r['k']:g}", r["cracks"], f"{r['half']:.3f}", f"{r['passed']:.3f}", f"{r['most']:.2f}"]
+               for r in rows]), None,
+        "- Where diffusion decides, k h/D = 100 with h the cell, cracks must not matter. The exception is acid that "
+        "goes ahead in cracks that are open before it comes.\n"
+        "- Where the reaction decides, cracks do matter: the walls of open pathways are reactive surface.",
+        overview=("time in which acid dissolves cracked rock", "the same rock uncracked",
+                  "where diffusion decides, first half of the slab: " + " and ".join(f"{x:.3f}" for x in diffusive)
+                  + " of it"))
 
 
 entries = [settling_disc, dissolved_cavity, arrows, strips, slits, cracked_slab]

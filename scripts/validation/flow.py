@@ -54,10 +54,10 @@ def poiseuille(records, figures):
         "Poiseuille.ExactAtAnyWidthAndViscosityWithTwoRelaxationTimes",
         "Flow in a channel between two plates, driven by a body force, is compared with the parabola.",
         table(["nodes", "largest relative error, τ = 0.55 … 5"], rows), "poiseuille.png",
-        "- With two relaxation times and Λ = 3/16 (Ginzburg and d'Humières), halfway bounce-back places the wall exactly "
-        "half way. Channels of one node and more are therefore exact to round-off for τ from 0.55 to 5.\n"
-        f"- In float the error stays below {largest(single):.0e} for speeds from 1e-2 down to 1e-12 lattice units, because "
-        "populations are stored as deviations from rest.",
+        "- With two relaxation times and Λ = 3/16 (Ginzburg and d'Humières), halfway bounce-back places the wall "
+        "exactly half way. Channels of one node and more are therefore exact to round-off for τ from 0.55 to 5.\n"
+        f"- In float the error stays below {largest(single):.0e} for speeds from 1e-2 down to 1e-12 lattice units, "
+        "because populations are stored as deviations from rest.",
         "The other collisions have slip at the wall, by the amount that theory predicts (asserted to ten digits).",
         ("velocity between two plates", "the parabola",
          f"round-off, {largest(exact):.1e} at most (two relaxation times, Λ = 3/16)"))
@@ -78,9 +78,10 @@ def couette(records, figures):
         "Couette flow", "Couette.LinearProfileIsExactInEveryCollision",
         "A sliding wall drags the fluid along. The exact profile is linear.",
         None, "couette.png",
-        "The linear profile is exact to round-off for each of the four collisions and for walls that move on any side of "
-        f"the lattice. The largest deviation here is {error:.0e} of the wall's speed.",
-        overview=("velocity beside a sliding wall", "the linear profile", f"round-off, {error:.0e} of the wall's speed"))
+        "The linear profile is exact to round-off for each of the four collisions and for walls that move on any side "
+        f"of the lattice. The largest deviation here is {error:.0e} of the wall's speed.",
+        overview=("velocity beside a sliding wall", "the linear profile",
+                  f"round-off, {error:.0e} of the wall's speed"))
 
 
 def taylor_green(records, figures):
@@ -107,12 +108,12 @@ def taylor_green(records, figures):
     return section(
         "Taylor-Green vortices, at rest and carried", "TaylorGreen.SecondOrderInEveryCollision, "
         "TaylorGreen.SecondOrderAlsoOnAUniformFlow",
-        "Periodic vortices at Reynolds number 100 decay until their speed U has halved. They are compared with the exact "
-        "solution of the Navier-Stokes equations, both at rest and carried obliquely by a uniform flow of U and 2 U. By "
-        "Galilean invariance the uniform flow must change nothing.",
+        "Periodic vortices at Reynolds number 100 decay until their speed U has halved. They are compared with the "
+        "exact solution of the Navier-Stokes equations, both at rest and carried obliquely by a uniform flow of U and "
+        "2 U. By Galilean invariance the uniform flow must change nothing.",
         table(["collision", "uniform flow", "error at nodes", "order"], results), "taylor_green.png",
-        "The error falls with the square of the resolution in both cases. What remains is an error of the phase, a share of "
-        "order (k dx)² of the distance travelled.",
+        "The error falls with the square of the resolution in both cases. What remains is an error of the phase, a "
+        "share of order (k dx)² of the distance travelled.",
         overview=("decaying vortices, at rest and carried by a uniform flow", "exact solution of Navier-Stokes",
                   f"order {min(float(row[3]) for row in results):.2f} to {max(float(row[3]) for row in results):.2f}"))
 
@@ -139,14 +140,16 @@ def cavity(records, figures):
              f"{r['ghia']:.5f} ({100 * (r['measured'] / r['ghia'] - 1):+.2f} %)"] for r in extremes]
     return section(
         "Lid-driven cavity", "LidCavity.Reynolds100, LidCavity.Reynolds1000",
-        "The velocity on the centre lines is compared with the table of Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982, "
-        "387). Its extremes are also compared with values that are converged to six digits:\n\n"
+        "The velocity on the centre lines is compared with the table of Ghia, Ghia and Shin (J. Comput. Phys. 48, "
+        "1982, 387). Its extremes are also compared with values that are converged to six digits:\n\n"
         "- Re 100: Marchi, Suero and Araki (2009);\n"
         "- Re 1000: the spectral solution of Botella and Peyret (Comput. Fluids 27, 1998, 421).",
-        table(["Re", "nodes", "extreme", "measured", "converged (deviation)", "Ghia et al. (deviation)"], rows), "cavity.png",
-        limits="The table of 1982 is itself 1.5 to 3.4 % below the converged values, so that a converged result cannot agree "
-        "with it better than that.",
-        overview=("extremes of the velocity in a cavity, Re 100 and 1000", "converged tables (Marchi; Botella and Peyret)",
+        table(["Re", "nodes", "extreme", "measured", "converged (deviation)", "Ghia et al. (deviation)"], rows),
+        "cavity.png",
+        limits="The table of 1982 is itself 1.5 to 3.4 % below the converged values, so that a converged result cannot "
+        "agree with it better than that.",
+        overview=("extremes of the velocity in a cavity, Re 100 and 1000",
+                  "converged tables (Marchi; Botella and Peyret)",
                   f"within {100 * max(abs(r['measured'] / r['converged'] - 1) for r in extremes):.2f} %"))
 
 
@@ -172,26 +175,26 @@ def open_channel(records, figures):
         "Channels between open sides",
         "PressureDrivenChannel, Outflow.DevelopedProfileLeavesUnchangedInEveryDirectionAndCollision, "
         "Outflow.AVortexLeavesWithoutAnEcho, Outflow.AVortexLeavesAlikeThroughEverySideAndAnywhereOnIt",
-        "**Pressure sides.** Creeping flow in a channel of length 4 H between two pressures. The table shows the error of the "
-        "flow rate (sum over the cells of a cross-section) against G H³/(12 ν), with the gradient G over the whole length "
-        "from side to side. Its last line is for the rule that the mirror image replaces: anti-bounce-back of each link by "
-        "itself, which leaves the shear along a side free.\n\n"
-        "**Outflow.** Behind an inlet with plug flow the profile develops, and must leave through the outflow unchanged. A "
-        "vortex carried by a flow U must leave without sending energy back.",
+        "**Pressure sides.** Creeping flow in a channel of length 4 H between two pressures. The table shows the error "
+        "of the flow rate (sum over the cells of a cross-section) against G H³/(12 ν), with the gradient G over the "
+        "whole length from side to side. Its last line is for the rule that the mirror image replaces: "
+        "anti-bounce-back of each link by itself, which leaves the shear along a side free.\n\n"
+        "**Outflow.** Behind an inlet with plug flow the profile develops, and must leave through the outflow "
+        "unchanged. A vortex carried by a flow U must leave without sending energy back.",
         table(["collision"] + [f"{n} cells" for n in widths], rows), None,
-        "Pressure sides: the flow rate converges with second order in every collision. None of its error comes from the "
-        "sides.\n\n"
+        "Pressure sides: the flow rate converges with second order in every collision. None of its error comes from "
+        "the sides.\n\n"
         "- The slip of the walls and the sum together give (8 Λ - 1)/n², with Λ the product of the collision.\n"
-        "- With `trt`, Λ = 3/16, the walls have no slip: every node has the speed of the parabola. The table then shows the "
-        "midpoint sum of an exact parabola, 1/(2 n²).\n"
-        f"- No node from side to side deviates by more than {largest(mirror, 'field'):.0e} of the mean speed from the parabola "
-        "with the slip that theory predicts. The speed along the sides is at most "
+        "- With `trt`, Λ = 3/16, the walls have no slip: every node has the speed of the parabola. The table then "
+        "shows the midpoint sum of an exact parabola, 1/(2 n²).\n"
+        f"- No node from side to side deviates by more than {largest(mirror, 'field'):.0e} of the mean speed from the "
+        "parabola with the slip that theory predicts. The speed along the sides is at most "
         f"{largest(mirror, 'along_side'):.0e} of the mean speed. This holds in all four directions.\n"
-        "- Anti-bounce-back of each link by itself carries too much on any lattice, with speeds along the sides of up to "
-        f"{largest(itself, 'along_side'):.2f} of the mean.\n\n"
-        f"Outflow: the developed profile leaves unchanged to {largest(profile):.0e} of the mean speed, with the pressure at "
-        "its reference on the side. The share of a vortex's energy that comes back, with and without the pressure along the "
-        f"side through which it leaves:\n\n{echoes}",
+        "- Anti-bounce-back of each link by itself carries too much on any lattice, with speeds along the sides of up "
+        f"to {largest(itself, 'along_side'):.2f} of the mean.\n\n"
+        f"Outflow: the developed profile leaves unchanged to {largest(profile):.0e} of the mean speed, with the "
+        "pressure at its reference on the side. The share of a vortex's energy that comes back, with and without the "
+        f"pressure along the side through which it leaves:\n\n{echoes}",
         overview=("flow rate between two pressures", "G H³/(12 ν)",
                   "second order, no error from the sides; `trt` "
                   f"{rows[0][-1]} at {widths[-1]} cells"))
@@ -208,17 +211,18 @@ def cylinder(records, figures):
     finest = rows[-1]
     return section(
         "Drag and lift of a cylinder", "Cylinder.*, CylinderLong.*",
-        "The benchmark 2D-1 of Schäfer and Turek (1996): a cylinder a little below the middle of a channel, at Reynolds "
-        "number 20. The program runs `cases/cylinder.toml`, and drag and lift are read from its `history.csv`.\n\n"
-        "- Published bounds: C_D 5.57 to 5.59, C_L 0.0104 to 0.0110.\n"
+        "The benchmark 2D-1 of Schäfer and Turek (1996): a cylinder a little below the middle of a channel, at "
+        "Reynolds number 20. The program runs `cases/cylinder.toml`, and drag and lift are read from its "
+        "`history.csv`.\n\n- Published bounds: C_D 5.57 to 5.59, C_L 0.0104 to 0.0110.\n"
         "- Converged values (Nabh 1998): 5.57954 and 0.010619. Deviations are given against these.",
         table(["cells per diameter", "C_D", "C_L"],
-              [[row["cells"], against(row["drag"], 5.57953523384), against(row["lift"], 0.010618948146)] for row in rows]),
-        limits="The circle is a staircase on the lattice. Its error is of first order in the cell over the diameter, and not "
-        "smooth (the lift is a five-hundredth of the drag). A time step half as long changes the drag by 2e-4.",
+              [[row["cells"], against(row["drag"], 5.57953523384), against(row["lift"], 0.010618948146)]
+               for row in rows]),
+        limits="The circle is a staircase on the lattice. Its error is of first order in the cell over the diameter, "
+        "and not smooth (the lift is a five-hundredth of the drag). A time step half as long changes the drag by 2e-4.",
         overview=("drag and lift of a cylinder, Re 20", "Schäfer and Turek 1996, Nabh 1998",
-                  f"{100 * (finest['drag'] / 5.57953523384 - 1):+.2f} % and {100 * (finest['lift'] / 0.010618948146 - 1):+.2f} % "
-                  f"at {finest['cells']} cells per diameter"))
+                  f"{100 * (finest['drag'] / 5.57953523384 - 1):+.2f} % and "
+                  f"{100 * (finest['lift'] / 0.010618948146 - 1):+.2f} % at {finest['cells']} cells per diameter"))
 
 
 entries = [poiseuille, couette, open_channel, taylor_green, cavity, cylinder]

@@ -37,13 +37,14 @@ class Section(NamedTuple):
 
 
 def wrap(text):
-    """Paragraphs and lists of Markdown in lines of at most 120 columns. Lines break at spaces outside of `code`, and not
-    before a sign or a number that would begin a list there; tables stay as they are."""
+    """Paragraphs and lists of Markdown in lines of at most 120 columns. Lines break at spaces outside of `code`, not
+    before a sign or a number that would begin a list there, nor between a number and its unit. Tables stay."""
     stick = "\0"
 
     def fill(line):
         line = re.sub(r"`[^`]+`", lambda code: code[0].replace(" ", stick), line)
-        line = re.sub(r"(?<=\S) (?=([-+*=]|\d+[.)]) )|(?<=\d) (?=%)|(?<= =) ", stick, line)
+        line = re.sub(r"(?<=\S) (?=([-+*=]|\d+[.)]) )|(?<= =) |(?<=\d) (?=%|[kMG]Pa|[cm]?m\b|K\b|µ)|"
+                      r"((?<=Table)|(?<=Eq\.)|(?<=Fig\.)) (?=\d)", stick, line)
         lines = textwrap.fill(line, 120, subsequent_indent="  " if line.startswith("- ") else "",
                               break_long_words=False, break_on_hyphens=False)
         return lines.replace(stick, " ")
@@ -53,7 +54,7 @@ def wrap(text):
 
 def section(title, test, setup, rows=None, figure=None, result="", limits="", overview=()):
     """One section: what is compared with what, a table (Markdown) and a figure's file name, what they show, the names
-    of the tests, and what limits the result. `overview`: what is compared, with what, and the result, in a few words."""
+    of the tests, and what limits the result. `overview`: what is compared, with what, and the result, in few words."""
     parts = [f"### {title}", wrap(setup)]
     if rows:
         parts.append(rows)
@@ -81,7 +82,7 @@ def anchor(title):
 def overview(sections):
     """The table at the top of the page."""
     return table(["what is compared", "with", "result", "section"],
-                 [[*entry.overview, f"[{entry.title}](#{anchor(entry.title)})"] for entry in sections if entry.overview])
+                 [[*of.overview, f"[{of.title}](#{anchor(of.title)})"] for of in sections if of.overview])
 
 
 def save(figure, path):

@@ -38,7 +38,8 @@ def bond_law(records, figures):
     return section(
         "One bond: traction, separation and energy", "OneBond, Degrees/MixedModeBond",
         "The faces of one bond are moved apart on straight paths. The stress must rise to the strength ellipse (paper, "
-        "Eq. 11) and then fall linearly. The area under the curve must be the fracture energy, W_I/G_I + W_II/G_II = 1.",
+        "Eq. 11) and then fall linearly. The area under the curve must be the fracture energy, W_I/G_I + W_II/G_II = "
+        "1.",
         table(["opening from the normal", "error of the energy", "error of the ellipse (one sample)"], rows),
         "rock_bond_law.png",
         limits="In pure sliding a bond of this length (0.76 mm) snaps: it stores more than G_II before it yields.",
@@ -67,8 +68,8 @@ def bar_pulse(records, figures):
         "Pulse in a bar", "ElasticBar.CarriesAPulseAtTheSpeedOfItsModulus",
         "A free bar of bonded triangles is struck at one end, and the front of the pulse is timed from gauge to gauge.",
         None, "rock_pulse.png",
-        f"The front travels at {speed[-1]['speed']:.0f} m/s. The bar velocity sqrt(E/ρ) of this mesh's modulus is {exact:.0f} m/s "
-        f"({apart} apart).",
+        f"The front travels at {speed[-1]['speed']:.0f} m/s. The bar velocity sqrt(E/ρ) of this mesh's modulus is "
+        f"{exact:.0f} m/s ({apart} apart).",
         overview=("speed of a pulse in a bar", "sqrt(E/ρ)", f"{apart} apart"))
 
 
@@ -92,14 +93,14 @@ def energy(records, figures):
     save(figure, figures / "rock_energy.png")
     return section(
         "Energy ledger through breaking", "EnergyLedger, EnergyLedgerLong",
-        "External work must equal kinetic + elastic + fracture + friction + damping energy. Each of these is summed by a formula "
-        "of its own, elastic energy and losses in the form that the leapfrog conserves (`src/dem/accounts.hpp`). The missing "
-        "energy is measured in three kinds of test:\n\n"
-        "- an oblique collision with dashpots and friction: root mean square over sixteen places of the impact within a step, "
-        "over the initial energy; here few steps resolve the contact's own period;\n"
+        "External work must equal kinetic + elastic + fracture + friction + damping energy. Each of these is summed by "
+        "a formula of its own, elastic energy and losses in the form that the leapfrog conserves "
+        "(`src/dem/accounts.hpp`). The missing energy is measured in three kinds of test:\n\n"
+        "- an oblique collision with dashpots and friction: root mean square over sixteen places of the impact within "
+        "a step, over the initial energy; here few steps resolve the contact's own period;\n"
         "- a block that is broken fast;\n"
-        "- compression tests until the specimen is crushed: cracks that open, close and rub, rubble that rolls from corners to "
-        "edges.",
+        "- compression tests until the specimen is crushed: cracks that open, close and rub, rubble that rolls from "
+        "corners to edges.",
         table(["test", "step / critical step", "missing / work"],
               [(name, f"{r['fraction']:g}", f"{r['imbalance']:.1e}") for name, points, _ in tests for r in points]),
         "rock_energy.png",
@@ -134,8 +135,8 @@ def thermal(records, figures):
         "Thermal stress", "RestrainedHeating, ThermalExpansion, Quench",
         "- A block between fixed platens is heated: the stress must be E α ΔT.\n"
         "- A block clamped on all sides must have the stress M_n/χ α ΔT of its bonds.\n"
-        "- Under a face that is suddenly cold the lateral stress must follow the temperature of Carslaw and Jaeger, less its "
-        "mean.",
+        "- Under a face that is suddenly cold the lateral stress must follow the temperature of Carslaw and Jaeger, "
+        "less its mean.",
         table(["test", "closed form", "error"],
               [("heated between platens", "E α ΔT", f"{100 * abs(s['heated'] / s['pressed'] - 1):.2f} %"),
                ("clamped on all sides", "M_n α ΔT / χ", f"{100 * abs(c['left'] / c['exact'] - 1):.2f} %"),
@@ -192,18 +193,18 @@ def accuracy(records, figures):
                  [(f"{1e6 * r['ramp']:.0f} µs", f"{r['damping']:g}", f"{r['steps']:.0f}", f"{r['kinetic']:.1e}", f"{r['error']:.1e}") for r in preloads])
     return section(
         "What cheaper mechanics costs", "MassScalingLong, SubStep, SubStepLong, PreloadAccuracyLong",
-        "**Mass scaling and sub-step.** Three specimens (10 cm × 5 cm, elements of 3 mm, calibrated) are compressed at 0.5 m/s, "
-        "and each is compared with itself. The kinetic share is that of the elastic energy at the peak.\n\n"
-        "**Preload** (second table). Specimens of 5 cm × 3.5 cm under 5 and 7.5 MPa. The error is the largest difference of "
+        "**Mass scaling and sub-step.** Three specimens (10 cm × 5 cm, elements of 3 mm, calibrated) are compressed at "
+        "0.5 m/s, and each is compared with itself. The kinetic share is that of the elastic energy at the peak.\n\n"
+        "**Preload** (second table). Rock of 5 cm × 3.5 cm under 5 and 7.5 MPa. The error is the largest difference of "
         "the displacements from those after a ramp of 1 ms, over the largest displacement.",
         table(["choice", "modulus", "strength", "failed bonds", "kinetic share", "sub-steps", "time, relative"], rows) + "\n\n" + rest,
         "rock_accuracy.png",
-        "- With s times the mass the press acts as if √s times as fast. The modulus stays; inertia adds to the strength and to "
-        "the cracks.\n"
-        "- Up to 0.9 of the critical step strengths stay within 0.3 %, while the rubble after the peak is different with every "
-        "step. The error of a pulse in a bar is of second order.\n"
-        "- A preload comes to rest at the same displacements whatever its ramp and damping; they decide how many sub-steps it "
-        "takes.",
+        "- With s times the mass the press acts as if √s times as fast. The modulus stays; inertia adds to the "
+        "strength and to the cracks.\n"
+        "- Up to 0.9 of the critical step strengths stay within 0.3 %, while the rubble after the peak is different "
+        "with every step. The error of a pulse in a bar is of second order.\n"
+        "- A preload comes to rest at the same displacements whatever its ramp and damping; they decide how many "
+        "sub-steps it takes.",
         "A ramp lasts two crossings of sound at least: 15 µs are too short for that.",
         ("strength with larger masses and longer sub-steps", "the same specimen without",
          f"mass × {of_mass[1][0]:g}: {100 * of_mass[1][1]:+.1f} %; up to 0.9 of the critical step within "

@@ -19,7 +19,7 @@ def elasticity(records, _figures):
         table(["ν given", "E measured / given", "ν measured"],
               [(f"{r['nu']:.3f}", f"{r['young']:.4f}", f"{r['poisson']:.4f}") for r in rows]),
         overview=("E and ν of a generated block", "those given",
-                  f"E within {100 * max(abs(r['young'] - 1) for r in rows):.2f} %, "
+                  f"E within {100 * max(abs(r['young'] - 1) for r in rows):.1f} %, "
                   f"ν within {max(abs(r['poisson'] - r['nu']) for r in rows):.4f}"))
 
 
@@ -48,9 +48,10 @@ def statics(records, _figures):
         "Beams, layers and holes", "ThreePointBending, Cantilever, DoubleCantilever, LayeredRock, HoleInAPlate",
         "The example cases of `cases/rock` under steady loads, read from the gauges in their `history.csv`.",
         table(["case", "number", "against", "deviation"], rows),
-        limits="Beams of 12 to 20 triangles in their height are 2 to 3 % too stiff, of first order in the size of the triangles. "
-        "Bearings stand at centroids.",
-        overview=("beams, layers, a hole under steady loads", "Timoshenko, Fichter, laminate theory, Kirsch", f"within {most:.1f} %"))
+        limits="Beams of 12 to 20 triangles in their height are 2 to 3 % too stiff, of first order in the size of the "
+        "triangles. Bearings stand at centroids.",
+        overview=("beams, layers, a hole under steady loads", "Timoshenko, Fichter, laminate theory, Kirsch",
+                  f"within {most:.1f} %"))
 
 
 def dynamics(records, _figures):
@@ -61,7 +62,8 @@ def dynamics(records, _figures):
     return section(
         "Impact", "Impact, MeetingBodies",
         "In `cases/rock/impact.toml` a side is struck; waves travel at c = (E/(1 - ν²)/ρ)^½. The wave comes back as "
-        "tension from the free side and starts a crack at a notch. In a second test two halves of a bar meet at a crack and must exchange their speeds.",
+        "tension from the free side and starts a crack at a notch. In a second test two halves of a bar meet at a "
+        "crack and must exchange their speeds.",
         table(["number", "against", "measured"],
               [("speed of the wave", "c", per_cent(w["speed"])),
                ("its stress", "ρ c v", per_cent(w["stress"])),

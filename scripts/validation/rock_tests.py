@@ -25,8 +25,10 @@ def confined(records, figures):
     left.set_xlabel("axial strain / 10⁻³")
     left.set_ylabel("axial stress / MPa")
     left.legend(fontsize=8)
-    rows = None
+    rows, strengths = None, ""
     if broken:
+        strengths = (f"; strength {broken[0]['strength'] / MPA:.1f} to {broken[-1]['strength'] / MPA:.1f} MPa at "
+                     f"{broken[0]['confinement'] / MPA:g} to {broken[-1]['confinement'] / MPA:g} MPa")
         for (pressure, points), colour in zip(groups(curves, "parameter").items(), (GREY, BLUE, ORANGE, RED)):
             right.plot(100 * column(points, "strain"), column(points, "stress") / MPA, color=colour, lw=1.2,
                        label=f"σ₃ = {pressure / MPA:g} MPa")
@@ -41,8 +43,12 @@ def confined(records, figures):
     save(figure, figures / "rock_confined.png")
     return section(
         "Compression under confinement", "ConfinedCompression, PaperCompressionLong.ConfinementStrengthensTheRock",
-        "A pressure on the flanks is raised while the platens stand still; then the platens move. The elastic branch must be σ₁ = E ε₁ + ν σ₃ (Hooke, plane stress) "
-        "with E and ν of the unconfined test, whether the pressure is the dead load of a membrane or that of servo platens. Right: under a membrane.", rows, "rock_confined.png")
+        "A pressure on the flanks is raised while the platens stand still; then the platens move. The elastic branch "
+        "must be σ₁ = E ε₁ + ν σ₃ (Hooke, plane stress) with E and ν of the unconfined test, whether the pressure is "
+        "the dead load of a membrane or that of servo platens (left in the figure). The table and the right of the "
+        "figure are under a membrane.",
+        rows, "rock_confined.png",
+        overview=("elastic branch under confinement", "Hooke, σ₁ = E ε₁ + ν σ₃", "follows it (figure)" + strengths))
 
 
 def servo(records, figures):
@@ -65,17 +71,23 @@ def servo(records, figures):
     save(figure, figures / "rock_servo.png")
     h = hold[-1]
     ratio = column(rows, "servo") / column(rows, "membrane") - 1
+    more = f"{100 * ratio.mean():.1f} ± {100 * ratio.std(ddof=1):.1f} %"
     return section(
         "Servo platens", "ServoConfinement, ServoConfinementLong",
-        f"Rigid frictionless flank platens move at v = G (p - p_wanted), the servo of granular mechanics. Rock that widens at v by its Poisson effect presses v/G too hard: "
-        f"{h['expected'] / 1e3:.0f} kPa expected, {h['offset'] / 1e3:.0f} kPa measured in a small block at 0.25 m/s ({100 * h['worst']:.1f} % of 10 MPa at the most). "
-        f"In whole tests (10 cm × 5 cm at 0.5 m/s) the pressure is held within 0.11 MPa while the rock is elastic; what bursts out when it breaks pushes the platens with up to "
-        f"{max(column(rows, 'failure_error')) / MPA:.0f} MPa. Strengths lie {100 * ratio.mean():.1f} ± {100 * ratio.std(ddof=1):.1f} % above those under a membrane, within the scatter of specimens (6 %): rigid "
-        "platens hold flakes back.",
+        "Rigid frictionless flank platens move at v = G (p - p_wanted), the servo of granular mechanics. Rock that "
+        "widens at v by its Poisson effect presses v/G too hard. A small block is compressed at 0.25 m/s, and whole "
+        "specimens (10 cm × 5 cm) at 0.5 m/s.",
         table(["confinement", "membrane", "servo", "held within, elastic", "through failure"],
               [(f"{p / MPA:g} MPa", f"{column(r, 'membrane').mean() / MPA:.1f} MPa", f"{column(r, 'servo').mean() / MPA:.1f} MPa",
                 f"{max(column(r, 'elastic_error')) / MPA:.2f} MPa", f"{max(column(r, 'failure_error')) / MPA:.1f} MPa")
-               for p, r in groups(rows, "confinement").items()]), "rock_servo.png")
+               for p, r in groups(rows, "confinement").items()]), "rock_servo.png",
+        f"- Small block: the pressure is too high by {h['offset'] / 1e3:.0f} kPa, with {h['expected'] / 1e3:.0f} kPa "
+        f"expected (at most {100 * h['worst']:.1f} % of 10 MPa).\n"
+        "- Whole tests: the pressure is held within 0.11 MPa while the rock is elastic. Rock that bursts out when it "
+        f"breaks pushes the platens with up to {max(column(rows, 'failure_error')) / MPA:.0f} MPa.\n"
+        f"- Strengths are {more} higher than under a membrane, because rigid platens hold flakes back. This is within "
+        "the scatter of specimens (6 %).",
+        overview=("strength between servo platens", "strength under a membrane", f"{more} higher"))
 
 
 def compression(records, figures):
@@ -108,27 +120,42 @@ def compression(records, figures):
             rows.append((profile, f"{1e3 * element:g} mm", f"{modulus.mean():.2f} ± {modulus.std(ddof=1):.2f} GPa",
                          f"{column(five, 'poisson').mean():.3f}", f"{strength.mean():.1f} ± {strength.std(ddof=1):.1f} MPa",
                          f"{strength.min():.1f} ... {strength.max():.1f}", f"{100 * column(five, 'peak_strain').mean():.3f} %"))
+    calibrated = groups([r for r in specimens if r["profile"] == "calibrated"], "element").values()
     return section(
         "Uniaxial compression of the paper's sandstone", "PaperCompressionLong",
-        "10 cm × 5 cm between frictionless platens at 0.5 m/s (paper, section 3.5.2: 27.8 GPa, 91.1 MPa at 0.328 %), five specimens each of other "
-        "elements and other bond strengths, with the default path ratio of 1.2, as in all tests of such specimens and of the disc unless told otherwise. Table 1 as printed gives the printed modulus but not the printed strength; the profile `calibrated` "
-        "differs in the cohesion alone, 58 MPa (`vug lab --fit-cohesion`), and gives the printed strength within 3 % for both sizes of elements. `weibull-scale` reads the printed strengths and energies as scale parameters of "
-        "their Weibull distributions (means 6.5 % lower), leaves f₁ and f₂ unnormalised and takes the internal friction out of the bonds' "
-        "strength: with nothing fitted it comes within 4 % of modulus, strength and strain at the peak. Blue bonds failed in tension, red ones in shear (seed 1, elements of 2 mm).",
+        "Specimens of 10 cm × 5 cm are compressed between frictionless platens at 0.5 m/s, as in section 3.5.2 of the "
+        "paper: 27.8 GPa, 91.1 MPa at 0.328 %. Each row is of five specimens with different elements and bond "
+        "strengths. The path ratio is the default of 1.2, as in all tests of such specimens and of the disc unless "
+        "stated otherwise. In the figure blue bonds failed in tension, red ones in shear (seed 1, elements of 2 mm).",
         table(["profile", "elements", "modulus", "Poisson", "strength (± of a specimen)", "range / MPa", "strain at peak"], rows),
-        "rock_compression.png")
+        "rock_compression.png",
+        "- `paper-literal`: Table 1 as printed gives the printed modulus but not the printed strength.\n"
+        "- `calibrated` differs in the cohesion alone, 58 MPa (`vug lab --fit-cohesion`). It gives the printed "
+        "strength within 3 % for both sizes of elements.\n"
+        "- `weibull-scale` reads the printed strengths and energies as scale parameters of their Weibull distributions "
+        "(means 6.5 % lower), leaves f₁ and f₂ unnormalised and takes the internal friction out of the bonds' "
+        "strength. With nothing fitted it comes within 4 % of modulus, strength and strain at the peak.",
+        overview=("modulus and strength of the paper's sandstone", "the paper, section 3.5.2",
+                  "calibrated cohesion: "
+                  + " and ".join(f"{column(five, 'strength').mean() / MPA:.1f}" for five in calibrated)
+                  + " MPa of 91.1 MPa; Table 1 as printed: modulus only"))
 
 
 def platen_speed(records, figures):
     rows = records["platen_speed"]
     if not rows:
         return None
+    usual = [r["strength"] for r in rows if abs(r["speed"] - 0.5) < 1e-9]
     return section(
         "Speed of the platens", "PaperCompressionLong.StrengthHardlyDependsOnThePlatensSpeed",
-        "The same specimen (elements of 3 mm, calibrated) strained at four speeds. The modulus does not notice; the strength "
-        "rises with the speed, at 0.5 m/s by less than specimens scatter (5.5 %): the tests use that speed.",
+        "The same specimen (elements of 3 mm, calibrated) is strained at four speeds.",
         table(["platen speed", "modulus", "strength"],
-              [(f"{r['speed']:g} m/s", f"{r['modulus'] / GPA:.2f} GPa", f"{r['strength'] / MPA:.2f} MPa") for r in rows]))
+              [(f"{r['speed']:g} m/s", f"{r['modulus'] / GPA:.2f} GPa", f"{r['strength'] / MPA:.2f} MPa")
+               for r in rows]), None,
+        "The modulus does not depend on the speed. The strength rises with the speed, at 0.5 m/s by less than "
+        "specimens scatter (5.5 %). The tests use that speed.",
+        overview=("strength at the platens' usual speed", f"strength at {rows[0]['speed']:g} m/s",
+                  " ".join(f"{100 * (strength / rows[0]['strength'] - 1):+.1f} % at 0.5 m/s" for strength in usual)))
 
 
 def soaking(records, figures):
@@ -158,14 +185,21 @@ def soaking(records, figures):
     right.set_ylim(0.5, 1.05)
     right.legend(fontsize=6, loc="lower left")
     save(figure, figures / "rock_soaking.png")
+    shares = [r["modulus"] / points[0]["modulus"] / (1 - r["d_c"]) for points in profiles.values() for r in points]
     return section(
         "Soaked in acid", "PaperCompressionLong.SoakingLowersTheModulusByTheDissolvedShare",
-        "One specimen (elements of 2 mm) with uniform chemical damage, as in the paper's Fig. 7b, with Table 1 as printed and with the calibrated cohesion. The modulus falls as 1 - d_c, the relation by which the "
-        "paper reads d_c off its experiments; the bonds' strength falls as f₁ and their fracture energy as f₂. The strength of the one specimen lies below f₁ and falls in steps, where another cascade of cracks begins (with Table 1 as printed by a quarter: at 0.1 and from 0.2 on, but not at 0.15).",
+        "One specimen (elements of 2 mm) with uniform chemical damage d_c, as in the paper's Fig. 7b, with Table 1 as "
+        "printed and with the calibrated cohesion. The strength of the bonds falls as f₁ and their fracture energy as "
+        "f₂.",
         table(["profile", "d_c", "modulus", "over 1 - d_c", "strength", "strain at peak"],
               [(profile, f"{r['d_c']:g}", f"{r['modulus'] / GPA:.2f} GPa", f"{r['modulus'] / points[0]['modulus'] / (1 - r['d_c']):.4f}",
                 f"{r['strength'] / MPA:.1f} MPa", f"{100 * r['strain']:.3f} %") for profile, points in profiles.items() for r in points]),
-        "rock_soaking.png")
+        "rock_soaking.png",
+        "- The modulus falls as 1 - d_c. By this relation the paper reads d_c off its experiments.\n"
+        "- The strength of the one specimen lies below f₁ and falls in steps, where another cascade of cracks begins. "
+        "With Table 1 as printed it falls by a quarter: at 0.1 and from 0.2 on, but not at 0.15.",
+        overview=("modulus of soaked rock", "1 - d_c, the paper's relation",
+                  f"within {100 * max(abs(share - 1) for share in shares):.2f} %"))
 
 
 def brazilian(records, figures):
@@ -201,11 +235,18 @@ def brazilian(records, figures):
         rows.append((f"five specimens, c = {r['cohesion'] / MPA:g} MPa, path ratio {r['path_ratio']:g}", "",
                      f"splitting {r['brazilian'] / MPA:.2f} ± {r['brazilian_deviation'] / MPA:.2f} MPa, "
                      f"direct tension {r['direct'] / MPA:.2f} ± {r['direct_deviation'] / MPA:.2f} MPa"))
+    off = [c["across"] for c in centre if 2 * math.degrees(math.asin(c["flats"])) < 15]
     return section(
         "Brazilian disc", "BrazilianDisc, BrazilianDiscLong",
-        "A disc of 5 cm is pressed between flats of 20 degrees of arc, which keep it from crushing at the platens. The strength is the tension at the centre of an elastic disc under an even pressure on two arcs "
-        "of 2a (Hondros 1959), 0.964 of the point load's 2P/(πD) at 20 degrees. Between flats of 10 degrees the disc has it; rigid platens press more at the ends of wider ones, which takes 5 % more off at 20 degrees and 8 % at 35. It breaks first along the loaded diameter and splits.",
-        table(["quantity", "closed form", "measured"], rows), "rock_brazilian.png")
+        "A disc of 5 cm is pressed between flats of 20 degrees of arc, which keep it from crushing at the platens. The "
+        "strength is the tension at the centre of an elastic disc under an even pressure on two arcs of 2a (Hondros "
+        "1959). At 20 degrees it is 0.964 of the point load's 2P/(πD).",
+        table(["quantity", "closed form", "measured"], rows), "rock_brazilian.png",
+        "Between flats of 10 degrees the disc has this tension. It breaks first along the loaded diameter and splits.",
+        "Rigid platens press more at the ends of wider flats. This takes 5 % more off the tension at 20 degrees and 8 "
+        "% at 35.",
+        overview=("tension at the centre of a disc", "Hondros 1959",
+                  "".join(f"{across:.3f} of it between flats of 10°" for across in off[:1])))
 
 
 def toughness(records, figures):
@@ -217,10 +258,18 @@ def toughness(records, figures):
               f"{r['mean']:.3f} ± {r['deviation']:.3f} ({r['least']:.3f} ... {r['largest']:.3f})") for r in generated]
     return section(
         "Toughness", "Toughness, ToughnessLong",
-        "A plate with a crack in its middle is pulled until it breaks; no scatter among the bonds. The load is that of Griffith in a plate of finite width (Feddersen 1966), the crack longer by 0.42 E G_I/σ² for its "
-        "softening zone (Planas and Elices 1992). Where the path is straight, rows of equilateral triangles, the load converges to it. Generated triangles (five seeds) have crooked paths: at a path ratio of 1 the energy given is "
-        "that of the bonds; at 1.2, the same for every seed, it is that of the rock. The size is that of the edges at the tips.",
-        table(["edge", "path", "path ratio", "strength over that of fracture mechanics (± of a seed)"], rows))
+        "A plate with a crack in its middle is pulled until it breaks, without scatter among the bonds. Its load is "
+        "compared with that of Griffith in a plate of finite width (Feddersen 1966), with the crack longer by 0.42 E "
+        "G_I/σ² for its softening zone (Planas and Elices 1992). The size in the table is that of the edges at the "
+        "tips of the crack.",
+        table(["edge", "path", "path ratio", "strength over that of fracture mechanics (± of a seed)"], rows), None,
+        "- Straight path (rows of equilateral triangles): the load converges to that of fracture mechanics.\n"
+        "- Generated triangles (five seeds) have crooked paths. At a path ratio of 1 the given energy is that of the "
+        "bonds; at 1.2, the same for every seed, it is that of the rock.",
+        overview=("strength of a plate with a crack", "Griffith, Feddersen 1966",
+                  "; ".join(f"{r['mean']:.3f} ± {r['deviation']:.3f} of it (path ratio {r['path_ratio']:g})"
+                            for r in generated if abs(r["path_ratio"] - 1.2) < 1e-9)
+                  or f"{straight[-1]['ratio']:.3f} of it (straight path)"))
 
 
 def quench(records, figures):
@@ -246,13 +295,19 @@ def quench(records, figures):
     save(figure, figures / "rock_quench.png")
     return section(
         "Cracks of a quenched slab", "QuenchLong.CracksStandCloserTheHarderTheShockAndEndInTheCompressedCore",
-        "The upper half of a slab with a face that is suddenly cold, until it is cold throughout. As in the water quench of ceramics (Jiang et al. 2012, "
-        "Acta Materialia 60, 4540; Bourdin et al. 2014, Phys. Rev. Lett. 112, 014301) the cracks stand closer the larger the fall, and their mean depth hardly "
-        "changes well above the critical fall (here 50 to 70 K). The drop in depth just above it, seen in the brittler alumina, is not seen here: the softening zone, E G_I/σ² = "
-        "2.5 mm, is a sixth of the half thickness. Unlike the rock that is compressed above, this one has a path ratio of 1: its bonds take the energies of Table 1.",
+        "The upper half of a slab with a face that is suddenly cold is computed until it is cold throughout, and "
+        "compared with the water quench of ceramics (Jiang et al. 2012, Acta Materialia 60, 4540; Bourdin et al. 2014, "
+        "Phys. Rev. Lett. 112, 014301). Unlike the rock that is compressed above, this one has a path ratio of 1: its "
+        "bonds take the energies of Table 1.",
         table(["ΔT", "spacing two elements deep", "mean depth", "deepest"],
               [(f"{r['drop']:g} K", f"{1e3 * r['spacing']:.1f} mm", f"{1e3 * r['mean_depth']:.1f} mm", f"{1e3 * r['deepest']:.1f} mm")
-               for r in rows]), "rock_quench.png")
+               for r in rows]), "rock_quench.png",
+        "As in the experiments the cracks stand closer the larger the temperature drop, and their mean depth hardly "
+        "changes well above the critical drop (here 50 to 70 K).",
+        "The decrease in depth just above the critical drop, seen in the brittler alumina, is not seen here: the "
+        "softening zone, E G_I/σ² = 2.5 mm, is a sixth of the half thickness.",
+        ("cracks of a quenched slab", "Jiang et al. 2012, Bourdin et al. 2014",
+         f"spacing falls from {1e3 * rows[0]['spacing']:.1f} to {1e3 * rows[-1]['spacing']:.1f} mm, as in ceramics"))
 
 
 entries = [confined, servo, compression, platen_speed, soaking, brazilian, toughness, quench]

@@ -24,8 +24,8 @@ def carried_wave(records, figures):
     save(figure, figures / "carried_wave.png")
     return section(
         "A wave carried by a uniform flow", "CarriedWave.IsOfSecondOrder",
-        "A plane wave of concentration diffuses while a uniform flow carries it obliquely. It is compared with the exact "
-        "solution, at rest and at Peclet number 20.",
+        "A plane wave of concentration diffuses while a uniform flow carries it obliquely. It is compared with the "
+        "exact solution, at rest and at Peclet number 20.",
         table(["set", "Pe", "error at 64 nodes", "order"], cells), "carried_wave.png",
         overview=("a wave of concentration, at rest and carried", "exact solution",
                   f"order {min(float(row[3]) for row in cells):.2f} to {max(float(row[3]) for row in cells):.2f}"))
@@ -37,10 +37,11 @@ def face_exchange(records, figures):
         return None
     cells = [[f"{r['peclet']:.2g}", f"{100 * r['without']:+.2f} %", f"{100 * r['with']:+.4f} %", f"{100 * r['reaction']:+.2f} %"] for r in rows]
     return section(
-        "Acid between reacting discs", "FaceExchange.KeepsWhatTheAdvectiveFormCreates, FaceExchange.LeavesWhatIsUniform",
-        "Steady flow between three discs of four cells radius that react at once. The table has the share of the reaction "
-        "that the advective form creates (+) or takes (-), without and with an exchange between nodes through their faces "
-        "(`solute.face_exchange`), and the change of the reaction by the exchange.",
+        "Acid between reacting discs", "FaceExchange.KeepsWhatTheAdvectiveFormCreates, "
+        "FaceExchange.LeavesWhatIsUniform",
+        "Steady flow between three discs of four cells radius that react at once. The table has the share of the "
+        "reaction that the advective form creates (+) or takes (-), without and with an exchange between nodes through "
+        "their faces (`solute.face_exchange`), and the change of the reaction by the exchange.",
         table(["u_max h/D", "created", "with the exchange", "reaction"], cells), None,
         "Acid that is uniform and does not react stays uniform while waves of pressure cross the channel.",
         overview=("acid that the advective form creates between reacting discs", "none",
@@ -83,8 +84,8 @@ def eq28(records, figures):
     default = max(r["L2"] for r in errors if r["form"] == "default")
     return section(
         "Diffusion to a reactive wall (Eq. 28)", "DiffusionReaction.*",
-        "The paper's first validation, on 100 x 80 nodes, is compared with the series of its Eq. 28: the field, and the flux "
-        "into the wall. A correct field alone does not show that the flux is right.",
+        "The paper's first validation, on 100 x 80 nodes, is compared with the series of its Eq. 28: the field, and "
+        "the flux into the wall. A correct field alone does not show that the flux is right.",
         table(["form", "Da", "L2 of the field", "flux over the last 9/10", "largest at one node there",
                "acid taken over solid dissolved - 1"], rows), "diffusion_reaction.png",
         "- The boundary data jump in the corner where the inlet meets the wall, and this jump sets the error.\n"
@@ -114,14 +115,16 @@ def stefan(records, figures):
     return section(
         "Stefan problem", "StefanProblem.ConvergesToTheExactFront, StefanProblem.HoldsOverThreeDecadesOfTheStefanNumber",
         "A wall that dissolves as fast as acid diffuses to it recedes as 2 λ √(D t), √π λ exp(λ²) erf(λ) = a, with a the "
-        "rock dissolved by the acid in one volume of fluid. The run starts from the exact profile at a distance of s₀ nodes "
-        "and ends at 2 s₀.",
+        "rock dissolved by the acid in one volume of fluid. The run starts from the exact profile at a distance of s₀ "
+        "nodes and ends at 2 s₀.",
         table(["a", "s₀", "λ measured", "λ exact", "error"], rows), "stefan.png",
         f"Acid and rock together are conserved to {max(abs(r['drift']) for r in balance):.0e} over up to "
         f"{max(r['steps'] for r in balance)} steps.",
-        "The wall moves pixel by pixel and is half a pixel ahead on average. The error is therefore of first order in 1/s₀.",
+        "The wall moves pixel by pixel and is half a pixel ahead on average. The error is therefore of first order in "
+        "1/s₀.",
         ("position of a wall that dissolves as fast as acid diffuses to it", "Stefan's solution",
-         f"λ within {100 * max(abs(r['measured'] / r['exact'] - 1) for r in finest):.2f} % at s₀ = {fine:g}; first order"))
+         f"λ within {100 * max(abs(r['measured'] / r['exact'] - 1) for r in finest):.2f} % at s₀ = {fine:g}; first "
+         "order"))
 
 
 def receding_wall(records, figures):
@@ -142,8 +145,8 @@ def receding_wall(records, figures):
     return section(
         "A wall that recedes slowly, from reaction to diffusion", "RecedingWall.FollowsTheQuasiSteadyLawInBothLimits",
         "While a given amount of acid dissolves little rock, the concentration is in equilibrium with the wall, and "
-        "s + k s²/(2D) grows in proportion to time: s grows linearly where the reaction limits, and as a square root where "
-        "diffusion does. s₀ = 20 nodes.",
+        "s + k s²/(2D) grows in proportion to time: s grows linearly where the reaction limits, and as a square root "
+        "where diffusion does. s₀ = 20 nodes.",
         table(["k s₀/D", "error of the time to 2 s₀"], rows), "receding_wall.png",
         overview=("time in which a wall recedes, from reaction to diffusion", "quasi-steady law",
                   f"within {100 * max(abs(r['error']) for r in results):.2f} %"))
@@ -172,13 +175,13 @@ def shrinking_disc(records, figures):
     paper = [r["rate"] for r in results if r["form"] == "paper"]
     return section(
         "A shrinking disc", "ShrinkingDisc.*",
-        "In uniform acid a disc loses radius at the constant rate V_m k C. The table has the rate, and the radii along axes "
-        "and diagonals over that of the circle of the same area, when half of the disc is left.",
+        "In uniform acid a disc loses radius at the constant rate V_m k C. The table has the rate, and the radii along "
+        "axes and diagonals over that of the circle of the same area, when half of the disc is left.",
         table(["form", "R, nodes", "shape", "offset of the centre", "rate / true", "r along axes", "r along diagonals"], cells),
         "shrinking_disc.png",
-        "- The outline of pixels is a staircase. Its faces add up to 4/π of the circumference at any resolution (Tong et al., "
-        "Adv. Aerodyn. 6:9, 2024). Eq. 24 counts faces: it dissolves the disc a third too fast and into a diamond.\n"
-        "- The default form counts each link by the true surface that it represents.",
+        "- The outline of pixels is a staircase. Its faces add up to 4/π of the circumference at any resolution (Tong "
+        "et al., Adv. Aerodyn. 6:9, 2024). Eq. 24 counts faces: it dissolves the disc a third too fast and into a "
+        "diamond.\n- The default form counts each link by the true surface that it represents.",
         overview=("rate at which a disc dissolves in uniform acid", "V_m k C",
                   f"default form within {100 * off:.1f} %"
                   + (f"; the paper's form {max(paper):.2f} times the true rate" if paper else "")))
@@ -201,8 +204,8 @@ def minerals(records, figures):
     receded = max(abs(r["receded"] / r["exact"] - 1) for r in slabs)
     return section(
         "Minerals", "Minerals.*, TwoAcids.*, MineralHeat.*",
-        "Two minerals, each with its own parameters, lie at the ends of channels between inert walls. They are compared with "
-        "diffusion and reaction in series:\n\n"
+        "Two minerals, each with its own parameters, lie at the ends of channels between inert walls. They are "
+        "compared with diffusion and reaction in series:\n\n"
         "- flux at a first-order rate: D C / (d + D/k);\n"
         "- flux of order n: with the concentration at the wall by bisection;\n"
         "- flux to an equilibrium: with the resistance of the product as well;\n"
