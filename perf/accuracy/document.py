@@ -5,31 +5,54 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
 
+# What the table of the paper's rock says.
+ROCK = """The coarse rock at 30 MPa, Da = 1.5e-3, first 12 ms. Errors are against `preset = "reference"` with a third of the
+mechanical sub-step. The columns are errors of
+
+- the dissolved volume, then its difference from the default's;
+- the acid in place;
+- the temperature (largest, over 200 K);
+- the length of the cracks (in the mean over every millisecond).
+
+**Crack length.** The error is 0.03 to 0.07 where one or two of the eight bonds fail some microseconds to 0.2 ms later
+than in the reference computation, on the other side of a moment at which the cracks are looked at.
+
+**Rounding.** Rounding alone, from one build to another, lets a bond fail a mechanical step later. From then on two runs
+of the same equations differ by 1e-5 to 4e-5 in the dissolved volume. An error below 5e-5 is therefore as good as none.
+
+`accuracy.tolerance = 1e-2` computes this rock with 64 times its mass (docs/model.md)."""
+
 TITLES = {
-    "wall": ("Diffusion to a reactive wall (Eq. 28)", "relative L2 error of the steady concentration, 100 x 80 cells, Da = 4.8"),
+    "wall": ("Diffusion to a reactive wall (Eq. 28)", "Relative L2 error of the steady concentration, 100 x 80 cells, Da = 4.8."),
     "channel": ("Flow through a pathway of three nodes",
-                "relative L2 error of the velocity, at the paper's relaxation time 0.764"),
-    "cooling": ("Rock cooled from one side", "largest error of the temperature over its step, 400 cells"),
+                "Relative L2 error of the velocity, at the paper's relaxation time 0.764."),
+    "cooling": ("Rock cooled from one side", "Largest error of the temperature over its step, 400 cells."),
     "receding": ("A wall that recedes slowly",
-                 "error of the recession against the limit of slow dissolution; a volume of acid dissolves 0.012 volumes of "
-                 "rock, times the factor"),
-    "rock": ("The paper's rock",
-             "coarse, 30 MPa, Da = 1.5e-3, first 12 ms, against `preset = \"reference\"` with a third of the mechanical "
-             "sub-step. Errors of the dissolved volume (then its difference from the default's), of the acid in place, the "
-             "temperature (largest, over 200 K) and the length of the cracks (in the mean over every millisecond; 0.03 to 0.07 where "
-             "one or two of the eight bonds fail some microseconds to 0.2 ms later than in that computation, on the other side of a look). Rounding "
-             "alone, from one build to another, lets a bond fail a mechanical step later; from then on two runs of the same "
-             "equations differ by 1e-5 to 4e-5 in the dissolved volume, so that an error below 5e-5 is as good as none. "
-             "`accuracy.tolerance = 1e-2` computes this rock with 64 times its mass (docs/model.md)"),
+                 "Error of the recession against the limit of slow dissolution. A volume of acid dissolves 0.012 volumes of\n"
+                 "rock, times the factor."),
+    "rock": ("The paper's rock", ROCK),
 }
 
 INTRODUCTION = """# Speed against accuracy
 
-What the choices of a case file gain and what they cost, measured together: `perf/accuracy_cost` runs every row and writes
-this page ({machine}). Cost is processor time as a ratio to the default of the same problem, run beside it; errors are
-against a solution on paper for the first four problems, and against the most careful computation for the rock.
+This page lists what the choices of a case file gain and what they cost, measured together. `perf/accuracy_cost` runs
+every row and writes this page ({machine}).
+
+- **Cost** is processor time as a ratio to the default of the same problem, which is run beside it.
+- **Errors** are against an analytic solution for the first four problems, and against the most careful computation for
+  the rock.
 
 ![error against cost](accuracy.png)
+
+"""
+
+# What the table of scenes says.
+SCENES = """## Only what a scene requires
+
+Physics that a case does not name has neither memory nor kernels (`tests/meta`). The table shows this for the paper's
+rock, coarse, 400 x 280 nodes of which 15 % are fluid, with physics left out of its case. It has the bytes per node of
+the lattice, and the processor time of a step at the start of the run. Mechanics alone takes so little because rock that
+rests under its loads sleeps.
 
 """
 
@@ -85,14 +108,10 @@ def write(results, page, picture):
     for name, (title, what) in TITLES.items():
         rows = [row for row in results["rows"] if row["problem"] == name]
         if rows:
-            text += f"## {title}\n\n{what[0].upper() + what[1:]}.\n\n{table(rows)}\n"
+            text += f"## {title}\n\n{what}\n\n{table(rows)}\n"
     if "scenes" in results:
         whole = results["scenes"][0]
-        text += ("## Only what a scene requires\n\nThe paper's rock, coarse, 400 x 280 nodes of which 15 % are fluid, with "
-                 "physics left out of its case: bytes per node of the lattice and processor time of a step at its start. "
-                 "Physics that a case does not name has neither memory nor kernels (`tests/meta`); rock that rests "
-                 "under its loads sleeps, which is why mechanics alone takes so little.\n\n"
-                 "| scene | bytes per node | ms per step | share |\n| --- | --- | --- | --- |\n")
+        text += SCENES + "| scene | bytes per node | ms per step | share |\n| --- | --- | --- | --- |\n"
         for row in results["scenes"]:
             text += (f"| {row['scene']} | {row['bytes_per_node']:.0f} | {row['milliseconds']:.2f} | "
                      f"{row['milliseconds'] / whole['milliseconds']:.2f} |\n")
