@@ -1,14 +1,14 @@
 #pragma once
-// The forms of the lattice physics that a case chooses between. Free of Kokkos: what only reads a case needs no more.
+// The forms of the lattice physics between which a case chooses. Without Kokkos, for code that only reads a case.
 
 namespace vug {
 
-/// Which rates, or which form, relaxes the moments that viscosity does not fix.
+/// Collision of the flow: how the moments that the viscosity does not determine are relaxed.
 enum class Collision {
   trt,            ///< two rates with Lambda = 3/16: walls sit exactly half way at any viscosity (default)
   lallemand_luo,  ///< rates of Lallemand and Luo, more stable at low viscosity
   bgk,            ///< one rate
-  regularised     ///< non-equilibrium projected on its second moment, the rest forgotten
+  regularised     ///< non-equilibrium projected on its second moment, the rest dropped
 };
 
 /// Velocities of a scalar field.
@@ -17,14 +17,14 @@ enum class ScalarVelocitySet {
   d2q9   ///< diagonal ones as well
 };
 
-/// What the heat meets at a side or an opening.
+/// Condition of the heat at a side or an opening.
 enum class HeatCondition {
   adiabatic,    ///< nothing passes
   temperature,  ///< given half way along the links
   flux,         ///< given, into the domain
   convection,   ///< Newton's law of cooling, towards a temperature beyond
   outflow,      ///< no gradient
-  periodic      ///< of sides: joined to the opposite one
+  periodic      ///< sides only: joined to the opposite side
 };
 
 /// How a wall link reacts.
@@ -33,16 +33,16 @@ enum class ReactiveWallLaw {
   paper     ///< wall concentrations by finite differences (Eqs. 21-24): links carry acid, faces dissolve
 };
 
-/// How a velocity is spread over a stretch of a side.
+/// How a velocity is distributed over a stretch of a side.
 enum class VelocityShape {
   uniform,
   parabolic,  ///< 6 x (1 - x), x from 0 to 1 along the stretch: the mean is 1
-  table       ///< as the case says
+  table       ///< given by the case
 };
 
 /// How a newborn fluid node gets its solute.
 enum class BirthFill {
-  mean,  ///< mean concentration of the old fluid neighbours (paper); creates solute, which the ledger says
+  mean,  ///< mean concentration of the old fluid neighbours (paper); creates solute, which the ledger reports
   split  ///< an equal share of the content of every old fluid neighbour; conserves
 };
 

@@ -1,22 +1,22 @@
 #pragma once
-// An exponential that loops over nodes can vectorise, with the same bits on every processor.
+// An exponential function that vectorises in loops over nodes, with the same bits on every processor.
 #include "kernels/base/base.hpp"
 
 #include <cstdint>
 
 namespace vug {
 
-/// Beyond these arguments exponential() is that of the nearest end: 1e-304 and 1e304.
+/// Arguments outside of this range are clamped to it; exponential() is then 1e-304 or 1e304.
 inline constexpr double least_exponent = -700, largest_exponent = 700;
 
-/// e^x within 2.2e-16 of itself (a unit in the last place) for |x| <= 700: x = n ln 2 + r with |r| <= ln(2)/2, and
-/// 2^n times the series of e^r to r^13, whose next term is below 5e-18. Additions, multiplications and a shift only:
-/// the library's, which differs from system to system, is called number by number.
+/// e^x with a relative error of at most 2.2e-16 (a unit in the last place) for |x| <= 700: x = n ln 2 + r with |r| <=
+/// ln(2)/2, and 2^n times the series of e^r to r^13, whose next term is below 5e-18. Uses additions, multiplications
+/// and a shift only. The library's function differs from system to system and is called number by number.
 KOKKOS_FORCEINLINE_FUNCTION double exponential(double x) {
   constexpr double per_ln2 = 1.4426950408889634;
   // ln 2 in two parts, the first of 32 bits, so that its product with n is exact
   constexpr double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33;
-  constexpr double shift = 0x1.8p52;  // leaves the nearest whole number in the lowest bits
+  constexpr double shift = 0x1.8p52;  // adding it leaves the nearest integer in the lowest bits
   const double t = x < least_exponent ? least_exponent : x > largest_exponent ? largest_exponent : x;
   const double shifted = t * per_ln2 + shift;
   const double n = shifted - shift;
@@ -35,7 +35,7 @@ KOKKOS_FORCEINLINE_FUNCTION double exponential(double x) {
   sum = sum * r + 0.5;
   const double exponential_of_r = 1 + (r + r * r * sum);
   const auto bits = Kokkos::bit_cast<std::uint64_t>(shifted);
-  const double power = Kokkos::bit_cast<double>((bits + 1023) << 52);  // 2^n: n, biased, where a double has it
+  const double power = Kokkos::bit_cast<double>((bits + 1023) << 52);  // 2^n: the biased n in the exponent bits
   return exponential_of_r * power;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// From a host's list to a View, and back.
+// Copies from a list on the host to a View, and back.
 #include <Kokkos_Core.hpp>
 
 #include <string>
@@ -16,7 +16,7 @@ ViewType to_device(const std::string& label, const std::vector<typename ViewType
   return view;
 }
 
-/// What a View holds, for the host to read: the View itself where it lies in the host's memory, else a copy of now.
+/// The content of a View for reading on the host: the View itself where it is in host memory, else a copy made now.
 template <class ViewType>
 auto on_host(const ViewType& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);

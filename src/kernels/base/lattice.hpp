@@ -11,8 +11,8 @@ namespace vug {
 
 /// nx × ny nodes at cell centres, inside a ring of halo nodes, in rows padded so that every row starts aligned.
 /// Node (x, y) has its centre at ((x + 1/2) dx, (y + 1/2) dx); x in [-1, nx], y in [-1, ny] with the halo.
-/// Dense fields have `size()` entries and use this numbering; what lies outside the halo has no meaning: packs may read
-/// it, and write back what they read.
+/// Dense fields have `size()` entries and use this numbering; entries outside the halo have no meaning: packs may read
+/// them and write the same values back.
 struct Lattice {
   static constexpr int pad = row_pad;  ///< entries before x = 0 in a row
 
@@ -32,12 +32,12 @@ struct Lattice {
   KOKKOS_FORCEINLINE_FUNCTION int offset(int q) const { return D2Q9::c(q, 1) * pitch + D2Q9::c(q, 0); }
 };
 
-/// Nodes along a side.
+/// Number of nodes along a side.
 inline int side_length(const Lattice& lattice, Side side) {
   return is_upright(side) ? lattice.ny : lattice.nx;
 }
 
-/// Steps from node to node with joined sides folded back.
+/// Steps from node to node, also across joined (periodic) sides.
 struct DenseNeighbour {
   Lattice lattice;
   bool periodic_x = false, periodic_y = false;
@@ -57,8 +57,8 @@ struct DenseNeighbour {
     return n < 0 ? -1 : index(n);
   }
 
-  /// The node that an outflow through link q of a node looks back at: the one before it, or, where that is outside the
-  /// lattice, the one before it along an axis; -1 without any.
+  /// The inner node from which an outflow through link q of a node takes values: the neighbour opposite to q or, where
+  /// that is outside the lattice, the one opposite to q along one axis; -1 if there is none.
   KOKKOS_FORCEINLINE_FUNCTION int before(int node, int q) const {
     const int dx = D2Q9::c(q, 0), dy = D2Q9::c(q, 1);
     int n = at(node, -dx, -dy);
@@ -75,7 +75,7 @@ struct DenseNeighbour {
   }
 
  private:
-  /// The node one step of at most one each way from another; -1 outside the lattice.
+  /// The node (dx, dy) away, at most one along each axis; -1 outside the lattice.
   KOKKOS_FORCEINLINE_FUNCTION int at(int node, int dx, int dy) const {
     int x = lattice.x(node) + dx, y = lattice.y(node) + dy;
     if (periodic_x) x = folded(x, lattice.nx);

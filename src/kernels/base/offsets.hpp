@@ -1,5 +1,5 @@
 #pragma once
-// Lists of different lengths, one behind the other in one array: where each begins.
+// Offsets of lists of different lengths that are stored one behind the other in one array.
 #include "kernels/base/base.hpp"
 
 #include <string>
@@ -16,8 +16,8 @@ struct AccumulateCounts {
 };
 }  // namespace detail
 
-/// Turns counts into places, in place: offset(i + 1), the length of list i, becomes where it ends; offset(0) is zero.
-/// Returns the length of all and waits for it.
+/// Turns counts into offsets, in place: offset(i + 1), the length of list i, becomes the end of list i; offset(0) is
+/// zero. Returns the total length, for which it waits.
 inline int accumulate_counts(const Exec& exec, const std::string& label, const IndexList& offset) {
   int all = 0;
   Kokkos::parallel_scan(label, Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(offset.extent(0))),

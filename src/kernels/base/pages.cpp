@@ -28,7 +28,7 @@ struct Pages {
   }
 };
 
-/// Whether the system has done so.
+/// Gives the system advice on the use of pages (madvise). Returns whether it was accepted.
 bool advise(const Pages& pages, int advice) {
 #if defined(__linux__)
   return pages.first < pages.last &&

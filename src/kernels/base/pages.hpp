@@ -1,6 +1,6 @@
 #pragma once
-// Pages of a host's memory. What nobody writes takes no room: how a rank among others has fields of all nodes and holds
-// its own. Large fields lie in large pages, which a processor finds faster.
+// Pages of host memory. Pages that are never written take no memory: a rank can have fields over all nodes of which
+// only its own nodes take room. Large fields are in large pages, whose addresses a processor translates faster.
 #include "kernels/base/base.hpp"
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace vug {
 
-/// Zeros `bytes` at `data`, memory of a View on the host. Whole pages go back to the system, which gives zeroed ones
-/// when they are written next; where it cannot all is written.
+/// Sets `bytes` bytes at `data`, memory of a View on the host, to zero. Whole pages are returned to the system, which
+/// supplies zeroed ones when they are next written; where that is not possible, zeros are written.
 void give_back_pages(void* data, std::size_t bytes);
 
-/// From now on pages there are small ones, of which a few numbers take no more than they must.
+/// Makes new pages there small, so that a few numbers take no more memory than necessary.
 void keep_pages_small(void* data, std::size_t bytes);
 
-/// From now on pages there are large ones (2 MiB) where the system grants it, none of the small ones that an earlier
-/// use of this memory has left; what was in them is lost.
+/// Makes pages there large (2 MiB) where the system allows it, and drops small ones that an earlier use of this memory
+/// has left. The content is lost.
 void take_large_pages(void* data, std::size_t bytes);
 
-/// A View (item) of zeros; `in_parts`: those of its items that are never written take no memory on a host.
+/// A View (item) of zeros. With `in_parts`, items that are never written take no memory on a host.
 template <class ViewType>
 ViewType zeros(const Exec& exec, const std::string& label, std::size_t items, bool in_parts) {
   if (!runs_on_host || !in_parts) return ViewType(Kokkos::view_alloc(exec, label), items);

@@ -1,16 +1,17 @@
 #pragma once
-// The three ways a run can fail, each with its own exit code in main.cpp. Mistakes of our own are asserts.
+// The three ways a run can fail, each with its own exit code in main.cpp. Programming errors are asserts.
 #include <stdexcept>
 #include <string>
 
 namespace vug {
 
-/// The command line or the case is invalid (exit code 2): one line saying where, what was found, what was expected.
+/// The command line or the case is invalid (exit code 2). The message is one line: where, what was found, what was
+/// expected.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The run diverged (exit code 3): step, field, node and the last good state.
+/// The run diverged (exit code 3). The message has the step, field, node and the last good state.
 struct StabilityError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -12,7 +12,7 @@ constexpr std::uint64_t splitmix64(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-/// A stream of numbers whose whole state is one counter.
+/// A stream of random numbers whose state is one counter.
 struct CounterRandom {
   std::uint64_t counter;
 
@@ -21,7 +21,7 @@ struct CounterRandom {
     counter += 0x9e3779b97f4a7c15u;
     return bits;
   }
-  /// In [0, 1).
+  /// The next number, uniform in [0, 1).
   constexpr double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 };
 

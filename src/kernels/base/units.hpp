@@ -1,18 +1,18 @@
 #pragma once
-// The one place where SI meets lattice units: one line per quantity.
+// The only place where SI and lattice units are converted: one line per quantity.
 #include <cmath>
 
 namespace vug {
 
 /// Factors between SI and lattice units (spacing = time step = density = 1). Thickness is 1 m: forces are N per metre.
-/// A coarse lattice may carry the pressure divided by `pressure_scale`; `pressure` and `force` undo that, so that
-/// callers deal in physical pascals and newtons only (docs/model.md, "Coarse lattices").
+/// A coarse lattice may compute with pressures divided by `pressure_scale`; `pressure` and `force` undo that, so that
+/// callers use physical pascals and newtons only (docs/model.md, "Coarse lattices").
 struct LatticeUnits {
   double spacing = 1;                ///< m
   double time_step = 1;              ///< s
   double fluid_density = 1;          ///< kg/m3
   double reference_pressure = 0;     ///< Pa; lattice pressures are differences from it
-  double pressure_scale = 1;         ///< physical over lattice pressure, beyond units
+  double pressure_scale = 1;         ///< by which pressures on the lattice are too small
   double reference_temperature = 0;  ///< K; lattice temperatures are differences from it, in kelvin
   double concentration = 1;          ///< mol/m3 of one lattice unit of concentration
 
@@ -25,7 +25,7 @@ struct LatticeUnits {
   double amount() const { return concentration * volume(); }  ///< mol/m
   double rate_constant() const { return velocity(); }         ///< m/s, of a surface reaction
 
-  /// Lattice pressure of a physical one (Pa, absolute).
+  /// Lattice pressure from a physical one (Pa, absolute).
   double lattice_pressure(double pa) const { return (pa - reference_pressure) / pressure(); }
   double lattice_temperature(double kelvin) const { return kelvin - reference_temperature; }
 };

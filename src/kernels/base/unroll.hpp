@@ -1,6 +1,7 @@
 #pragma once
-// Loops over the directions of a velocity set must be unrolled before the loop over nodes around them can vectorise,
-// and for the tables of directions to fold to constants: else each round writes its table to the stack.
+// Loops over the directions of a velocity set must be unrolled: only then does the loop over nodes around them
+// vectorise, and only then do tables of directions fold to constants instead of being written to the stack in every
+// iteration.
 #include "kernels/base/base.hpp"
 
 #include <utility>
@@ -15,12 +16,12 @@
 #define VUG_UNROLL
 #endif
 
-/// On a lambda inside a kernel: a call left standing in a loop over nodes keeps the loop from vectorising.
+/// For a lambda inside a kernel: a call that is not inlined keeps a loop over nodes from vectorising.
 #define VUG_INLINED __attribute__((always_inline))
 
 namespace vug {
 
-/// A number that the type carries: std::integral_constant, whose conversion is not for the device.
+/// A number as a type: like std::integral_constant, whose conversion cannot be called on a device.
 template <int k>
 struct Constant {
   KOKKOS_FORCEINLINE_FUNCTION constexpr operator int() const { return k; }

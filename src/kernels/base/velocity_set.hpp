@@ -9,7 +9,8 @@ namespace vug {
 /// Nine velocities in two dimensions (paper Eqs. 16, 17): rest, four along the axes, four diagonal.
 struct D2Q9 {
   static constexpr int Q = 9;
-  // Packed into numbers: where q is known only as the program runs, tables would be written to the stack at every call.
+  // Tables are packed into integers: where q is known only at run time, arrays would be written to the stack at every
+  // call.
 
   /// Component `axis` (0 = x, 1 = y) of velocity q, in nodes per step.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int c(int q, int axis) {
@@ -36,7 +37,7 @@ struct D2Q5 {
   KOKKOS_FORCEINLINE_FUNCTION static constexpr double w(int q) { return q == 0 ? 1.0 / 3.0 : 1.0 / 6.0; }
 };
 
-/// c_q . (x, y) of either set; without multiplications and added zeros where the compiler knows q.
+/// c_q . (x, y) for either set; without multiplications and added zeros where q is a constant to the compiler.
 template <class V>
 KOKKOS_FORCEINLINE_FUNCTION constexpr V along(int q, const V& x, const V& y) {
   const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
@@ -46,7 +47,7 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr V along(int q, const V& x, const V& y) {
   return (cx > 0 ? x : -x) + (cy > 0 ? y : -y);
 }
 
-/// Sum, in type V, of a node's populations, which lie `plane` apart from that at `rest` on.
+/// Sum of the populations of a node in type V: that at `rest` and those at multiples of `plane` entries behind it.
 template <class Set, class V, class T>
 KOKKOS_FORCEINLINE_FUNCTION V sum_of_populations(const T* rest, int plane) {
   V sum = static_cast<V>(*rest);
@@ -55,7 +56,7 @@ KOKKOS_FORCEINLINE_FUNCTION V sum_of_populations(const T* rest, int plane) {
   return sum;
 }
 
-/// visit(D2Q5{}) or visit(D2Q9{}), as chosen.
+/// Returns visit(D2Q5{}) or visit(D2Q9{}), according to `set`.
 template <class Visit>
 auto visit_velocity_set(ScalarVelocitySet set, const Visit& visit) {
   return set == ScalarVelocitySet::d2q9 ? visit(D2Q9{}) : visit(D2Q5{});
