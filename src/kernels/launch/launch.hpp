@@ -23,17 +23,18 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
   return (n + nodes_per_block - 1) / nodes_per_block;
 }
 
-/// Of eight interleaved sums.
+/// Total of eight interleaved sums.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]) {
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// The items [0, n) of a list that this process computes: all of them, or whole blocks of nodes_per_block. Every item
-/// keeps its place in the list and in its block, and with it its bits, however many processes share the list.
+/// The part of a list of n items that this process computes: all of it, or whole blocks of nodes_per_block. Every item
+/// keeps its place in the list and in its block, and therefore its result to the bit, however many processes share the
+/// list.
 struct Share {
   int n = 0;
-  int blocks = -1;             ///< how many blocks are ours; -1: all
-  const int* block = nullptr;  ///< (ours) their numbers, ascending
+  int blocks = -1;             ///< number of own blocks; -1: all
+  const int* block = nullptr;  ///< (own) their numbers, ascending
 
   Share(int items) : n(items) {}
   Share(int items, int count, const int* numbers) : n(items), blocks(count), block(numbers) {}
@@ -42,8 +43,8 @@ struct Share {
 
 namespace detail {
 
-/// Runs a block's nodes in one loop. Of a copy that nobody else can see the constants and pointers stay in registers
-/// whatever the loop stores; Views of a body that runs count no references.
+/// Runs the nodes of a block in one loop. It copies the body first: no store of the loop can change a local copy, so
+/// its constants and pointers stay in registers. Inside a kernel, copies of Views count no references.
 template <class Body>
 struct NodeLoop {
   Body body;
@@ -54,7 +55,7 @@ struct NodeLoop {
   }
 };
 
-/// As NodeLoop, one node after the other.
+/// As NodeLoop, but not vectorised.
 template <class Body>
 struct ScatteredLoop {
   Body body;
@@ -75,7 +76,8 @@ struct Block {
   }
 };
 
-/// On a host: the terms of a block into a buffer, so that the loop over nodes vectorises, then eight interleaved sums.
+/// On a host: sum of body(i) over a block. Terms go to a buffer, so that the loop over nodes vectorises, and are then
+/// added in eight interleaved sums.
 template <class Body>
 KOKKOS_FORCEINLINE_FUNCTION double sum_of_block(const Body& body, int first, int last) {
   constexpr int lanes = 8;
@@ -101,7 +103,7 @@ struct BlockSum {
   }
 };
 
-/// On a GPU: a node of the listed blocks.
+/// On a GPU: runs one node of the listed blocks.
 template <class Body>
 struct NodeOfBlocks {
   Body body;
@@ -113,7 +115,7 @@ struct NodeOfBlocks {
   }
 };
 
-/// On a GPU: *total += sum of body(i) over a range, by a team.
+/// On a GPU: *total += sum of body(i) over a range, computed by a team.
 template <class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void add_by_team(const Team& team, int begin, int end, const Body& body, double* total) {
   double sum = 0;
@@ -122,7 +124,7 @@ KOKKOS_FORCEINLINE_FUNCTION void add_by_team(const Team& team, int begin, int en
   Kokkos::single(Kokkos::PerTeam(team), [&] { *total += sum; });
 }
 
-/// On a GPU: a team per block.
+/// On a GPU: adds up a block by a team.
 template <class Body>
 struct TeamSum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
@@ -138,25 +140,25 @@ struct TeamSum {
 
 }  // namespace detail
 
-/// Nodes per block of a list: short lists (the bonds of a small rock, the links of an opening) in shorter blocks, so
-/// that several threads have a share, whatever their number: where blocks end decides which nodes are rounded by the
-/// loop's vectorised part.
+/// Number of nodes per block of a list. Short lists (the bonds of a small rock, the links of an opening) have shorter
+/// blocks, so that several threads get a share. It does not depend on the number of threads, because the ends of the
+/// blocks decide which nodes the vectorised part of the loop rounds.
 inline int block_of_list(int n) {
   constexpr int shares = 4;
   const int share = ((n + shares - 1) / shares + shortest_block - 1) / shortest_block * shortest_block;
   return share < nodes_per_block ? share : nodes_per_block;
 }
 
-/// Where a list runs that is too short for more than one thread.
+/// Execution space of lists that are too short for more than one thread.
 #ifdef KOKKOS_ENABLE_SERIAL
 using ShortExec = std::conditional_t<shares_host_memory, Kokkos::Serial, Exec>;
 #else
-using ShortExec = Exec;  // the Kokkos of a distribution may have threads alone
+using ShortExec = Exec;  // the Kokkos of a distribution may be without the serial back end
 #endif
 
-/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent;
-/// the shortest lists without waking other threads, which takes longer than the work. Of a list that processes share:
-/// for our blocks of nodes_per_block.
+/// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent.
+/// The shortest lists run without waking other threads, which would take longer than the work. Where processes share
+/// the list, runs the own blocks of nodes_per_block instead.
 template <class Body>
 void for_each_block(const Exec& exec, const std::string& label, const Share& list, const Body& body, int size) {
   const int n = list.n;
@@ -184,8 +186,8 @@ void for_each_node(const Exec& exec, const std::string& label, const Share& list
                          detail::NodeOfBlocks<Body>{body, list.n, list.block});
 }
 
-/// As for_each_node, for bodies that read and write what lies scattered: a host's gathers and scatters of vectors take
-/// several times as long as single loads and stores.
+/// As for_each_node, for bodies that read and write scattered addresses: on a host, gathers and scatters of vectors
+/// take several times as long as single loads and stores.
 template <class Body>
 void for_each_scattered(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
   if constexpr (runs_on_host)
@@ -194,13 +196,13 @@ void for_each_scattered(const Exec& exec, const std::string& label, const Share&
     for_each_node(exec, label, list, body);
 }
 
-/// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end can give
-/// for this kind of body; of one on a host.
+/// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end allows
+/// for this body; of one thread on a host.
 template <int lanes = 1, class Body>
 void for_each_team(const Exec& exec, const std::string& label, int count, int threads, const Body& body) {
   using Policy = Kokkos::TeamPolicy<Exec>;
   const int width = std::min(lanes, Policy::vector_length_max());
-  // asked once, since it takes as long as a launch
+  // queried once, because a query takes as long as a launch
   static const int most =
       shares_host_memory ? 1 : Policy(exec, count, 1, width).team_size_max(body, Kokkos::ParallelForTag{});
   Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), width), body);

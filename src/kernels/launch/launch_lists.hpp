@@ -1,15 +1,16 @@
 #pragma once
-// Several lists in one launch, which for short ones takes longer than the work: the stretches of a boundary. A law has
+// Runs several lists in one launch, such as the stretches of a boundary: for short lists a launch takes longer than the
+// work. A law has
 //
-// - Entry: what it must know of a list, plain pointers and numbers, since up to 16 are arguments of a kernel;
+// - Entry: the data of a list, plain pointers and numbers, because up to 16 entries are arguments of a kernel;
 //
-// - count(list): on the host, how many items one of the lists has that a launcher was given;
+// - count(list): called on the host, the number of items of a list that was given to the launcher;
 //
-// - entry(list): likewise, where the lists are not given as entries;
+// - entry(list): called on the host, the Entry of a list; only where the lists are not given as entries;
 //
-// - law(entry, run): calls run(body) once, with what runs over the items of that list.
+// - law(entry, run): calls run(body) once, where body(i) is the work on item i of that list.
 //
-// The lists must be independent. Their bits are those of one launch each. Nothing is fenced.
+// The lists must be independent. Results are the same to the bit as with one launch for each list. Nothing is fenced.
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>
@@ -20,14 +21,14 @@ namespace vug {
 
 namespace detail {
 
-/// Lists cut into blocks, which are numbered through.
+/// Lists cut into blocks. Blocks are numbered consecutively over all lists.
 template <class Entry>
 struct Lists {
   static constexpr int most = 16;
   Entry entry[most];
   int count[most];           ///< items
-  int size[most];            ///< of a block
-  int first[most + 1] = {};  ///< its first block
+  int size[most];            ///< items of a block
+  int first[most + 1] = {};  ///< number of its first block
   int lists = 0, items = 0;
 
   void add(const Entry& list, int n, int block) {
@@ -40,7 +41,7 @@ struct Lists {
   }
   int blocks() const { return first[lists]; }
 
-  /// One block: its list and the items of that.
+  /// One block: its list and its items [begin, end).
   struct Part {
     int list, begin, end;
   };
@@ -52,7 +53,8 @@ struct Lists {
   }
 };
 
-/// launch(lists) for as many of `all` at a time as fit; `block_of` says how long the blocks of so many items are.
+/// Calls launch(lists) for as many of `all` at a time as fit. block_of(n) is the length of the blocks of a list of n
+/// items.
 template <class Law, class Item, class BlockOf, class Launch>
 void for_lists(std::span<const Item> all, const Law& law, const BlockOf& block_of, const Launch& launch) {
   using Some = Lists<typename Law::Entry>;
@@ -154,7 +156,7 @@ void add_per_block_of_lists(const Exec& exec, const std::string& label, std::spa
     if constexpr (runs_on_host)
       Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lists.blocks()), body);
     else
-      for_each_team(exec, label, lists.blocks(), nodes_per_block, body);  // few blocks: as short as can be
+      for_each_team(exec, label, lists.blocks(), nodes_per_block, body);  // few blocks: a thread per item
   });
 }
 

@@ -4,7 +4,8 @@
 
 namespace vug {
 
-/// sum += recent, and carry += what the rounding of that lost, exactly: whichever is smaller has lost its last digits.
+/// sum += recent, and carry += the exact rounding error of this addition, in which the smaller summand has lost its
+/// last digits.
 struct SettleLongSum {
   ScalarField<double> recent, sum, carry;
   KOKKOS_FUNCTION void operator()(int i) const {

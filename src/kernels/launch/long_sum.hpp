@@ -7,9 +7,10 @@
 namespace vug {
 
 /// A ledger with one entry per link or block. Nearly equal amounts that are added a million times to a large sum are
-/// all rounded the same way, by up to half a digit of the sum each: 2e-12 after a million steps of a Stefan problem.
-/// Kernels therefore add to `recent`, and `settle`, called every thousand steps or so, moves that to a sum that keeps
-/// what its rounding loses (Neumaier's summation): 2e-14. The same bits for any number of threads.
+/// all rounded the same way, each by up to half of the sum's last digit: an error of 2e-12 after a million steps of a
+/// Stefan problem. Kernels therefore add to `recent`. `settle`, called every thousand steps or so, moves this to a sum
+/// that keeps its rounding errors as well (Neumaier's summation): an error of 2e-14. The same bits for any number of
+/// threads.
 class LongSum {
  public:
   LongSum() = default;
@@ -20,11 +21,11 @@ class LongSum {
 
   const ScalarField<double>& recent() const { return recent_; }  ///< (entry) what kernels add to
   const ScalarField<double>& sum() const { return sum_; }        ///< (entry) settled so far, for a checkpoint
-  const ScalarField<double>& carry() const { return carry_; }    ///< (entry) what rounding took from it, likewise
+  const ScalarField<double>& carry() const { return carry_; }    ///< (entry) its rounding errors, likewise
 
-  /// Moves what is recent to the settled sums; on the device.
+  /// Moves `recent` to the settled sums; on the device.
   void settle(const Exec& exec) const;
-  /// More entries, from 0; those there keep their values. `recent` becomes another View.
+  /// Changes the number of entries. New ones start at 0, the others keep their values. `recent` becomes another View.
   void resize(const Exec& exec, std::size_t entries);
   /// Sum of all entries; waits for the device.
   double total() const;

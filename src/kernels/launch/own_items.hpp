@@ -1,11 +1,11 @@
 #pragma once
-// The items of a list that this process computes, one by one: for reductions, whose order does not matter, and for what
-// runs over some of them.
+// The items of a list that this process computes, one by one: for reductions, whose order does not matter, and for
+// loops over some of the items.
 #include "kernels/launch/launch.hpp"
 
 namespace vug {
 
-/// Numbers the places of our blocks one after the other.
+/// Numbers the places in the own blocks consecutively.
 struct OwnItems {
   Share list;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Kernels that run again and again: recorded once, sent to the device as one launch.
+// Kernels that run repeatedly: recorded once, then sent to the device as one launch.
 #include "kernels/base/base.hpp"
 
 #include <Kokkos_Graph.hpp>
@@ -9,8 +9,8 @@
 
 namespace vug {
 
-/// Kernels, one after the other, with the arguments that they were recorded with: what changes from one replay to the
-/// next must lie in Views.
+/// A sequence of kernels with the arguments that they were recorded with. Values that change from one replay to the
+/// next must be in Views.
 class Recording {
  public:
   explicit Recording(const Exec& exec) : graph_(exec), last_(graph_.root_node()) {}
@@ -20,8 +20,8 @@ class Recording {
     last_ = last_.then_parallel_for(label, policy, body);
   }
 
-  /// All of them; tools see a region of this label instead of the kernels. Nothing is fenced (but by the graphs that
-  /// Kokkos has for hosts).
+  /// Runs all of them. Tools see a region of this label instead of the kernels. Nothing is fenced (except by Kokkos'
+  /// graphs for hosts).
   void replay(const Exec& exec, const std::string& label) const {
     const Kokkos::Profiling::ScopedRegion region(label);
     graph_.submit(exec);

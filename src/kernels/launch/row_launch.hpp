@@ -36,7 +36,7 @@ struct NodeOfRows {
   }
 };
 
-/// The items of a row: its nodes, or the entries of a list.
+/// The items of a row: its nodes, or the entries of a list (EntriesOfRow).
 struct NodesOfRow {
   Lattice lattice;
   KOKKOS_FORCEINLINE_FUNCTION int begin(int y) const { return lattice.node(0, y); }
@@ -48,7 +48,7 @@ struct EntriesOfRow {
   KOKKOS_FORCEINLINE_FUNCTION int end(int y) const { return first(y + 1); }
 };
 
-/// On a GPU: a team per row.
+/// On a GPU: adds up a row by a team.
 template <class Items, class Body>
 struct TeamRowSum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
@@ -62,7 +62,7 @@ struct TeamRowSum {
   }
 };
 
-/// Adds up a row in blocks.
+/// On a host: adds up a row in blocks.
 template <class Body>
 struct RowSum {
   Body body;
@@ -80,7 +80,7 @@ struct RowSum {
 
 }  // namespace detail
 
-/// Runs body(node) for every node of some rows, `node` in the dense numbering. Iterations must be independent.
+/// Runs body(node) for every node of `rows`, `node` in the dense numbering. Iterations must be independent.
 template <class Body>
 void for_each_dense_node(const Exec& exec, const std::string& label, const Lattice& lattice, const Rows& rows,
                          const Body& body) {
@@ -99,8 +99,8 @@ void for_each_dense_node(const Exec& exec, const std::string& label, const Latti
   for_each_dense_node(exec, label, lattice, {0, lattice.ny}, body);
 }
 
-/// total(row) += sum of body(node) over its nodes inside the lattice, of some rows, as add_per_block. body(node) may
-/// also write to the node.
+/// For each of `rows`: total(row) += sum of body(node) over its nodes inside the lattice, as add_per_block. body(node)
+/// may also write to the node.
 template <class Body>
 void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice& lattice, const Rows& rows,
                        const Body& body, const ScalarField<double>& total) {
@@ -113,12 +113,13 @@ void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice
                   detail::TeamRowSum<detail::NodesOfRow, Body>{{lattice}, body, rows.first, total});
 }
 
-/// On a GPU: the same over the entries of a list in the order of the rows, of which row y has [first(y), first(y + 1)).
+/// On a GPU: the same over the entries of a list that is ordered by rows. Row y has the entries [first(y), first(y +
+/// 1)).
 template <class Body>
 void add_per_listed_row(const Exec& exec, const std::string& label, const IndexList& first, const Rows& rows,
                         const Body& body, const ScalarField<double>& total) {
   if (rows.count <= 0) return;
-  for_each_team(exec, label, rows.count, threads_per_sum / 2,  // rock has some hundred pores in a row
+  for_each_team(exec, label, rows.count, threads_per_sum / 2,  // a row of rock has some hundred fluid nodes
                 detail::TeamRowSum<detail::EntriesOfRow, Body>{{first}, body, rows.first, total});
 }
 
