@@ -1,5 +1,5 @@
 #pragma once
-// Packs on hosts with AVX2, of which one register holds eight numbers in float and four in double.
+// Packs on hosts with AVX2, whose registers hold eight floats or four doubles.
 #include "kernels/packs/portable.hpp"
 
 #if defined(__AVX2__) && !(defined(__AVX512F__) && defined(__AVX512VL__)) && !defined(VUG_PORTABLE_PACKS)
@@ -10,7 +10,7 @@ namespace vug {
 
 namespace detail {
 
-/// All bits of lane l where bit l of `lanes` is set.
+/// Sets all bits of lane l where bit l of `lanes` is set.
 inline __m256i mask_of_eight(std::uint32_t lanes) {
   const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
   return _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(lanes)), bit), bit);
@@ -20,7 +20,8 @@ inline __m256i mask_of_four(std::uint32_t lanes) {
   return _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(lanes), bit), bit);
 }
 
-/// (lanes) For each lane how many of `lanes` lie before it, in a byte: the number that is spread to it.
+/// (lanes) One byte for each lane: how many of `lanes` lie before it. This is the number of the value that spread()
+/// puts there.
 inline constexpr auto ranks_in_lanes = [] {
   std::array<std::uint64_t, 256> ranks{};
   for (unsigned lanes = 0; lanes < 256; ++lanes)

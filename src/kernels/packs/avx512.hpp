@@ -28,7 +28,7 @@ struct PackOf<double> : PortablePack<double, 64> {
   static Pack pick(std::uint32_t order, const Pack& a) { return _mm512_maskz_permutexvar_pd(all, fields(order, 3), a); }
 
  private:
-  static constexpr __mmask8 all = 0xff;  // the forms with a mask: the others draw a false warning from GCC 12
+  static constexpr __mmask8 all = 0xff;  // for the masked forms: the others cause a false warning of GCC 12
   static __mmask8 mask(std::uint32_t lanes) { return static_cast<__mmask8>(lanes); }
   static __m512i fields(std::uint32_t order, int width) {
     const __m512i lane = _mm512_set_epi64(7 * width, 6 * width, 5 * width, 4 * width, 3 * width, 2 * width, width, 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Eight numbers at a time, on hosts: a kernel's law takes a pack as it takes a number, and what lies in memory is
-// fetched and put back by eights. The same code for every processor; those with a file of their own below are quicker.
+// Packs of eight numbers, on hosts: a kernel's law takes a pack as it takes a number, and memory is read and written by
+// eights. The same code serves every processor; those with a file of their own below are faster.
 #include "kernels/base/base.hpp"
 
 // Not on a GPU, where each thread has one number.
@@ -27,7 +27,7 @@ namespace vug {
 template <class T>
 using Pack = typename PackOf<T>::Pack;
 
-/// The number at `from`, or where V is a pack those of eight neighbours.
+/// The number at `from` or, where V is a pack, the eight numbers from there on.
 template <class V, class T>
 KOKKOS_FORCEINLINE_FUNCTION V fetch(const T* from) {
   if constexpr (sizeof(V) == sizeof(T))
@@ -35,7 +35,7 @@ KOKKOS_FORCEINLINE_FUNCTION V fetch(const T* from) {
   else
     return PackOf<T>::load(from);
 }
-/// Leaves it, or them, there.
+/// Writes a number or a pack to `to`.
 template <class V, class T>
 KOKKOS_FORCEINLINE_FUNCTION void put(T* to, const V& value) {
   if constexpr (sizeof(V) == sizeof(T))

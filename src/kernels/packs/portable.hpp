@@ -1,6 +1,6 @@
 #pragma once
-// Packs for every host: the compiler's vectors in registers of `bytes`, as many as eight numbers take. What a processor
-// can do better stands in a file of its own (avx2.hpp, avx512.hpp) and gives the same bits.
+// Packs for every host: the compiler's vectors in registers of `bytes` bytes, as many as eight numbers need. What
+// certain processors do faster is in files of their own (avx2.hpp, avx512.hpp) and gives the same bits.
 #include "kernels/base/base.hpp"
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace vug {
 
 inline constexpr int pack_size = 8;
 
-/// What one register does not hold: V is a register, or such halves again.
+/// A pack that does not fit into one register, as two halves: V is a register, or again such halves.
 template <class T, class V>
 struct Halves {
   using Half = V;
@@ -44,7 +44,7 @@ struct Halves {
 #undef VUG_LANEWISE
 };
 
-/// Eight numbers, and what is done with them beside arithmetic. Bit l of `lanes` stands for number l.
+/// Eight numbers and the operations on them other than arithmetic. Bit l of `lanes` stands for number l.
 template <class T, int bytes>
 class PortablePack {
   template <int count, bool fits = count * sizeof(T) <= bytes>
@@ -62,12 +62,12 @@ class PortablePack {
   static constexpr bool permutes = false;
 
   KOKKOS_FORCEINLINE_FUNCTION static Pack load(const T* p) { return load_all<Pack>(p); }
-  /// Reads those of `lanes`; zero at others.
+  /// Reads the lanes in `lanes`; the others are zero.
   static Pack load(const T* p, std::uint32_t lanes) {
     return each([&](int l) { return lanes >> l & 1 ? p[l] : T(0); });
   }
   KOKKOS_FORCEINLINE_FUNCTION static void store(T* p, const Pack& v) { store_all(p, v); }
-  /// Writes those of `lanes`.
+  /// Writes the lanes in `lanes`.
   static void store(T* p, std::uint32_t lanes, const Pack& v) {
     alignas(64) T lane[pack_size];
     store(lane, v);
@@ -87,15 +87,15 @@ class PortablePack {
   }
   /// Whether some lane of `a` is above that of `b`.
   KOKKOS_FORCEINLINE_FUNCTION static bool any_above(const Pack& a, const Pack& b) { return is_any_above(a, b); }
-  /// Lane l: that of `b` where `lanes` says so, else that of `a`.
+  /// Lane l: that of `b` if it is in `lanes`, else that of `a`.
   KOKKOS_FORCEINLINE_FUNCTION static Pack blend(std::uint32_t lanes, const Pack& a, const Pack& b) {
     return blend_all(lanes, a, b);
   }
-  /// What is at p, one after the other, at those of `lanes`; zero at others. Reads as many.
+  /// The first numbers at p, in order, in the lanes in `lanes`; the others are zero. Reads no more numbers than that.
   static Pack spread(std::uint32_t lanes, const T* p) {
     return each([&](int l) { return lanes >> l & 1 ? *p++ : T(0); });
   }
-  /// As many lanes as there are in `lanes`, the first.
+  /// As many of the first lanes as there are lanes in `lanes`.
   KOKKOS_FORCEINLINE_FUNCTION static std::uint32_t first(std::uint32_t lanes) {
     return (1U << Kokkos::Experimental::popcount_builtin(lanes)) - 1;
   }
