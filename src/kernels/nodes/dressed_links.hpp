@@ -1,17 +1,18 @@
 #pragma once
-// The links of a boundary whose outgoing populations a condition overwrites, of flow and solutes alike.
+// The links of a boundary whose outgoing populations a condition overwrites; the same for flow and solutes.
 #include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 
-/// As kernels see them; holds no View: what it was made from must outlive its use.
+/// The links in the form that kernels take. Holds pointers instead of Views: the Views that it was made from must
+/// outlive it.
 struct DressedLinks {
   int count = 0;                            ///< links
-  int own_count = 0;                        ///< of them, that this process dresses
-  const int* own = nullptr;                 ///< (own) their numbers; null: all
+  int own_count = 0;                        ///< links that this process dresses
+  const int* own = nullptr;                 ///< (own) numbers of these links; null: all
   const int* fluid = nullptr;               ///< (link) fluid index
   const std::uint8_t* direction = nullptr;  ///< (link)
-  double* gain = nullptr;                   ///< (link) gains what entered minus what left
+  double* gain = nullptr;                   ///< (link) what entered minus what left is added to it
 
   DressedLinks() = default;
   DressedLinks(const BoundaryLinks& links, const ScalarField<double>& gain_)
@@ -21,17 +22,17 @@ struct DressedLinks {
         fluid(links.fluid.data()),
         direction(links.direction.data()),
         gain(gain_.data()) {}
-  /// This process dresses all links.
+  /// Makes this process dress all links.
   void take_all() {
     own_count = count;
     own = nullptr;
   }
-  /// The number of an own link.
+  /// Number of the link of an own item.
   KOKKOS_FORCEINLINE_FUNCTION int link(int item) const { return own ? own[item] : item; }
 };
 
-/// What comes in by a rule, in the slot of the outgoing population of each link. Touches one population and 21 bytes of
-/// lists and ledger per link.
+/// Overwrites the outgoing population of each link with the incoming one, which follows from a rule. Touches one
+/// population and 21 bytes of lists and ledger per link.
 template <class T, class Rule>
 struct DressLinks {
   DressedLinks links;

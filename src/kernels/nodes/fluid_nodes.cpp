@@ -34,7 +34,7 @@ struct NumberFluid {
   }
 };
 
-/// Bakes the walls into the table of sources and notes what lies beyond every link of one fluid node.
+/// Sets the sources of one fluid node, walls included, and the masks that say what lies beyond each of its links.
 struct BuildLinks {
   DenseNeighbour around;
   int capacity;
@@ -60,7 +60,7 @@ struct BuildLinks {
   }
 };
 
-/// The windows of eight nodes in all directions.
+/// Builds the windows of eight nodes in all directions.
 struct BuildWindows {
   int capacity;
   IndexList source;
@@ -91,8 +91,8 @@ void rebuild_links(const Exec& exec, FluidNodes& nodes) {
     for_each_node(exec, "vug::fluid_nodes::build_windows", nodes.count / nodes_per_window, build_windows(nodes));
 }
 
-/// The tables of newborn nodes [first, last) and of the fluid nodes around them, in turn: newborns may share
-/// neighbours.
+/// Builds the tables of newborn nodes [first, last) and of the fluid nodes around them, one after the other because
+/// newborns may share neighbours.
 struct LinkNewborns {
   BuildLinks links;
   BuildWindows windows;
@@ -134,7 +134,7 @@ void allocate(const Exec& exec, FluidNodes& nodes, int capacity) {
 
 }  // namespace
 
-/// The index before any node is numbered.
+/// Initialises the index before any node is numbered.
 struct MarkOpenings {
   Kokkos::View<const NodeType*> type;
   IndexList index;
@@ -161,11 +161,11 @@ int append_births(const Exec& exec, const Kokkos::View<NodeType*>& type, FluidNo
   if (births == 0) return 0;
   const int first = nodes.count, last = first + births;
   const bool grows = last > nodes.capacity;
-  // The first numbering is as tight as it gets; later ones leave room so that growth is rare.
+  // The first numbering leaves no spare room; later ones do, so that growth is rare.
   if (grows) allocate(exec, nodes, first == 0 ? last : grown_capacity(nodes.lattice.nx, nodes.lattice.ny, last));
   take_marked(exec, label, marks, NumberFluid{nodes.node, nodes.index, first});
   nodes.count = last;
-  constexpr int few = 1000;  // on a GPU one thread takes longer than all of them with everything
+  constexpr int few = 1000;  // on a GPU one thread takes longer for these than all threads for all nodes
   if (runs_on_host && !grows && births <= few)
     Kokkos::parallel_for("vug::fluid_nodes::link_newborns", Kokkos::RangePolicy<Exec>(exec, 0, 1),
                          LinkNewborns{build_links(nodes), build_windows(nodes), first, last});

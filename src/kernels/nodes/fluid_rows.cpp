@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// Calls visit(x) for the first of every pack of a row with fluid in it.
+/// Calls visit(x) for every pack of a row that contains fluid, x being its first node.
 template <class Visit>
 KOKKOS_FORCEINLINE_FUNCTION void visit_row(const int* index, int nx, const Visit& visit) {
   for (int x = 0; x < nx; x += pack_size) {
@@ -14,7 +14,7 @@ KOKKOS_FORCEINLINE_FUNCTION void visit_row(const int* index, int nx, const Visit
   }
 }
 
-/// Counts the entries of a row, into the place behind it.
+/// Stores the number of entries of row y in first(y + 1).
 struct CountRow {
   Lattice lattice;
   IndexList index, first;

@@ -1,6 +1,6 @@
 #pragma once
-// Numbering the few nodes of the dense lattice that something is true of, in their order: marked in one pass that
-// vectorises, then found eight marks at a time, most of which are empty.
+// Numbers the few nodes of the dense lattice that meet a condition, in node order. A pass that vectorises marks them.
+// They are then searched eight marks at a time, most of which are zero.
 #include "kernels/base/lattice.hpp"
 #include "kernels/launch/row_launch.hpp"
 
@@ -69,7 +69,7 @@ inline int count_marked(const Exec& exec, const std::string& label, const NodeMa
   return count;
 }
 
-/// Calls take(k, node) for the k-th marked node, of all.
+/// Calls take(k, node) for every marked node, the k-th in node order.
 template <class Take>
 void take_marked(const Exec& exec, const std::string& label, const NodeMarks& marks, const Take& take) {
   const int words = static_cast<int>(marks.extent(0)) / detail::marks_per_word;

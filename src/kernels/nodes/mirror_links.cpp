@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// The image of one link; reads the list only.
+/// Finds the image of one link; reads the list only.
 struct FindMirrorLink {
   DenseNeighbour around;
   bool staircase;

@@ -49,7 +49,7 @@ namespace {
 
 struct FoundLinks {
   BoundaryLinks links;
-  IndexList item;  ///< (link) of the opening
+  IndexList item;  ///< (link) item of the opening
 };
 
 FoundLinks find_links(const Exec& exec, const DenseNeighbour& around, const IndexList& number, const Opening& opening,
@@ -73,7 +73,7 @@ ScalarField<double> areas(const FoundLinks& found, const Opening& opening, int d
                     [&](int link, int q) { return facing((D2Q9::Q - 1) * item(link) + D2Q9::opposite(q) - 1); });
 }
 
-/// A number for every node that is not in an opening: the node itself.
+/// (dense node) The node itself as its number; -1 in an opening.
 IndexList dense_numbers(const Lattice& lattice, const Kokkos::View<NodeType*>& type) {
   IndexList number("vug::opening::number", lattice.size());
   const auto host_type = on_host(type);
@@ -93,7 +93,7 @@ ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const 
   return areas(find_links(exec, nodes.around(), nodes.index, opening, directions), opening, directions);
 }
 
-/// The opening's node of every link.
+/// Stores the opening's node of every link.
 struct NodesBeyond {
   IndexList item, opening, beyond;
   KOKKOS_FUNCTION void operator()(int link) const { beyond(link) = opening(item(link)); }

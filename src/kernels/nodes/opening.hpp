@@ -1,7 +1,7 @@
 #pragma once
-// Openings inside the lattice: a well, a heated pipe, a reservoir. The nodes of one are neither fluid nor solid and
-// nothing is computed in them; its surface has boundary conditions of its own, which dress the links into it as they
-// dress those that leave through a side.
+// Openings inside the lattice: a well, a heated pipe, a reservoir. The nodes of an opening are neither fluid nor solid,
+// and nothing is computed in them. Its surface has boundary conditions of its own, which dress the links into it in the
+// same way as links through a side.
 #include "kernels/nodes/fluid_nodes.hpp"
 
 #include <array>
@@ -10,19 +10,19 @@
 
 namespace vug {
 
-/// The nodes of one opening and how its surface lies in the links into it.
+/// The nodes of one opening and the orientation of its surface at the links into it.
 struct Opening {
   IndexList node;  ///< (item) dense nodes of type NodeType::opening
   /// (8 item + q - 1) |n.c_q|, n the unit normal of the surface half way along link q, times a factor near 1 with which
-  /// all straight links have the length of the outline.
+  /// the straight links add up to the length of the outline.
   ScalarField<double> facing;
 };
 
-/// The unit normal of a surface where a line crosses it: near `at`, cells, on a face that looks along `out`.
+/// The unit normal of a surface where a line crosses it: near `at` (cells), on a face with the outward direction `out`.
 using OutlineNormal =
     std::function<std::array<double, 2>(const std::array<double, 2>& at, const std::array<double, 2>& out)>;
 
-/// `nodes` are dense nodes of the lattice, `scale` is that factor.
+/// Makes an opening of `nodes` (dense nodes of the lattice). `scale` is the factor in Opening::facing.
 Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, const OutlineNormal& normal,
                      double scale = 1);
 
@@ -40,7 +40,8 @@ struct DenseLinks {
 DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic,
                                     const Kokkos::View<NodeType*>& type, const Opening& opening, int directions);
 
-/// Those of the links of find_opening_links; of a whole form they add up to the length of its outline.
+/// (link) Areas of the links of find_opening_links, as above; over a whole shape they add up to the length of its
+/// outline.
 ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const Opening& opening, int directions);
 
 }  // namespace vug

@@ -1,6 +1,6 @@
 #pragma once
-// Fluid nodes that stand for less than a cell of pore: the drag of their walls (flow/slit_drag.hpp) and what diffuses
-// along them (solute/slit_diffusion.hpp).
+// Fluid nodes whose pore is narrower than a cell: data for the drag of their walls (flow/slit_drag.hpp) and the
+// diffusion along them (solute/slit_diffusion.hpp).
 #include "kernels/base/base.hpp"
 
 namespace vug {
@@ -11,9 +11,9 @@ struct SlitNodes {
   IndexList fluid;                 ///< (slit) fluid index
   ScalarField<double> resistance;  ///< (slit) 1/k, 1/cells^2 (flow/slit.hpp)
   IndexList first;                 ///< (group + 1)
-  ScalarField<double> openness;    ///< (fluid) part of D that a node lets pass, 1 where it is no slit or behind the end
+  ScalarField<double> openness;    ///< (fluid) part of D that a node conducts; 1 where it is no slit or beyond the end
 
-  /// Of a fluid node.
+  /// Openness of a fluid node.
   KOKKOS_FORCEINLINE_FUNCTION double openness_of(int i) const {
     return static_cast<std::size_t>(i) < openness.extent(0) ? openness(i) : 1.0;
   }

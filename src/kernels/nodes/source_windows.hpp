@@ -1,9 +1,9 @@
 #pragma once
-// Packs of consecutive fluid nodes: how a host gathers and scatters what the table of sources says. Walls apart, the
-// slots from which eight nodes pull one direction lie within two runs of eight, almost always (99.9 % in rock of
-// three-node pathways): where the processor permutes registers and stores under masks (AVX-512), two loads and a
-// permutation take the place of eight loads, a permutation and masked stores that of eight stores. Its own gathers and
-// scatters are no faster than single loads and stores, which are what the others do.
+// Packs of consecutive fluid nodes: how a host gathers and scatters by the table of sources. Apart from walls, the
+// slots from which eight nodes pull one direction almost always lie within two runs of eight slots (99.9 % in rock with
+// pathways of three nodes). Where the processor has permutations and masked stores (AVX-512), two loads and a
+// permutation replace eight loads, and a permutation and masked stores replace eight stores. AVX-512's own gathers and
+// scatters are no faster than single loads and stores, which other processors use.
 #include "kernels/base/unroll.hpp"
 #include "kernels/base/velocity_set.hpp"
 #include "kernels/launch/prefetch.hpp"
@@ -17,15 +17,16 @@ namespace vug {
 inline constexpr bool has_source_windows = runs_on_host && packs_permute;
 inline constexpr int nodes_per_window = pack_size;
 
-/// Where eight consecutive nodes, the first a multiple of eight, pull one direction from: FluidNodes::source of them
-/// once more, in 24 bytes instead of 32. Numbers 0 to 7 are the slots from `near` on, 8 to 15 those from `far` on.
+/// The slots from which eight consecutive nodes, the first a multiple of eight, pull one direction: their entries of
+/// FluidNodes::source in 24 bytes instead of 32. Numbers 0 to 7 are the slots from `near` on, 8 to 15 those from `far`
+/// on.
 struct SourceWindow {
   static constexpr std::uint32_t none = 0xffffffff;
 
-  std::uint32_t near = none, far = 0;          ///< first slots of the two runs; none: the slots do not lie in two
+  std::uint32_t near = none, far = 0;          ///< first slots of the two runs; none: two are not enough
   std::uint32_t from = 0;                      ///< 4 bits per node: the number of its slot
   std::uint32_t to_near = 0, to_far = 0;       ///< 3 bits per slot of a run: its node
-  std::uint8_t owned_near = 0, owned_far = 0;  ///< bit per slot of a run: it is some node's
+  std::uint8_t owned_near = 0, owned_far = 0;  ///< bit per slot of a run: a node pulls from it
   std::uint8_t bounced = 0;                    ///< bit per node: pulls from its own opposite slot instead
 
   KOKKOS_FORCEINLINE_FUNCTION bool is_irregular() const { return near == none; }
@@ -62,14 +63,13 @@ KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, 
   return w;
 }
 
-/// The same, its runs in line with the cache where two of that kind do.
+/// The same, with runs aligned to the cache where two such runs are enough.
 KOKKOS_INLINE_FUNCTION SourceWindow source_window(const int* source, int plane, int capacity) {
   const SourceWindow aligned = source_window(source, plane, capacity, nodes_per_window);
   return aligned.is_irregular() ? source_window(source, plane, capacity, 1) : aligned;
 }
 
-/// Populations of eight consecutive nodes over a velocity set, and how they are fetched and put back: by windows, or
-/// one by one.
+/// Loads and stores the populations of eight consecutive nodes of a velocity set: by windows, or one by one.
 template <class T, class Set, bool by_windows = has_source_windows>
 struct SourcePacks {
   const SourceWindow* windows;  ///< (eight nodes, direction - 1)
@@ -78,10 +78,10 @@ struct SourcePacks {
 
   using P = PackOf<T>;
 
-  /// Whether a pack loads what the one before it stores to, if other lanes of it.
+  /// Whether a pack may load from a run that the pack before it stores to (other slots of it).
   static constexpr bool runs_overlap = by_windows;
 
-  /// What arrives at nodes i .. i + 7, i a multiple of eight.
+  /// Loads what arrives at nodes i .. i + 7, i a multiple of eight.
   KOKKOS_FORCEINLINE_FUNCTION void pull(const T* f, int i, Pack<T> (&g)[Set::Q]) const {
     if constexpr (by_windows) announce(windows + i + windows_ahead);
     g[0] = P::load(f + i);
@@ -97,8 +97,9 @@ struct SourcePacks {
     }
   }
 
-  /// Two fields (fluid) at the nodes that the directions of i .. i + some - 1, i a multiple of eight, come from, into
-  /// value[field][q]; at a wall or a side those of the node itself. Where `matters(q, field)` is not true, nothing.
+  /// For the nodes i .. i + some - 1 (i a multiple of eight) and each direction q, stores the values of two fields
+  /// (fluid) at the node that q comes from in value[field][q]; at a wall or a side, the values of the node itself.
+  /// Skips the q and fields for which `matters(q, field)` is false.
   template <int some, class Matters>
   void upstream(const std::array<const T*, 2>& fields, int i, T (&value)[2][Set::Q][some],
                 const Matters& matters) const {
@@ -118,8 +119,8 @@ struct SourcePacks {
     }
   }
 
-  /// Leaves what goes out against direction q where what came in along q was. Stores without a lane cost less than
-  /// branches that the processor guesses wrong.
+  /// Stores what leaves against direction q in the slot from which direction q was pulled. Stores with an empty mask
+  /// cost less than mispredicted branches.
   KOKKOS_FORCEINLINE_FUNCTION void push(T* f, int i, const Pack<T> (&g)[Set::Q]) const {
     P::store(f + i, g[0]);
     VUG_UNROLL
@@ -138,7 +139,7 @@ struct SourcePacks {
   }
 
  private:
-  /// Of nodes i + at .. i + at + 7.
+  /// upstream() of nodes i + at .. i + at + 7.
   template <int some, class Matters>
   void upstream_by_windows(const std::array<const T*, 2>& fields, int i, T (&value)[2][Set::Q][some], int at,
                            const Matters& matters) const {
@@ -158,7 +159,7 @@ struct SourcePacks {
     }
   }
 
-  /// Direction q of nodes i + at .. i + at + count - 1, as the table of sources has it.
+  /// upstream() along direction q of nodes i + at .. i + at + count - 1, by the table of sources.
   template <int count, int some, class Matters>
   KOKKOS_FORCEINLINE_FUNCTION void upstream_one_by_one(const std::array<const T*, 2>& fields, int q, int i,
                                                        T (&value)[2][Set::Q][some], int at,
@@ -175,8 +176,8 @@ struct SourcePacks {
         if (matters(q, n)) P::store(value[n][q] + at + l, P::gather(fields[n], node + l));
   }
 
-  /// The same where every one of these nodes is its own or its neighbour in the list, as in a row but at its ends and
-  /// among newborn nodes: loads of whole packs instead of single numbers. False, and nothing done, elsewhere.
+  /// The same where every `node` is the node itself or its neighbour in the list, as in a row except at its ends and
+  /// among newborn nodes: loads whole packs instead of single numbers. Elsewhere does nothing and returns false.
   template <int count, int some, class Matters>
   KOKKOS_FORCEINLINE_FUNCTION bool along_row(const std::array<const T*, 2>& fields, int q, const int (&node)[count],
                                              int first, T (&value)[2][Set::Q][some], int at,
@@ -201,7 +202,7 @@ struct SourcePacks {
 
   static constexpr int windows_ahead = 8 * nodes_per_window;
 
-  /// Among so many streams the processor does not foresee this one.
+  /// Prefetches windows: among so many streams the processor does not predict this one.
   KOKKOS_FORCEINLINE_FUNCTION static void announce(const SourceWindow* later) {
     constexpr int line = 64, bytes = (Set::Q - 1) * static_cast<int>(sizeof(SourceWindow));
     VUG_UNROLL

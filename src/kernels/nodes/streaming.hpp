@@ -1,11 +1,12 @@
 #pragma once
-// Where a sweep finds the population that arrives in direction q at fluid node i, and where it leaves the one that goes
-// out in direction q. Every slot is read and written by one node only, which reads all of its slots before it writes.
+// Where a sweep finds the population that arrives in direction q at fluid node i, and where it stores the one that
+// leaves in direction q. Every slot is read and written by one node only, which reads all of its slots before it
+// writes.
 //
-// Steps of two kinds in turn work in place (after Bailey et al. 2009): a population at home lies in slot q * capacity +
-// i of the node it leaves; after an odd number of steps one that is about to move to a fluid neighbour is exchanged
-// with the one that moves the other way (*turned*), while one that leaves the fluid is at home always: what dresses
-// walls and openings need not know.
+// Two kinds of steps alternate and so work in place (after Bailey et al. 2009). A population *at home* is in slot q *
+// capacity + i of the node that it leaves. After an odd number of steps, one that is about to move to a fluid neighbour
+// has changed places with the one that moves the other way (*turned*). One that leaves the fluid is always at home, so
+// the conditions at walls and openings need not know of this.
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
@@ -14,7 +15,8 @@
 
 namespace vug {
 
-/// In place, populations at home: takes them from the neighbours and leaves its own in the slots it emptied.
+/// In place, populations at home: a node takes them from its neighbours and stores its own in the slots that it has
+/// read.
 template <class Set>
 struct InPlaceFromHome {
   Kokkos::View<const int*> source;
@@ -23,7 +25,7 @@ struct InPlaceFromHome {
   KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return source(Set::opposite(q) * capacity + i); }
 };
 
-/// In place, populations turned: all have arrived already, and go home.
+/// In place, populations turned: all are at the node that they go to already, and are stored at home.
 template <class Set>
 struct InPlaceFromTurned {
   int capacity;
@@ -31,7 +33,7 @@ struct InPlaceFromTurned {
   KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
 };
 
-/// A pack of consecutive nodes of populations that are turned: as SourcePacks.
+/// As SourcePacks, for populations that are turned.
 template <class T, class Set>
 struct PacksFromTurned {
   int capacity;
@@ -57,7 +59,7 @@ PacksFromTurned<T, Set> packs_of(const InPlaceFromTurned<Set>& slots, const Flui
   return {slots.capacity};
 }
 
-/// Sum of the slots of node i in double: what it holds, or, turned, what is about to arrive there.
+/// Sum of the slots of node i in double: what the node has sent out or, turned, what is about to arrive there.
 template <class T, class Set>
 struct SumOfSlots {
   Kokkos::View<const T*> f;
@@ -65,7 +67,7 @@ struct SumOfSlots {
   KOKKOS_FUNCTION double operator()(int i) const { return sum_of_populations<Set, double>(&f(i), capacity); }
 };
 
-/// Exchanges the two populations of every link between fluid nodes; each pair is met once, from one end.
+/// Exchanges the two populations of every link between fluid nodes; each pair is handled once, from one end.
 template <class T, class Set>
 struct TurnBack {
   ScalarField<T> f;
@@ -85,8 +87,8 @@ struct TurnBack {
   }
 };
 
-/// Brings the populations f of the first `count` nodes home if they are `turned`, and clears it; of our nodes and those
-/// beside them where processes share the list.
+/// Brings the populations f of the first `count` nodes home if they are `turned`, and clears `turned`. Where processes
+/// share the list, this is done for the nodes of this process and those beside them.
 template <class Set, class T>
 void bring_home(const Exec& exec, const std::string& label, const FluidNodes& nodes, int count, const ScalarField<T>& f,
                 int& turned) {
