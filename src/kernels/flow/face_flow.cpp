@@ -5,8 +5,8 @@
 
 namespace vug {
 
-/// Without branches, so that a host runs it on vectors: where there is no neighbour the node stands for it, with no
-/// share.
+/// Computes the excess of one node. Without branches, so that it vectorises on a host: a missing neighbour is replaced
+/// by the node itself, with the share 0.
 template <class T>
 struct FaceExcess {
   Kokkos::View<const T*> f;
@@ -24,11 +24,12 @@ struct FaceExcess {
     const int node = fluid_neighbour(source, capacity, q, i);
     return {node >= 0 ? node : i, node >= 0 ? T(1) : T(0)};
   }
-  /// What goes along direction q from a node to its neighbour.
+  /// Net flow along direction q from a node to its neighbour.
   KOKKOS_FORCEINLINE_FUNCTION T through(int q, int node, int neighbour) const {
     return outward * (f(q * capacity + node) - f(D2Q9::opposite(q) * capacity + neighbour));
   }
-  /// Of a diagonal link to or between `one` what goes this way round, `other` being passed the other way round.
+  /// Share of a diagonal link that passes through this face: half, or all where the corner `other` on the other way
+  /// round is rock. None without `one`, an end of the link.
   KOKKOS_FORCEINLINE_FUNCTION static T share(const Neighbour& one, const Neighbour& other) {
     return one.is_fluid * (T(1) - T(0.5) * other.is_fluid);
   }

@@ -15,7 +15,7 @@ struct NoLimiter {
   KOKKOS_FORCEINLINE_FUNCTION int operator()(T (&)[9], Macroscopic<T>&) const { return 0; }
 };
 
-/// Brings a speed above the limit back to it: f_q += 3 w_q c_q . (limit/|u| - 1) u. Mass is kept, momentum is not.
+/// Reduces a speed above the limit to the limit: f_q += 3 w_q c_q . (limit/|u| - 1) u. Mass is kept, momentum is not.
 template <class T>
 struct SpeedLimiter {
   static constexpr bool exists = true;
@@ -34,8 +34,8 @@ struct SpeedLimiter {
 
 /// The sweep: populations after streaming, f_q(x, t+1) = f*_q(x - c_q, t) or bounced back, then collided.
 /// Conserves sum rho' to rounding; adds the body force to the momentum. Moves per node 2 x 9 populations, the velocity
-/// and 8 indices in every second step: 176 bytes in double and 96 in float. Every slot that it reads it writes, so that
-/// nothing comes on top for lines that are only stored.
+/// and 8 indices in every second step: 176 bytes in double and 96 in float. It writes every slot that it reads, so
+/// there is no further traffic for lines that are only stored to.
 template <class T, class Slots, class Relaxation, class Force, class Limiter>
 struct CollideAndStream {
   ScalarField<T> f;
@@ -60,7 +60,7 @@ struct CollideAndStream {
     }
     return m;
   }
-  /// Of one node, or of a pack of neighbours.
+  /// Collides one node, or a pack of consecutive nodes, and stores the velocity.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
     relax.template at<V>(i)(g, m, force.template at<V>(i));
@@ -83,15 +83,15 @@ struct CollideAndStream {
   }
 };
 
-/// A block of nodes on a host, by packs that stay in registers from pull to push. The root and the quotient of the
-/// limiter would cost every node as much as its collision: it runs lane by lane, where one of a pack is too fast. Where
-/// the runs of slots of neighbouring packs overlap, the next is pulled before this one is pushed: a load of what
-/// overlaps a store just done would have to wait for it.
+/// Sweeps a block of nodes on a host in packs that stay in registers from pull to push. The square root and the
+/// division of the limiter would cost every node as much as its collision: it runs lane by lane, and only where a node
+/// of a pack is too fast. Where the runs of slots of consecutive packs overlap, the next is pulled before this one is
+/// pushed: a load that overlaps a recent store would have to wait for it.
 template <class T, class Node, class NodePacks>
 struct SweepBlock {
   Node node;
   NodePacks packs;
-  ScalarField<double> limited;  ///< (block) gains the uses of the limiter
+  ScalarField<double> limited;  ///< (block) uses of the limiter are added to it
 
   void operator()(int first, int last) const {
     const Node local = node;
@@ -125,7 +125,8 @@ struct SweepBlock {
     else
       return false;
   }
-  /// Only its own copies of the populations have an address, so that those of all other packs stay in registers.
+  /// Collides a pack node by node. Only the copies made here have an address, so that the populations of all other
+  /// packs stay in registers.
   KOKKOS_FORCEINLINE_FUNCTION static int one_by_one(const Node& node, int first, Pack<T> (&g)[D2Q9::Q]) {
     alignas(64) T lanes[D2Q9::Q][pack_size];
     VUG_UNROLL
@@ -135,7 +136,7 @@ struct SweepBlock {
     for (int q = 0; q < D2Q9::Q; ++q) g[q] = PackOf<T>::load(lanes[q]);
     return uses;
   }
-  /// Out of line, so that its constants do not take the registers of packs.
+  /// Not inlined, so that its constants do not take the registers of packs.
   [[gnu::noinline, gnu::cold]] static int collide_lanes(const Node& node, int first, T (&lanes)[D2Q9::Q][pack_size]) {
     int uses = 0;
     for (int l = 0; l < pack_size; ++l) {
@@ -156,7 +157,8 @@ SweepBlock<T, Node, NodePacks> sweep_block(const Node& node, const NodePacks& pa
   return {node, packs, limited};
 }
 
-/// One sweep, its choices made one after the other: collision (above), force, streaming, limiter.
+/// One sweep. The parts of its kernel are chosen one after the other: collision (by the caller), force, streaming,
+/// limiter.
 template <class T>
 struct Sweep {
   const Exec& exec;

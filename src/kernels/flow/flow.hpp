@@ -1,9 +1,9 @@
 #pragma once
 // The flow of a fluid through its nodes: populations, and the one sweep that streams and collides them.
 //
-// Between steps f holds the populations after collision. A link that leaves the fluid has its population at home, in
-// slot q * capacity + i of the node it leaves; a population about to move to a fluid neighbour is at home too, or,
-// after an odd number of steps in place, exchanged with the one that moves the other way (`turned`). A step is
+// Between steps f holds the populations after collision. The population of a link out of the fluid is at home, in slot
+// q * capacity + i of the node that it leaves. A population about to move to a fluid neighbour is at home too or, after
+// an odd number of steps in place, has changed places with the one that moves the other way (`turned`). A step is
 //   dress the slots of open and moving boundaries (open_boundary.hpp) -> collide_and_stream,
 // and what reads f (momentum exchange, births, guards, mass) does so after the sweep and before the dressing.
 #include "kernels/flow/mrt.hpp"
@@ -19,7 +19,7 @@ struct FlowFields {
   VectorField<T> u;  ///< (fluid, axis) velocity, with half the body force
 };
 
-/// rho' = 3 p' of a node: the sum of what it sent out in the last sweep, until something is dressed.
+/// rho' = 3 p' of a node: the sum of the populations that it sent out in the last sweep. Valid until slots are dressed.
 template <class T>
 struct Density {
   Kokkos::View<const T*> f;
@@ -37,7 +37,7 @@ struct Density {
   }
 };
 
-/// What one step needs to know beside the fields.
+/// Parameters of one step.
 template <class T>
 struct FlowStep {
   Collision collision = Collision::trt;
@@ -45,11 +45,11 @@ struct FlowStep {
   std::array<T, 2> body_force{0, 0};  ///< per volume over reference density, lattice units
   /// Largest speed before collision, lattice units; momentum above it is removed, mass kept. 0: no limiter.
   T speed_limit = 0;
-  /// (fluid) Temperature; empty where the flow does not depend on it. Then `buoyancy` is what a kelvin adds to the body
+  /// (fluid) Temperature; empty where the flow does not depend on it. `buoyancy` is what a kelvin adds to the body
   /// force.
   ScalarField<T> theta{};
   std::array<T, 2> buoyancy{0, 0};
-  /// (fluid) tau - 1/2 = 3 nu of each node, with theta and of trt or bgk only; empty: as in `rates`.
+  /// (fluid) tau - 1/2 = 3 nu of each node; empty: as in `rates`. Needs theta, and trt or bgk as collision.
   ScalarField<T> spread{};
   ScalarField<double> limited;  ///< (block) uses of the limiter are added to it; needed with a speed limit
 };
@@ -58,11 +58,12 @@ struct FlowStep {
 template <class T>
 FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes);
 
-/// Brings every population home to slot q * capacity + i of its node, links to nodes from `count` on left as they are.
+/// Brings every population home to slot q * capacity + i of its node. Links to nodes from `count` on are left as they
+/// are.
 template <class T>
 void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
 
-/// Moves the first `count` nodes of the fields to the capacity of `nodes`, which has grown. Nothing when it has not.
+/// Moves the first `count` nodes of the fields to the capacity of `nodes`, if it has changed.
 template <class T>
 void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
 
@@ -70,7 +71,7 @@ void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowF
 template <class T>
 ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);
 
-/// One time step: pulls the populations, takes their moments, limits, collides and stores.
+/// One time step: pulls the populations, computes their moments, limits the speed, collides and stores.
 template <class T>
 void collide_and_stream(const Exec& exec, const FluidNodes& nodes, FlowFields<T>& fields, const FlowStep<T>& step);
 

@@ -7,7 +7,7 @@
 
 namespace vug {
 
-/// At rest.
+/// Sets a node to rest.
 template <class T>
 struct SetRest {
   ScalarField<T> f;

@@ -7,12 +7,12 @@
 namespace vug {
 
 struct FlowExtremes {
-  double speed = 0;    ///< largest |u|, lattice units; NaN is passed over
+  double speed = 0;    ///< largest |u|, lattice units; NaN is ignored
   double density = 0;  ///< largest |rho'|
   int bad = -1;        ///< lowest fluid index whose state is not finite or beyond a bound; -1: none
 };
 
-/// Of our share of the entries of a field.
+/// Range of the entries of a field that this process computes.
 struct FieldRange {
   double min = 0, max = 0;  ///< over the finite entries; +infinity and -infinity if there is none
   int first_outside = -1;   ///< the first that is not finite or not within (lowest, highest); -1: none
@@ -22,8 +22,8 @@ FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Shar
                        double lowest = -std::numeric_limits<double>::infinity(),
                        double highest = std::numeric_limits<double>::infinity());
 
-/// Extremes of the density and velocity of the last sweep, of our share of the nodes; a broken population shows in the
-/// density of the node where it arrives. The same for any number of threads.
+/// Extremes of the density and velocity of the last sweep, over the nodes of this process. A broken population shows in
+/// the density of the node where it arrives. The same for any number of threads.
 template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);

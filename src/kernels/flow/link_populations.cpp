@@ -36,8 +36,8 @@ void restore_outgoing(const Exec& exec, const FluidNodes& nodes, const BoundaryL
                 CopyOutgoing<T, true>{links.fluid, links.direction, nodes.capacity, outgoing, f});
 }
 
-/// Where a node at the end of link q lies, nodes: beside an opening, which the link may reach across a joined side, at
-/// its image on the opening's side of that; else where it is.
+/// Position, in nodes, of a node with link q out of the fluid. Where the link reaches an opening across a joined side,
+/// it is that of the node's image beside the opening.
 KOKKOS_FORCEINLINE_FUNCTION Kokkos::Array<int, 2> place_at_link(const DenseNeighbour& around, int node, int q) {
   const Lattice& lattice = around.lattice;
   const int beyond = around.along(node, q);
@@ -45,7 +45,7 @@ KOKKOS_FORCEINLINE_FUNCTION Kokkos::Array<int, 2> place_at_link(const DenseNeigh
   return {lattice.x(beyond) - D2Q9::c(q, 0), lattice.y(beyond) - D2Q9::c(q, 1)};
 }
 
-/// One component (0: x, 1: y, 2: torque) of what a link gives. The force lies along the link, through its node.
+/// One component (0: x, 1: y, 2: torque) of the force of a link. The force acts along the link, through its node.
 template <class T>
 struct ForceOfLink {
   DenseNeighbour around;

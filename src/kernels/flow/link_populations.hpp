@@ -1,11 +1,12 @@
 #pragma once
-// The populations at links out of the fluid, looked at for reports between steps: what leaves there, what a condition
-// makes of it, and the momentum that both carry.
+// The populations at links out of the fluid, evaluated for reports between steps: what leaves, what comes in by the
+// boundary condition, and the momentum of both.
 #include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 
-/// (link) What leaves through the links: populations `f` (q * capacity + fluid) of flow or solutes, at home there.
+/// (link) The populations that leave through the links; `f` (q * capacity + fluid) are those of flow or solutes, at
+/// home there.
 template <class T>
 ScalarField<T> outgoing_populations(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                                     const ScalarField<T>& f);
@@ -21,15 +22,15 @@ struct LinkForce {
   double torque = 0;  ///< counter-clockwise
 };
 
-/// What the fluid gives to whatever lies beyond the links, by momentum exchange: the sum of c (out + in) over them,
-/// `in` being what their condition has left in `f` where it was `outgoing`; and its moment about `centre`, in cells
-/// from the lattice's corner, of an opening in one piece, whichever joined side its links cross. Relative to the
-/// reference pressure (momentum_exchange.hpp). Waits for the device; the same bits for any number of threads.
+/// Force of the fluid on what lies beyond the links, by momentum exchange: the sum of c (out + in) over them, `in`
+/// being what their condition has written to `f` in place of `outgoing`. The torque is its moment about `centre`, in
+/// cells from the lattice's corner; an opening counts as one piece, whichever joined side its links cross. Relative to
+/// the reference pressure (momentum_exchange.hpp). Waits for the device; the same bits for any number of threads.
 template <class T>
 LinkForce force_on_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                          const ScalarField<T>& outgoing, const ScalarField<T>& f, std::array<double, 2> centre);
 
-/// A scalar at the straight links of a surface, which may be in several parts.
+/// Sums of a scalar over the straight links of a surface, which may be in several parts, and its mean.
 struct LinkMean {
   double flow = 0, carried = 0;  ///< sums of |u.n| and of C |u.n|
   double faces = 0, sum = 0;     ///< straight links, sum of C over them
@@ -40,11 +41,11 @@ struct LinkMean {
     faces += part.faces;
     sum += part.sum;
   }
-  /// Weighed with the flow through each link; where nothing flows all alike, and 0 where there are none.
+  /// Mean weighted with the flow through each link; unweighted where nothing flows, 0 without links.
   double value() const { return flow > 0 ? carried / flow : faces > 0 ? sum / faces : 0; }
 };
 
-/// Of C (fluid) carried by u (fluid, axis), which may be empty. Waits for the device.
+/// Sums of C (fluid), carried by u (fluid, axis), which may be empty. Waits for the device.
 template <class T>
 LinkMean mean_at_links(const Exec& exec, const BoundaryLinks& links, const ScalarField<T>& C, const VectorField<T>& u);
 

@@ -6,11 +6,11 @@
 
 namespace vug {
 
-/// How far ahead of its link a population is asked for into the first and into the second level of the caches: the list
-/// of slots is that much longer than there are links.
+/// How many links ahead a population is prefetched into the first and into the second level of the caches. The list of
+/// slots is longer than the number of links by `links_ahead`.
 inline constexpr int links_near = 64, links_ahead = 512;
 
-/// The rows around a node that a list comes to later, which lies in no order that a processor foresees.
+/// Prefetches the rows around a node that comes later in a list, whose order a processor cannot predict.
 struct AnnounceNeighbours {
   IndexList index, node;
   int pitch;
@@ -22,7 +22,7 @@ struct AnnounceNeighbours {
   }
 };
 
-/// Looks at the neighbours of a group's nodes: bit q - 1 of touch(k) is set where q leads into node(k) from the fluid.
+/// Counts the links of a group. Bit q - 1 of touch(k) is set where q leads into node(k) from the fluid.
 struct CountWallLinks {
   DenseNeighbour lattice;
   IndexList index, offset, node;
@@ -45,7 +45,7 @@ struct CountWallLinks {
   }
 };
 
-/// Lists them. Arms are counted from the first node of the group, so that they are whole and lose nothing.
+/// Lists these links. Arms are counted from the first node of the group, so that they are exact integers.
 struct ListWallLinks {
   DenseNeighbour lattice;
   IndexList index, offset, node;
@@ -96,7 +96,7 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
                 ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, nodes.capacity, links});
 }
 
-/// Momentum of links and its moment about the origin of their group; its own sum in a reduction.
+/// Momentum of links and its moment about the first node of their group, as a type that Kokkos can sum.
 struct Wrench {
   double x = 0, y = 0, torque = 0;
   KOKKOS_FORCEINLINE_FUNCTION Wrench& operator+=(const Wrench& other) {
@@ -116,7 +116,7 @@ struct Kokkos::reduction_identity<vug::Wrench> {
 
 namespace vug {
 
-/// One group: its links in their order on a host, by a team on a GPU.
+/// Sums the links of one group: in their order on a host, by a team on a GPU.
 template <class T>
 struct ExchangeMomentum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
@@ -126,22 +126,22 @@ struct ExchangeMomentum {
   double force_scale, torque_scale;
   VectorField<double> force;
   ScalarField<double> torque;
-  const int* listed = nullptr;  ///< (item) the groups that run; null: all do
+  const int* listed = nullptr;  ///< (item) groups to compute; null: all
 
   KOKKOS_FORCEINLINE_FUNCTION Wrench of_link(int k) const {
     const int packed = lever(k), cx = (packed & 3) - 1, cy = (packed >> 2 & 3) - 1, arm = packed >> 4;
     const double A = static_cast<double>(f(slot(k)));
     return {A * cx, A * cy, A * arm};
   }
-  /// Twice: a link's momentum is given when it arrives and when it leaves.
+  /// Factor 2: a population gives its momentum when it arrives and again when it leaves.
   KOKKOS_FORCEINLINE_FUNCTION void store(int g, const Wrench& sum) const {
     force(g, 0) = force_scale * 2 * sum.x;
     force(g, 1) = force_scale * 2 * sum.y;
     torque(g) = torque_scale * 2 * (sum.torque + origin(g, 0) * sum.y - origin(g, 1) * sum.x);
   }
-  /// The populations of a particle's links lie in no order that a processor foresees. Into the first level of the
-  /// caches alone it took 2.6 times as long in double and 1.4 times in float on one processor with AVX-512, into the
-  /// second alone 1.8 times on another, where both in turn took 1.25 times the first alone.
+  /// Prefetches later populations, whose order a processor cannot predict. With prefetches into the first level of the
+  /// caches alone it took 2.6 times as long in double and 1.4 times in float on one processor with AVX-512. Into the
+  /// second alone it took 1.8 times as long on another, where both together took 1.25 times the first alone.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
     prefetch(f.data() + slot(k + links_near));
     prefetch_far(f.data() + slot(k + links_ahead));

@@ -2,8 +2,7 @@
 // Collisions of the flow populations (paper Sec. 3.1: multiple relaxation times), each a small pure function object:
 //   f* = f - M^-1 S (M f - meq) + M^-1 (1 - S/2) F,
 // with M the moment basis of Lallemand and Luo. All conserve rho' = sum f and add exactly the body force to sum c f.
-// They take the populations of one node, numbers of type T, or of several at once: V is T or a pack of such
-// numbers.
+// They take the populations of one node or of several at once: V is the number type T or a pack of such numbers.
 #include "kernels/base/choices.hpp"
 #include "kernels/flow/equilibrium.hpp"
 #include "kernels/packs/pack.hpp"
@@ -15,7 +14,7 @@ struct RelaxationRates {
   double s_nu = 1, s_e = 1, s_eps = 1, s_q = 1;
 };
 
-/// The odd rate that goes with an even rate s at the magic product Lambda = (1/s - 1/2)(1/s_q - 1/2).
+/// The odd rate that belongs to an even rate s at the magic product Lambda = (1/s - 1/2)(1/s_q - 1/2).
 KOKKOS_INLINE_FUNCTION constexpr double odd_rate(double s, double magic) {
   return 1 / (0.5 + magic / (1 / s - 0.5));
 }
@@ -104,10 +103,11 @@ struct Buoyancy {
 };
 
 /// Two relaxation times: the even part of f relaxes with `even` = s_nu, the odd part with `odd` = s_q. The same as the
-/// moment form with s_e = s_eps = s_nu, in half the arithmetic; equal rates are BGK. Rates of type R: those of several
-/// nodes may differ. What the moving populations gain is taken from the one at rest: rounded weights do not add up to
-/// one, and what they miss (7e-9 of rho' in float) would be gained or lost at every node in every step. What is left of
-/// rho' instead would be rounded alike in every step of a steady flow (a fluid's mass 1.5e-5 off after 32 000 steps).
+/// moment form with s_e = s_eps = s_nu, in half the arithmetic; equal rates are BGK. Rates have the type R, because
+/// those of several nodes may differ. What the moving populations gain is subtracted from the one at rest: rounded
+/// weights do not add up to one, and the difference (7e-9 of rho' in float) would be gained or lost at every node in
+/// every step. Giving it the rest of rho' instead would be rounded in the same way in every step of a steady flow (the
+/// mass of a fluid was 1.5e-5 off after 32 000 steps).
 template <class T, class R = T>
 struct TwoRelaxationTimes {
   R even, odd;
@@ -209,8 +209,8 @@ struct MultipleRelaxationTimes {
   }
 };
 
-/// f* = feq + 9/2 w (cc - c_s^2 I) : [(1 - s_nu) Pi_neq + (1 - s_nu/2)(uF + Fu)] + 3/2 w c.F; at rest what the
-/// moving populations leave, for the reason above.
+/// f* = feq + 9/2 w (cc - c_s^2 I) : [(1 - s_nu) Pi_neq + (1 - s_nu/2)(uF + Fu)] + 3/2 w c.F; the population at rest
+/// loses what the moving ones gain, for the reason given above.
 template <class T>
 struct Regularised {
   T s_nu;
