@@ -16,13 +16,13 @@ struct AdvectiveDefect {
   ScalarField<T> e;
   T even_weight;
 
-  /// Whether the velocity along an axis matters to direction q: on D2Q5 what it moves along alone.
+  /// Whether direction q depends on the velocity along an axis: on D2Q5 on that along its own axis only.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr bool matters(int q, int axis) {
     return Set::Q != D2Q5::Q || Set::c(q, axis) != 0;
   }
 
-  /// w_q (h_q^eq / (w_q C) - 1) from its odd and its even part: as a difference from one it would keep the digits of
-  /// one, more of them below than above, and no sum of it would be zero.
+  /// w_q (h_q^eq / (w_q C) - 1) computed from its odd and its even part. As a difference from one it would be rounded
+  /// like numbers near one, finer below one than above, and its sum would never be zero.
   KOKKOS_FORCEINLINE_FUNCTION T deviation(int q, T ux, T uy) const {
     const T odd = T(3 * Set::w(q)) * along(q, ux, uy);
     if constexpr (Set::Q == D2Q5::Q)
@@ -44,7 +44,7 @@ struct AdvectiveDefect {
     finish(i, ux, uy);
   }
 
-  /// From the velocities of the nodes that the directions come from.
+  /// Stores e(i), from the velocities of the upstream nodes.
   KOKKOS_FORCEINLINE_FUNCTION void finish(int i, const T (&ux)[Set::Q], const T (&uy)[Set::Q]) const {
     const int closed = static_cast<int>(closed_links(solid_links(i), side_links(i), open_links(i)));
     T sum = deviation(0, ux[0], uy[0]);
@@ -58,8 +58,8 @@ struct AdvectiveDefect {
   }
 };
 
-/// A block of nodes on a host: what lies scattered is brought together, a pack at a time, for so many nodes that their
-/// law runs on vectors.
+/// A block of nodes on a host: gathers scattered velocities, a pack at a time, for enough nodes that their law
+/// vectorises.
 template <class Set, class T>
 struct DefectsOfBlock {
   using Defect = AdvectiveDefect<Set, T>;

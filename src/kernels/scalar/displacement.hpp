@@ -1,11 +1,11 @@
 #pragma once
-// What carries a scalar.
+// Displacement of the fluid that carries a scalar.
 #include "kernels/base/base.hpp"
 
 namespace vug {
 
 /// How far the fluid moves in one step of a scalar that takes `steps` flow steps: steps times the velocity u (fluid,
-/// axis) of the latest of them. A plain velocity stands for that of one.
+/// axis) of the latest of them. A plain velocity converts to the displacement of one flow step.
 template <class T>
 struct Displacement {
   Kokkos::View<const T* [2], Kokkos::LayoutLeft> u;

@@ -1,5 +1,5 @@
 #pragma once
-// How a scalar carried by the fluid is distributed over the velocities at equilibrium.
+// Equilibrium distribution over the velocities of a scalar that the fluid carries.
 #include "kernels/base/velocity_set.hpp"
 
 #include <type_traits>
@@ -18,7 +18,7 @@ KOKKOS_FORCEINLINE_FUNCTION V scalar_equilibrium(int q, const V& ux, const V& uy
     return T(1) + T(3) * cu;
 }
 
-/// What of it on D2Q9 does not turn its sign with the velocity, beside one: 9/2 (c_q.u)^2 - 3/2 u^2.
+/// The part of it on D2Q9 that does not change sign with the velocity, without the one: 9/2 (c_q.u)^2 - 3/2 u^2.
 template <class T, class V>
 KOKKOS_FORCEINLINE_FUNCTION V scalar_even_part(int q, const V& ux, const V& uy) {
   const V cu = along(q, ux, uy);

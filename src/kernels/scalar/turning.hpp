@@ -1,27 +1,27 @@
 #pragma once
-// The collision between two steps of a scalar that do not take as many lattice steps.
+// The collision between two steps of a scalar that take different numbers of lattice steps.
 #include <cmath>
 
 namespace vug {
 
-/// Relaxes the flux J of what has arrived to J* = J + rate (carried C U - J), U being the displacement of the fluid in
-/// the step that follows.
+/// Relaxes the flux J that has arrived to J* = J + rate (carried C U - J), U being the displacement of the fluid in the
+/// step that follows.
 struct Turning {
   double rate = 1;
   double carried = 1;
 };
 
-/// What a scalar with relaxation time tau wants of the collision after which a step takes `stretch` times as many
-/// lattice steps. In a smooth field J = C U / stretch - tau grad C / 3 has arrived (D2Q5), and what leaves is to be
-/// what the longer steps would have left, J* = C U - (tau' - 1) grad C / 3 with tau' - 1/2 = stretch (tau - 1/2): then
-/// the flux goes on as it was, without a look at the gradient. The even moments, in arrival (a/2 + 1/4) X with
-/// a = tau - 1/2 and some second derivatives X, are to leave as (1/4 - a'/2) X with Lambda = 1/4: their rate is 2 -
-/// rate, as in an ordinary collision. At a stretch of 1 it is one, with 1 / tau and 1.
+/// The collision of a scalar with relaxation time tau after which a step takes `stretch` times as many lattice steps.
+/// In a smooth field J = C U / stretch - tau grad C / 3 has arrived (D2Q5). What leaves is to be what the longer steps
+/// would have left, J* = C U - (tau' - 1) grad C / 3 with tau' - 1/2 = stretch (tau - 1/2). The flux then continues
+/// unchanged, and the gradient need not be known. The even moments arrive as (a/2 + 1/4) X, with a = tau - 1/2 and some
+/// second derivatives X, and are to leave as (1/4 - a'/2) X with Lambda = 1/4: their rate is 2 - rate, as in an
+/// ordinary collision. At stretch = 1 it is an ordinary collision, with the rate 1 / tau and carried = 1.
 inline Turning turning(double tau, double stretch) {
   if (stretch == 1) return {1 / tau, 1};
   const double next_tau = 0.5 + stretch * (tau - 0.5);
   double kept = (next_tau - 1) / tau;              // 1 - rate
-  if (std::abs(1 - kept) < 1e-3) kept = 1 - 1e-3;  // the flux is off by as much, once, and not divided by zero
+  if (std::abs(1 - kept) < 1e-3) kept = 1 - 1e-3;  // avoids division by zero; the flux is off by as much, once
   return {1 - kept, (1 - kept / stretch) / (1 - kept)};
 }
 
