@@ -10,7 +10,7 @@ struct FaceExchange {
   Kokkos::View<const int*> source;
   int capacity;
   Kokkos::View<const T* [2], Kokkos::LayoutLeft> excess;
-  T half;  ///< the steps of the flow in one of the species
+  T half;  ///< half the flow steps in a step of the species
   Kokkos::View<const T*> C;
   ScalarField<T> h;
 
@@ -18,12 +18,12 @@ struct FaceExchange {
     T sum = 0;
     VUG_UNROLL
     for (int q = 1; q < D2Q5::Q; ++q) {
-      const int node = fluid_neighbour(source, capacity, q, i), next = node >= 0 ? node : i;  // with itself: nothing
+      const int node = fluid_neighbour(source, capacity, q, i), next = node >= 0 ? node : i;  // exchange with itself: 0
       sum += (q < 3 ? excess(i, q - 1) : -excess(next, q - 3)) * (C(next) - C(i));
     }
     const T before = h(i);
     h(i) += half * sum;
-    return static_cast<double>(h(i) - before);  // what rounding has let in
+    return static_cast<double>(h(i) - before);  // the change after rounding
   }
 };
 

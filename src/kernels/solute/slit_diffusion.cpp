@@ -27,7 +27,7 @@ struct ResistInSlits {
       const int n = fluid_neighbour(source, capacity, q, i);
       if (n < 0) continue;
       const double other = slits.openness_of(n);
-      if (other < 1 && n <= i) continue;  // a link between two slits is met from its lower end
+      if (other < 1 && n <= i) continue;  // a link between two slits is handled from its lower end
       if (is_own(share, i) || is_own(share, n)) resist(q, i, n, 2 * D / (1 / own + 1 / other));
     }
   }

@@ -3,8 +3,8 @@
 // over any velocity set.
 //
 // Order within a lattice step: dress the outgoing populations in `h` (solute_boundary.hpp), then advance_solute, which
-// pulls, collides and stores in place (streaming.hpp), then react_at_wall (reactive_wall.hpp), which dresses what has
-// just gone out. Births come between two steps (dissolution.hpp).
+// pulls, collides and stores in place (streaming.hpp), then react_at_wall (reactive_wall.hpp), which dresses the
+// populations that have just gone out. Births come between two steps (dissolution.hpp).
 #include "kernels/base/velocity_set.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/scalar/displacement.hpp"
@@ -18,7 +18,7 @@ namespace vug {
 struct SoluteParameters {
   double tau_1 = 1;    ///< of the first moment: 1/2 + 3 D (Eq. 19 with tau_1 = tau_h - tau_B)
   double tau_h = 1;    ///< of all other moments
-  double carried = 1;  ///< what the collision counts of the displacement (turning.hpp)
+  double carried = 1;  ///< factor of the displacement in the collision (turning.hpp)
   double diffusivity() const { return (tau_1 - 0.5) / 3; }
 };
 
@@ -29,8 +29,8 @@ SoluteParameters solute_parameters(double D);
 /// Relaxation times for a diffusivity in lattice units and a chosen tau_h > 1/2 (paper Table 2). Throws InputError.
 SoluteParameters solute_parameters(double D, double tau_h);
 
-/// Those of the one step after which a step takes `stretch` times as many lattice steps (turning.hpp); of D2Q5 and a
-/// tau_h that follows from the diffusivity.
+/// Parameters of the one step after which a step takes `stretch` times as many lattice steps (turning.hpp); for D2Q5
+/// and a tau_h that follows from the diffusivity.
 SoluteParameters turning_parameters(const SoluteParameters& parameters, double stretch);
 
 /// Populations and concentration of one species on the fluid nodes.
@@ -63,8 +63,8 @@ template <class T>
 struct SteppingSolute {
   const SoluteParameters& parameters;
   SoluteFields<T>& fields;
-  /// (block) gains what the advective form adds to the total, the sum of -C e; unused without it. It has at least
-  /// block_count(nodes.count) entries.
+  /// (block) What the advective form adds to the total, the sum of -C e, is added to it; unused without that form. At
+  /// least block_count(nodes.count) entries.
   ScalarField<double> correction;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-// What happens to a species at the sides of the lattice: the outgoing population is dressed before the sweep, and the
-// bounce-back in the table of sources brings it home. No flux needs nothing. Where several meet: outflow first.
+// Boundary conditions of a species at the sides of the lattice: the outgoing population is dressed before the sweep,
+// and the bounce-back in the table of sources brings it back. Zero flux needs no condition. Where several meet, outflow
+// comes first.
 #include "kernels/nodes/dressed_links.hpp"
 #include "kernels/scalar/crossing.hpp"
 #include "kernels/solute/solute.hpp"
@@ -24,31 +25,33 @@ struct SoluteCondition : DressedLinks {
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b with A the outgoing population; where fluid
-/// crosses, times what the pair has there at equilibrium (crossing.hpp).
+/// crosses, the second term is multiplied by Crossing::pair (crossing.hpp).
 template <class T>
 SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
                                            const ScalarField<double>& gain);
 
-/// Given flux: h_in = A + area flux, amount per step and cell of a surface of which area (link) belongs to each link.
+/// Given flux, amount per step and cell of the surface: h_in = A + area flux, with area (link) the surface that belongs
+/// to each link.
 template <class T>
 SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<double>& area, double flux,
                                   const SoluteFields<T>& s, const ScalarField<double>& gain);
 
-/// Outflow without gradient: h_in = the node's own population of the incoming direction, less what it diffuses,
-/// (tau_1 - 1) w_q times the rise of C from the node before: at the node the gradient is half of that, beyond it none,
-/// and the population and the one that leaves are both short of it.
+/// Outflow without gradient: h_in = the node's own population of the incoming direction, less its diffusive part,
+/// (tau_1 - 1) w_q times the rise of C from the node before. At the node the gradient is half of that rise, beyond it
+/// there is none, and both this population and the one that leaves lack this part.
 template <class T>
 SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
                                      const SoluteFields<T>& s, const ScalarField<double>& gain);
 
-/// Dresses the links of all stretches, no link of which is in two, of any number of species: one launch; where fluid is
-/// `narrow` one for each stretch, in their order. `crossing`: of what carries them, if anything does.
+/// Dresses the links of all stretches of any number of species. No link may be in two stretches. One launch; where
+/// fluid is `narrow` (is_narrow), one for each stretch, in their order. `crossing` is that of the flow that carries the
+/// species, if any.
 template <class Set, class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions,
            bool narrow = false, const std::type_identity_t<Crossing<T>>& crossing = {});
 
-/// Whether one of the links leaves a node whose opposite link is one of a side or an opening too: what an outflow reads
-/// there another condition writes.
+/// Whether one of the links leaves a node whose opposite link leads through a side or into an opening too: an outflow
+/// reads there what another condition writes.
 bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);
 
 }  // namespace vug

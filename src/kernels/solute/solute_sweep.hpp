@@ -1,5 +1,5 @@
 #pragma once
-// The sweep of the lattice kinetic scheme, of a node or of a pack, and how a host runs a block of it.
+// The sweep of the lattice kinetic scheme, for a node or a pack, and how a host runs it over a block.
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/streaming.hpp"
@@ -31,7 +31,7 @@ struct AdvectiveForm {
   Kokkos::View<const T*> e;
 };
 
-/// visit(flow): what a sweep reads of what carries the solutes.
+/// Calls visit(flow) with the advection policy of `carrier`.
 template <class T, class Visit>
 void visit_flow(const SoluteCarrier<T>& carrier, const Visit& visit) {
   if (!carrier.displacement)
@@ -53,8 +53,8 @@ struct SoluteCollision {
   explicit SoluteCollision(const SoluteParameters& p)
       : rate_h(T(1 / p.tau_h)), rate_difference(T(1 / p.tau_h - 1 / p.tau_1)) {}
 
-  /// Of populations g with their sum c; (x, y): J - C u. The population at rest is what the others leave of C: rounded
-  /// weights do not add up to one, and what they miss (5e-17 of C in double, 3e-8 in float) would be gained or lost at
+  /// Relaxes populations g with the sum c; (x, y) is J - C u. The population at rest is C less the others: rounded
+  /// weights do not add up to one, and the difference (5e-17 of C in double, 3e-8 in float) would be gained or lost at
   /// every node in every step.
   template <bool moves, class V>
   KOKKOS_FORCEINLINE_FUNCTION void relax(V (&g)[Set::Q], const V& c, const V& ux, const V& uy, V x, V y) const {
@@ -97,8 +97,8 @@ struct SoluteSweep {
     return added;
   }
 
-  /// Concentration and collision of the populations that have arrived, of one node or of a pack of neighbours; returns
-  /// what is added.
+  /// Concentration and collision of the populations that have arrived, for one node or a pack of consecutive nodes;
+  /// returns what is added.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION V finish(int i, V (&g)[Set::Q]) const {
     V c = g[0], flux_x{}, flux_y{}, added{};
@@ -112,7 +112,7 @@ struct SoluteSweep {
       const V e = fetch<V>(&flow.e(i));
       const V before = g[0];
       g[0] -= c * e / (T(1) + e);
-      added = g[0] - before;  // what rounding has let in
+      added = g[0] - before;  // the change after rounding
       c += added;
     }
     put(&C(i), c);
@@ -131,7 +131,7 @@ struct SoluteSweep {
   }
 };
 
-/// A block of nodes on a host, by packs that stay in registers. What they add is summed as add_per_block does.
+/// Sweeps a block of nodes on a host in packs that stay in registers. What they add is summed as by add_per_block.
 template <class T, class Sweep, class NodePacks>
 struct SweepPacks {
   Sweep sweep;
@@ -151,7 +151,7 @@ struct SweepPacks {
   }
 
  private:
-  /// All are pulled before any is pushed: a load of what overlaps a store just done would have to wait for it.
+  /// All are pulled before any is pushed: a load that overlaps a recent store would have to wait for it.
   template <int count>
   KOKKOS_FORCEINLINE_FUNCTION static void by_packs(const Sweep& local, const NodePacks& nodes, int first,
                                                    double (&sum)[pack_size]) {
@@ -166,7 +166,7 @@ struct SweepPacks {
   }
 };
 
-/// visit(slots): where the sweep of these fields finds the populations.
+/// Calls visit(slots) with the slots in which the sweep of these fields finds and leaves populations.
 template <class Set, class T, class Visit>
 void visit_slots(const FluidNodes& nodes, const SoluteFields<T>& s, const Visit& visit) {
   if (s.turned)
@@ -183,7 +183,7 @@ SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SolutePa
   return {slots, s.h, s.C, SoluteCollision<T, Set>(p), flow};
 }
 
-/// How a host sweeps a block of nodes, of sweep_block_size: body(first, last).
+/// The body(first, last) with which a host sweeps a block of sweep_block_size nodes.
 template <class T, class Set, class Slots, class Flow>
 auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Flow>& sweep,
                     const ScalarField<double>& correction) {
@@ -191,7 +191,7 @@ auto sweep_of_block(const FluidNodes& nodes, const SoluteSweep<T, Set, Slots, Fl
   return SweepPacks<T, SoluteSweep<T, Set, Slots, Flow>, std::decay_t<decltype(packs)>>{sweep, packs, correction};
 }
 
-/// Nodes of such a block: where sums are taken, those of add_per_block.
+/// Number of nodes of such a block; where sums are taken, that of add_per_block.
 template <class Flow>
 int sweep_block_size(int count) {
   return Flow::advective_form ? nodes_per_block : block_of_list(count);
