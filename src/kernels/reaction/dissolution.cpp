@@ -13,7 +13,7 @@ struct MarkDissolved {
   Kokkos::View<NodeType*> type;
   ScalarField<double> V;
   int size;
-  /// Surface nodes lie scattered over the lattice.
+  /// Prefetches for a later surface node, because these are scattered over the lattice.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int s) const {
     constexpr int ahead = 128;
     prefetch(&V(node(s + ahead < size ? s + ahead : size - 1)));
@@ -26,7 +26,7 @@ struct MarkDissolved {
   }
 };
 
-/// Whether a node may take what another was overdrawn by: any, or one of the same mineral.
+/// Whether a node may take the overdraft of another: any node, or one of the same mineral.
 struct AnyKin {
   KOKKOS_FORCEINLINE_FUNCTION bool operator()(int, int) const { return true; }
 };
@@ -35,9 +35,9 @@ struct SameMineral {
   KOKKOS_FORCEINLINE_FUNCTION bool operator()(int n, int m) const { return mineral(n) == mineral(m); }
 };
 
-/// Hands the overdrafts of dissolved nodes to their heirs, the solid nodes around them, in equal shares. What an heir
-/// gets is gathered in the order of the directions by the lowest of its overdrawn neighbours, so that nothing is added
-/// twice or in another order.
+/// Hands the overdrafts of dissolved nodes to their heirs, the solid nodes around them, in equal shares. The shares of
+/// an heir are summed in the order of the directions by its overdrawn neighbour of lowest number, so that nothing is
+/// added twice or in another order.
 template <class Kin>
 struct BequeathOverdraft {
   Kin kin;
@@ -48,8 +48,8 @@ struct BequeathOverdraft {
 
   KOKKOS_FORCEINLINE_FUNCTION bool overdrawn(int n) const { return type(n) == NodeType::fluid && V(n) < 0; }
 
-  /// The neighbour of n along q; -1 outside, and where a direction before q leads to the same node: on a joined lattice
-  /// one or two nodes wide.
+  /// The neighbour of n along q; -1 outside, and where a direction before q leads to the same node (on a periodic
+  /// lattice one or two nodes wide).
   KOKKOS_FUNCTION int neighbour(int n, int q) const {
     const int m = lattice.along(n, q);
     for (int p = 1; p < q; ++p)
@@ -65,7 +65,7 @@ struct BequeathOverdraft {
     for (int q = 1; q < D2Q9::Q; ++q) heirs += heir(n, q) >= 0;
     return heirs;
   }
-  /// Adds to V(to) its shares, if n is the one to do it.
+  /// Adds to V(to) the shares of node `to`, if n is the node that has to do it.
   KOKKOS_FUNCTION void gather(int to, int n) const {
     double sum = 0;
     for (int q = 1; q < D2Q9::Q; ++q) {
@@ -87,7 +87,7 @@ struct BequeathOverdraft {
   }
 };
 
-/// What a node of one mineral is overdrawn by and finds no heir for.
+/// The overdraft of a node of one mineral that has no heir.
 struct LostOfMineral {
   BequeathOverdraft<SameMineral> bequest;
   int mineral;
@@ -128,7 +128,7 @@ int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& sur
   return count;
 }
 
-/// The fluid neighbours of a fluid node as the table of sources knows them.
+/// The fluid neighbours of a fluid node, by the table of sources.
 template <class T, class Set>
 struct BirthNeighbours {
   Kokkos::View<const int*> source;
@@ -154,7 +154,7 @@ struct BirthNeighbours {
     return sum;
   }
   /// Share of an old node's content that goes to one newborn beside it: 1/(old neighbours of the newborn + newborn
-  /// neighbours of the old node). For a single birth all end with nearly the same content, for many none is emptied.
+  /// neighbours of the old node). After a single birth all have nearly the same content; after many, none is empty.
   KOKKOS_FUNCTION double share(int old, int newborn) const { return 1.0 / (count_old(newborn) + count_newborn(old)); }
 };
 
@@ -178,7 +178,7 @@ struct FillNewborn {
   }
 };
 
-/// Takes from the old neighbours of one newborn what they gave. An old node with several newborns is seen to by the
+/// Subtracts from the old neighbours of one newborn what they gave. An old node with several newborns is handled by the
 /// newborn that its directions reach first.
 template <class T, class Set>
 struct ChargeOldNeighbours {

@@ -10,28 +10,29 @@
 
 namespace vug {
 
-/// What minerals lose when pixels dissolve.
+/// Overdrafts that are lost when pixels dissolve, by mineral.
 struct MineralLosses {
   Kokkos::View<const std::uint8_t*> of_node;  ///< (dense node); empty: one mineral
-  std::vector<ScalarField<double>> lost;      ///< (mineral) as `lost`
+  std::vector<ScalarField<double>> lost;      ///< (mineral) its part of `lost` of mark_dissolved
 };
 
 /// Turns every surface node with V <= 0 into fluid and returns how many (0: nothing else was touched; waits for the
-/// device). What a pixel was overdrawn by, -V, is taken in equal shares from the neighbouring solid nodes (of eight),
-/// whichever number of pixels dissolve at once and in an order that does not matter; where no solid is left,
-/// lost(block) += V (negative). V of the new fluid nodes is 0: sum V + lost is unchanged.
+/// device). The overdraft of a pixel, -V, is taken in equal shares from its solid neighbours (of eight), however many
+/// pixels dissolve at once and whatever their order; where no solid is left, lost(block) += V (negative). V of the new
+/// fluid nodes is 0: sum V + lost is unchanged.
 /// `lost` has at least block_count(surface.count) entries. With `minerals` only neighbours of the same mineral take
-/// shares, since no mineral turns into another, and minerals.lost[m](block) is what those of m have lost of `lost`.
+/// shares, since no mineral turns into another, and minerals.lost[m](block) gets the part of `lost` that belongs to
+/// mineral m.
 int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
                    const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost,
                    const MineralLosses& minerals = {});
 
-/// Brings every population of the first `count` nodes home (streaming.hpp), links to other nodes left as they are.
+/// Brings every population of the first `count` nodes home (streaming.hpp). Links to other nodes are left as they are.
 template <class Set, class T>
 void settle(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
 
-/// Fills the newborn fluid nodes [first, last) of one species, at rest, from their old fluid neighbours of the velocity
-/// set; a newborn without any gets none. Several newborns side by side do not see each other: the result does not
+/// Fills the newborn fluid nodes [first, last) with one species, at rest, from their old fluid neighbours along the
+/// velocity set; a newborn without any gets none. Newborns side by side do not read each other: the result does not
 /// depend on their order. created(block) += solute that came from nowhere (mean); block_count(last) entries at least.
 template <class Set, class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,

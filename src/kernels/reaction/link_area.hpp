@@ -1,5 +1,5 @@
 #pragma once
-// How much true surface a wall link stands for: policies of the kernels at a reactive wall.
+// The true surface that a wall link stands for: policies of the kernels at a reactive wall.
 #include "kernels/base/base.hpp"
 #include "kernels/base/velocity_set.hpp"
 #include "kernels/launch/prefetch.hpp"
@@ -7,7 +7,7 @@
 
 namespace vug {
 
-/// Every link counts in full: the area of the stair-step, too large by |cos| + |sin| of the wall's angle.
+/// Every link counts in full: the area of the stair-step, too large by the factor |cos| + |sin| of the wall's angle.
 struct StaircaseArea {
   KOKKOS_FORCEINLINE_FUNCTION void announce(int) const {}
   KOKKOS_FORCEINLINE_FUNCTION double share(int, int) const { return 1; }

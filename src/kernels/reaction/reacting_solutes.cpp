@@ -11,11 +11,11 @@ struct NoSweep {
   [[maybe_unused]] void operator()(int, int) const {}
 };
 
-/// A sweep goes over so many blocks before the next: fewer are mostly beginnings of streams that the processor does not
-/// foresee, more do not stay in the cache.
+/// Number of blocks that a sweep runs over before the next sweep does. Fewer are mostly the beginning of memory
+/// streams, which the processor does not predict; more do not stay in the cache.
 [[maybe_unused]] constexpr int blocks_at_a_time = 4;
 
-/// The sweeps of some nodes, then their links.
+/// Runs the sweeps of some nodes, then the reaction at their links.
 template <class Reactant, class Product, class React>
 struct SweepAndReact {
   Reactant reactant;
@@ -39,7 +39,7 @@ struct SweepAndReact {
 template <class Reactant, class Product, class React>
 SweepAndReact(Reactant, Product, React, IndexList, int) -> SweepAndReact<Reactant, Product, React>;
 
-/// By the kinetic law.
+/// The step by the kinetic law.
 template <class Set, class T>
 void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
                      const ReactiveWall& wall, const ReactiveLinks<T>& links, const SteppingSolute<T>& reactant,

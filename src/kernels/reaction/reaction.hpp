@@ -1,13 +1,13 @@
 #pragma once
-// Rate laws of the reaction L1 + S1 -> y L2 at a wall (paper Eqs. 6-8, where y = 1), as pure functions of what one wall
-// link sees. Lattice units; q = 1/K_eq (0 = irreversible); every form keeps its digits for rate constants from 1e-30 to
-// 1e30 in float as well as in double.
+// Rate laws of the reaction L1 + S1 -> y L2 at a wall (paper Eqs. 6-8, where y = 1), as pure functions of the data of
+// one wall link. Lattice units; q = 1/K_eq (0 = irreversible); every form is accurate for rate constants from 1e-30 to
+// 1e30, in float as well as in double.
 #include "kernels/base/base.hpp"
 #include "kernels/base/exponential.hpp"
 
 namespace vug {
 
-/// The range in which the Arrhenius law is used; temperatures outside are taken as its nearest end.
+/// The range in which the Arrhenius law is used; temperatures outside are clamped to it.
 inline constexpr double coldest_reaction = 250;  ///< K
 inline constexpr double hottest_reaction = 600;  ///< K
 
@@ -27,18 +27,18 @@ KOKKOS_FORCEINLINE_FUNCTION Real saturating_rate(Real k, Real b) {
   return bounded / (Real(1) + bounded * b);
 }
 
-/// What a link conducts by the closed form of Eq. 7: from a = A/w, the outgoing populations over the weight,
-/// C_1w = a1 - 3 k r, C_2w = a2 + 3 y k r, r = C_1w - q C_2w, J = 6 w k r; so J = conductance (A1 - q A2), in which w
-/// cancels. A1 - J and A2 + y J return. Exact bookkeeping; |A1 - J| <= A1 for q = 0 and any k.
+/// Conductance of a link by the closed form of Eq. 7. With a = A/w, the outgoing populations over the weight: C_1w = a1
+/// - 3 k r, C_2w = a2 + 3 y k r, r = C_1w - q C_2w, J = 6 w k r. Hence J = conductance (A1 - q A2), in which w cancels.
+/// A1 - J and A2 + y J return. The balance is exact; |A1 - J| <= A1 for q = 0 and any k.
 template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q, Real y = 1) {
   return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q * y));
 }
 
-/// What reacts at a wall of order n: y of x + y = a and y = b x^n, with the concentration x at the wall, that beside it
-/// a and b = 3 k (kinetic_conductance for n = 1). With beta = b a^(n - 1), s = x/a solves s + beta s^n = 1, and t = s^n
-/// solves beta t + t^(1/n) = 1: of the two the one that is convex is solved by Newton's method from above, which comes
-/// down without passing the root. 0 where nothing is there to react.
+/// Reaction at a wall of order n: y from x + y = a and y = b x^n, with x the concentration at the wall, a that beside
+/// it and b = 3 k (for n = 1: kinetic_conductance). With beta = b a^(n - 1), s = x/a solves s + beta s^n = 1, and t =
+/// s^n solves beta t + t^(1/n) = 1. The one of the two that is convex is solved by Newton's method from above, which
+/// descends without passing the root. 0 where there is nothing to react.
 template <class Real>
 KOKKOS_INLINE_FUNCTION Real converted(Real a, Real b, Real n) {
   if (!(a > Real(0)) || !(b > Real(0))) return Real(0);

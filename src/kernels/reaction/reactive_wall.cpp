@@ -5,7 +5,7 @@
 
 namespace vug {
 
-/// Velocities of Set but that at rest, as bits of the link masks of FluidNodes.
+/// Velocities of Set without that at rest, as bits of the link masks of FluidNodes.
 template <class Set>
 inline constexpr unsigned moving = (1u << Set::Q) - 2;
 
@@ -50,7 +50,7 @@ struct ListReactiveLinks {
   }
 };
 
-/// The mineral of the surface node of a link.
+/// Stores the mineral of the surface node of a link.
 template <class T>
 struct MineralOfLink {
   ReactiveLinks<T> links;
@@ -77,7 +77,7 @@ void make_room(ReactiveLinks<T>& links, ReactiveWallLaw law, bool minerals) {
   links.solid = ScalarField<double>("vug::reactive_wall::solid", room);
 }
 
-/// Makes counts in `offset` from 1 to n, by `count`, into places; returns what all are.
+/// Runs `count` for n items, which stores counts in offset(1 .. n), and turns these into offsets; returns the total.
 template <class Count>
 int places(const Exec& exec, const char* label, int n, const Count& count, const IndexList& offset) {
   for_each_node(exec, label, n, count);
@@ -98,7 +98,7 @@ void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surfac
   links.count = places(exec, "vug::reactive_wall::count", nodes.count,
                        CountLinksOfFluid<Set>{nodes.solid_links, links.first}, links.first);
   make_room(links, law, mineral.extent(0) > 0);
-  Kokkos::deep_copy(exec, links.rate, T(0));  // of places that no link takes: nothing is left of former lists
+  Kokkos::deep_copy(exec, links.rate, T(0));  // no values of former lists are left in unused entries
   Kokkos::deep_copy(exec, links.conductance, T(0));
   ListReactiveLinks<T, Set> list{nodes.around(), surface.node, nodes.index, nodes.solid_links,
                                  nodes.capacity, links,        false};
@@ -134,13 +134,13 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     launch(NoProduct{});
 }
 
-/// Pixels dissolved per acid, of rock of one kind.
+/// Pixels dissolved per acid, for rock of one kind.
 struct OneSolid {
   double molar_volume;
   KOKKOS_FORCEINLINE_FUNCTION double volume_of(int) const { return molar_volume; }
   KOKKOS_FORCEINLINE_FUNCTION void note(int, double) const {}
 };
-/// Of minerals, each node's acid noted.
+/// The same for minerals; also adds up the acid of each node.
 struct ManySolids {
   MineralRates minerals;
   ScalarField<double> acid;
@@ -154,7 +154,7 @@ struct BookTurnover {
   IndexList node;
   int count;
   ReactiveLinks<T> links;
-  bool apart;  ///< acid, product and solid are three
+  bool apart;  ///< acid, product and solid differ
   Solid kind;
   ReactionLedger ledger;
 
@@ -163,7 +163,7 @@ struct BookTurnover {
     amount = 0;
     return taken;
   }
-  /// Surface nodes lie scattered over the lattice.
+  /// Prefetches for a later surface node, because these are scattered over the lattice.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int s) const {
     constexpr int ahead = 128;
     const int later = node(s + ahead < count ? s + ahead : count - 1);
@@ -190,7 +190,7 @@ struct BookTurnover {
   }
 };
 
-/// What the links of one surface node are about to take off it.
+/// Adds the volume that the links of one surface node have taken off it, not booked yet.
 template <class T, class Solid>
 struct AddLoss {
   IndexList node;

@@ -1,10 +1,10 @@
 #pragma once
-// The reaction L1 + S1 -> y L2 at every link between solid and fluid, and what it takes off the solid (paper Eqs. 7, 9,
+// The reaction L1 + S1 -> y L2 at every link between solid and fluid, and the solid that it dissolves (paper Eqs. 7, 9,
 // 21-24). It dresses the outgoing populations of acid and product after the sweep, before they return with the next.
 //
-// Rock dissolves over thousands of steps and warms as slowly: where the links are, how well each conducts the reaction
-// and what it has taken off the solid are seen to now and then (find_reactive_links, set_conductances,
-// book_turnover), so that a step is one loop over a list of links.
+// Rock dissolves over thousands of steps and warms as slowly. The list of links, their conductances and the solid that
+// they have dissolved are therefore updated only now and then (find_reactive_links, set_conductances, book_turnover),
+// so that a step is one loop over a list of links.
 #include "kernels/base/choices.hpp"
 #include "kernels/reaction/link_area.hpp"
 #include "kernels/reaction/reaction.hpp"
@@ -22,7 +22,7 @@ struct MineralRate {
   double product_yield = 1;  ///< y, moles of product that a mole of the reactant becomes
 };
 
-/// The constants of all minerals; without any where rock is of one kind that reacts in first order, whose constants are
+/// The constants of all minerals. Empty where rock is of one kind that reacts in first order: its constants are then
 /// those of the wall itself.
 struct MineralRates {
   Kokkos::View<const std::uint8_t*> of_node;  ///< (dense node) number of its mineral; empty: 0 everywhere
@@ -41,12 +41,12 @@ struct ReactiveWall {
   double inverse_equilibrium = 0;  ///< 1/K_eq
   double product_yield = 1;        ///< y
   double D_reactant = 1, D_product = 1;  ///< used by the paper's law
-  MineralRates minerals;                 ///< where given, instead of the three constants above
+  MineralRates minerals;                 ///< where given, instead of the first three constants above
   double reference_concentration = 1;    ///< C_ref of orders other than 1
 };
 
 /// The links through which a wall reacts, in the order of their fluid nodes and directions out of them, and what each
-/// has turned over since that was last booked.
+/// has turned over since the last booking.
 template <class T>
 struct ReactiveLinks {
   int count = 0;
@@ -57,30 +57,29 @@ struct ReactiveLinks {
   IndexList root;             ///< (link) 8 s + q - 1: it leads from surface node s = surface_of(link) along
                               ///< q = direction_of(link) into the fluid
   Kokkos::View<std::uint8_t*> mineral;  ///< (link) of the surface node; empty without minerals
-  ScalarField<T> rate;                  ///< (link) rate constant times share of true area, when that was last asked for
-  ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances; of an
+  ScalarField<T> rate;                  ///< (link) rate constant times share of true area, of the last update
+  ScalarField<T> conductance;  ///< (link) flux per driving population or concentration, see set_conductances; for an
                                ///< order other than 1 the rate constant
   ScalarField<double> acid;    ///< (link) moles taken from the acid
-  ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself (of the
-                                       ///< product 1/y) but for the paper's law, where the three differ
-  int own_count = -1;                  ///< blocks of the list that hold links of nodes of this process; -1: all
+  ScalarField<double> product, solid;  ///< (link) given to the product, taken off the solid; `acid` itself (1/y of the
+                                       ///< product) except for the paper's law, where the three differ
+  int own_count = -1;                  ///< number of blocks with links of nodes of this process; -1: all
   IndexList own_blocks;                ///< (own) their numbers
 
   KOKKOS_FORCEINLINE_FUNCTION int surface_of(int l) const { return root(l) / 8; }
   KOKKOS_FORCEINLINE_FUNCTION int direction_of(int l) const { return root(l) % 8 + 1; }
-  /// What this process computes of them.
+  /// The links that this process computes.
   Share share() const { return {count, own_count, own_blocks.data()}; }
 };
 
-/// Lists the links of `surface` to the fluid along the velocities of Set. What they have turned over must have been
-/// booked. Reuses the allocations when they fit; waits for the device. `mineral` as in MineralRates::of_node.
+/// Lists the links of `surface` to the fluid along the velocities of Set. The turnover of the former links must have
+/// been booked. Reuses the allocations when they fit; waits for the device. `mineral` as in MineralRates::of_node.
 template <class Set, class T>
 void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
                          ReactiveLinks<T>& links, const Kokkos::View<const std::uint8_t*>& mineral = {});
 
-/// Rate policies: kelvin(dense solid node, dense fluid node) is the temperature of their common face, which takes
-/// looking up, and at(dense solid node, kelvin) the rate constant there, in lattice units, which takes computing. This
-/// one is the same everywhere.
+/// Rate policies: kelvin(dense solid node, dense fluid node) looks up the temperature of their common face, and
+/// at(dense solid node, kelvin) computes the rate constant there, in lattice units. This one is the same everywhere.
 struct UniformRate {
   double k = 0;
   KOKKOS_FORCEINLINE_FUNCTION void announce(int, int) const {}
@@ -124,41 +123,41 @@ struct UniformTemperature {
 };
 
 /// Sets links.conductance from the rate at every face and the area that the link stands for: `normal` from find_normals
-/// corrects that of the stair-step; with extent 0 it is left as it is. To be called when the links are new and again
-/// every few steps: `ahead` times the change of the rate since the last call is added, half of it where the steps
-/// until the next are as many, so that the mean over them is right to second order; at most half and double the rate.
-/// 0 where the links are new. Instantiated for UniformRate and MineralArrhenius<UniformTemperature>; for others include
-/// reactive_wall_kernel.hpp.
+/// corrects the area of the stair-step; with extent 0 it is not corrected. To be called when the links are new and
+/// again every few steps. `ahead` times the change of the rate since the last call is added: with ahead = 1/2, and as
+/// many steps until the next call, the mean over them is right to second order. The result stays between half and
+/// double the rate. ahead is 0 where the links are new. Instantiated for UniformRate and
+/// MineralArrhenius<UniformTemperature>; for others include reactive_wall_kernel.hpp.
 template <class Set, class T, class Rate>
 void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
                       const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
                       double ahead = 0);
 
 /// One step of reaction at all links. `product` may be null (L2 is not modelled; 1/K_eq must then be 0, else
-/// InputError). Acid + product / y are conserved by the kinetic law. Per link: 2 populations (4 with product), its
-/// slot, conductance and turnover.
+/// InputError). Acid + product / y are conserved by the kinetic law. Memory traffic per link: 2 populations (4 with
+/// product), its slot, conductance and turnover.
 template <class Set, class T>
 void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const SoluteFields<T>& reactant, const SoluteFields<T>* product);
 
 /// What the reaction took from the solid and from the fluid.
 struct ReactionLedger {
-  ScalarField<double> V;          ///< (dense node) solid volume, 1 -> 0 pixels; loses M times the moles
-  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far; gains them
+  ScalarField<double> V;          ///< (dense node) solid volume, 1 -> 0 pixels; M times the moles is subtracted from it
+  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far; the same is added to it
   ScalarField<double>
       consumed;  ///< (block of surface nodes) acid taken from the fluid; block_count(lattice.size()) suffices
-  /// (dense node) product given to the fluid; wanted only with the paper's law, where it differs from the acid consumed
+  /// (dense node) product given to the fluid; needed only with the paper's law, where it differs from the acid consumed
   ScalarField<double> released;
-  ScalarField<double> acid;  ///< (dense node) acid that reacted with it; wanted only with minerals
+  ScalarField<double> acid;  ///< (dense node) acid that reacted with it; needed only with minerals
 };
 
-/// Moves what the links have turned over to the ledger. Call it before the solid volume is looked at and before the
-/// links are listed anew.
+/// Moves what the links have turned over to the ledger. Call it before the solid volume is read and before the links
+/// are listed anew.
 template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const ReactionLedger& ledger);
 
-/// loss(s) += what the links have taken off surface node s since that was last booked, pixels.
+/// loss(s) += what the links have taken off surface node s since the last booking, pixels.
 template <class T>
 void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                 const ScalarField<double>& loss);

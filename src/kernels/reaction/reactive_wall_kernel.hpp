@@ -1,12 +1,12 @@
 #pragma once
-// The kernel behind set_conductances, for whoever brings a rate policy of their own.
+// The kernel behind set_conductances, for code with a rate policy of its own.
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/rock_of_links.hpp"
 
 namespace vug {
 
-/// J = conductance (A1 - q A2) by the kinetic law, rate = conductance (C1 - q C2) by the paper's
-/// (paper_wall); of another order the rate constant itself.
+/// Sets the conductance of a link: J = conductance (A1 - q A2) by the kinetic law, rate = conductance (C1 - q C2) by
+/// the paper's (paper_wall). For an order other than 1 it is the rate constant itself.
 template <class T, class Set, class Rock, class Rate, class Area>
 struct SetConductance {
   ReactiveWallLaw law;
@@ -23,11 +23,11 @@ struct SetConductance {
   KOKKOS_FORCEINLINE_FUNCTION int fluid(int l) const {
     return fluid_node(links.slot(l) - Set::opposite(links.direction_of(l)) * capacity);
   }
-  /// What is looked up here and there: share of true area; temperature of the face, by `rate`.
+  /// What is read from scattered places: the share of true area here; the temperature of the face, by `rate`.
   KOKKOS_FORCEINLINE_FUNCTION double share(int l) const {
     return area.share(links.surface_of(l), links.direction_of(l));
   }
-  /// What is computed from it.
+  /// What is computed from these.
   KOKKOS_FORCEINLINE_FUNCTION void set(int l, double kelvin, double share) const {
     const T now = T(rate.at(solid(l), kelvin) * share);
     const T led = now + ahead * (now - links.rate(l));

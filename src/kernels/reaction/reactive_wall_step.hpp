@@ -65,7 +65,7 @@ struct PaperStep {
   }
 };
 
-/// Throws InputError where a reaction that comes to an equilibrium lacks its product.
+/// Throws InputError where a reaction with a finite equilibrium constant lacks its product.
 inline void require_product(const ReactiveWall& wall, bool has_product) {
   if (!has_product && wall.inverse_equilibrium != 0 && !wall.minerals.given())
     throw InputError("reaction: a finite equilibrium constant needs a product species");

@@ -1,5 +1,5 @@
 #pragma once
-// What a wall is made of where a link meets it: policies of the kernels at a reactive wall.
+// The material of the wall at a link: policies of the kernels at a reactive wall.
 #include "kernels/reaction/reactive_wall.hpp"
 
 namespace vug {
@@ -17,7 +17,7 @@ struct OneRock {
   }
 };
 
-/// Minerals. Of an order n other than 1 the wall takes C_ref k (C/C_ref)^n: see `converted`.
+/// Minerals. For an order n other than 1 the rate at the wall is C_ref k (C/C_ref)^n: see `converted`.
 template <class T, class Set>
 struct RockOfMinerals {
   Kokkos::View<const MineralRate*> rate;  ///< (mineral)
@@ -42,7 +42,7 @@ struct RockOfMinerals {
   }
 };
 
-/// visit(rock): what the links of a wall meet.
+/// Calls visit(rock) with the material of `wall`.
 template <class T, class Set, class Visit>
 void visit_rock(const ReactiveWall& wall, const Visit& visit) {
   if (wall.minerals.given())

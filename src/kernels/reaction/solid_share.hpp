@@ -1,10 +1,10 @@
 #pragma once
-// How full of rock a node is, whatever the volume that it was given.
+// The share of a node's solid that is left, whatever the volume that it was given.
 #include "kernels/base/base.hpp"
 
 namespace vug {
 
-/// A node with more solid than this was given more than its own cell; what rounding adds to one is far less.
+/// A node with more solid than this was given more than its own cell; rounding adds far less than this to one.
 inline constexpr double own_cell = 1 + 1e-9;
 
 /// Cells' worth of solid that a node was given: what is left and what has dissolved of it, at least its own cell.
@@ -13,8 +13,8 @@ KOKKOS_FORCEINLINE_FUNCTION double solid_given(double V, double dissolved) {
   return given > own_cell ? given : 1.0;
 }
 
-/// Share of a node's own solid that is left: 1 in rock that nothing has dissolved, also where V is more than a cell
-/// since an opened pathway has handed its solid on, 0 in fluid.
+/// Share of a node's own solid that is left: 1 in rock of which nothing has dissolved, also where V is more than a cell
+/// because an opened pathway has handed on its solid; 0 in fluid.
 KOKKOS_FORCEINLINE_FUNCTION double solid_share(double V, double dissolved) {
   return V / solid_given(V, dissolved);
 }

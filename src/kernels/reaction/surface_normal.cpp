@@ -11,12 +11,12 @@ namespace vug {
 
 /// A quadratic fitted to V over 5 x 5 nodes with weights w = exp(-(dx^2 + dy^2)/4): its gradient gives the normal, its
 /// second derivatives the curvature kappa (positive where the solid bulges). The reaction acts on the outline of the
-/// pixels, which lies outside the true surface by half the depth of what has dissolved of the pixel; that depth is
-/// (1 - V)/(|n_x| + |n_y|), 0.8 (1 - V) in the mean over all orientations. The outline is longer by the factor
+/// pixels, which lies outside the true surface by half the depth of what has dissolved of the pixel; that depth is (1 -
+/// V)/(|n_x| + |n_y|), 0.8 (1 - V) in the mean over all orientations. The outline is longer by the factor
 /// 1 + 0.4 (1 - V) kappa, and the normal is shortened by it.
 ///
 /// The gradient beside a flat wall is 0.34, beside a wall two pixels thick 0.17, and 0 across one of a single pixel,
-/// where whatever the volume happens to do along the wall would give the direction, and faces at right angles to it
+/// where accidental variations of the volume along the wall would give the direction, and faces at right angles to it
 /// would never react: below 0.1 there is no normal.
 struct SurfaceNormal {
   DenseNeighbour lattice;
@@ -31,13 +31,13 @@ struct SurfaceNormal {
     double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
   };
 
-  // One axis' factor of the weights, exp(-d^2/4); the weights are a product, so that sums along columns serve all
+  // Factor of the weights along one axis, exp(-d^2/4). The weights are products, so that sums along columns serve all
   // terms.
   static constexpr double w1 = 0.77880078307140488, w2 = 0.36787944117144233;
   static constexpr double m0 = 1 + 2 * w1 + 2 * w2, m2 = 2 * w1 + 8 * w2, m4 = 2 * w1 + 32 * w2;
   static constexpr double spread = m2 / m0, variance = m0 * (m4 - m2 * spread);
 
-  /// Of five numbers at the distances d = -2 ... 2 the sums of w V, w d V and w (d^2 - spread) V.
+  /// Sums of w V, w d V and w (d^2 - spread) V over five numbers at the distances d = -2 to 2.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION static V level(const V* v) {
     return v[2] + w1 * (v[3] + v[1]) + w2 * (v[4] + v[0]);
@@ -50,13 +50,13 @@ struct SurfaceNormal {
   KOKKOS_FORCEINLINE_FUNCTION static V bend(const V* v) {
     return w1 * (1 - spread) * (v[3] + v[1]) + w2 * (4 - spread) * (v[4] + v[0]) - spread * v[2];
   }
-  /// From those sums of all five columns, dx = -2 ... 2.
+  /// The fit from these sums of all five columns, dx = -2 to 2.
   KOKKOS_FORCEINLINE_FUNCTION static Fit across(const double* levels, const double* slopes, const double* bends) {
     constexpr double first = 1 / (m0 * m2), second = 2 / variance, mixed = 1 / (m2 * m2);
     return {first * slope(levels), first * level(slopes), second * bend(levels), second * level(bends),
             mixed * slope(slopes)};
   }
-  /// Most nodes have all their neighbours inside, which spares the search for each.
+  /// Whether all neighbours of a node are inside, as for most nodes: they need not be searched for then.
   KOKKOS_FORCEINLINE_FUNCTION bool is_inside(int n) const {
     const Lattice& l = lattice.lattice;
     const int x = l.x(n), y = l.y(n);
@@ -97,8 +97,8 @@ struct NormalsOfBlock {
   SurfaceNormal one;
   int count;
 
-  /// Surface nodes lie scattered over the lattice: both ends of the five rows around a later one. Inlined: a call of it
-  /// would have no effect that a compiler must keep.
+  /// Prefetches both ends of the five rows around a later surface node, because these are scattered over the lattice.
+  /// Inlined, because a compiler may drop a call without effect.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int s) const {
     constexpr int ahead = 24;
     const int later = one.node(s + ahead < count ? s + ahead : count - 1), pitch = one.lattice.lattice.pitch;
@@ -109,13 +109,13 @@ struct NormalsOfBlock {
         prefetch(field + (later + dy * pitch + 2));
       }
   }
-  /// Shares of the nodes from n on; those behind the fifth are not used.
+  /// Solid shares of the nodes from n on; those behind the fifth are not used.
   Pack<T> row(int n) const {
     using P = PackOf<T>;
     const Pack<T> volume = P::load(&one.volume(n)), given = volume + P::load(&one.dissolved(n));
     return P::any_above(given, Pack<T>{} + own_cell) ? of_heirs(n) : volume;
   }
-  /// Where a node was given more than its own cell.
+  /// The same where a node was given more than its own cell.
   __attribute__((noinline)) Pack<T> of_heirs(int n) const {
     T share[pack_size];
     for (int l = 0; l < pack_size; ++l) share[l] = one.V(n + l);

@@ -1,5 +1,5 @@
 #pragma once
-// Which way a stair-step surface really faces, from the solid volume around it.
+// The true orientation of a stair-step surface, from the solid volume around it.
 #include "kernels/nodes/fluid_nodes.hpp"
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace vug {
 /// where it is undefined (a lone pixel). Its length is 1 on a flat wall and follows the curvature elsewhere: the
 /// outline of pixels that are partly dissolved is longer than the surface inside them, or shorter in a hollow. V beyond
 /// a side is that of the nearest node inside. normal: (surface, axis); its allocation is reused when it fits. To be
-/// renewed when the surface or V has changed noticeably. Reads 25 x 16 bytes per surface node. Of the surface nodes of
-/// `only`, where given.
+/// renewed when the surface or V has changed noticeably. Reads 25 x 16 bytes per surface node. With `only`, computed
+/// for those surface nodes only.
 void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ScalarField<double>& volume,
                   const ScalarField<double>& dissolved, VectorField<double>& normal,
                   const std::optional<Share>& only = {});
