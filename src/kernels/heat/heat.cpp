@@ -14,7 +14,7 @@ namespace vug {
 
 namespace {
 
-/// As many bands for every thread, so low that what is set aside of one stays in its cache.
+/// Number of bands: the same for every thread, and each band so low that what it sets aside stays in the cache.
 int band_count(const Exec& exec, const Lattice& lattice) {
   constexpr int rows_per_band = 32;
   const int threads = exec.concurrency(), bands = (lattice.ny + rows_per_band - 1) / rows_per_band;
@@ -26,12 +26,12 @@ void require_positive(const char* name, double value) {
     throw InputError(std::string("heat: ") + name + " = " + std::to_string(value) + ", expected a positive number");
 }
 
-/// Relaxation rate of a diffusivity, before steps that are stretched.
+/// Relaxation rate of a diffusivity, in the step before steps of `stretch` times the length.
 double rate_of(double diffusivity, double stretch = 1) {
   return turning(0.5 + diffusivity / c_s2, stretch).rate;
 }
 
-/// Those of all kinds of matter.
+/// Sets the rates of all kinds of matter.
 void set_matter_rates(const HeatParameters& parameters, double stretch, const HeatMatter& matter) {
   const auto rate = Kokkos::create_mirror_view(matter.rate);
   rate(0) = rate_of(parameters.fluid_diffusivity, stretch);
@@ -40,7 +40,7 @@ void set_matter_rates(const HeatParameters& parameters, double stretch, const He
   Kokkos::deep_copy(matter.rate, rate);
 }
 
-/// Tables with an entry for every byte that a node may have.
+/// Makes the kinds of matter. Their tables have an entry for every value of a node's byte.
 HeatMatter make_matter(const Exec& exec, const HeatParameters& parameters, std::size_t nodes,
                        const Kokkos::View<const std::uint8_t*>& mineral) {
   constexpr std::size_t kinds = no_matter + 1;
@@ -90,7 +90,7 @@ void stretch_lagged(const Exec& exec, const Share& list, double stretch, const S
   for_each_node(exec, "vug::heat::stretch_lagged", list, StretchLagged<T>{static_cast<T>(stretch), lagged});
 }
 
-/// Mask of the solid inside the lattice.
+/// Sets the mask of the solid inside the lattice.
 struct CopySolid {
   Kokkos::View<const NodeType*> type;
   Kokkos::View<std::uint8_t*> solid;
@@ -100,8 +100,8 @@ struct CopySolid {
   }
 };
 
-/// The mask in the halo, where it makes the conjugate link inert: like the node joined to it, and where there is none,
-/// like the nearest node inside or, if `marked`, as outside.
+/// Sets the mask in the halo so that the conjugate link does nothing there: as at the node joined to it or, where there
+/// is none, as at the nearest node inside or, if `marked`, to `mark`.
 struct CopySolidToHalo {
   DenseNeighbour around;
   bool marked;
@@ -112,7 +112,7 @@ struct CopySolidToHalo {
     const int node = around.lattice.node(x, y);
     solid(node) = marked && around.along(node, 0) < 0 ? mark : solid(around.nearest(node, 0, 0));
   }
-  /// Both ends of row `item` - 1, or of a column beyond the rows.
+  /// Both ends of row `item` - 1 or, for items beyond the rows, of a column.
   KOKKOS_FUNCTION void operator()(int item) const {
     const Lattice& lattice = around.lattice;
     const int y = item - 1, x = y - lattice.ny - 1;
@@ -126,7 +126,7 @@ struct CopySolidToHalo {
   }
 };
 
-/// The kind of matter of a node inside the lattice.
+/// Sets the kind of matter of a node inside the lattice.
 struct CopyMatter {
   Kokkos::View<const std::uint8_t*> solid, mineral;
   Kokkos::View<std::uint8_t*> matter;
@@ -155,7 +155,7 @@ void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, st
                 CopySolidToHalo{around, marked, no_matter, matter.of_node});
 }
 
-/// Populations at rest, g_q = w_q theta, of the nodes from `first` on.
+/// Sets populations at rest, g_q = w_q theta, at the nodes from `first` on.
 template <class T, class Set>
 struct StartHeat {
   int first, plane;
@@ -166,7 +166,7 @@ struct StartHeat {
   }
 };
 
-/// Over the nodes of our rows and the halo beside them.
+/// Runs StartHeat over the nodes of this process's rows and the halo beside them.
 template <class T>
 void start_heat(const Exec& exec, T theta, HeatFields<T>& fields) {
   const Lattice& lattice = fields.lattice;

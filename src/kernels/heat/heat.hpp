@@ -16,7 +16,7 @@
 
 namespace vug {
 
-/// What a mineral conducts and holds, as the solid of HeatParameters.
+/// Thermal constants of a mineral, as those of the solid in HeatParameters.
 struct HeatMineral {
   double diffusivity = 0;
   double capacity_ratio = 1;
@@ -28,11 +28,10 @@ struct HeatParameters {
   double solid_diffusivity = 0;
   double capacity_ratio = 1;  ///< sigma = (rho cp)_s / (rho cp)_f
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
-  std::vector<HeatMineral>
-      minerals{};  ///< by their numbers, of which 0 is the solid above; empty: that is all there is
+  std::vector<HeatMineral> minerals{};  ///< by their numbers, of which 0 is the solid above; empty: only that
 };
 
-/// What the kernels need of HeatParameters.
+/// HeatParameters in the form that kernels need.
 template <class T>
 struct HeatRates {
   T fluid, solid;  ///< relaxation rate s = 1 / (1/2 + 3 D) of the odd moments; the even ones relax with 2 - s
@@ -57,7 +56,7 @@ struct HeatMatter {
 inline constexpr std::uint8_t no_matter = 255;
 
 /// Entries of the mask of the solid where nothing is computed: beyond a side that is not joined to the opposite one
-/// (D2Q9; see HeatFields), and in an opening. All that is above 1 is such.
+/// (D2Q9; see HeatFields), and in an opening. All values above 1 mean this.
 inline constexpr std::uint8_t outside_lattice = 2, inside_opening = 3;
 
 /// Per node Q populations, in two lattices on a GPU, and a byte: on a host 21 bytes in float and 41 in double with
@@ -69,24 +68,25 @@ struct HeatFields {
   ScalarVelocitySet velocity_set = ScalarVelocitySet::d2q5;
   bool openings = false;  ///< some nodes are in openings (opening.hpp), where g is what was filled in
   ScalarField<T> g;       ///< (q * lattice.size() + node) post-collision populations, with halo
-  ScalarField<T> g_next;  ///< of a step with two lattices, exchanged with g; empty on a host, which steps in place
-  /// (node) 1 in solid. In the halo like the node joined to it; beyond a side that is not joined, where every link must
-  /// be one between like nodes: like the node beside it on D2Q5, `outside_lattice` on D2Q9, whose diagonals meet there.
+  ScalarField<T> g_next;  ///< second lattice, exchanged with g in every step; empty on a host, which steps in place
+  /// (node) 1 in solid. In the halo as at the node joined to it. Beyond a side that is not joined, every link must be
+  /// one between like nodes: there it is as at the node beside it on D2Q5, and `outside_lattice` on D2Q9, whose
+  /// diagonals meet there.
   Kokkos::View<std::uint8_t*> solid;
   HeatMatter matter;
-  int first_row = 0, rows = 0;  ///< [first_row, first_row + rows) are the rows that a step computes: all, or our share
-  int bands = 0;                ///< of rows that a step in place does side by side (heat_bands.hpp); none on a GPU
-  ScalarField<T> lines;         ///< (band, line, x) what they set aside
-  std::array<bool, 2> periodic{false, false};  ///< which sides are joined, as set_heat_geometry was told
+  int first_row = 0, rows = 0;  ///< [first_row, first_row + rows) are the rows that this process computes
+  int bands = 0;  ///< number of bands of rows that a step in place does side by side (heat_bands.hpp); 0 on a GPU
+  ScalarField<T> lines;                        ///< (band, line, x) what they set aside
+  std::array<bool, 2> periodic{false, false};  ///< which sides are joined, as given to set_heat_geometry
 };
 
 /// Temperature of a node, deviation from the reference: the sum of its populations, which every step conserves and
-/// leaves at their node. Not of nodes in openings and outside the lattice.
+/// leaves at their node. Not valid in openings and outside the lattice.
 template <class T>
 struct Temperature {
   Kokkos::View<const T*> g;
   int plane;
-  bool diagonals;  ///< there are those of D2Q9
+  bool diagonals;  ///< there are diagonal populations (D2Q9)
 
   explicit Temperature(const HeatFields<T>& fields)
       : g(fields.g), plane(fields.lattice.size()), diagonals(fields.velocity_set == ScalarVelocitySet::d2q9) {}
@@ -96,7 +96,7 @@ struct Temperature {
   }
 };
 
-/// What boundaries and sums ask of the nodes: fluid and one solid.
+/// Properties of the nodes for boundaries and sums: fluid and one solid.
 template <class T>
 struct TwoKinds {
   double capacity_ratio;
@@ -118,7 +118,7 @@ struct ManyKinds {
   KOKKOS_FORCEINLINE_FUNCTION double capacity(int node) const { return capacities(kind(node)); }
 };
 
-/// visit(kinds of matter of the nodes).
+/// Calls visit(kinds) with the properties of the nodes, TwoKinds or ManyKinds.
 template <class T, class Visit>
 void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
   if (fields.matter.given())
@@ -128,34 +128,34 @@ void visit_kinds(const HeatFields<T>& fields, const Visit& visit) {
 }
 
 /// Allocates the fields; all nodes have temperature `theta`. `openings`: there are nodes of type NodeType::opening.
-/// `mineral` (dense node) numbers parameters.minerals. `rows`: those that are ours, where processes share them.
+/// `mineral` (dense node) numbers parameters.minerals. `rows`: those of this process, where processes share them.
 template <class T>
 HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const HeatParameters& parameters,
                                const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic, double theta,
                                bool openings = false, const Kokkos::View<const std::uint8_t*>& mineral = {},
                                const std::optional<Rows>& rows = {});
 
-/// Has the next steps collide with the diffusivities of `parameters`; with a `stretch` other than 1 so that the steps
-/// after it may take `stretch` times as many lattice steps (turning.hpp; D2Q5).
+/// Sets the rates of the next steps from the diffusivities of `parameters`. With a `stretch` other than 1 they are
+/// those of the one step after which steps take `stretch` times as many lattice steps (turning.hpp; D2Q5).
 template <class T>
 void set_heat_rates(const HeatParameters& parameters, double stretch, HeatFields<T>& fields);
 
-/// theta (node) = temperature of every node of our rows, 0 in openings.
+/// theta (node) = temperature of every node of this process's rows, 0 in openings.
 template <class T>
 void take_temperatures(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& theta);
 
-/// The same in a field of its own, 0 outside the lattice: for output.
+/// The same for the whole lattice in a new field, 0 outside the lattice: for output.
 template <class T>
 ScalarField<T> temperatures(const Exec& exec, const HeatFields<T>& fields);
 
-/// Takes over a changed geometry. The populations of a node stay as they are when its kind changes; the energy it gains
-/// is booked by add_birth_energy (heat_sums.hpp), to be called before.
+/// Takes over a changed geometry. The populations of a node stay as they are when its kind changes; the energy that it
+/// gains is booked by add_birth_energy (heat_sums.hpp), which must be called before.
 template <class T>
 void set_heat_geometry(const Exec& exec, const Kokkos::View<NodeType*>& type, std::array<bool, 2> periodic,
                        HeatFields<T>& fields);
 
-/// On a host: has a step done in that many bands of rows, at most one per row. make_heat_fields has chosen a number for
-/// the threads there are; no bit depends on it.
+/// On a host: sets the number of bands of rows in which a step is done, at most one per row. make_heat_fields chooses
+/// it from the number of threads; the results do not depend on it, to the bit.
 template <class T>
 void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields);
 
@@ -165,23 +165,24 @@ void set_heat_bands(const Exec& exec, int bands, HeatFields<T>& fields);
 template <class T>
 void conduct(const Exec& exec, HeatFields<T>& fields, const std::type_identity_t<ScalarField<T>>& theta = {});
 
-/// How much faster than the odd part of the carried populations their even part builds up, (2 - s) / s; 1 on D2Q5,
-/// where they have none.
+/// Ratio of the rates at which the even and the odd part of the carried populations build up, (2 - s) / s; 1 on D2Q5,
+/// which has no even part.
 template <class T>
 T even_defect_weight(const HeatFields<T>& fields) {
   return fields.velocity_set == ScalarVelocitySet::d2q9 ? (2 - fields.rates.fluid) / fields.rates.fluid : T(1);
 }
 
-/// lagged *= stretch: what lags behind a displacement in steps that take so many times as many lattice steps now.
+/// lagged *= stretch: adapts what lags behind the displacement to steps that now take `stretch` times as many lattice
+/// steps.
 template <class T>
 void stretch_lagged(const Exec& exec, const Share& list, double stretch, const ScalarField<T>& lagged);
 
-/// `conduct`, and then what the flow adds to the populations of fluid nodes: on a host row by row, so that every part
-/// of one is finished while it is in the nearest cache, since the fluid nodes of rock lie scattered. `u` is the
-/// displacement in this step, `defect` (fluid) the e of kernels/scalar/advective_form.hpp for that in the heat step
-/// before, its even part weighed with even_defect_weight. `lagged` (fluid) is the state of its lag behind e: 0 at the
-/// start and at births, part of a checkpoint. `created` (row) grows
-/// by the energy that the advective form adds; `theta` as in `conduct`.
+/// `conduct`, followed by what the flow adds to the populations of fluid nodes. On a host this goes row by row, so that
+/// every part of a row is finished while it is in the nearest cache, because the fluid nodes of rock are scattered. `u`
+/// is the displacement in this step, `defect` (fluid) the e of kernels/scalar/advective_form.hpp for that of the heat
+/// step before, its even part weighted with even_defect_weight. `lagged` (fluid) is the e' that lags behind e
+/// (Convection in heat_kernels.hpp): 0 at the start and at births, part of a checkpoint. The energy that the advective
+/// form adds is added to `created` (row); `theta` as in `conduct`.
 template <class T>
 void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRows& rows,
                         const std::type_identity_t<Displacement<T>>& u, const ScalarField<T>& defect,

@@ -1,27 +1,28 @@
 #pragma once
-// Conduction in place, on a host: there the cache fetches what a store is about to overwrite, so that a second lattice
-// costs half as much traffic again, besides its memory.
+// Conduction in place, on a host. There the cache fetches what a store is about to overwrite, so that a second lattice
+// would cost half as much traffic again, besides its memory.
 //
-// Bands of rows go side by side, each of them upwards row by row. A node pulls old populations from its neighbours;
-// what is overwritten before it does is set aside: of the row being done what moves to the right, of the row below
-// what moves upwards, in lines that stay in the cache; and before any band begins, of the rows beside it what moves
-// into it. All else is still there. Afterwards every population is at its place, and no bit depends on the bands.
+// Bands of rows are computed side by side, each of them row by row upwards. A node pulls old populations from its
+// neighbours. Those that are overwritten before that are set aside: from the current row what moves to the right and
+// from the row below what moves upwards, in lines that stay in the cache; and, before any band begins, from the rows
+// beside it what moves into it. All others are still there. Afterwards every population is at its place, and the
+// results do not depend on the bands, to the bit.
 #include "kernels/heat/heat_kernels.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 
 namespace vug {
 
-/// A row with the halo on either side.
+/// Copies a row with the halo on either side.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION void copy_line(const T* from, T* to, int nx) {
   VUG_VECTORISE
   for (int x = -1; x <= nx; ++x) to[x] = from[x];
 }
 
-/// The lines that a band sets aside, rows of the lattice's pitch. Per direction upwards there are two, in turn of the
-/// row below and of the row being done, and per direction downwards one, of the row above the band: together a tenth of
-/// a number per node on D2Q5, three tenths on D2Q9, for bands of 32 rows.
+/// The lines that a band sets aside, rows of the lattice's pitch. Per direction upwards there are two, alternately of
+/// the row below and of the current row, and per direction downwards one, of the row above the band. Together they are
+/// a tenth of a number per node on D2Q5 and three tenths on D2Q9, for bands of 32 rows.
 template <class T, class Set>
 struct BandLines {
   static constexpr int rising = Set::Q == D2Q9::Q ? 3 : 1;  ///< directions with c_y = 1; as many with -1
@@ -77,11 +78,13 @@ struct SetAsideBesideBand {
   }
 };
 
-/// Conducts a band of rows; what follows in every row, `rows`, gets each part of it while that is in the nearest cache.
+/// Conduction of a band of rows. `rows`, the work that follows in every row, gets each part of a row while it is in the
+/// nearest cache.
 template <class T, class Set, class Matter, class Rows>
 struct ConductBand {
-  /// Nodes of a row at a time, of which some things are staged in the nearest cache: four lines of it, since longer
-  /// segments ask the memory for one stream after the other, and shorter ones are mostly beginnings and ends.
+  /// Number of nodes of a row that are computed at a time, with some of their data staged in the nearest cache: four of
+  /// its lines. Longer segments read one memory stream after the other, and shorter ones are mostly beginnings and
+  /// ends.
   static constexpr int segment = 256 / sizeof(T);
 
   HeatBands<T, Set> bands;
@@ -101,11 +104,12 @@ struct ConductBand {
   }
 
  private:
-  /// Where a row has what, at x = 0. What moves to the right (direction 1) arrives from what `conduct` sets aside.
+  /// Pointers to the data of a row, at x = 0. What moves to the right (direction 1) arrives from what `conduct` sets
+  /// aside.
   struct Row {
     T* g[Set::Q];             ///< its populations
     const T* pulled[Set::Q];  ///< what arrives at it
-    T* kept[Set::Q];          ///< where it sets aside what moves upwards; of other directions not set
+    T* kept[Set::Q];          ///< where it sets aside what moves upwards; not set for other directions
     const std::uint8_t* kind;
   };
 
@@ -128,7 +132,8 @@ struct ConductBand {
     return row;
   }
 
-  /// Asks for what will be read some segments further on: the processor itself foresees too little of so many streams.
+  /// Prefetches what will be read some segments further on: the processor itself predicts too little of so many
+  /// streams.
   KOKKOS_FORCEINLINE_FUNCTION void prefetch_ahead(const Row& row, int start) const {
     constexpr int ahead = 6 * segment, line = 64 / sizeof(T);
     VUG_UNROLL
@@ -138,7 +143,7 @@ struct ConductBand {
     }
   }
 
-  /// Calls conducted(x) when the nodes before x are.
+  /// Conducts a row and calls conducted(x) when the nodes before x are done.
   template <class Conducted>
   KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Matter& local, const Conducted& conducted) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;

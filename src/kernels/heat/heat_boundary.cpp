@@ -70,18 +70,19 @@ struct FillSide {
   KOKKOS_FORCEINLINE_FUNCTION static bool crosses(int outward, int q) {
     return Set::c(q, 0) * Set::c(outward, 0) + Set::c(q, 1) * Set::c(outward, 1) == 1;
   }
-  /// True where a diagonal link leaves through a corner that is another side's.
+  /// True where a diagonal link leaves through a corner that belongs to another side.
   KOKKOS_FUNCTION bool lost_corner(int node, int q) const {
     const int step = along(side.outward, q);
     return solid(node + step * side.stride) == outside_lattice && !(step < 0 ? side.lower_corner : side.upper_corner);
   }
-  /// On D2Q9: true where another side begins. Between two outflows that took back conduction there waves would grow
-  /// (OutflowStability).
+  /// On D2Q9: true where another side begins. An outflow subtracts no conduction there: between two that did, waves
+  /// would grow (OutflowStability).
   KOKKOS_FUNCTION bool at_corner(int node) const {
     return solid(node - side.stride) == outside_lattice || solid(node + side.stride) == outside_lattice;
   }
-  /// What leaves and will arrive through the diagonal link q of a node: with a mirror, what leaves the next node of the
-  /// same kind and of this stretch by the link that crosses q.
+  /// The population that leaves through link q of a node and determines what arrives. At a mirror, for a diagonal link,
+  /// it is the one that leaves the next node by the link that crosses q, if that node is of the same kind and of this
+  /// stretch.
   KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
     const int step = along(side.outward, q), plane = links.around.lattice.size();
     const int next = node + step * side.stride;

@@ -5,17 +5,17 @@
 
 namespace vug {
 
-/// One link that crosses a side, as its law sees it.
+/// Data of one link that crosses a side, for its law.
 template <class T>
 struct SideLink {
   T leaving;   ///< A, the population that leaves through it, or that a mirror sends back through it
   T inward;    ///< the node's own population of the opposite direction
   T weight;    ///< w of the velocity set
-  T share;     ///< of what enters at the node, of a mineral over its heat capacity
-  bool solid;  ///< of the one solid that there is
+  T share;     ///< of what enters at the node; for minerals, over the heat capacity
+  bool solid;  ///< the node is solid, where there is one solid
   bool rock;   ///< nothing flows at the node
-  T paired;    ///< half of what leaves and comes in at equilibrium, over theta: w, more where fluid crosses on D2Q9
-  T slope;     ///< outflow_slope(tau) times the rise of the temperature from the node before; only if the law asks
+  T paired;    ///< half of what leaves and comes in at equilibrium, over theta: w, but more where fluid crosses on D2Q9
+  T slope;     ///< outflow_slope(tau) times the rise of the temperature from the node before; only if the law needs it
 };
 
 /// in = A + share q / c.
@@ -29,7 +29,7 @@ struct FluxIn {
 };
 
 /// in = A + share h (theta_out - (in + A) / 2 paired) / c, solved for what comes in: Newton's law of cooling with the
-/// temperature that the wall plane then has. Large h: the temperature is given; none: nothing passes.
+/// resulting temperature of the wall plane. With a large h the temperature is given; with h = 0 nothing passes.
 template <class T>
 struct ConvectionIn {
   static constexpr bool mirrors = true, looks_inside = false, has_plane = true;
@@ -50,10 +50,10 @@ struct TemperatureIn {
   }
 };
 
-/// Conducts nothing: in rock in = A. In fluid, which carries heat out, in = the node's own inward population without
-/// what it conducts. At the node the temperature rises half as much as it has since the node before, with the plane of
-/// the side beyond, where it does not: (tau - 1) w of that has the inward population too little, and as much has what
-/// leaves too little. Taken over as it is, it lets heat out as if the fluid went on for 2 (tau - 1) nodes.
+/// No conduction: in rock in = A. In fluid, which carries heat out, in = the node's own inward population less what it
+/// conducts. The gradient at the node is half of that between the node before and this one, because there is none at
+/// the plane of the side beyond. The inward population lacks (tau - 1) w of it, and so does the one that leaves. The
+/// inward population unchanged would let heat out as if the fluid continued for 2 (tau - 1) nodes.
 template <class T>
 struct OutflowIn {
   static constexpr bool mirrors = true, looks_inside = true, has_plane = false;
@@ -62,7 +62,7 @@ struct OutflowIn {
   }
 };
 
-/// SideLink::slope at the link q of a node; none where the node before is of another kind of matter.
+/// SideLink::slope at the link q of a node; 0 where the node before is of another kind of matter.
 template <class T, class Set, class Kinds>
 KOKKOS_FUNCTION T slope_from(const Kinds& kinds, const ScalarField<T>& g, const DenseNeighbour& around, int node,
                              int q) {
@@ -114,7 +114,7 @@ ConditionOf condition_of(const Boundary& boundary, double capacity_ratio) {
 /// A stretch of a side, from its first node; of `count` nodes those from number `begin` on are filled.
 struct SideEntry : ConditionOf {
   int first, count, begin, stride, outward;
-  bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that are its
+  bool whole, lower_corner, upper_corner;  ///< a whole side; the corners that belong to it
 };
 
 /// The links into an opening.
@@ -124,7 +124,7 @@ struct OpeningEntry : ConditionOf {
   const double* area;
 };
 
-/// The links that cross sides and openings, of which each law sees one at a time.
+/// The links that cross sides and openings. Laws get them one at a time.
 template <class T, class Velocities, class Kinds>
 struct HeatLinks {
   using Set = Velocities;
@@ -133,7 +133,7 @@ struct HeatLinks {
   HeatCrossing<T> through;
   ScalarField<T> g;
 
-  /// What arrives at a node through its link q by a law, of what leaves. `level`: the law sees no slope there.
+  /// What arrives at a node through its link q by a law, when `leaving` leaves. With `level` the slope counts as 0.
   template <class Law>
   KOKKOS_FORCEINLINE_FUNCTION T arriving(const Law& law, int node, int q, T leaving, T share, bool level) const {
     SideLink<T> link{leaving,
@@ -150,7 +150,7 @@ struct HeatLinks {
   }
 };
 
-/// visit(the HeatLinks of the fields).
+/// Calls visit(links) with the HeatLinks of the fields.
 template <class T, class Visit>
 void visit_links(const HeatFields<T>& fields, const HeatCrossing<T>& crossing, const Visit& visit) {
   visit_velocity_set(fields.velocity_set, [&](auto set) {

@@ -1,14 +1,15 @@
 #pragma once
-// Convection and temperatures on a host, right behind the conduction of a row: row(y) is what follows it, up_to(end)
-// when the nodes of the row before dense node `end` are conducted, and end() after the last of them.
+// Convection and temperatures on a host, directly after the conduction of a row: row(y) is what follows in row y. Its
+// up_to(end) is called when the nodes of the row before dense node `end` are conducted, its end() after the last of
+// them.
 #include "kernels/heat/heat_kernels.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 
 namespace vug {
 
-/// A pack of neighbours at a time: in rock two or three of them are fluid, but what is dense is read and written in
-/// whole registers. The others come out as they were: nothing moves there.
+/// Convection by packs of consecutive nodes. In rock two or three nodes of a pack are fluid, but dense fields are read
+/// and written in whole registers. The other nodes stay as they were: nothing moves there.
 template <class T, class Set>
 struct ConvectRows {
   Advect<T, Set> advect;
@@ -37,8 +38,8 @@ struct ConvectRows {
   KOKKOS_FORCEINLINE_FUNCTION Row row(int y) const { return {*this, advect, y, rows.first(y), rows.first(y + 1)}; }
 
  private:
-  /// What comes later in the list and in the fluid's fields: beside the streams of conduction the processor does not
-  /// foresee these.
+  /// Prefetches later parts of the list and of the fluid's fields: beside the streams of conduction the processor does
+  /// not predict these.
   KOKKOS_FORCEINLINE_FUNCTION static void announce(const Advect<T, Set>& at, const WetPack& pack) {
     constexpr int packs_ahead = 16, nodes_ahead = 64;
     prefetch(&pack + packs_ahead);
@@ -93,7 +94,7 @@ struct NoConvection {
   KOKKOS_FORCEINLINE_FUNCTION Row row(int) const { return {}; }
 };
 
-/// What follows in a row, and then the temperatures of what is done, if there is a place for them.
+/// What follows in a row, and then the temperatures of the nodes that are done, if there is a field for them.
 template <class T, class Set, class Rows>
 struct ThenTemperatures {
   Rows rows;

@@ -30,7 +30,7 @@ KOKKOS_FORCEINLINE_FUNCTION void conduct_node(T (&g)[Set::Q], const T (&pulled)[
 }
 
 /// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
-/// `inside_opening`), that of the node itself. D2Q5 without openings never meets such.
+/// `inside_opening`), that of the node itself. D2Q5 without openings never meets such a node.
 template <class T, class Set, bool Openings>
 KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
   if constexpr (Set::Q == D2Q5::Q && !Openings)
@@ -39,8 +39,8 @@ KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
     return beyond > 1 ? solid : beyond;
 }
 
-/// What the nodes are made of, for the conduction at one of them: fluid and one solid. `kind` is a byte per node, of
-/// which `staged` makes what the law takes for here and beyond.
+/// The matter of the nodes, for the conduction at one of them: fluid and one solid. `kind` is a byte per node. `staged`
+/// converts it to the number that the law takes for the node and for those beyond its links.
 template <class T, class Set, bool Openings>
 struct TwoPhases {
   T fluid_rate, rate_step, reflection;
@@ -62,7 +62,7 @@ struct TwoPhases {
   }
 };
 
-/// Fluid and minerals: what is staged are heat capacities.
+/// Fluid and minerals: the staged numbers are heat capacities.
 template <class T, class Set>
 struct ManyMinerals {
   Kokkos::View<const std::uint8_t*> kind;
@@ -122,11 +122,11 @@ Conduct<T, Set, Matter> conduct_body(const HeatFields<T>& fields, const Matter& 
 
 /// What the flow adds to the post-collision populations of one fluid node; the collision is linear, so this may follow
 /// conduction. Carried: g_q* += s w_q T 3 c_q.u, and on D2Q9 the even part of the equilibrium with its own rate, 2 - s.
-/// Towards solid and closed sides that part stays at its node, in the population at rest: only conducted heat crosses a
-/// wall. The advective form (advective_form.hpp) takes T e' from the
-/// population at rest before the collision, e' being what streaming has added to a uniform temperature: the carried
-/// part builds up over the relaxation time, so e' lags behind e in the same way, e' = (1 - s) e' + s e. A uniform
-/// temperature then stays uniform to round-off in any flow, steady or not. V is T or a pack of such numbers.
+/// Towards solid and closed sides this part stays at its node, in the population at rest: only conducted heat crosses a
+/// wall. The advective form (advective_form.hpp) subtracts T e' from the population at rest before the collision, e'
+/// being what streaming has added to a uniform temperature: the carried part builds up over the relaxation time, so e'
+/// lags behind e in the same way, e' = (1 - s) e' + s e. A uniform temperature then stays uniform to round-off in any
+/// flow, steady or not. V is T or a pack of such numbers.
 template <class T, class Set>
 struct Convection {
   T rate;  ///< s of the fluid
@@ -141,7 +141,7 @@ struct Convection {
   KOKKOS_FORCEINLINE_FUNCTION static V added(const V& temperature, const V& lagged) {
     return -temperature * lagged / (T(1) + lagged);
   }
-  /// What the flow carries along direction q, over w_q, at the temperature with what is added.
+  /// What the flow carries along direction q, over w_q. `temperature` includes what is added.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION V carried(int q, const V& temperature, const V& ux, const V& uy) const {
     const V odd = T(3) * along(q, ux, uy);
@@ -150,15 +150,14 @@ struct Convection {
     else
       return temperature * (rate * odd + (2 - rate) * scalar_even_part<T>(q, ux, uy));
   }
-  /// What is added to population q, over w_q; nothing is carried towards walls.
+  /// What is added to population q, over w_q; `carried` is 0 towards walls.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION V change(const V& added, const V& carried) const {
     return (2 - rate) * added + carried;
   }
 };
 
-/// Convection at one fluid node; what is not added to other populations is taken from the one at rest. Returns the
-/// energy added.
+/// Convection at one fluid node; the population at rest gets what is not added to the others. Returns the energy added.
 template <class T, class Set>
 struct Advect {
   Convection<T, Set> law;

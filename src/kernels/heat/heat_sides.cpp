@@ -1,4 +1,4 @@
-// Which stretches of the sides have which condition for the heat, and whose the corners are.
+// The stretches of the sides with their conditions for the heat, and the assignment of corners to them.
 #include "kernels/base/require.hpp"
 #include "kernels/heat/heat_boundary.hpp"
 #include "kernels/launch/launch.hpp"
@@ -15,7 +15,7 @@ HeatSide make_heat_side(Side side, int first, int last, HeatCondition condition,
 
 namespace {
 
-/// Precedence at a corner: the higher has its diagonal links; of equals the left or right side.
+/// Precedence at a corner: the side of higher rank has its diagonal links; among equals, the left or right side.
 int rank(const HeatSide& side) {
   const bool flux = side.condition == HeatCondition::flux || side.condition == HeatCondition::convection;
   return side.condition == HeatCondition::adiabatic ? 0 : flux ? 1 : 2;

@@ -10,7 +10,7 @@ namespace vug {
 
 namespace {
 
-/// visit(Set{}, what the nodes are made of).
+/// Calls visit(Set{}, matter) with the matter of the nodes.
 template <class T, class Visit>
 void visit_matter(const HeatFields<T>& fields, const Visit& visit) {
   visit_velocity_set(fields.velocity_set, [&](auto set) {
@@ -37,7 +37,7 @@ void conduct_in_place(const Exec& exec, const HeatFields<T>& fields, const Matte
   Kokkos::parallel_for("vug::heat::rows", all, band);
 }
 
-/// What `body` does at the fluid node of an entry.
+/// Runs `body` at the fluid node of an entry.
 template <class Body>
 struct OfEntry {
   Body body;

@@ -78,7 +78,7 @@ void add_temperature_change(const Exec& exec, const HeatFields<T>& fields, const
   add_per_dense_row(exec, "vug::heat::amount", fields.lattice, rows, TemperatureAmount<T>{before}, amount);
 }
 
-/// Extremes of one node, of a row on a host: there in lanes, of which vectors take several.
+/// Extremes of one node, or on a host of a row: there in lanes, so that it vectorises.
 template <class T>
 struct Extremes {
   static constexpr int lanes = 128;

@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// Adds the energy of the nodes in our rows to `total` (row): theta in fluid, sigma theta in solid.
+/// Adds the energy of the nodes in the rows of this process to `total` (row): theta in fluid, sigma theta in solid.
 template <class T>
 void add_heat_energy(const Exec& exec, const HeatFields<T>& fields, const ScalarField<double>& total);
 
@@ -14,14 +14,14 @@ template <class T>
 void add_birth_energy(const Exec& exec, const HeatFields<T>& fields, const IndexList& list, int first, int last,
                       const ScalarField<double>& total);
 
-/// Of the nodes in our rows, change(row) += |theta - before| and amount(row) += |theta|; none in openings. before
-/// (node) is theta afterwards.
+/// For the nodes in the rows of this process, change(row) += |theta - before| and amount(row) += |theta|; nothing in
+/// openings. before (node) is theta afterwards.
 template <class T>
 void add_temperature_change(const Exec& exec, const HeatFields<T>& fields, const ScalarField<T>& before,
                             const ScalarField<double>& change, const ScalarField<double>& amount);
 
-/// Extremes of theta over our rows of the lattice and how many entries are not finite. Read on the host: for guards,
-/// not in a step.
+/// Extremes of theta over the rows of this process and the number of entries that are not finite. Read on the host: for
+/// guards, not in a step.
 struct HeatExtremes {
   double lowest = 0, highest = 0;
   int not_finite = 0;

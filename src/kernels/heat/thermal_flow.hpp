@@ -1,5 +1,5 @@
 #pragma once
-// What the temperature of the fluid does to its flow.
+// The effect of the fluid's temperature on its flow.
 #include "kernels/heat/heat.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -10,11 +10,12 @@ template <class T>
 void gather_temperatures(const Exec& exec, const FluidNodes& nodes, const HeatFields<T>& fields, int first,
                          const ScalarField<T>& theta);
 
-/// Mixes `share` of `before` into theta, the temperatures of now, which `before` becomes.
-/// For buoyancy: collisions keep the momentum along y that changes its sign from row to row and from step to step, and
-/// so does streaming, so that nothing damps it (as along x from column to column). What it carries of a gradient of
-/// temperature changes its sign alike, and one step later drives it on where the layers are stable, as N^2 dx^2 / 8
-/// kappa does per second, N the frequency of their waves. The mean of two steps, a share of 1/2, is blind to it.
+/// Mixes `share` of `before` into the present temperatures theta, and sets `before` to these as they were. For
+/// buoyancy: collisions and streaming both keep the momentum along y that changes its sign from row to row and from
+/// step to step, so that nothing damps it (nor that along x from column to column). The temperature that it carries
+/// along a gradient changes its sign in the same way and, one step later, drives it on where the layers are stable, by
+/// N^2 dx^2 / (8 kappa) per second, with N the frequency of their waves. The mean of two steps, share = 1/2, does not
+/// contain it.
 template <class T>
 void mix_with_before(const Exec& exec, const FluidNodes& nodes, double share, const ScalarField<T>& before,
                      const ScalarField<T>& theta);
@@ -41,7 +42,7 @@ struct ViscosityLaw {
   }
 };
 
-/// spread(i) = tau - 1/2 = 3 nu at the temperature theta(i), of the nodes of a list.
+/// spread(i) = tau - 1/2 = 3 nu at the temperature theta(i), for the nodes of a list.
 template <class T>
 void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta, const ViscosityLaw& law,
                 const ScalarField<T>& spread);
