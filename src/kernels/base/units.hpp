@@ -12,7 +12,7 @@ struct LatticeUnits {
   double time_step = 1;              ///< s
   double fluid_density = 1;          ///< kg/m3
   double reference_pressure = 0;     ///< Pa; lattice pressures are differences from it
-  double pressure_scale = 1;         ///< by which pressures on the lattice are too small
+  double pressure_scale = 1;         ///< factor by which pressures on the lattice are reduced
   double reference_temperature = 0;  ///< K; lattice temperatures are differences from it, in kelvin
   double concentration = 1;          ///< mol/m3 of one lattice unit of concentration
 

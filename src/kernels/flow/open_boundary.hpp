@@ -53,7 +53,7 @@ struct OutflowState {
   /// Entry 0: mean outward speed, remembered over the time in which sound crosses the lattice four times. Entry 1: rho'
   /// at the surface in this step. Zeros at rest.
   ScalarField<double> level;
-  ScalarField<double> along;  ///< (link) of straight links, work space: difference of rho' there from that value
+  ScalarField<double> along;  ///< (link) work space; of straight links: rho' there less that of `level`
   IndexList next, previous;   ///< (link) of straight links, those beside it on the same straight piece; -1: its ends
   IndexList face;             ///< (link) straight link of its node, for a straight link itself; -1: none
 };

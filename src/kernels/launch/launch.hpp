@@ -33,7 +33,7 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]
 /// list.
 struct Share {
   int n = 0;
-  int blocks = -1;             ///< number of own blocks; -1: all
+  int blocks = -1;             ///< number of blocks of this process; -1: all
   const int* block = nullptr;  ///< (own) their numbers, ascending
 
   Share(int items) : n(items) {}
@@ -158,7 +158,7 @@ using ShortExec = Exec;  // the Kokkos of a distribution may be without the seri
 
 /// On a host: runs body(first, last) for blocks [first, last) of `size` nodes of the list, which must be independent.
 /// The shortest lists run without waking other threads, which would take longer than the work. Where processes share
-/// the list, runs the own blocks of nodes_per_block instead.
+/// the list, runs the blocks of nodes_per_block of this process instead.
 template <class Body>
 void for_each_block(const Exec& exec, const std::string& label, const Share& list, const Body& body, int size) {
   const int n = list.n;

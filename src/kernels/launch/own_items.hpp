@@ -5,7 +5,7 @@
 
 namespace vug {
 
-/// Numbers the places in the own blocks consecutively.
+/// Numbers the places in the blocks of this process consecutively.
 struct OwnItems {
   Share list;
 

@@ -27,9 +27,9 @@ KOKKOS_FORCEINLINE_FUNCTION Real saturating_rate(Real k, Real b) {
   return bounded / (Real(1) + bounded * b);
 }
 
-/// Conductance of a link by the closed form of Eq. 7. With a = A/w, the outgoing populations over the weight: C_1w = a1
-/// - 3 k r, C_2w = a2 + 3 y k r, r = C_1w - q C_2w, J = 6 w k r. Hence J = conductance (A1 - q A2), in which w cancels.
-/// A1 - J and A2 + y J return. The balance is exact; |A1 - J| <= A1 for q = 0 and any k.
+/// Conductance of a link by the closed form of Eq. 7. With a = A/w, the outgoing populations over the weight:
+/// C_1w = a1 - 3 k r, C_2w = a2 + 3 y k r, r = C_1w - q C_2w, J = 6 w k r. Hence J = conductance (A1 - q A2), in which
+/// w cancels. A1 - J and A2 + y J return. The balance is exact; |A1 - J| <= A1 for q = 0 and any k.
 template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real kinetic_conductance(Real k, Real q, Real y = 1) {
   return Real(6) * saturating_rate(k, Real(3) * (Real(1) + q * y));

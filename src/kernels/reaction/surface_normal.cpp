@@ -11,8 +11,8 @@ namespace vug {
 
 /// A quadratic fitted to V over 5 x 5 nodes with weights w = exp(-(dx^2 + dy^2)/4): its gradient gives the normal, its
 /// second derivatives the curvature kappa (positive where the solid bulges). The reaction acts on the outline of the
-/// pixels, which lies outside the true surface by half the depth of what has dissolved of the pixel; that depth is (1 -
-/// V)/(|n_x| + |n_y|), 0.8 (1 - V) in the mean over all orientations. The outline is longer by the factor
+/// pixels, which lies outside the true surface by half the depth of what has dissolved of the pixel; that depth is
+/// (1 - V)/(|n_x| + |n_y|), 0.8 (1 - V) in the mean over all orientations. The outline is longer by the factor
 /// 1 + 0.4 (1 - V) kappa, and the normal is shortened by it.
 ///
 /// The gradient beside a flat wall is 0.34, beside a wall two pixels thick 0.17, and 0 across one of a single pixel,

@@ -37,8 +37,8 @@ SoluteCondition<T> flux_condition(const BoundaryLinks& links, const ScalarField<
                                   const SoluteFields<T>& s, const ScalarField<double>& gain);
 
 /// Outflow without gradient: h_in = the node's own population of the incoming direction, less its diffusive part,
-/// (tau_1 - 1) w_q times the rise of C from the node before. At the node the gradient is half of that rise, beyond it
-/// there is none, and both this population and the one that leaves lack this part.
+/// (tau_1 - 1) w_q times the rise of C from the node before. At the node the gradient is half of that rise, because
+/// beyond it there is none; this population and the one that leaves each lack (tau_1 - 1) w_q of it.
 template <class T>
 SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SoluteParameters& parameters,
                                      const SoluteFields<T>& s, const ScalarField<double>& gain);
