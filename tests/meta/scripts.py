@@ -1,4 +1,5 @@
 """Scripts that check or start something say what is wrong in one line, with the exit code that is due."""
+import json
 import os
 import pathlib
 import shutil
@@ -77,6 +78,35 @@ class Scripts(unittest.TestCase):
                                 (["--output=out"], "run case.toml --output=out\n"),
                                 (["--overwrite"], "run case.toml -o runs/case --overwrite\nplot runs/case\n")):
             self.assertEqual(self.call(script, "case.toml", *words).stdout, expected)
+
+    def test_matrix_reports_what_fails_and_goes_on(self):
+        """The cuda part has a folder of its own, since CMake keeps options; what ends a part ends no other."""
+        for name, text in (("scripts/setup.bash", "set -euo pipefail\nvug_root=$PWD\nvug_fail() { exit 1; }\n"
+                            'vug_build() { echo "build $*"; [[ $1 != cuda_check ]] || vug_fail; }\n'),
+                           ("bin/nvcc", "#!/bin/sh\n")):
+            (self.folder / name).parent.mkdir()
+            (self.folder / name).write_text(text)
+            os.chmod(self.folder / name, 0o755)
+        script = shutil.copy(ROOT / "scripts/ci-matrix", self.folder / "scripts")
+        path = f"{self.folder}/bin:{os.environ['PATH']}"
+        done = self.call(script, "cuda", "headers", env=os.environ | {"PATH": path})
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("build cuda_check --target all\n", done.stdout)
+        self.assertRegex(done.stdout, r"\ncuda +FAILED .*\nheaders +passed ")
+
+    def test_presets_are_whole(self):
+        """What can be configured can be built, and tested where it has tests; options of one are not those of another."""
+        presets = json.loads((ROOT / "CMakePresets.json").read_text())
+        options, names = {}, []
+        for preset in presets["configurePresets"]:
+            options[preset["name"]] = options.get(preset.get("inherits"), {}) | preset.get("cacheVariables", {})
+            if not preset.get("hidden"):
+                names.append(preset["name"])
+        self.assertEqual([preset["name"] for preset in presets["buildPresets"]], names)
+        self.assertEqual([preset["name"] for preset in presets["testPresets"]],
+                         [name for name in names if options[name].get("VUG_TESTS") != "OFF"])
+        self.assertEqual(options["cuda"] | {"VUG_TESTS": "OFF", "VUG_PERF": "OFF", "CMAKE_CXX_FLAGS_RELEASE": "-O0 -DNDEBUG"},
+                         options["cuda_check"])
 
 
 if __name__ == "__main__":
