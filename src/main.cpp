@@ -8,6 +8,7 @@
 #include "host/threads.hpp"
 #include "io/message.hpp"
 #include "io/run_record.hpp"
+#include "kernels/base/base.hpp"
 #include "kernels/base/require.hpp"
 #include "process.hpp"
 #include "ranks/mpi.hpp"
@@ -78,7 +79,8 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     if (const std::optional<int> code = vug::plain_command(app, line, std::cerr)) return *code;
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
-    settings.set_disable_warnings(true);  // about thread binding: see docs/scaling.md, "Threads"
+    // of a host about thread binding (see docs/scaling.md, "Threads"); of a GPU that the program is for another one
+    settings.set_disable_warnings(vug::shares_host_memory);
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
     const vug::ThreadChoice threads =
         vug::choose_threads(line.threads, looks_around, vug::ranks_on_these_processors(ranks));
