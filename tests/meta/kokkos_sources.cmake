@@ -1,5 +1,7 @@
-# Where Kokkos comes from, without the internet: a folder of archives, and a source tree that is kept with the project.
+# Where Kokkos comes from, without the internet: a folder of archives, and a source tree that is kept with the project. One
+# that was built before serves again only with the same compiler for GPUs and the same GPU.
 # cmake -DROOT=<project> -DWORK=<empty folder> -P kokkos_sources.cmake
+cmake_minimum_required(VERSION 3.25)
 include("${ROOT}/cmake/kokkos.cmake")
 
 file(REMOVE_RECURSE "${WORK}")
@@ -17,6 +19,27 @@ file(SHA256 "${WORK}/fetched.tar.gz" fetched)
 if(NOT fetched STREQUAL VUG_KOKKOS_SHA256)
   message(FATAL_ERROR "the archive in VUG_ARCHIVES was not taken")
 endif()
+
+# of those that were built before, the one for the GPU and of the nvcc that are asked for, in a folder configured before too
+set(VUG_BACKEND CUDA)
+set(CMAKE_CXX_COMPILER_ID GNU)
+set(CMAKE_CXX_COMPILER_VERSION 12.2.0)
+set(ENV{CUDA_ROOT} "${WORK}/cuda")
+function(require_kokkos NVCC VUG_GPU_ARCH)
+  file(WRITE "${WORK}/cuda/bin/nvcc" "#!/bin/sh\necho 'Cuda compilation tools, release ${NVCC}, V${NVCC}.88'\n")
+  file(CHMOD "${WORK}/cuda/bin/nvcc" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  set(prefix "${VUG_DEPS_DIR}/install-5.0.2-cuda-GNU12.2.0-${VUG_GPU_ARCH}-nvcc${NVCC}")
+  file(WRITE "${prefix}/lib/cmake/Kokkos/KokkosConfig.cmake" "function(kokkos_check)\nendfunction()\n")
+  file(WRITE "${prefix}/lib/cmake/Kokkos/KokkosConfigVersion.cmake" "set(PACKAGE_VERSION 5.0.2)\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n")
+  file(TOUCH "${prefix}/complete")
+  vug_provide_kokkos()
+  if(NOT Kokkos_DIR STREQUAL "${prefix}/lib/cmake/Kokkos")
+    message(FATAL_ERROR "nvcc ${NVCC} for ${VUG_GPU_ARCH} took ${Kokkos_DIR}")
+  endif()
+endfunction()
+require_kokkos(12.4 HOPPER90)
+require_kokkos(13.0 HOPPER90)
+require_kokkos(13.0 ADA89)
 
 # a vendored tree goes before everything, and says its version
 set(VUG_KOKKOS_SOURCE "${WORK}/kokkos-5.0.2")
