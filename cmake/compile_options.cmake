@@ -1,5 +1,6 @@
 # What every target of vug is compiled with: C++20, warnings (errors with VUG_WERROR), this machine's vector
-# instructions. Finite-math flags are refused: the guards of a run rest on NaN being NaN.
+# instructions. Finite-math flags are refused: the guards of a run rest on NaN being NaN. So is nvcc's -use_fast_math, which
+# fuses products and sums and rounds divisions as it likes.
 include_guard(GLOBAL)
 
 set(_werror OFF)
@@ -12,6 +13,9 @@ option(VUG_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
 if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} $ENV{CXXFLAGS}" MATCHES "-ffast-math|-ffinite-math-only|-Ofast")
   message(FATAL_ERROR "vug detects diverging runs by NaN: -ffast-math, -ffinite-math-only and -Ofast are refused")
+endif()
+if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} $ENV{CXXFLAGS} $ENV{NVCC_PREPEND_FLAGS} $ENV{NVCC_APPEND_FLAGS}" MATCHES "-use_fast_math")
+  message(FATAL_ERROR "vug's results have the same bits in every kernel: -use_fast_math is refused")
 endif()
 
 add_library(vug_options INTERFACE)
