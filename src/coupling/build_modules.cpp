@@ -9,7 +9,6 @@
 #include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
-#include "host/free_memory.hpp"
 #include "kernels/base/host_and_device.hpp"
 
 #include <fmt/format.h>
@@ -125,8 +124,7 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
 }  // namespace
 
 std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const Ranks& ranks) {
-  require_memory(bytes_of_lattice(scene),
-                 fmt::format("{}: a lattice of {} x {} nodes", scene.path, scene.lattice.nx, scene.lattice.ny));
+  require_memory_of_lattice(scene);
   auto parts = std::make_unique<Parts>();
   parts->units = units_of(scene);
   Geometry& geometry = parts->geometry;
@@ -148,9 +146,7 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const
   }
   geometry.openings = make_openings(scene, geometry.lattice);
   if (scene.flow || scene.solute) {
-    const std::int64_t fluid = count_fluid(geometry);
-    require_memory(bytes_of_fluid(scene, static_cast<double>(fluid)),
-                   fmt::format("{}: the fluid in {} nodes", scene.path, fluid));
+    require_memory_of_fluid(scene, count_fluid(geometry));
     geometry.fluid = make_fluid_nodes(exec, geometry.lattice, geometry.type, periodic_sides(scene));
     find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
     require_fluid_at_openings(exec, scene, geometry);

@@ -109,8 +109,11 @@ std::string memory_taken() {
 void require_memory(double bytes, const std::string& what) {
   const FreeMemory free = free_memory();
   if (bytes <= free.bytes) return;
-  throw MemoryError(what + " needs " + readable(bytes) + " of memory at least, and " + free.bound_by + " leaves " +
-                    readable(free.bytes));
+  refuse_memory(bytes, what, free.bound_by + " leaves " + readable(free.bytes));
+}
+
+void refuse_memory(double bytes, const std::string& what, const std::string& reason) {
+  throw MemoryError(what + " needs " + readable(bytes) + " of memory at least, and " + reason);
 }
 
 }  // namespace vug

@@ -26,4 +26,7 @@ std::string memory_taken();
 /// Throws MemoryError when `bytes` more than what is held do not fit: `what` needs at least so much, so much is free.
 void require_memory(double bytes, const std::string& what);
 
+/// Throws MemoryError: `what` needs `bytes` at least, which it cannot have for that reason.
+[[noreturn]] void refuse_memory(double bytes, const std::string& what, const std::string& reason);
+
 }  // namespace vug

@@ -4,7 +4,7 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/memory_need.hpp"
 #include "coupling/simulation.hpp"
-#include "host/free_memory.hpp"
+#include "host/device_memory.hpp"
 #include "host/memory.hpp"
 #include "kernels/base/require.hpp"
 #include "support/meshed_rock.hpp"
@@ -55,6 +55,24 @@ flow = { type = "velocity", velocity = [0.01, 0] }
 flow = { type = "outflow" }
 )";
 
+const std::string heat_alone = R"(
+[lattice]
+size = [200, 100]
+spacing = 1
+time_step = 1
+[time]
+steps = 1000
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "disc"
+centre = [60, 50]
+radius = 30
+[heat]
+fluid_diffusivity = 0.1
+solid_diffusivity = 0.1
+)";
+
 TEST(Limits, NumberIsToldFromTheBoundItBreaks) {
   EXPECT_EQ(warning_of({"flow", "number", 0.2, "1", 0, 0.1, "lower it"}),
             "flow: number = 0.2 is outside 0 to 0.1; lower it");
@@ -67,9 +85,11 @@ TEST(Limits, NumberIsToldFromTheBoundItBreaks) {
 /// What is predicted is at least needed, and most of what is taken.
 TEST(MemoryNeed, IsMostOfWhatIsTaken) {
   watch_allocations();
-  for (const std::vector<std::string>& overrides : std::vector<std::vector<std::string>>{
-           {}, {"accuracy.precision=single"}, {"solute.velocity_set=d2q9", "heat.velocity_set=d2q9"}}) {
-    const Scene scene = parse_scene(obstacle, "a.toml", overrides);
+  const std::vector<Scene> scenes{
+      parse_scene(obstacle, "a.toml"), parse_scene(obstacle, "a.toml", {"accuracy.precision=single"}),
+      parse_scene(obstacle, "a.toml", {"solute.velocity_set=d2q9", "heat.velocity_set=d2q9"}),
+      parse_scene(heat_alone, "a.toml")};
+  for (const Scene& scene : scenes) {
     const double before = allocated_bytes();
     const Simulation simulation(scene);
     const double taken = allocated_bytes() - before;
@@ -88,6 +108,21 @@ TEST(MemoryNeed, ThatCannotBeMetIsRefusedBeforeItIsTaken) {
     EXPECT_THAT(error.what(), testing::StartsWith("a case needs 888 PiB of memory at least, and "));
     EXPECT_THAT(error.what(), HasSubstr(" leaves "));
   }
+}
+
+/// A GPU's memory, here the host's, is asked by taking it. What stands for it with VUG_SEPARATE_MEMORY has no end, and
+/// the sanitizer ends who asks for too much.
+TEST(MemoryNeed, OfADeviceIsAskedByTakingIt) {
+  EXPECT_NO_THROW(require_room<Kokkos::HostSpace>(0, "a case"));
+  EXPECT_NO_THROW(require_room<Kokkos::HostSpace>(1e6, "a case"));
+#if !defined(VUG_SEPARATE_MEMORY) && !defined(__SANITIZE_ADDRESS__)
+  try {
+    require_room<Kokkos::HostSpace>(1e18, "a case");
+    ADD_FAILURE() << "accepted";
+  } catch (const MemoryError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("a case needs 888 PiB of memory at least, and the memory of "));
+  }
+#endif
 }
 
 TEST(Check, SaysWhatItMeasured) {

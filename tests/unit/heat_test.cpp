@@ -2,6 +2,7 @@
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/conjugate_link.hpp"
+#include "kernels/heat/heat_bands.hpp"
 #include "support/heat_box.hpp"
 
 #include <gtest/gtest.h>
@@ -43,6 +44,15 @@ TEST(HeatRates, RefuseWhatIsNotPositive) {
   EXPECT_THROW(heat_rates<double>({0, 1, 1}), InputError);
   EXPECT_THROW(heat_rates<double>({1, -1, 1}), InputError);
   EXPECT_THROW(heat_rates<double>({1, 1, std::nan("")}), InputError);
+}
+
+TEST(HeatFields, HaveAsManyLatticesAsAreCounted) {
+  for (const ScalarVelocitySet set : velocity_sets) {
+    const HeatBox<double> box(
+        10, 6, {0.1, 0.2, 2, set}, [](int, int) { return false; }, [](int, int) { return 1.0; });
+    const std::size_t slots = box.fields.lattice.size() * (set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q);
+    EXPECT_EQ(box.fields.g.size() + box.fields.g_next.size(), heat_lattices * slots);
+  }
 }
 
 /// The textbook form of one step: pull, both formulas of the link, two relaxation times; periodic, no flow.

@@ -13,6 +13,9 @@
 
 namespace vug {
 
+/// Number of lattices of populations that HeatFields holds; with two, a step reads one and writes the other.
+inline constexpr int heat_lattices = runs_on_host ? 1 : 2;
+
 /// Copies a row with the halo on either side.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION void copy_line(const T* from, T* to, int nx) {
