@@ -11,8 +11,6 @@
 #include "coupling/solute_module.hpp"
 #include "kernels/base/host_and_device.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace vug {

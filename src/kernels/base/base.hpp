@@ -2,13 +2,14 @@
 // The few types that every layer shares: where kernels run and how fields are stored.
 #include <Kokkos_Core.hpp>
 
+#include <type_traits>
+
 namespace vug {
 
 using Exec = Kokkos::DefaultExecutionSpace;
 
-/// True where the host itself runs the kernels.
-inline constexpr bool shares_host_memory =
-    Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Exec::memory_space>::accessible;
+/// True where the host itself runs the kernels. Not where it may only read what a GPU writes (unified memory).
+inline constexpr bool shares_host_memory = std::is_same_v<Exec, Kokkos::DefaultHostExecutionSpace>;
 
 /// True where kernels take the forms made for a host, whose loops over nodes must vectorise. A build with
 /// VUG_DEVICE_PATH takes a GPU's forms everywhere, so that tests reach them on every machine.
