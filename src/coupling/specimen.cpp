@@ -2,6 +2,7 @@
 
 #include "coupling/memory_need.hpp"
 #include "coupling/rock_limits.hpp"
+#include "dem/extent.hpp"
 #include "dem/materials.hpp"
 #include "dem/require_edges.hpp"
 #include "host/free_memory.hpp"
@@ -12,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,19 +24,16 @@ namespace {
 /// Throws InputError unless a mesh has the height and the area of a disc, with flats as wide as the generator makes
 /// them at most: of 0.6 of the diameter they leave 0.8 of the height and 0.90 of the area, polygons a little less.
 void require_disc(const Scene& scene, const Assembly& mesh) {
-  double left = mesh.vertices[0][0], right = left, bottom = mesh.vertices[0][1], top = bottom, area = 0;
-  for (const auto& [x, y] : mesh.vertices) {
-    left = std::min(left, x), right = std::max(right, x);
-    bottom = std::min(bottom, y), top = std::max(top, y);
-  }
+  double area = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_of(mesh, static_cast<int>(t)).area();
-  const double width = right - left, height = (top - bottom) / width;
+  const Extent extent = extent_of(mesh);
+  const double width = extent.width(), height = extent.height() / width;
   const double filled = area / (std::numbers::pi / 4 * width * width);
   if (height < 0.79 || height > 1.01 || filled < 0.88 || filled > 1.02)
     throw InputError(fmt::format(
         "{}: {} is no disc, which test = \"brazilian\" splits: it is {:.3g} m wide and {:.3g} m high and fills "
         "{:.3g} of the circle of that width",
-        scene.path, *scene.rock->mesh, width, top - bottom, filled));
+        scene.path, *scene.rock->mesh, width, extent.height(), filled));
 }
 
 Assembly triangles_of_specimen(const Scene& scene) {
@@ -63,17 +60,12 @@ Assembly build_specimen(const Scene& scene) {
 
 namespace {
 
-double height_of(const Assembly& specimen) {
-  const auto [low, high] = std::minmax_element(specimen.vertices.begin(), specimen.vertices.end(),
-                                               [](const auto& a, const auto& b) { return a[1] < b[1]; });
-  return (*high)[1] - (*low)[1];
-}
-
 /// How fast heat strains a specimen over its height, as if it had its own mass. In heating 0.3, 1 and 3 m/s gave
 /// strengths of 98, 99 and 106 MPa, in a quench 0.02, 0.08, 0.2 and 0.8 m/s cracks 20, 20, 10 and 7 mm apart.
 Limit limit_of_heat(const Scene& scene, const Assembly& specimen) {
   const MechanicsParameters& rock = scene.mechanics->parameters;
-  const double growth = mean_expansion(rock, specimen) * scene.laboratory->temperature_change * height_of(specimen);
+  const double growth =
+      mean_expansion(rock, specimen) * scene.laboratory->temperature_change * extent_of(specimen).height();
   return {"laboratory",
           "speed of thermal strain over the height",
           growth / scene.laboratory->duration * std::sqrt(rock.mass_scaling),
@@ -89,7 +81,7 @@ double longest_test(const Scene& scene, const Assembly& specimen) {
   const LaboratorySection& laboratory = *scene.laboratory;
   if (laboratory.test == LaboratoryTest::heating || laboratory.test == LaboratoryTest::quench)
     return laboratory.duration;
-  return laboratory.largest_strain * height_of(specimen) / platen_speed(laboratory);
+  return laboratory.largest_strain * extent_of(specimen).height() / platen_speed(laboratory);
 }
 
 void require_platens(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {

@@ -1,5 +1,6 @@
 #include "dem/laboratory.hpp"
 
+#include "dem/extent.hpp"
 #include "dem/materials.hpp"
 #include "dem/soundness.hpp"
 #include "dem/splitting.hpp"
@@ -14,22 +15,6 @@
 namespace vug {
 
 namespace {
-
-/// Rectangle around the vertices.
-struct Extent {
-  double left, bottom, right, top;
-  double width() const { return right - left; }
-  double height() const { return top - bottom; }
-};
-
-Extent extent_of(const Assembly& assembly) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Extent e{far, far, -far, -far};
-  for (const auto& [x, y] : assembly.vertices) {
-    e = {std::min(e.left, x), std::min(e.bottom, y), std::max(e.right, x), std::max(e.top, y)};
-  }
-  return e;
-}
 
 /// Two groups of particles whose mean distance along an axis is watched.
 struct Gauge {

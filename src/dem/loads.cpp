@@ -1,39 +1,25 @@
 #include "dem/loads.hpp"
 
 #include "dem/edges.hpp"
+#include "dem/extent.hpp"
 #include "dem/require_edges.hpp"
 #include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vug {
 
 namespace {
 
-/// Corners of the rectangle around the rock: {left, bottom, right, top}.
-std::array<double, 4> bounding_box(const Assembly& assembly) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  std::array<double, 4> box{far, far, -far, -far};
-  for (const auto& triangle : assembly.triangles) {
-    for (const int v : triangle) {
-      const auto& point = assembly.vertices[static_cast<std::size_t>(v)];
-      box = {std::min(box[0], point[0]), std::min(box[1], point[1]), std::max(box[2], point[0]),
-             std::max(box[3], point[1])};
-    }
-  }
-  return box;
-}
-
 /// How far from a line a vertex may lie that counts as on it.
-double tolerance_of(const std::array<double, 4>& box) {
-  return 1e-6 * std::max(box[2] - box[0], box[3] - box[1]);
+double tolerance_of(const Extent& rock) {
+  return 1e-6 * std::max(rock.width(), rock.height());
 }
 
-int side_of(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 4>& box) {
-  const double tolerance = tolerance_of(box);
-  const std::array<double, 4> place{box[2], box[3], box[0], box[1]};  // order of RockSide
+int side_of(const std::array<double, 2>& p, const std::array<double, 2>& q, const Extent& rock) {
+  const double tolerance = tolerance_of(rock);
+  const std::array<double, 4> place{rock.right, rock.top, rock.left, rock.bottom};  // order of RockSide
   for (std::size_t side = 0; side < 4; ++side) {
     const std::size_t axis = side % 2;
     if (std::abs(p[axis] - place[side]) < tolerance && std::abs(q[axis] - place[side]) < tolerance) {
@@ -111,19 +97,19 @@ void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const s
 }  // namespace
 
 std::vector<BoundaryEdge> find_boundary(const Assembly& assembly) {
-  const auto box = bounding_box(assembly);
+  const Extent rock = extent_of(assembly);
   std::vector<BoundaryEdge> boundary;
   for (const Edge& edge : find_edges(assembly)) {
     if (edge.triangle[1] >= 0) continue;
     const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
     const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-    boundary.push_back({edge.triangle[0], edge.vertex, side_of(p, q, box)});
+    boundary.push_back({edge.triangle[0], edge.vertex, side_of(p, q, rock)});
   }
   return boundary;
 }
 
 bool faces_itself(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary) {
-  const double tolerance = tolerance_of(bounding_box(assembly));
+  const double tolerance = tolerance_of(extent_of(assembly));
   const auto place = [&](int v) {
     const auto& point = assembly.vertices[static_cast<std::size_t>(v)];
     return Vec2{point[0], point[1]};

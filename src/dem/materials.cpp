@@ -1,12 +1,12 @@
 #include "dem/materials.hpp"
 
 #include "dem/elasticity.hpp"
+#include "dem/extent.hpp"
 #include "dem/particles.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vug {
 
@@ -63,19 +63,15 @@ double least_normal_strength(const MechanicsParameters& parameters) {
 }
 
 double sound_crossing(const MechanicsParameters& parameters, const Assembly& assembly) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  double area = 0, slowness = 0, left = far, right = -far, bottom = far, top = -far;
+  double area = 0, slowness = 0;
   for (int t = 0; t < static_cast<int>(assembly.triangles.size()); ++t) {
     const Triangle triangle = triangle_of(assembly, t);
     const RockMaterial material = material_of(parameters, assembly, t);
     area += triangle.area();
     slowness += triangle.area() / wave_speed_of(material.bond, material.density);
-    for (const Vec2& corner : triangle.corner) {
-      left = std::min(left, corner.x), right = std::max(right, corner.x);
-      bottom = std::min(bottom, corner.y), top = std::max(top, corner.y);
-    }
   }
-  return std::max(right - left, top - bottom) * slowness / area * std::sqrt(parameters.mass_scaling);
+  const Extent rock = extent_of(assembly);
+  return std::max(rock.width(), rock.height()) * slowness / area * std::sqrt(parameters.mass_scaling);
 }
 
 void require_materials(const MechanicsParameters& parameters, const Assembly& assembly) {
