@@ -1,5 +1,6 @@
 #include "dem/quench.hpp"
 
+#include "dem/extent.hpp"
 #include "dem/soundness.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -71,11 +72,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
   parameters.local_damping = test.local_damping;
   Mechanics rock(slab, parameters, roller_at_the_mid_plane());
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
-  double left = slab.vertices[0][0], right = left, bottom = slab.vertices[0][1], top = bottom;
-  for (const auto& [x, y] : slab.vertices) {
-    left = std::min(left, x), right = std::max(right, x);
-    bottom = std::min(bottom, y), top = std::max(top, y);
-  }
+  const auto [left, bottom, right, top] = extent_of(slab);
   const SlabCooling cooling(test.drop, top - bottom, test.biot);
   QuenchResult result;
   result.time_step = test.step_fraction * rock.critical_step();
