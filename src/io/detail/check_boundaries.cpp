@@ -2,6 +2,7 @@
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/message.hpp"
+#include "io/periodic.hpp"
 
 #include <fmt/format.h>
 
@@ -78,9 +79,7 @@ void check_periodic(const TomlDocument& document, const Scene& scene, const char
   check_pair(document, "flow", name_a, a.flow.kind, name_b, b.flow.kind);
   check_pair(document, "heat", name_a, a.heat.kind, name_b, b.heat.kind);
   check_pair(document, "solute", name_a, a.solute.kind, name_b, b.solute.kind);
-  const bool periodic = a.flow.kind == FlowBoundaryKind::periodic || a.heat.kind == HeatCondition::periodic ||
-                        a.solute.kind == SoluteBoundaryKind::periodic;
-  if (!periodic) return;
+  if (!is_periodic(scene, a)) return;
   for (auto [name, side] : {std::pair{name_a, &a}, std::pair{name_b, &b}}) {
     if (scene.flow) join(document, "flow", name, side->flow.kind);
     if (scene.heat) join(document, "heat", name, side->heat.kind);
@@ -115,11 +114,7 @@ void check_injection(const TomlDocument& document, const Scene& scene, const Inj
                               injection.side, side));
   }
   for (const auto& [name, section] : sides(scene)) {
-    if (injection.side != name) continue;
-    const bool periodic = section.flow.kind == FlowBoundaryKind::periodic ||
-                          section.heat.kind == HeatCondition::periodic ||
-                          section.solute.kind == SoluteBoundaryKind::periodic;
-    if (periodic)
+    if (injection.side == name && is_periodic(scene, section))
       document.fail(injection.key + ".side", "is periodic; a stretch of it cannot have conditions of its own");
   }
 }

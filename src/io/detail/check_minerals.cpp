@@ -9,12 +9,17 @@
 namespace vug {
 namespace {
 
+std::string further_table(std::size_t i) {
+  return fmt::format("reaction.further.{}", i);
+}
+
 /// What an order other than one, a finite equilibrium and the paper's wall allow each other. `key` is the table that
-/// the rate stands in.
-void check_rate(const TomlDocument& document, const std::string& key, const RateLaw& rate, bool has_product,
-                ReactiveWallLaw wall) {
+/// the rate stands in, `reaction` that of the reaction, which names the product.
+void check_rate(const TomlDocument& document, const std::string& key, const RateLaw& rate, const std::string& reaction,
+                bool has_product, ReactiveWallLaw wall) {
   if (rate.inverse_equilibrium_constant > 0 && !has_product)
-    document.fail(key + ".equilibrium_constant", "needs a product: a reversible reaction runs back from it");
+    document.fail(key + ".equilibrium_constant",
+                  fmt::format("needs {}.product: a reversible reaction runs back from its product", reaction));
   if (rate.order == 1) return;
   if (rate.inverse_equilibrium_constant > 0)
     document.fail(key + ".order", "is not 1; that is only for reactions without an equilibrium_constant");
@@ -61,9 +66,9 @@ void check_minerals(const TomlDocument& document, Scene& scene) {
   if (reaction) {
     if (!reaction->further.empty() && reaction->wall == ReactiveWallLaw::paper)
       document.fail("reaction.wall", "is of one reactant; with [[reaction.further]] it must be \"kinetic\"");
-    check_rate(document, "reaction", *reaction, reaction->product.has_value(), reaction->wall);
+    check_rate(document, "reaction", *reaction, "reaction", reaction->product.has_value(), reaction->wall);
     for (std::size_t i = 0; i < reaction->further.size(); ++i)
-      check_rate(document, fmt::format("reaction.further.{}", i), reaction->further[i],
+      check_rate(document, further_table(i), reaction->further[i], further_table(i),
                  reaction->further[i].product.has_value(), reaction->wall);
   }
   for (std::size_t m = 0; m < scene.minerals.size(); ++m) {
@@ -71,8 +76,8 @@ void check_minerals(const TomlDocument& document, Scene& scene) {
     check_columns(document, scene, m);
     for (std::size_t r = 0; r < scene.minerals[m].rates.size(); ++r) {
       const auto& product = r == 0 ? reaction->product : reaction->further[r - 1].product;
-      check_rate(document, fmt::format("mineral.{}", m), scene.minerals[m].rates[r], product.has_value(),
-                 reaction->wall);
+      check_rate(document, fmt::format("mineral.{}", m), scene.minerals[m].rates[r],
+                 r == 0 ? "reaction" : further_table(r - 1), product.has_value(), reaction->wall);
     }
   }
 }
