@@ -1,5 +1,7 @@
 #include "io/form.hpp"
 
+#include "io/detail/circle.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,18 +12,13 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// A fraction for the tangent, good to 1e-3: how evenly the points lie.
-double tangent(double x) {
-  return x * (15 - x * x) / (15 - 6 * x * x);
-}
-
 std::vector<Point> circle(const Disc& disc, double edge) {
-  constexpr double quarter = 1.5707963267948966, whole = 0.7855044319574624;  // tangent(whole) = 1
+  constexpr double quarter = 1.5707963267948966, whole = 0.7855044319574624;  // detail::tangent(whole) = 1
   const int parts = std::max(2, static_cast<int>(std::lround(quarter * disc.radius / edge)));
   std::vector<Point> points;
   for (int turn = 0; turn < 4; ++turn)
     for (int i = 0; i < parts; ++i) {
-      const double t = tangent(whole * i / parts), x = (1 - t * t) / (1 + t * t), y = 2 * t / (1 + t * t);
+      const auto [x, y] = detail::on_circle(1, detail::tangent(whole * i / parts));
       const Point unit = turn == 0 ? Point{x, y} : turn == 1 ? Point{-y, x} : turn == 2 ? Point{-x, -y} : Point{y, -x};
       points.push_back({disc.centre[0] + disc.radius * unit[0], disc.centre[1] + disc.radius * unit[1]});
     }

@@ -2,6 +2,7 @@
 
 #include "io/assembly_quality.hpp"
 #include "io/detail/delaunay.hpp"
+#include "io/detail/disc_outline.hpp"
 #include "io/detail/poisson_disc.hpp"
 #include "io/detail/rock_outline.hpp"
 #include "kernels/base/require.hpp"

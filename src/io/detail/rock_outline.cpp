@@ -30,9 +30,9 @@ double nearest(const Line& line, Point p) {
   return std::clamp(((p[0] - line.from[0]) * dx + (p[1] - line.from[1]) * dy) / square, 0.0, 1.0);
 }
 
-std::optional<Box> hole_in_rock(Point length, const RockSection& rock) {
+std::optional<OrderedRectangle> hole_in_rock(Point length, const RockSection& rock) {
   if (!rock.hole) return std::nullopt;
-  Box box{};
+  OrderedRectangle box{};
   for (int axis = 0; axis < 2; ++axis) {
     const auto [low, high] = std::minmax(rock.hole->from[axis], rock.hole->to[axis]);
     box.low[axis] = std::clamp(low, 0.0, length[axis]);
@@ -64,7 +64,7 @@ Polygon polygon_of(const Form& form, const ElementSize& size) {
   return {outline_of(form, disc ? size({disc->centre[0] + disc->radius, disc->centre[1]}) : 1)};
 }
 
-std::vector<Line> box_lines(const Box& box) {
+std::vector<Line> box_lines(const OrderedRectangle& box) {
   const Point a = box.low, b{box.high[0], box.low[1]}, c = box.high, d{box.low[0], box.high[1]};
   return {{a, b, false}, {b, c, false}, {c, d, false}, {d, a, false}};
 }
@@ -224,7 +224,7 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
   for (const Notch& notch : rock.notches)
     lines.push_back({attached(notch.from, rims, size), attached(notch.to, rims, size), true});
 
-  const Box rock_box{{0, 0}, length};
+  const OrderedRectangle rock_box{{0, 0}, length};
   std::vector<Outline::Edge> pieces;
   for (const Line& line : lines) {
     const auto stops = meetings(line, lines, tolerance);
@@ -247,48 +247,6 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
     point_number(outline, corner, tolerance);  // also where the hole takes the corner: they span the triangulation
   for (const auto& piece : pieces) divide(outline, piece.a, piece.b, piece.notch, size);
   return outline;
-}
-
-DiscOutline disc_outline(double diameter, double flat_width, double edge) {
-  const double radius = diameter / 2, half_flat = flat_width * radius;
-  const double half_height = std::sqrt(radius * radius - half_flat * half_flat);
-  const Point centre{radius, half_height};
-  DiscOutline disc{{diameter, 2 * half_height}, {}};
-  Outline& outline = disc.outline;
-  outline.round = true;
-  outline.points = {{0, 0}, {diameter, 0}, disc.length, {0, 2 * half_height}};
-  // Points of the circle by its rational parametrisation p = tan(angle / 2), spaced by a fraction for the tangent that
-  // is good to 1e-3: no sines, the same bits everywhere.
-  const auto tangent = [](double x) { return x * (15 - x * x) / (15 - 6 * x * x); };
-  const double last = half_height / (radius + half_flat);
-  double low = 0, high = 1;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = (low + high) / 2;
-    (tangent(middle) < last ? low : high) = middle;
-  }
-  const auto on_arc = [&](double share) {  // from 0, at the side, to 1, at the end of the flat
-    const double p = tangent(share * low);
-    return Point{radius * (1 - p * p) / (1 + p * p), radius * 2 * p / (1 + p * p)};
-  };
-  const auto parts = [edge](double length) { return std::max(2L, std::lround(length / edge)); };
-  const long arc = parts(2 * low * radius), flat = parts(2 * half_flat);
-  std::vector<Point> quarter;  // from the side up to the end of the flat, relative to the centre
-  for (long i = 0; i <= arc; ++i) quarter.push_back(on_arc(static_cast<double>(i) / static_cast<double>(arc)));
-  quarter.back() = {half_flat, half_height};
-  std::vector<Point> ring;
-  for (long i = 0; i < arc; ++i) ring.push_back(quarter[static_cast<std::size_t>(i)]);
-  for (long i = 0; i < flat; ++i)
-    ring.push_back({half_flat * (1 - 2 * static_cast<double>(i) / static_cast<double>(flat)), half_height});
-  for (long i = arc; i > 0; --i)
-    ring.push_back({-quarter[static_cast<std::size_t>(i)][0], quarter[static_cast<std::size_t>(i)][1]});
-  const auto half = ring.size();
-  for (std::size_t i = 0; i < half; ++i) ring.push_back({-ring[i][0], -ring[i][1]});
-  const int first = static_cast<int>(outline.points.size());
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    outline.points.push_back({centre[0] + ring[i][0], centre[1] + ring[i][1]});
-    outline.edges.push_back({first + static_cast<int>(i), first + static_cast<int>((i + 1) % ring.size()), false});
-  }
-  return disc;
 }
 
 }  // namespace vug::detail

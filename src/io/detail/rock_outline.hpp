@@ -9,7 +9,7 @@
 namespace vug::detail {
 
 /// Rectangle, corners ordered.
-struct Box {
+struct OrderedRectangle {
   Point low, high;
   bool contains(Point p, double margin) const {
     return p[0] > low[0] - margin && p[1] > low[1] - margin && p[0] < high[0] + margin && p[1] < high[1] + margin;
@@ -28,7 +28,7 @@ class ElementSize {
   double relative(Point p) const;
   double distance(Point p) const;
 
-  std::optional<Box> hole_;
+  std::optional<OrderedRectangle> hole_;
   std::vector<Notch> notches_;
   std::vector<Polygon> holes_;
   double grading_ = 1, reach_ = 0, finest_ = 1;
@@ -40,7 +40,7 @@ struct Outline {
     int a, b;
     bool notch;
   };
-  std::optional<Box> hole;  ///< cut to the rock
+  std::optional<OrderedRectangle> hole;  ///< cut to the rock
   std::vector<Polygon> holes;
   double tie = 0;                ///< m, within which a point is on the rim of one of `holes`
   bool in_holes(Point p) const;  ///< in one of `holes` and not on its rim
@@ -51,13 +51,5 @@ struct Outline {
 };
 
 Outline rock_outline(Point length, const RockSection& rock, const ElementSize& size);
-
-/// A disc between flats of `flat_width` (over the diameter) at the top and the bottom of its rectangle, with edges of
-/// about `edge`.
-struct DiscOutline {
-  Point length;  ///< of the rectangle around it
-  Outline outline;
-};
-DiscOutline disc_outline(double diameter, double flat_width, double edge);
 
 }  // namespace vug::detail
