@@ -1,8 +1,8 @@
 #include "front/report.hpp"
 
 #include "io/checkpoint.hpp"
+#include "io/detail/checkpoint_names.hpp"
 #include "io/detail/files.hpp"
-#include "io/detail/step_names.hpp"
 #include "io/history_reader.hpp"
 #include "io/run_summary.hpp"
 #include "io/shell_word.hpp"
@@ -94,13 +94,7 @@ std::int64_t step_reached(const std::string& directory, const RunSummary& summar
 /// The newest sound checkpoint before a step.
 std::optional<Checkpoint> checkpoint_before(std::int64_t step, const std::string& directory,
                                             const RunSummary& summary) {
-  std::vector<fs::path> newest_first;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(directory + "/checkpoint", none))
-    if (entry.path().extension() == ".checkpoint" && detail::is_step_name(entry.path().stem().string()))
-      newest_first.push_back(entry.path());
-  std::sort(newest_first.rbegin(), newest_first.rend());
-  for (const fs::path& path : newest_first) try {
+  for (const fs::path& path : detail::checkpoints(directory + "/checkpoint")) try {
       Checkpoint checkpoint = Checkpoint::open(path.string(), {summary.case_hash, summary.run});
       if (checkpoint.step() < step) return checkpoint;
     } catch (const FileError&) {

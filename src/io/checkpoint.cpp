@@ -1,5 +1,6 @@
 #include "io/checkpoint.hpp"
 
+#include "io/detail/checkpoint_names.hpp"
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
@@ -27,7 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "VUGSTATE";
 constexpr std::uint64_t version = 2;
-constexpr std::string_view extension = ".checkpoint";
 
 std::size_t padding(std::size_t size) {
   return (8 - size % 8) % 8;
@@ -146,22 +146,6 @@ void require_sound(const detail::BinaryFile& file) {
   if (stored != digest.value()) fail("the checkpoint is damaged (its digest does not fit)");
 }
 
-// What has the name of a checkpoint in a folder, newest first: the names sort by step. A folder that cannot be read is
-// not one without checkpoints: whoever took it for such would begin anew where a run lies.
-std::vector<fs::path> checkpoints(const std::string& directory) {
-  std::vector<fs::path> paths;
-  std::error_code error;
-  if (fs::symlink_status(directory, error).type() == fs::file_type::not_found) return paths;
-  fs::directory_iterator entry;
-  if (!error) entry = fs::directory_iterator(directory, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (entry->path().extension() == extension && detail::is_step_name(entry->path().stem().string()))
-      paths.push_back(entry->path());
-  if (error) throw FileError(fmt::format("{}: cannot look for checkpoints: {}", directory, error.message()));
-  std::sort(paths.rbegin(), paths.rend());
-  return paths;
-}
-
 // What stands before the blocks, without a look at the digest.
 struct Header {
   std::int64_t step = 0;
@@ -199,7 +183,7 @@ bool is_of(const CheckpointOwner& owner, const fs::path& path) {
 void prune(const std::string& directory, std::int64_t step, const CheckpointOwner& owner) {
   std::error_code error;
   int kept = 0;
-  for (const auto& path : checkpoints(directory)) {
+  for (const auto& path : detail::checkpoints(directory)) {
     if (!is_of(owner, path)) continue;
     const bool later = path.stem().string() > detail::step_name(step);
     if (later || ++kept > 2) fs::remove(path, error);
@@ -213,7 +197,7 @@ void write_checkpoint(const std::string& directory, const StateList& state, std:
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw FileError(directory + ": cannot create the folder: " + error.message());
-  Writer out(fmt::format("{}/{}{}", directory, detail::step_name(step), extension));
+  Writer out(fmt::format("{}/{}", directory, detail::checkpoint_name(step)));
   out.raw(magic);
   out.word(version);
   out.word(step);
@@ -261,7 +245,7 @@ Checkpoint Checkpoint::open(const std::string& path, const CheckpointOwner& owne
 
 std::optional<Checkpoint> Checkpoint::latest(const std::string& directory, const CheckpointOwner& owner) {
   std::vector<std::string> refused;
-  for (const auto& path : checkpoints(directory)) {
+  for (const auto& path : detail::checkpoints(directory)) {
     try {
       auto checkpoint = open(path.string(), owner);
       checkpoint.refused_ = std::move(refused);

@@ -1,5 +1,6 @@
 #include "io/run_folder.hpp"
 
+#include "io/detail/checkpoint_names.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
 #include "io/run_record.hpp"
@@ -38,10 +39,6 @@ bool is_snapshot(const fs::path& path) {
   return path.extension() == ".h5" && (path.stem() == "rock" || detail::is_step_name(path.stem().string()));
 }
 
-bool is_checkpoint(const fs::path& path) {
-  return path.extension() == ".checkpoint" && detail::is_step_name(path.stem().string());
-}
-
 /// Files of a folder that a run has written, but for run.json.
 std::vector<fs::path> results_in(const std::string& folder) {
   std::vector<fs::path> found;
@@ -50,7 +47,7 @@ std::vector<fs::path> results_in(const std::string& folder) {
     for (const auto& entry : fs::directory_iterator(where, none))
       if (own(finished(entry.path())) && !entry.is_directory(none)) found.push_back(entry.path());
   };
-  add(folder + "/checkpoint", is_checkpoint);
+  add(folder + "/checkpoint", detail::is_checkpoint_name);
   add(folder + "/fields", is_snapshot);
   add(folder + "/particles", is_snapshot);
   add(folder, is_result);

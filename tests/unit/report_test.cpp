@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace vug {
 namespace {
 
@@ -96,6 +98,16 @@ TEST_F(Report, DoesNotTakeAFileThatHasChanged) {
   fs::copy_file(source + "/docs/quickstart.png", folder_ / "case/slice.tif", fs::copy_options::overwrite_existing);
   EXPECT_THAT(vug("report run").output, HasSubstr("case/slice.tif: not in the bundle: has changed since the run"));
   EXPECT_FALSE(fs::exists(folder_ / "run-report/case/slice.tif"));
+}
+
+TEST_F(Report, DoesNotTakeAFolderThatCannotBeReadForOneWithoutCheckpoints) {
+  ASSERT_EQ(vug("run " + rock + " --steps 120 -o run").exit_code, 0);
+  fs::remove_all(folder_ / "run/checkpoint");
+  std::ofstream(folder_ / "run/checkpoint") << "no folder";
+  const test::Outcome report = vug("report run");
+  EXPECT_EQ(report.exit_code, 4) << report.output;
+  EXPECT_THAT(report.output, HasSubstr("run/checkpoint: cannot look for checkpoints: Not a directory"));
+  EXPECT_FALSE(fs::exists(folder_ / "run-report"));
 }
 
 TEST_F(Report, RefusesAndLeavesNothing) {
