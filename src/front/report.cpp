@@ -1,5 +1,6 @@
 #include "front/report.hpp"
 
+#include "front/new_folder.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/checkpoint_names.hpp"
 #include "io/detail/files.hpp"
@@ -21,40 +22,6 @@ namespace vug {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that appears under its name when it is complete. Dropped before that, it leaves nothing behind.
-class NewFolder {
- public:
-  explicit NewFolder(const fs::path& path) : path_(path), temporary_(path.string() + ".tmp") {
-    if (fs::exists(path_)) throw InputError(path_.string() + ": is there already; -o DIR writes elsewhere");
-    if (!temporary_.parent_path().empty()) fs::create_directories(temporary_.parent_path());
-    if (!fs::create_directory(temporary_))
-      throw InputError(temporary_.string() + ": is in the way; remove it, or -o DIR writes elsewhere");
-    made_ = true;
-  }
-  NewFolder(const NewFolder&) = delete;
-  NewFolder& operator=(const NewFolder&) = delete;
-  ~NewFolder() {
-    std::error_code none;
-    if (made_) fs::remove_all(temporary_, none);
-  }
-  fs::path place(const fs::path& inside) const {
-    const fs::path path = temporary_ / inside;
-    fs::create_directories(path.parent_path());
-    return path;
-  }
-  void write(const fs::path& inside, const std::string& text) const {
-    detail::replace_file(place(inside).string(), text, false);
-  }
-  void commit() {
-    fs::rename(temporary_, path_);
-    made_ = false;
-  }
-
- private:
-  fs::path path_, temporary_;
-  bool made_ = false;
-};
 
 /// Where the case and its files lie in the bundle, so that the case finds them by the paths it says.
 struct CasePlaces {
