@@ -11,6 +11,7 @@
 #include "front/schema.hpp"
 #include "front/templates.hpp"
 #include "front/watch.hpp"
+#include "host/this_process.hpp"
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
 #include "process.hpp"

@@ -1,5 +1,7 @@
 #include "front/short_waits.hpp"
 
+#include "host/this_process.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <unistd.h>
@@ -8,9 +10,12 @@ namespace vug {
 
 void wait_briefly(char** argv) {
   if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
-  std::error_code unknown;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown && ::setenv("GOMP_SPINCOUNT", "10000", 0) == 0) ::execv(program.c_str(), argv);
+  try {
+    const std::string program = this_program();
+    if (::setenv("GOMP_SPINCOUNT", "10000", 0) == 0) ::execv(program.c_str(), argv);
+  } catch (const std::filesystem::filesystem_error&) {
+    return;  // unknown: it goes on as it is
+  }
 }
 
 }  // namespace vug

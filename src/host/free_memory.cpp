@@ -1,5 +1,7 @@
 #include "host/free_memory.hpp"
 
+#include "host/this_process.hpp"
+
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -98,10 +100,8 @@ FreeMemory free_memory() {
 }
 
 std::string memory_taken() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   const FreeMemory free = free_memory();
-  const std::string taken = readable(1024.0 * static_cast<double>(usage.ru_maxrss)) + " had been taken";
+  const std::string taken = readable(static_cast<double>(peak_memory_bytes())) + " had been taken";
   return free.bytes < unlimited ? taken + "; that given back, " + free.bound_by + " leaves " + readable(free.bytes)
                                 : taken;
 }

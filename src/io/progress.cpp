@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace vug {
@@ -21,10 +20,6 @@ std::string duration_text(double seconds) {
   if (s < 3600) return fmt::format("{} min {:02d} s", s / 60, s % 60);
   if (s < 86400) return fmt::format("{} h {:02d} min", s / 3600, s / 60 % 60);
   return fmt::format("{} d {} h", s / 86400, s / 3600 % 24);
-}
-
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock)

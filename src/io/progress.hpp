@@ -1,5 +1,7 @@
 #pragma once
 // How far the run is: a bar on a terminal, plain lines in a log.
+#include "host/this_process.hpp"
+
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -8,9 +10,6 @@
 #include <string_view>
 
 namespace vug {
-
-/// Seconds on a clock that never goes back.
-double steady_seconds();
 
 /// A duration as people say it: "42 s", "3 min 20 s", "5 h 07 min", "2 d 3 h"; "unknown" where there is none.
 std::string duration_text(double seconds);

@@ -1,5 +1,6 @@
 #include "io/run_folder.hpp"
 
+#include "host/this_process.hpp"
 #include "io/detail/checkpoint_names.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
@@ -76,14 +77,9 @@ void remove_file(const fs::path& file) {
   if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
 }
 
-std::string name_of_host() {
-  char host[256] = "";
-  return ::gethostname(host, sizeof(host) - 1) == 0 ? host : "an unnamed host";
-}
-
 /// Who this is, for those who find the folder locked.
 std::string name_of_process() {
-  return fmt::format("process {} on {} since {}", ::getpid(), name_of_host(), utc_now());
+  return fmt::format("process {} on {} since {}", ::getpid(), machine_name(), utc_now());
 }
 
 /// What a folder's lock says of its holder, as one harmless line.
@@ -125,7 +121,7 @@ InUse is_in_use(const std::string& directory, std::string* why) {
   }
   // some file systems keep the locks of each machine to itself, and answer here that it is free
   const std::string host = host_of(holder(lock.descriptor));
-  if (host.empty() || host == name_of_host()) return InUse::no;
+  if (host.empty() || host == machine_name()) return InUse::no;
   return unknown(fmt::format("its lock is of another machine, {}, and may not be seen from here", host));
 }
 

@@ -1,5 +1,6 @@
 #include "io/run_record.hpp"
 
+#include "host/this_process.hpp"
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
@@ -11,19 +12,8 @@
 
 #include <ctime>
 #include <random>
-#include <sys/resource.h>
 
 namespace vug {
-
-namespace {
-
-std::int64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t{1024} * usage.ru_maxrss;
-}
-
-}  // namespace
 
 InputFile digest_of_file(const std::string& path) {
   const detail::BinaryFile file(path);

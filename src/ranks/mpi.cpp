@@ -27,12 +27,6 @@ void let_first_end(const Ranks& ranks) {
   if (!ranks.first()) std::this_thread::sleep_for(patience);
 }
 
-std::string machine_name() {
-  char name[256] = "";
-  gethostname(name, sizeof(name) - 1);
-  return name;
-}
-
 namespace {
 
 /// What a variable of the environment says, 1 where that is no number; nothing where there is none.

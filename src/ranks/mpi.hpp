@@ -36,9 +36,6 @@ std::string mpi_library();
 /// by a message that this process sent itself when it first asked.
 bool takes_device_memory();
 
-/// The machine that this rank runs on.
-std::string machine_name();
-
 /// What the environment says of how many processes were started together; 1 where nobody did.
 int processes_started();
 

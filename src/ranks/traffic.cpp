@@ -1,10 +1,11 @@
 #include "ranks/traffic.hpp"
 
+#include "host/this_process.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #ifdef VUG_MPI
 #include <mpi.h>
@@ -14,19 +15,15 @@ namespace vug {
 
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Of this process.
 struct Counts {
   std::vector<Traffic> phases{{.phase = "elsewhere"}};
   int current = 0;
-  double since = now();
+  double since = steady_seconds();
 
   /// Ends the phase of now.
   void turn_to(int phase) {
-    const double time = now();
+    const double time = steady_seconds();
     phases[current].passed += time - since;
     since = time;
     current = phase;
@@ -73,7 +70,7 @@ Phase::~Phase() {
 }
 
 Exchange::Exchange(std::int64_t messages, std::int64_t bytes, std::int64_t collectives, std::int64_t collected)
-    : begun_(now()) {
+    : begun_(steady_seconds()) {
   Traffic& phase = counts().phases[counts().current];
   phase.messages += messages;
   phase.bytes += bytes;
@@ -82,7 +79,7 @@ Exchange::Exchange(std::int64_t messages, std::int64_t bytes, std::int64_t colle
 }
 
 Exchange::~Exchange() {
-  counts().phases[counts().current].waited += now() - begun_;
+  counts().phases[counts().current].waited += steady_seconds() - begun_;
 }
 
 const std::vector<Traffic>& traffic() {

@@ -1,8 +1,8 @@
 #include "study/pool.hpp"
 
 #include "host/interruption.hpp"
+#include "host/this_process.hpp"
 #include "io/message.hpp"
-#include "io/progress.hpp"
 #include "kernels/base/require.hpp"
 
 #include <cerrno>
@@ -10,7 +10,6 @@
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
-#include <filesystem>
 #include <map>
 #include <sched.h>
 #include <sys/prctl.h>
@@ -117,10 +116,6 @@ int processors() {
   CPU_ZERO(&set);
   const int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
   return count > 0 ? count : 1;
-}
-
-std::string this_program() {
-  return std::filesystem::read_symlink("/proc/self/exe").string();
 }
 
 }  // namespace vug

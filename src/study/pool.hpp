@@ -32,7 +32,4 @@ void run_jobs(
 /// Processors that this process may use.
 int processors();
 
-/// This program.
-std::string this_program();
-
 }  // namespace vug

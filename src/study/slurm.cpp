@@ -1,6 +1,6 @@
+#include "host/this_process.hpp"
 #include "io/shell_word.hpp"
 #include "study/members.hpp"
-#include "study/pool.hpp"
 #include "study/sweep.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "study/sweep.hpp"
 
 #include "host/interruption.hpp"
+#include "host/this_process.hpp"
 #include "io/detail/files.hpp"
 #include "kernels/base/require.hpp"
 #include "study/members.hpp"
