@@ -1,10 +1,9 @@
 #include "coupling/run_directory.hpp"
 
+#include "io/run_folder.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 #ifndef VUG_COMMIT
 #define VUG_COMMIT "unknown"
@@ -48,7 +47,7 @@ RunRecord first_record(const Scene& scene) {
 }
 
 std::string run_directory(const Scene& scene, const std::string& wanted) {
-  return wanted.empty() ? "runs/" + std::filesystem::path(scene.path).stem().string() : wanted;
+  return wanted.empty() ? results_directory(scene.path) : wanted;
 }
 
 }  // namespace vug

@@ -107,6 +107,10 @@ struct OpenFile {
 
 }  // namespace
 
+std::string results_directory(const std::string& file) {
+  return "runs/" + fs::path(file).stem().string();
+}
+
 InUse is_in_use(const std::string& directory, std::string* why) {
   const auto unknown = [&](const std::string& reason) {
     if (why) *why = reason;

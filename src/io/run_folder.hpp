@@ -7,6 +7,9 @@
 
 namespace vug {
 
+/// Where the results of a case or a study go unless told otherwise: "runs/" and the name of its file.
+std::string results_directory(const std::string& file);
+
 /// What a folder's lock tells of a process that writes there. `unknown`: the file system has no locks, or the lock was
 /// that of another machine, whose locks are not seen everywhere.
 enum class InUse { no, yes, unknown };

@@ -13,7 +13,7 @@ std::string slurm_script(const std::string& path, const SweepOptions& options) {
   namespace fs = std::filesystem;
   const Study study = read_study(path);
   const std::string name = fs::path(path).stem().string();
-  const std::string directory = options.directory.empty() ? "runs/" + name : options.directory;
+  const std::string directory = directory_of(path, options);
   const std::size_t count = members_of(study, directory).size();
   const std::string call =
       fmt::format("{} sweep {} -o {}", shell_word(this_program()), shell_word(fs::absolute(path).string()),

@@ -3,6 +3,7 @@
 #include "host/interruption.hpp"
 #include "host/this_process.hpp"
 #include "io/detail/files.hpp"
+#include "io/run_folder.hpp"
 #include "kernels/base/require.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
@@ -23,10 +24,6 @@ namespace vug {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string directory_of(const std::string& study, const SweepOptions& options) {
-  return options.directory.empty() ? "runs/" + fs::path(study).stem().string() : options.directory;
-}
 
 void make_directory(const std::string& path) {
   std::error_code error;
@@ -123,6 +120,10 @@ int write_tables(const Study& study, const std::vector<Member>& members, const s
 }
 
 }  // namespace
+
+std::string directory_of(const std::string& study, const SweepOptions& options) {
+  return options.directory.empty() ? results_directory(study) : options.directory;
+}
 
 int sweep(const std::string& path, const SweepOptions& options) {
   const Study study = read_study(path);

@@ -15,6 +15,9 @@ struct SweepOptions {
   std::ostream* warnings = nullptr;
 };
 
+/// Where the results of a study go.
+std::string directory_of(const std::string& study, const SweepOptions& options);
+
 /// Runs the members of the study, each as a process of its own with one thread, and writes table.csv and failures.csv.
 /// With `resume` those that are done or diverged stay as they are, and others continue from their checkpoints; the
 /// table is the same as that of a sweep that nothing has interrupted. With `only_table` nothing is run. Returns how
