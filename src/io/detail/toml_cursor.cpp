@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug {
 namespace {
@@ -139,6 +140,13 @@ std::int64_t TomlCursor::whole(const toml::node& node, const std::string& key, R
     document_->fail(key, fmt::format("must be a whole number {}", range.text()));
   }
   return value;
+}
+
+int TomlCursor::whole_int(const toml::node& node, const std::string& key, Range range) const {
+  const std::int64_t number = whole(node, key, range);
+  if (number > std::numeric_limits<int>::max()) document_->fail(key, "is too large: at most 2147483647 is accepted");
+  if (number < std::numeric_limits<int>::min()) document_->fail(key, "is too small: at least -2147483648 is accepted");
+  return static_cast<int>(number);
 }
 
 const toml::array& TomlCursor::array_of(const toml::node& node, const std::string& key, std::size_t size,

@@ -102,6 +102,7 @@ class TomlCursor {
   TimeTable time_table(const toml::node& node, const std::string& key, Unit unit, Range range) const;
   double number(const toml::node& node, const std::string& key, Unit unit, Range range) const;
   std::int64_t whole(const toml::node& node, const std::string& key, Range range) const;
+  int whole_int(const toml::node& node, const std::string& key, Range range) const;
   std::string word(std::string_view key, const std::string& fallback, const std::vector<std::string>& words) const;
   const toml::array& array_of(const toml::node& node, const std::string& key, std::size_t size,
                               std::string_view expected) const;

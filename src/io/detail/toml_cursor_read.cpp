@@ -118,19 +118,12 @@ void TomlCursor::read_curve(std::string_view key, std::vector<Point>& value, Uni
 
 void TomlCursor::read(std::string_view key, int& value, Range range) const {
   const auto* found = look_up({std::string(key), "whole number", "1", fmt::format("{}", value), range.text()});
-  if (found == nullptr) return;
-  const std::int64_t number = whole(*found, inside(key), range);
-  if (number > std::numeric_limits<int>::max()) fail(key, "is too large: at most 2147483647 is accepted");
-  if (number < std::numeric_limits<int>::min()) fail(key, "is too small: at least -2147483648 is accepted");
-  value = static_cast<int>(number);
+  if (found != nullptr) value = whole_int(*found, inside(key), range);
 }
 
 void TomlCursor::read(std::string_view key, std::optional<int>& value, Range range) const {
   const auto* found = look_up({std::string(key), "whole number", "1", "-", range.text()});
-  if (found == nullptr) return;
-  const std::int64_t number = whole(*found, inside(key), range);
-  if (number > std::numeric_limits<int>::max()) fail(key, "is too large: at most 2147483647 is accepted");
-  value = static_cast<int>(number);
+  if (found != nullptr) value = whole_int(*found, inside(key), range);
 }
 
 void TomlCursor::read(std::string_view key, std::int64_t& value, Range range) const {
@@ -153,12 +146,7 @@ void TomlCursor::read(std::string_view key, std::array<int, 2>& value, Range ran
       look_up({std::string(key), "two whole numbers", "1", fmt::format("[{}, {}]", value[0], value[1]), range.text()});
   if (found == nullptr) return;
   const auto& array = array_of(*found, inside(key), 2, "an array of two whole numbers");
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string name = fmt::format("{}.{}", inside(key), i);
-    const std::int64_t number = whole(*array.get(i), name, range);
-    if (number > std::numeric_limits<int>::max()) document_->fail(name, "is too large");
-    value[i] = static_cast<int>(number);
-  }
+  for (std::size_t i = 0; i < 2; ++i) value[i] = whole_int(*array.get(i), fmt::format("{}.{}", inside(key), i), range);
 }
 
 void TomlCursor::read(std::string_view key, bool& value) const {
@@ -176,7 +164,6 @@ void TomlCursor::read(std::string_view key, std::string& value) const {
 }
 
 void TomlCursor::read(std::string_view key, std::optional<std::string>& value) const {
-  std::string text;
   const auto* found = look_up({std::string(key), "text", "", "-", ""});
   if (found == nullptr) return;
   if (!found->is_string()) fail(key, "must be text in quotes");
