@@ -60,64 +60,56 @@ int moved_axes(const LoadedPiece& piece, const SidePart& part) {
   return both ? 3 : 1 << piece.side % 2;
 }
 
-}  // namespace
-
-bool TimedLoads::moves() const {
-  return std::any_of(parts.begin(), parts.end(), [](const SidePart& one) { return one.moves(); });
+/// Numbers of the parts that change or move among `timed`, to which they are added; -1 of the others.
+std::vector<int> number_parts(const std::vector<SidePart>& parts, std::vector<SidePart>& timed) {
+  std::vector<int> number(parts.size(), -1);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (!parts[p].changes && !parts[p].moves()) continue;
+    number[p] = static_cast<int>(timed.size());
+    timed.push_back(parts[p]);
+  }
+  return number;
 }
 
-std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
-                                           const Loads& loads, const Particles& particles,
-                                           const BoundaryLoads& at_start) {
-  TimedLoads timed;
-  std::vector<int> number(loads.parts.size(), -1);
-  for (std::size_t p = 0; p < loads.parts.size(); ++p) {
-    if (!loads.parts[p].changes && !loads.parts[p].moves()) continue;
-    number[p] = static_cast<int>(timed.parts.size());
-    timed.parts.push_back(loads.parts[p]);
-  }
-  if (timed.parts.empty()) return std::nullopt;
-  if (timed.parts.size() > most_timed_parts)
-    throw InputError("boundary: at most " + std::to_string(most_timed_parts) +
-                     " sides and parts of sides may change in time or move");
-  std::map<int, std::vector<LoadedPiece>> pieces;  // by particle
-  for (const LoadedPiece& piece : pieces_of_boundary(assembly, boundary, loads, particles))
-    if (piece.part >= 0 && number[static_cast<std::size_t>(piece.part)] >= 0) pieces[piece.particle].push_back(piece);
-
+/// The pieces of parts that change or move, those of a particle one behind the other.
+struct TimedPieces {
   std::vector<int> particle, row{0}, part, axes;
   std::vector<LoadedPiece> all;
-  for (const auto& [i, of_particle] : pieces) {
-    particle.push_back(i);
-    for (const LoadedPiece& piece : of_particle) {
-      const SidePart& own = loads.parts[static_cast<std::size_t>(piece.part)];
-      part.push_back(number[static_cast<std::size_t>(piece.part)]);
-      axes.push_back(moved_axes(piece, own));
-      all.push_back(piece);
+
+  TimedPieces(const std::vector<LoadedPiece>& boundary, const std::vector<SidePart>& parts,
+              const std::vector<int>& number) {
+    std::map<int, std::vector<LoadedPiece>> pieces;  // by particle
+    for (const LoadedPiece& piece : boundary)
+      if (piece.part >= 0 && number[static_cast<std::size_t>(piece.part)] >= 0) pieces[piece.particle].push_back(piece);
+    for (const auto& [i, of_particle] : pieces) {
+      particle.push_back(i);
+      for (const LoadedPiece& piece : of_particle) {
+        const SidePart& own = parts[static_cast<std::size_t>(piece.part)];
+        part.push_back(number[static_cast<std::size_t>(piece.part)]);
+        axes.push_back(moved_axes(piece, own));
+        all.push_back(piece);
+      }
+      row.push_back(static_cast<int>(part.size()));
     }
-    row.push_back(static_cast<int>(part.size()));
   }
-  timed.particle = to_device<IndexList>("vug::dem::timed_particle", particle);
-  timed.row = to_device<IndexList>("vug::dem::timed_row", row);
-  timed.part = to_device<IndexList>("vug::dem::timed_part", part);
-  timed.axes = to_device<IndexList>("vug::dem::timed_axes", axes);
-  timed.length = ScalarField<double>("vug::dem::timed_length", all.size());
-  timed.arm = VectorField<double>("vug::dem::timed_arm", all.size());
-  timed.force = VectorField<double>("vug::dem::timed_force", particle.size());
-  timed.moment = VectorField<double>("vug::dem::timed_moment", particle.size());
+};
+
+/// Length and arm of every piece, and what else acts on their particles: all at the start but these pieces.
+void fill(const TimedPieces& pieces, const BoundaryLoads& at_start, TimedLoads& timed) {
   const auto length = Kokkos::create_mirror_view(timed.length);
   const auto arm = Kokkos::create_mirror_view(timed.arm);
   const auto force = Kokkos::create_mirror_view(timed.force), moment = Kokkos::create_mirror_view(timed.moment);
   const auto first_force = on_host(at_start.force);
   const auto first_moment = on_host(at_start.moment);
-  for (std::size_t j = 0; j < particle.size(); ++j)
+  for (std::size_t j = 0; j < pieces.particle.size(); ++j)
     for (std::size_t c = 0; c < 2; ++c) {
-      force(j, c) = first_force(particle[j], c);
-      moment(j, c) = first_moment(particle[j], c);
+      force(j, c) = first_force(pieces.particle[j], c);
+      moment(j, c) = first_moment(pieces.particle[j], c);
     }
-  for (std::size_t j = 0; j < particle.size(); ++j)
-    for (int e = row[j]; e < row[j + 1]; ++e) {
-      const LoadedPiece& piece = all[static_cast<std::size_t>(e)];
-      const SidePart& own = timed.parts[static_cast<std::size_t>(part[static_cast<std::size_t>(e)])];
+  for (std::size_t j = 0; j < pieces.particle.size(); ++j)
+    for (int e = pieces.row[j]; e < pieces.row[j + 1]; ++e) {
+      const LoadedPiece& piece = pieces.all[static_cast<std::size_t>(e)];
+      const SidePart& own = timed.parts[static_cast<std::size_t>(pieces.part[static_cast<std::size_t>(e)])];
       const Vec2 f{piece.length * value_at(own.traction[0], 0), piece.length * value_at(own.traction[1], 0)};
       length(e) = piece.length;
       arm(e, 0) = piece.arm.x;
@@ -131,6 +123,33 @@ std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::
   Kokkos::deep_copy(timed.arm, arm);
   Kokkos::deep_copy(timed.force, force);
   Kokkos::deep_copy(timed.moment, moment);
+}
+
+}  // namespace
+
+bool TimedLoads::moves() const {
+  return std::any_of(parts.begin(), parts.end(), [](const SidePart& one) { return one.moves(); });
+}
+
+std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
+                                           const Loads& loads, const Particles& particles,
+                                           const BoundaryLoads& at_start) {
+  TimedLoads timed;
+  const std::vector<int> number = number_parts(loads.parts, timed.parts);
+  if (timed.parts.empty()) return std::nullopt;
+  if (timed.parts.size() > most_timed_parts)
+    throw InputError("boundary: at most " + std::to_string(most_timed_parts) +
+                     " sides and parts of sides may change in time or move");
+  const TimedPieces pieces(pieces_of_boundary(assembly, boundary, loads, particles), loads.parts, number);
+  timed.particle = to_device<IndexList>("vug::dem::timed_particle", pieces.particle);
+  timed.row = to_device<IndexList>("vug::dem::timed_row", pieces.row);
+  timed.part = to_device<IndexList>("vug::dem::timed_part", pieces.part);
+  timed.axes = to_device<IndexList>("vug::dem::timed_axes", pieces.axes);
+  timed.length = ScalarField<double>("vug::dem::timed_length", pieces.all.size());
+  timed.arm = VectorField<double>("vug::dem::timed_arm", pieces.all.size());
+  timed.force = VectorField<double>("vug::dem::timed_force", pieces.particle.size());
+  timed.moment = VectorField<double>("vug::dem::timed_moment", pieces.particle.size());
+  fill(pieces, at_start, timed);
   return timed;
 }
 
