@@ -87,10 +87,6 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
   require_vertices_exist(assembly);
   require_materials(parameters, assembly);
   if (assembly.triangles.empty()) throw InputError("rock assembly: no triangles, expected at least one");
-  if (!(parameters.contact.radius_factor > 0 && parameters.contact.radius_factor < 1)) {
-    throw InputError("mechanics.contact.radius_factor = " + std::to_string(parameters.contact.radius_factor) +
-                     ", expected between 0 and 1 (of the smallest inradius)");
-  }
   Particles p;
   p.radius = parameters.contact.radius_factor * smallest_inradius(assembly);
   allocate(p, static_cast<int>(assembly.triangles.size()));

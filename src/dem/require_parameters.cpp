@@ -51,6 +51,10 @@ void require_parameters(const MechanicsParameters& p) {
     require_between("material.thermal_expansion", material.thermal_expansion, -1e-2, 1e-2);
     require_bond(material.bond);
   }
+  const double radius = p.contact.radius_factor;
+  if (!(radius > 0 && radius < 1))
+    throw InputError("mechanics.contact.radius_factor = " + std::to_string(radius) +
+                     ", expected between 0 and 1 (of the smallest inradius)");
   require_positive("contact.normal_stiffness", p.contact.normal_stiffness);
   require_between("contact.tangential_stiffness", p.contact.tangential_stiffness, 0, unbounded);
   require_between("contact.friction", p.contact.friction, 0, unbounded);
