@@ -1,6 +1,7 @@
 #pragma once
 // One function per table of the case file: keys to struct. Each is called with the table's cursor only when the table
 // is there (or when the keys are being described); what tables demand of each other is in case_checks.hpp.
+#include "io/detail/plain_name.hpp"
 #include "io/detail/toml_cursor.hpp"
 #include "io/presets.hpp"
 #include "io/scene.hpp"
@@ -50,12 +51,6 @@ Preset read_preset(const TomlCursor& table);
 AccuracySection read_accuracy(const TomlCursor& table, Preset preset, bool may_age, bool flows);
 std::vector<Gauge> read_gauges(const TomlCursor& output);
 OutputSection read_output(const TomlCursor& table);
-
-/// Whether a name can be part of a data set's name and of `--set`.
-bool is_plain_name(const std::string& name);
-/// What is_plain_name asks for, for messages.
-inline constexpr const char* plain_name_rule =
-    "must begin with a letter and hold at most 40 letters, digits, '_', '+' or '-'";
 
 /// All tables of a case, in the order of docs/case-file.md.
 void read_tables(const TomlCursor& root, Scene& scene);

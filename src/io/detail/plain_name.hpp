@@ -1,0 +1,13 @@
+#pragma once
+// Names that a case may give.
+#include <string>
+
+namespace vug {
+
+/// Whether a name can be part of a data set's name and of `--set`.
+bool is_plain_name(const std::string& name);
+/// What is_plain_name asks for, for messages.
+inline constexpr const char* plain_name_rule =
+    "must begin with a letter and hold at most 40 letters, digits, '_', '+' or '-'";
+
+}  // namespace vug
