@@ -1,11 +1,8 @@
 // [flow], [heat], [solute], [reaction]: what fills the pores and what it does to their walls.
 #include "io/detail/case_tables.hpp"
 #include "io/detail/nearest_name.hpp"
-#include "kernels/base/gas_constant.hpp"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace vug {
 
@@ -37,19 +34,6 @@ void read_rate(const TomlCursor& table, const std::optional<SoluteSection>& solu
 }
 
 }  // namespace
-
-double FlowSection::viscosity_at(double temperature) const {
-  if (!viscosity_table.empty()) {
-    std::vector<double> at, value;
-    for (const auto& [kelvin, nu] : viscosity_table) {
-      at.push_back(kelvin);
-      value.push_back(nu);
-    }
-    return TimeTable(at, value).at(temperature);
-  }
-  return viscosity *
-         std::exp(viscosity_activation_energy / gas_constant * (1 / temperature - 1 / reference_temperature));
-}
 
 namespace {
 

@@ -1,0 +1,23 @@
+#include "io/scene/fluid.hpp"
+
+#include "io/time_table.hpp"
+#include "kernels/base/gas_constant.hpp"
+
+#include <cmath>
+
+namespace vug {
+
+double FlowSection::viscosity_at(double temperature) const {
+  if (!viscosity_table.empty()) {
+    std::vector<double> at, value;
+    for (const auto& [kelvin, nu] : viscosity_table) {
+      at.push_back(kelvin);
+      value.push_back(nu);
+    }
+    return TimeTable(at, value).at(temperature);
+  }
+  return viscosity *
+         std::exp(viscosity_activation_energy / gas_constant * (1 / temperature - 1 / reference_temperature));
+}
+
+}  // namespace vug
