@@ -7,6 +7,7 @@
 #include "coupling/run_directory.hpp"
 #include "coupling/tuning.hpp"
 #include "front/completion.hpp"
+#include "front/man_page.hpp"
 #include "front/report.hpp"
 #include "front/schema.hpp"
 #include "front/templates.hpp"

@@ -12,7 +12,4 @@ namespace vug {
 /// options of the program. Throws InputError for another shell.
 std::string completion_script(const CLI::App& app, const std::string& shell);
 
-/// A page for man(1), in mdoc, made from the same.
-std::string man_page(const CLI::App& app, const std::string& version);
-
 }  // namespace vug
