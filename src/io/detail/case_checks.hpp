@@ -25,5 +25,7 @@ void check_triangles(const TomlDocument& document, const RockSection& rock, doub
 
 /// Remarks on what is allowed but probably not meant.
 void collect_warnings(Scene& scene);
+/// Those on what fills the pores.
+void warn_about_pores(Scene& scene);
 
 }  // namespace vug

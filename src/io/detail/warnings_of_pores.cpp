@@ -1,0 +1,143 @@
+// Remarks on what a case may say of fluid, heat, solutes and their reaction but probably does not mean.
+#include "io/detail/case_checks.hpp"
+#include "io/form.hpp"
+#include "io/narrow_cracks.hpp"
+#include "io/periodic.hpp"
+#include "kernels/base/gas_constant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace vug {
+namespace {
+
+void warn_about_reaction(Scene& scene) {
+  const ReactionSection& reaction = *scene.reaction;
+  constexpr double likely = 273.15;  // K: the published 237.15 K with two digits exchanged
+  if (reaction.activation_energy > 0 && reaction.reference_temperature < 250) {
+    const double factor =
+        std::exp(reaction.activation_energy / gas_constant * (1 / reaction.reference_temperature - 1 / likely));
+    scene.warnings.push_back(
+        fmt::format("reaction.reference_temperature = {:g} K is below 250 K; the published table prints 237.15 K where "
+                    "{:g} K is likely meant, which makes the rate {:.3g} times as high",
+                    reaction.reference_temperature, likely, factor));
+  }
+  const auto still = [](const RateLaw& rate) { return rate.rate_constant == 0; };
+  bool nothing_reacts = still(reaction) && std::all_of(reaction.further.begin(), reaction.further.end(), still);
+  for (const MineralSection& mineral : scene.minerals)
+    nothing_reacts = nothing_reacts && std::all_of(mineral.rates.begin(), mineral.rates.end(), still);
+  if (nothing_reacts) scene.warnings.emplace_back("reaction.rate_constant is 0: nothing reacts");
+  if (scene.geometry.kind == GeometryKind::open) {
+    scene.warnings.emplace_back(
+        "[reaction] acts on walls of rock, and geometry.type = \"open\" has none but the sides");
+  }
+}
+
+/// Whether fluid may leave the lattice there at some time. `inward`: of a side, the axis and direction into the
+/// lattice.
+bool may_leave(const FlowBoundary& flow, std::optional<std::pair<int, int>> inward) {
+  if (flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow) return true;
+  if (flow.kind != FlowBoundaryKind::velocity) return false;
+  if (flow.flow_rate && flow.flow_rate->lowest() < 0) return true;
+  if (flow.mass_flow_rate && flow.mass_flow_rate->lowest() < 0) return true;
+  if (!inward) return flow.speed.lowest() < 0;
+  const auto& [axis, sign] = *inward;
+  return sign > 0 ? flow.velocity[axis].lowest() < 0 : flow.velocity[axis].highest() > 0;
+}
+
+/// Heat and solutes that nothing lets out with the fluid pile up at its outlet.
+void warn_about_outlets(Scene& scene) {
+  const auto look = [&](const std::string& key, const BoundarySection& at, std::optional<std::pair<int, int>> inward) {
+    if (!scene.flow || !may_leave(at.flow, inward)) return;
+    const auto remark = [&](const char* what, const char* given) {
+      scene.warnings.push_back(
+          fmt::format("{0} lets fluid out, but {1} is {2}: what the fluid carries there accumulates at the side; "
+                      "give {1} = {{ type = \"outflow\" }} where fluid leaves, or the value of what enters",
+                      key, what, given));
+    };
+    const HeatCondition heat = at.heat.kind;
+    if (scene.heat && heat == HeatCondition::adiabatic) remark("heat", "adiabatic");
+    if (scene.heat && heat == HeatCondition::flux) remark("heat", "a flux");
+    if (scene.heat && heat == HeatCondition::convection) remark("heat", "convection");
+    const SoluteBoundaryKind solute = at.solute.kind;
+    if (scene.solute && solute == SoluteBoundaryKind::no_flux) remark("solute", "without flux");
+    if (scene.solute && solute == SoluteBoundaryKind::flux) remark("solute", "a flux");
+  };
+  look("boundary.left", scene.left, std::pair{0, 1});
+  look("boundary.right", scene.right, std::pair{0, -1});
+  look("boundary.bottom", scene.bottom, std::pair{1, 1});
+  look("boundary.top", scene.top, std::pair{1, -1});
+  for (const InjectionSection& injection : scene.injections) {
+    const bool upright = injection.side == "left" || injection.side == "right";
+    const bool low = injection.side == "left" || injection.side == "bottom";
+    look(injection.key, injection.conditions, std::pair{upright ? 0 : 1, low ? 1 : -1});
+  }
+  for (const OpeningSection& opening : scene.openings)
+    look("boundary.shape." + scene.geometry.shapes[opening.shape].name, opening.conditions, std::nullopt);
+}
+
+/// A shape has no image beyond a joined side: what reaches over it is lost, unless the case draws it there as well.
+void warn_about_cut_shapes(Scene& scene) {
+  const auto& shapes = scene.geometry.shapes;
+  const std::array<bool, 2> joined{is_periodic(scene, scene.left), is_periodic(scene, scene.bottom)};
+  const std::array<double, 2> length{scene.lattice.length_x, scene.lattice.length_y};
+  const double slack = scene.lattice.spacing / 2;
+  const auto reach = [](const Form& form, int axis) {
+    const Box box = box_of(form);
+    return axis == 0 ? std::pair{box.x0, box.x1} : std::pair{box.y0, box.y1};
+  };
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto [low, high] = reach(shapes[i].form, axis);
+      const bool below = low + slack < 0;
+      const bool above = high - slack > length[axis];
+      if (!joined[axis] || below == above) continue;
+      const double image = low + (below ? length[axis] : -length[axis]);
+      if (std::any_of(shapes.begin(), shapes.end(),
+                      [&](const Shape& other) { return std::abs(reach(other.form, axis).first - image) < slack; }))
+        continue;
+      scene.warnings.push_back(fmt::format(
+          "geometry.shapes.{}{} reaches over the {} side, which is periodic, and is cut there: draw a second shape for "
+          "what should appear on the other side",
+          i, shapes[i].name.empty() ? "" : " (" + shapes[i].name + ")",
+          axis == 0 ? (below ? "left" : "right") : (below ? "bottom" : "top")));
+    }
+}
+
+/// What S does to pressures assumes that pathways are wider in metres the coarser the lattice.
+void warn_about_scaled_pressure(Scene& scene) {
+  if (!scene.flow || scene.flow->pressure_scale == 1 || !scene.rock) return;
+  const char* given = scene.rock->pathway_width                                        ? "rock.pathway_width"
+                      : scene.damage && scene.damage->aperture == ApertureLaw::opening ? "damage.aperture = \"opening\""
+                                                                                       : nullptr;
+  if (given)
+    scene.warnings.push_back(
+        fmt::format("flow.pressure_scale = {:g} compensates for pathways that are too wide on a coarse lattice, but {} "
+                    "gives them their true width: the flow through them is {:g} times too small",
+                    scene.flow->pressure_scale, given, scene.flow->pressure_scale));
+}
+
+/// A slit fills so slowly that its flow seems steady while it is not.
+void warn_about_held_slits(Scene& scene) {
+  if (scene.accuracy.flow_tolerance > 0 && has_cracks_below_a_cell(scene))
+    scene.warnings.emplace_back(
+        "accuracy.flow_tolerance: the flow is not held while there are cracks narrower than a cell: pressure enters "
+        "them too slowly for the flow to be seen as steady");
+}
+
+}  // namespace
+
+void warn_about_pores(Scene& scene) {
+  if (scene.reaction) warn_about_reaction(scene);
+  warn_about_outlets(scene);
+  warn_about_cut_shapes(scene);
+  warn_about_scaled_pressure(scene);
+  if (scene.flow) warn_about_held_slits(scene);
+}
+
+}  // namespace vug
