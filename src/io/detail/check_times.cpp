@@ -1,0 +1,37 @@
+// The end of a run and its intervals.
+#include "io/detail/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace vug {
+
+void check_times(const TomlDocument& document, const Scene& scene) {
+  const double step = scene.lattice.time_step;
+  const double slack = 1e-9 * step;
+  if (scene.time.end && *scene.time.end < step - slack) {
+    document.fail("time.end", fmt::format("is shorter than one lattice.time_step = {:g} s", step));
+  }
+  if (scene.time.end && *scene.time.end / step > 1e15) {
+    document.fail("time.end", fmt::format("is more than 1e15 steps of lattice.time_step = {:g} s", step));
+  }
+  const bool ages = scene.accuracy.dissolution_tolerance > 0;  // then steps say little of the time
+  const double end = scene.time.end ? *scene.time.end
+                     : ages         ? std::numeric_limits<double>::max()
+                                    : static_cast<double>(*scene.time.steps) * step;
+  const auto check_interval = [&](const char* key, const std::optional<double>& interval) {
+    if (!interval) return;
+    if (*interval < step - slack)
+      document.fail(key, fmt::format("is shorter than one lattice.time_step = {:g} s", step));
+    if (*interval > end + slack) document.fail(key, fmt::format("is longer than the whole run, {:g} s", end));
+  };
+  check_interval("output.interval", scene.output.interval);
+  check_interval("output.history_interval", scene.output.history_interval);
+  check_interval("output.checkpoint_interval", scene.output.checkpoint_interval);
+  if (scene.output.interval_steps && static_cast<double>(*scene.output.interval_steps) * step > end + slack) {
+    document.fail("output.interval_steps", fmt::format("is more than the whole run, {:.0f} steps", end / step));
+  }
+}
+
+}  // namespace vug
