@@ -21,7 +21,7 @@ LAWS = {
         bonds.cpp closest_point.hpp cohesion_fit.cpp contact_forces.hpp contact_law.hpp crack_aperture.cpp critical_step.cpp
         dissolved_rock.hpp elastic_energy.hpp elasticity.hpp energy.cpp forces.cpp gauges.cpp heterogeneity.hpp
         integrate.cpp laboratory.cpp linear_rock.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
-        particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp
+        mechanics_preload.cpp particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp
         static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp error_bars.cpp
         face_temperature.hpp flow_boundaries.cpp flow_limits.cpp flow_module.cpp flow_paths.cpp
