@@ -36,8 +36,6 @@ class Checkpoint {
   /// That of a file. Throws FileError when it is truncated, changed, no checkpoint, or somebody else's.
   static Checkpoint open(const std::string& path, const CheckpointOwner& owner);
 
-  /// Whether it has a block of that name: programs before may not have written it.
-  bool holds(const std::string& block) const;
   /// Loads the blocks that `state` names, in its order. May be called again with other lists: sizes that the first ones
   /// hold are known then. Throws FileError for a block that is not in the file or does not fit.
   void load(const StateList& state) const;

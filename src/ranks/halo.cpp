@@ -165,16 +165,6 @@ std::vector<int> Halo::taken_slots() const {
   const auto slot = on_host(lists_->take.slot);
   return {slot.data(), slot.data() + slot.extent(0)};
 }
-int Halo::given() const {
-  return lists_ ? lists_->give.count() : 0;
-}
-int Halo::neighbours() const {
-  if (!lists_) return 0;
-  std::vector<int> all = lists_->give.rank;
-  all.insert(all.end(), lists_->take.rank.begin(), lists_->take.rank.end());
-  std::sort(all.begin(), all.end());
-  return static_cast<int>(std::unique(all.begin(), all.end()) - all.begin());
-}
 
 #define VUG_INSTANTIATE(T, n)                                                            \
   template void Halo::exchange(const Exec&, const std::array<ScalarField<T>, n>&) const; \

@@ -25,12 +25,9 @@ class Halo {
   template <class T, std::size_t n>
   void exchange_back(const Exec& exec, const std::array<ScalarField<T>, n>& fields) const;
 
-  /// Slots that come here, and that go from here.
+  /// Slots that come here.
   int taken() const;
   std::vector<int> taken_slots() const;
-  int given() const;
-  /// Ranks that send to this one, and that it sends to.
-  int neighbours() const;
 
  private:
   struct Lists;

@@ -52,11 +52,11 @@ std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<
 }
 
 std::string xdmf_attributes(const Hdf5File& file, const std::string& file_name, const std::string& group,
-                            XdmfCentre centre, int bytes) {
+                            XdmfCentre centre) {
   std::string text;
   const auto prefix = file_name + ":/" + (group.empty() ? "" : group + "/");
   for (const auto& [name, shape] : file.datasets(group))
-    if (name != "vertices") text += xdmf_attribute(name, {prefix + name, shape, false, bytes}, centre);
+    if (name != "vertices") text += xdmf_attribute(name, {prefix + name, shape}, centre);
   return text;
 }
 

@@ -20,7 +20,6 @@ struct FieldLayout {
   std::vector<std::size_t> items;
   bool compress = true;
   static constexpr StoredAs type = StoredAs::float32;
-  static constexpr int bytes = 4;  ///< of a number
 
   void write(Hdf5File& file, const std::string& name, const Field& field, std::vector<Attribute> attributes) const;
 };
@@ -30,6 +29,6 @@ std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<
 
 /// XDMF attributes for all fields of a group ("" is the root) of the file that XDMF calls `file_name`.
 std::string xdmf_attributes(const Hdf5File& file, const std::string& file_name, const std::string& group,
-                            XdmfCentre centre, int bytes);
+                            XdmfCentre centre);
 
 }  // namespace vug::detail

@@ -33,7 +33,7 @@ std::string LatticeSnapshots::grid(const Hdf5File& file, const std::string& name
       "{}</DataItem>\n</Geometry>\n"
       "{}</Grid>\n",
       time, layout_.items[0], layout_.items[1], spacing_ / 2, spacing_ / 2, spacing_, spacing_, spacing_,
-      xdmf_attributes(file, name, "", XdmfCentre::node, layout_.bytes));
+      xdmf_attributes(file, name, "", XdmfCentre::node));
 }
 
 }  // namespace vug::detail

@@ -58,9 +58,6 @@ namespace range {
 constexpr Range any{};
 constexpr Range positive{.low = 0, .low_open = true};
 constexpr Range not_negative{.low = 0};
-constexpr Range at_least(double low) {
-  return {.low = low};
-}
 constexpr Range between(double low, double high) {
   return {.low = low, .high = high};
 }

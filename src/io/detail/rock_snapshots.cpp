@@ -119,14 +119,13 @@ void RockSnapshots::write_vertices(Hdf5File& file, const std::string& name, cons
 
 std::string RockSnapshots::part(const Hdf5File& file, const std::string& name, const std::string& items,
                                 const std::string& topology, std::size_t count, std::size_t corners) const {
-  const int bytes = layout_.bytes;
-  const XdmfArray connectivity{series_.file_name("rock") + ":/" + items, {count, corners}, true, 4};
-  const XdmfArray vertices{fmt::format("{}:/{}/vertices", name, items), {corners * count, 3}, false, bytes};
+  const XdmfArray connectivity{series_.file_name("rock") + ":/" + items, {count, corners}, true};
+  const XdmfArray vertices{fmt::format("{}:/{}/vertices", name, items), {corners * count, 3}};
   return fmt::format(
       "<Grid Name=\"{}\" GridType=\"Uniform\">\n<Topology {} NumberOfElements=\"{}\">\n{}</Topology>\n"
       "<Geometry GeometryType=\"XYZ\">\n{}</Geometry>\n{}</Grid>\n",
       items, topology, count, xdmf_item(connectivity), xdmf_item(vertices),
-      xdmf_attributes(file, name, items, XdmfCentre::cell, bytes));
+      xdmf_attributes(file, name, items, XdmfCentre::cell));
 }
 
 std::string RockSnapshots::grid(const Hdf5File& file, const std::string& name, double time) const {

@@ -6,8 +6,8 @@
 namespace vug::detail {
 
 std::string xdmf_item(const XdmfArray& array) {
-  return fmt::format("<DataItem Dimensions=\"{}\" NumberType=\"{}\" Precision=\"{}\" Format=\"HDF\">{}</DataItem>\n",
-                     fmt::join(array.shape, " "), array.integer ? "Int" : "Float", array.bytes, array.location);
+  return fmt::format("<DataItem Dimensions=\"{}\" NumberType=\"{}\" Precision=\"4\" Format=\"HDF\">{}</DataItem>\n",
+                     fmt::join(array.shape, " "), array.integer ? "Int" : "Float", array.location);
 }
 
 std::string xdmf_attribute(const std::string& name, XdmfArray array, XdmfCentre centre) {

@@ -9,8 +9,7 @@ namespace vug::detail {
 struct XdmfArray {
   std::string location;  ///< file.h5:/group/name, relative to the XDMF file
   std::vector<std::size_t> shape;
-  bool integer = false;
-  int bytes = 4;  ///< per value
+  bool integer = false;  ///< of four bytes, as all numbers
 };
 
 /// Where values are: at the cells of a grid, or at the nodes of a flat three-dimensional one, (1, rows, columns).
