@@ -84,7 +84,7 @@ bool Mechanics::preload_statically(const Exec& exec) {
     restore.push_back([copy, view] { Kokkos::deep_copy(view, copy); });
   });
   const BondCounts before = bond_counts();
-  const bool found = find_static_equilibrium(exec, parameters_, grid_, loads_, particles_, bonds_, contacts_).found;
+  const bool found = find_static_equilibrium(exec, parameters_, grid_, loads_, particles_, bonds_, contacts_);
   const BondCounts after = bond_counts();
   if (!found || after.damaged != before.damaged || after.failed() != before.failed()) {
     for (const auto& put_back : restore) put_back();

@@ -90,16 +90,16 @@ class Search {
         slip_("vug::dem::slip_before", static_cast<std::size_t>(bonds.count)),
         stretch_("vug::dem::stretch_before", contacts.stretch.extent(0)) {}
 
-  StaticEquilibrium operator()() {
+  bool operator()() {
     const BondCounts bonds = count_bonds(bonds_);
     const int increments = bonds.failed() + bonds.cracked_at_start > 0 ? increments_with_cracks : 1;
-    report_.found = linear_.rows() > 0;
-    for (int n = 1; n <= increments && report_.found; ++n) report_.found = settle(static_cast<double>(n) / increments);
+    bool found = linear_.rows() > 0;
+    for (int n = 1; n <= increments && found; ++n) found = settle(static_cast<double>(n) / increments);
     Kokkos::deep_copy(exec_, particles_.v, 0.0);
     Kokkos::deep_copy(exec_, particles_.spin, 0.0);
-    report_.found = report_.found && nothing_else_touches();
+    found = found && nothing_else_touches();
     exec_.fence("vug::dem::static_equilibrium");
-    return report_;
+    return found;
   }
 
  private:
@@ -115,11 +115,9 @@ class Search {
       const Eigen::VectorXd left = imbalance(load_factor);
       if (solve == 0) load_ = std::max(load_, largest_);
       if (!std::isfinite(largest_)) return false;
-      report_.imbalance = load_ > 0 ? largest_ / load_ : 0;
       if (in_balance()) return true;
       if (!factorise()) return false;
       moved_ += linear_.solve(left);
-      ++report_.solves;
       move();
     }
     return false;
@@ -224,14 +222,13 @@ class Search {
   Eigen::VectorXd moved_;                        ///< since then, of the free components
   std::vector<double> factored_;                 ///< the stiffnesses that linear_ was made of
   double load_ = 0, largest_ = 0;                ///< largest load and imbalance, N
-  StaticEquilibrium report_;
 };
 
 }  // namespace
 
-StaticEquilibrium find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters,
-                                          const NeighbourGrid& grid, const BoundaryLoads& loads,
-                                          const Particles& particles, const Bonds& bonds, const Contacts& contacts) {
+bool find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters, const NeighbourGrid& grid,
+                             const BoundaryLoads& loads, const Particles& particles, const Bonds& bonds,
+                             const Contacts& contacts) {
   return Search(exec, parameters, grid, loads, particles, bonds, contacts)();
 }
 

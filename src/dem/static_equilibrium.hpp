@@ -6,15 +6,9 @@
 
 namespace vug {
 
-/// How the search ended.
-struct StaticEquilibrium {
-  bool found = false;
-  int solves = 0;        ///< of the linear system
-  double imbalance = 0;  ///< largest force left on a particle over the largest load
-};
-
 /// Moves all particles to where boundary loads, gravity, outside forces, bonds and contacts balance: u, angle and
-/// rotation of `particles`, velocities zero. Springs of the rock beyond take no part, as in a preload.
+/// rotation of `particles`, velocities zero; whether it has found the place. Springs of the rock beyond take no part,
+/// as in a preload.
 ///
 /// Newton's method: the imbalance comes from the kernels of a step, the matrix from the bonds (closed cracks resist
 /// compression, sticking ones shear), factored by Eigen's sparse Cholesky (LDL^T). Cracks may slide, so that the loads
@@ -23,8 +17,8 @@ struct StaticEquilibrium {
 /// Not found where sides do not hold the rock, where something breaks on the way, or where contacts beside the bonds
 /// carry load, also such as only the last increment brings about; what the state is then is not said: the caller
 /// restores it. Works on the host, for set-up.
-StaticEquilibrium find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters,
-                                          const NeighbourGrid& grid, const BoundaryLoads& loads,
-                                          const Particles& particles, const Bonds& bonds, const Contacts& contacts);
+bool find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters, const NeighbourGrid& grid,
+                             const BoundaryLoads& loads, const Particles& particles, const Bonds& bonds,
+                             const Contacts& contacts);
 
 }  // namespace vug
