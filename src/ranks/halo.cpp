@@ -5,7 +5,6 @@
 #include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"
 
-#include <algorithm>
 #include <map>
 
 #ifdef VUG_MPI
