@@ -10,8 +10,8 @@ RockMaterial material_of(const MechanicsParameters& parameters, const Assembly& 
 
 /// A bond between two materials whose centroids lie h_a and h_b from the common edge: springs in series,
 ///   M = (h_a + h_b) / (h_a / M_a + h_b / M_b),
-/// strengths, friction and fracture energies of the weaker one, the viscosity's eta weighted with h. Within one
-/// material its own numbers, to the bit.
+/// of strengths, friction and fracture energies each the smaller one, whichever material it is of, the viscosity's eta
+/// weighted with h. Within one material its own numbers, to the bit.
 BondParameters joint_of(const BondParameters& a, double h_a, const BondParameters& b, double h_b);
 
 /// Thermal expansion on which those of all materials are counted: the largest.

@@ -69,9 +69,9 @@ class Mechanics {
   /// Interrupted.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
-  /// The same state without the way to it: where the loads balance, solved for. False, and nothing changed, where that
-  /// does not lead there (see find_static_equilibrium), where platens move by themselves, or where it would damage a
-  /// bond: how far damage goes then depends on the way.
+  /// The same state without the way to it: where the loads balance, solved for. False, and the state (visit_state) as
+  /// it was, where that does not lead there (see find_static_equilibrium), where platens move by themselves, or where
+  /// it would damage a bond: how far damage goes then depends on the way.
   bool preload_statically(const Exec& exec);
 
   /// How the last ramped preload ended; nothing where there was none, or where the state it led to was solved for.

@@ -62,7 +62,7 @@ struct PointStiffness {
     const double area = 0.5 * bonds.length(k) * left / (law.length_factor * bonds.spacing(k));
     const BondMotion motion = motion_of_bond(particles, bonds, expansion, k);
     for (int s = 0; s < 2; ++s) {
-      const bool gapes = crack && (bonds.joint(k) == 0 || motion.opening[s].delta_n > 0);
+      const bool gapes = crack && (bonds.joint(k) == faces_apart || motion.opening[s].delta_n > 0);
       const bool slides = crack && bonds.slip(k, s) != slip_before(k, s);
       const double undamaged = 1 - bonds.point_damage(k, s);
       const double normal = crack || motion.opening[s].delta_n < 0 ? 1 : undamaged;

@@ -8,7 +8,7 @@ namespace vug {
 /// when there is no such template or the file is there already, FileError.
 std::string new_case(const std::string& name, std::string path);
 
-/// How to cite vug: BibTeX.
+/// How to cite vug: the text of CITATION.cff (YAML).
 std::string citation_text();
 
 }  // namespace vug

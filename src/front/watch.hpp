@@ -31,7 +31,7 @@ struct WatchView {
 /// Eight heights of a block for `values` over `time`, `width` of them from the first moment to the last.
 std::string sparkline(const std::vector<double>& time, const std::vector<double>& values, int width);
 
-/// State and progress of the run, a line for each column (name, its course, value, unit), the largest error of a
+/// State and progress of the run, a line for each column (name, its course, value), the largest error of a
 /// balance. Throws InputError for a column that the history does not have.
 std::string watch_text(const WatchedRun& run, const WatchView& view);
 

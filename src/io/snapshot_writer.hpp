@@ -39,7 +39,7 @@ struct SnapshotOptions {
 
 /// Writes snapshots in SI into `directory`, which exists. In the HDF5 files every snapshot is a group
 /// `step_<number>` with one data set per field, shape (ny, nx) or (ny, nx, 3), row 0 at the bottom, with attributes
-/// unit, time, step, dx, origin. A group appears in the file only when it is complete, and the XDMF file, replaced in
+/// units, time, step, dx, origin. A group appears in the file only when it is complete, and the XDMF file, replaced in
 /// one stroke, names only such groups: the files of a killed run are readable. Throws FileError.
 class SnapshotWriter {
  public:
