@@ -11,7 +11,7 @@ namespace vug {
 
 namespace {
 
-std::vector<int> triangles_in(const Form& form, const Assembly& assembly) {
+std::vector<int> triangles_of_form(const Form& form, const Assembly& assembly) {
   std::vector<int> found;
   for (std::size_t t = 0; t < assembly.triangles.size(); ++t) {
     std::array<double, 2> centroid{0, 0};
@@ -38,7 +38,7 @@ std::vector<int> triangles_of_mineral(const std::string& name, const std::vector
   for (const MineralSection& mineral : minerals)
     for (const RockRegion& region : mineral.regions)
       for (const int t :
-           region.form ? triangles_in(*region.form, assembly) : triangles_of_group(region.group, what, assembly))
+           region.form ? triangles_of_form(*region.form, assembly) : triangles_of_group(region.group, what, assembly))
         inside[static_cast<std::size_t>(t)] = mineral.name == name;
   std::vector<int> found;
   for (std::size_t t = 0; t < inside.size(); ++t)
@@ -50,7 +50,7 @@ std::vector<int> triangles_of_mineral(const std::string& name, const std::vector
 
 std::vector<int> triangles_of_region(const RockRegion& region, const std::vector<MineralSection>& minerals,
                                      const std::string& what, const Assembly& assembly) {
-  const std::vector<int> triangles = region.form ? triangles_in(*region.form, assembly)
+  const std::vector<int> triangles = region.form ? triangles_of_form(*region.form, assembly)
                                      : region.mineral.empty()
                                          ? triangles_of_group(region.group, what, assembly)
                                          : triangles_of_mineral(region.mineral, minerals, what, assembly);

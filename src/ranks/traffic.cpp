@@ -42,19 +42,19 @@ Counts& counts() {
 }
 
 /// Sum and largest over the ranks, on the first one.
-struct Spread {
+struct OverRanks {
   double sum = 0, most = 0;
 };
 
-Spread spread_of([[maybe_unused]] const Ranks& ranks, double value) {
-  Spread spread{value, value};
+OverRanks over_ranks([[maybe_unused]] const Ranks& ranks, double value) {
+  OverRanks sum_and_most{value, value};
 #ifdef VUG_MPI
   if (!ranks.alone()) {
-    MPI_Reduce(&value, &spread.sum, 1, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
-    MPI_Reduce(&value, &spread.most, 1, MPI_DOUBLE, MPI_MAX, 0, MPI_COMM_WORLD);
+    MPI_Reduce(&value, &sum_and_most.sum, 1, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
+    MPI_Reduce(&value, &sum_and_most.most, 1, MPI_DOUBLE, MPI_MAX, 0, MPI_COMM_WORLD);
   }
 #endif
-  return spread;
+  return sum_and_most;
 }
 
 }  // namespace
@@ -100,9 +100,9 @@ std::vector<std::string> traffic_table(const Ranks& ranks, std::int64_t steps) {
     const auto found =
         std::find_if(traffic().begin(), traffic().end(), [&](const Traffic& t) { return t.phase == name; });
     const Traffic ours = found == traffic().end() ? Traffic{} : *found;
-    const auto spread = [&](auto value) { return spread_of(ranks, static_cast<double>(value)); };
-    const Spread messages = spread(ours.messages), bytes = spread(ours.bytes), collectives = spread(ours.collectives);
-    const Spread collected = spread(ours.collected), waited = spread(ours.waited), passed = spread(ours.passed);
+    const auto all = [&](auto value) { return over_ranks(ranks, static_cast<double>(value)); };
+    const OverRanks messages = all(ours.messages), bytes = all(ours.bytes), collectives = all(ours.collectives);
+    const OverRanks collected = all(ours.collected), waited = all(ours.waited), passed = all(ours.passed);
     if (messages.sum + collectives.sum == 0) continue;
     table.push_back(fmt::format("{:12} {:9.3f} {:11.0f} {:11.0f} {:11.3f} {:11.0f} {:11.4f} {:9.4f} {:9.4f}", name,
                                 mean * messages.sum, mean * bytes.sum, per_step * bytes.most, mean * collectives.sum,
