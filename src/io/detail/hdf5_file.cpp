@@ -53,7 +53,11 @@ struct Handle {
       : id(check(id_, path, action)), close(close_) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
-  ~Handle() { close(id); }
+  ~Handle() {
+    if (id >= 0) close(id);
+  }
+  /// Closes it now and throws where that fails, as of a data set whose last chunks find no room.
+  void done(const std::string& path, const char* action) { check(close(std::exchange(id, -1)), path, action); }
 };
 
 // Where memory ends while it starts, the library follows a null pointer: it starts where there is more than it takes,
@@ -190,8 +194,8 @@ void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& sh
   }
   const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path_, "write");
   check(H5Pset_create_intermediate_group(link.id, 1), path_, "write");
-  const Handle data(H5Dcreate2(file_, name.c_str(), file_type(type), space.id, link.id, layout.id, H5P_DEFAULT),
-                    H5Dclose, path_, "write");
+  Handle data(H5Dcreate2(file_, name.c_str(), file_type(type), space.id, link.id, layout.id, H5P_DEFAULT), H5Dclose,
+              path_, "write");
   std::vector<hsize_t> from(extent.size(), 0), piece = extent;
   std::vector<double> values;
   visit_pieces(shape, [&](std::size_t first, std::size_t rows) {
@@ -204,6 +208,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& sh
     check(H5Dwrite(data.id, H5T_NATIVE_DOUBLE, part.id, space.id, H5P_DEFAULT, values.data()), path_, "write");
   });
   for (const auto& attribute : attributes) write_attribute(data.id, attribute, path_);
+  data.done(path_, "write");
 }
 
 void Hdf5File::link(const std::string& name, const std::string& file) {
