@@ -13,6 +13,7 @@
 #include "front/templates.hpp"
 #include "front/watch.hpp"
 #include "host/this_process.hpp"
+#include "io/json_text.hpp"
 #include "io/run_record.hpp"
 #include "kernels/base/require.hpp"
 #include "process.hpp"
@@ -38,19 +39,23 @@ int info_command(const CommandLine& line, const Ranks& ranks) {
   const BuildInfo build = build_info();
   const std::vector<std::string> places = ranks.told_by_all(machine_name() + ": " + build.device);
   if (!ranks.first()) return done;
+  const auto quoted = [&](const std::string& text) { return line.json ? json_string(text) : text; };
+  std::vector<std::string> names;
+  for (const std::string& place : places) names.push_back(quoted(place));
   std::string lines;
   for (std::size_t r = 0; !ranks.alone() && r < places.size(); ++r)
     lines += fmt::format("{:10} {}\n", fmt::format("rank {}", r), places[r]);
   constexpr const char* json =
-      R"({{"version": "{}", "commit": "{}", "compiler": "{}", "backend": "{}", "device": "{}", "threads": {}, )"
-      R"("mpi": "{}", "ranks": {}, "places": ["{}"], "precisions": ["single", "double"]}})"
+      R"({{"version": {}, "commit": {}, "compiler": {}, "backend": {}, "device": {}, "threads": {}, )"
+      R"("mpi": {}, "ranks": {}, "places": [{}], "precisions": ["single", "double"]}})"
       "\n";
   constexpr const char* text =
       "vug {} ({})\ncompiler   {}\nback end   {}\ndevice     {}\nthreads    {}\nmpi        {}\nranks      {}\n{}"
       "precisions single, double\n";
-  print(fmt::format(fmt::runtime(line.json ? json : text), build.version, build.commit, build.compiler, build.backend,
-                    build.device, build.threads, mpi_library(), ranks.size(),
-                    line.json ? fmt::format("{}", fmt::join(places, "\", \"")) : lines));
+  print(fmt::format(fmt::runtime(line.json ? json : text), quoted(build.version), quoted(build.commit),
+                    quoted(build.compiler), quoted(build.backend), quoted(build.device), build.threads,
+                    quoted(mpi_library()), ranks.size(),
+                    line.json ? fmt::format("{}", fmt::join(names, ", ")) : lines));
   return done;
 }
 
