@@ -175,7 +175,10 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
   HistoryWriter table(directory + "/cracks.csv", {"depth_m", "cracks_1"});
   for (std::size_t i = 0; i < r.depth.size(); ++i) table.write(std::vector<double>{r.depth[i], r.cracks[i]});
   if (r.spacing > 0) results.emplace_back("spacing_m", r.spacing);
-  results.insert(results.end(), {{"mean_depth_m", r.mean_depth}, {"deepest_m", r.deepest}});
+  results.insert(results.end(), {{"mean_depth_m", r.mean_depth},
+                                 {"deepest_m", r.deepest},
+                                 {"steps_1", static_cast<double>(r.steps)},
+                                 {"time_step_s", r.time_step}});
   if (r.spacing == 0) return "no crack is deeper than two elements\n";
   return fmt::format(
       "crack spacing         {:.3g} mm at two elements' depth\nmean depth            {:.3g} mm\n"
