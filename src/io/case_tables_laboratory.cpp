@@ -1,11 +1,7 @@
 // [laboratory]: a loading test of bonded rock alone.
-#include "io/detail/case_checks.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <numbers>
 
 namespace vug {
 namespace {
@@ -81,47 +77,6 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
   read_if(!thermal, table, "energies", "is of a test between moving platens", laboratory.energies);
   read_if(quenched, table, "samples", "is only for test = \"quench\"", laboratory.samples, range::between(10, 1e6));
   return laboratory;
-}
-
-void check_laboratory(const TomlDocument& document, const Scene& scene) {
-  for (const char* table : {"lattice", "time", "geometry", "flow", "heat", "solute", "reaction", "mineral", "damage",
-                            "boundary", "accuracy"})
-    if (document.find(table) != nullptr)
-      document.fail_at(table, fmt::format("[{}] has no place beside [laboratory], a test of rock alone", table));
-  if (!scene.rock) document.fail_at("laboratory", "[laboratory] needs the table [rock]");
-  const LaboratorySection& laboratory = *scene.laboratory;
-  const bool disc = laboratory.test == LaboratoryTest::brazilian;
-  for (const char* key : {"rock.porosity", "rock.pathway_aperture", "rock.pathway_width"})
-    if (document.find(key) != nullptr) document.fail(key, "is of pathways on a lattice");
-  if (disc)
-    for (const char* key : {"rock.grading", "rock.notches", "rock.hole", "rock.holes"})
-      if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a block, not of a disc", key));
-  for (const char* key : {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from",
-                          "mechanics.preload", "mechanics.substeps", "mechanics.force_unstable", "mechanics.fragments"})
-    if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a run on a lattice", key));
-  for (const char* key : {"mechanics.preload_time", "mechanics.preload_damping"})
-    if (laboratory.confinement == 0 && document.find(key) != nullptr)
-      document.fail_at(key, fmt::format("{} is of a test with laboratory.confinement", key));
-  if (laboratory.test == LaboratoryTest::quench && document.find("mechanics.local_damping") != nullptr)
-    document.fail_at("mechanics.local_damping", "mechanics.local_damping is 0.3 in a quench, whatever is given");
-  const double smallest = disc ? laboratory.diameter : std::min(laboratory.size[0], laboratory.size[1]);
-  if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
-    document.fail("rock.element_size",
-                  fmt::format("leaves fewer than five elements across the specimen; at most {:g} m", smallest / 5));
-  double expansion = scene.mechanics->parameters.thermal_expansion;
-  for (const RockMaterial& material : scene.mechanics->parameters.materials)
-    expansion = std::max(expansion, material.thermal_expansion);
-  const double rise = expansion * laboratory.temperature_change;
-  if (laboratory.test == LaboratoryTest::heating && laboratory.sample_strain > rise)
-    document.fail("laboratory.sample_strain",
-                  fmt::format("is more than the heat strains the specimen at the end, {:g}", rise));
-  check_triangles(document, *scene.rock,
-                  disc ? std::numbers::pi / 4 * laboratory.diameter * laboratory.diameter
-                       : laboratory.size[0] * laboratory.size[1]);
-  for (const char* key : {"output.interval_steps", "output.history_interval", "output.checkpoint_interval",
-                          "output.probes", "output.gauges"})
-    if (document.find(key) != nullptr)
-      document.fail_at(key, fmt::format("{} is of a run on a lattice; a test has output.interval in s", key));
 }
 
 }  // namespace vug
