@@ -1,11 +1,11 @@
 #pragma once
-// Where energy goes in a step, kept per item by the kernels that spend it. `NoAccounts` is the default and costs
-// nothing.
+// Accounts of the energy that a step spends, kept per item by the kernels that spend it. `NoAccounts` is the default
+// and costs nothing.
 #include "kernels/base/base.hpp"
 
 namespace vug {
 
-/// Nothing is kept.
+/// Keeps nothing.
 struct NoAccounts {
   static constexpr bool kept = false;
   KOKKOS_FORCEINLINE_FUNCTION void add_bond(int, double, double, double) const {}
@@ -18,19 +18,23 @@ struct NoAccounts {
 
 /// Sums since the last reset, J per m of thickness.
 ///
-/// The leapfrog moves a body by dt (v- + v+) / 2 round the time t of a force, so a spring of force -k x(t) takes up
-/// k x(t) (x(t+dt) - x(t-dt)) / 2, which is exactly the change of k x(t) x(t+dt) / 2: that product is the elastic
-/// energy the scheme keeps (k x^2 / 2 is off by (omega dt)^2 / 8 of it, several per cent for the fastest waves of a
-/// breaking bond). The losses follow from the same sum: damage dd releases dd k x(t) x(t-dt) / 2, a slider that moves
-/// by ds in a spring of stretch e takes k (e(t) + e(t-dt)) ds / 2, and a dashpot half a step of work on either side of
-/// its force: those of contacts are booked by the integrator, which knows both velocities.
+/// In the leapfrog a force at time t acts between the velocities v- and v+ half a step before and after, over the path
+/// dt (v- + v+) / 2. A spring of force -k x(t) therefore takes up k x(t) (x(t+dt) - x(t-dt)) / 2, which is exactly the
+/// change of k x(t) x(t+dt) / 2. This product is the elastic energy that the scheme keeps; k x^2 / 2 differs from it by
+/// the fraction (omega dt)^2 / 8, several per cent for the fastest waves of a breaking bond. The losses follow from the
+/// same sum:
+/// - damage dd releases dd k x(t) x(t-dt) / 2;
+/// - a slider that moves by ds in a spring of stretch e takes k (e(t) + e(t-dt)) ds / 2;
+/// - a dashpot takes half a step of work on either side of its force. The dashpots of contacts are booked by the
+///   integrator, which knows both velocities.
 struct Accounts {
   static constexpr bool kept = true;
-  /// (bond, 2 point + normal or tangential) dashpot stress of the last step, Pa: its later half is not yet in the sums
+  /// (bond, 2 * point + (0: normal, 1: tangential)) dashpot stress of the last step, Pa; the second half of its work is
+  /// not yet in the sums
   Kokkos::View<double* [4], Kokkos::LayoutLeft> bond_drag;
   ScalarField<double> bond_fracture, bond_friction, bond_damping;  ///< (bond)
   ScalarField<double> pair_friction;                               ///< (lower particle of contact pairs)
-  /// (pair, component) share of the dashpots in Contacts::load, and (particle, component) in Contacts::push
+  /// (pair, component) part of Contacts::load that the dashpots cause, and (particle, component) that of Contacts::push
   Kokkos::View<double* [4], Kokkos::LayoutLeft> pair_drag;
   Kokkos::View<double* [3], Kokkos::LayoutLeft> particle_drag;
   ScalarField<double> particle_work;     ///< (particle) by loads, fluid, gravity and platens

@@ -1,11 +1,11 @@
 #pragma once
-// The elastic numbers of a bond: those of the rock, or its own where the rock is of several materials.
+// Parameters of a bond: those of the rock, or its own where the rock is of several materials.
 #include "dem/bonds.hpp"
 #include "dem/parameters.hpp"
 
 namespace vug {
 
-/// The rock's numbers with those that the bond has of its own.
+/// Parameters of bond k: those of the rock, with the numbers that the bond has of its own.
 KOKKOS_FORCEINLINE_FUNCTION BondParameters own_law(const BondParameters& rock, const BondElasticity& own, int k) {
   BondParameters law = rock;
   law.normal_modulus = own.normal_modulus(k);
@@ -15,12 +15,13 @@ KOKKOS_FORCEINLINE_FUNCTION BondParameters own_law(const BondParameters& rock, c
   return law;
 }
 
-/// Of bond k, whatever the rock is made of.
+/// Parameters of bond k, for rock of one material or of several.
 KOKKOS_FORCEINLINE_FUNCTION BondParameters law_of(const BondParameters& rock, const BondElasticity& own, int k) {
   return own.given() ? own_law(rock, own, k) : rock;
 }
 
-/// For the kernels of a step, which are compiled for either: rock of one material reads nothing.
+/// Parameters of the bonds of rock of one material; LawOfEach: of several. The kernels of a step are compiled for both,
+/// so that the first reads nothing per bond.
 struct OneLaw {
   BondParameters rock;
   KOKKOS_FORCEINLINE_FUNCTION const BondParameters& of(int) const { return rock; }

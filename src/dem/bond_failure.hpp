@@ -1,22 +1,22 @@
 #pragma once
-// What happens to a bond that is asked for more than it holds, and to the crack that it becomes.
+// Damage and failure of overstressed bonds, and the cracks that they become.
 #include "dem/bond_model.hpp"
 #include "dem/contact_law.hpp"
 
 namespace vug {
 
-// Of forces.cpp alone: with external names less of it would be inlined, which costs time and moves last bits.
+// Used by forces.cpp only. With external names less of this would be inlined, which costs time and changes last bits.
 namespace {
 
-/// The bonds to which something happens: damages those that are overstressed, names the mode of first damage, fails a
-/// bond whose two points are broken or whose solid is dissolved, and replaces the forces of a failed one by those of a
-/// crack, whose faces press and rub at the same two points with the bond's own stiffness and the contact's friction and
-/// dashpot, all in the share that dissolution has left.
+/// Treats the bonds that change or have failed. It damages those that are overstressed, records the mode of the first
+/// damage, and fails a bond whose two points are broken or whose solid is dissolved. The forces of a failed bond are
+/// replaced by those of a crack: its faces press and rub at the same two points with the bond's own stiffness and the
+/// contact's friction and dashpot, all times the share that dissolution has left.
 template <class Law, class Keeper>
 struct BondFailure {
   BondModel<Law, Keeper> model;
 
-  /// An overstressed bond: damage by the unified linear law (Eqs. 11, 26-29), and the stress it leaves.
+  /// Damages an overstressed bond by the unified linear law (Eqs. 11, 26-29) and stores the stress that this leaves.
   KOKKOS_FUNCTION void take_damage(int k, const BondMotion& motion) const {
     const Bonds& bonds = model.bonds;
     const double d_c = model.chemical_damage(k);
@@ -43,7 +43,7 @@ struct BondFailure {
     return onset_in_tension(point, o.delta_n, o.delta_t) ? BondState::damaged_in_tension : BondState::damaged_in_shear;
   }
 
-  /// The sliders of the new crack stand where its faces are.
+  /// Turns a bond into a crack; the sliders start where the faces are.
   KOKKOS_FUNCTION void fail(int k, const BondMotion& motion) const {
     if constexpr (Keeper::kept) close_account(k, motion);
     for (int s = 0; s < 2; ++s) model.bonds.slip(k, s) = motion.opening[s].delta_t;
@@ -51,7 +51,8 @@ struct BondFailure {
     Kokkos::atomic_store(&model.bonds.events(cracks_have_changed), 1);
   }
 
-  /// Releases what a dissolved bond still holds, and takes back the viscosity of this step: a crack has none.
+  /// Releases the energy that a dissolved bond still stores, and takes back the viscous work of this step, because a
+  /// crack has no viscosity.
   KOKKOS_FUNCTION void close_account(int k, const BondMotion& motion) const {
     const BondPoint material = model.material(k, model.chemical_damage(k));
     const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
@@ -76,7 +77,8 @@ struct BondFailure {
     return state == BondState::damaged_in_tension ? BondState::failed_in_tension : BondState::failed_in_shear;
   }
 
-  /// The two-point law of crack faces holds while they lie opposite each other and something is left of them.
+  /// Whether the two-point law of crack faces applies: while they are opposite each other and something is left of
+  /// them. Updates `joint`.
   KOKKOS_FUNCTION bool faces_meet(int k, const PointOpening (&opening)[2]) const {
     const Bonds& bonds = model.bonds;
     const std::uint8_t before = bonds.joint(k);
@@ -101,8 +103,8 @@ struct BondFailure {
     return {-reaction.normal, -reaction.tangential, reaction.slip};
   }
 
-  /// What slider and dashpots of a crack take; `fresh` when it was a bond before this step. The stretch that a crack
-  /// loses when it opens counts as friction.
+  /// Books what sliders and dashpots of a crack take; `fresh` if it was a bond before this step. The stretch that a
+  /// crack loses when it opens counts as friction.
   KOKKOS_FUNCTION void keep_account(int k, const BondPoint& point, const BondMotion& motion,
                                     const PointStress (&stress)[2], bool fresh) const {
     const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);

@@ -1,5 +1,5 @@
 #pragma once
-// How far and how fast the two faces of a bond have parted at an integration point.
+// Relative displacement and velocity of the two faces of a bond at its integration points.
 #include "dem/bonds.hpp"
 #include "dem/thermal_strain.hpp"
 
@@ -27,7 +27,7 @@ KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_of(const Particles& p, double expan
           thermal_scale(expansion, p.warming(i))};
 }
 
-/// The same one step of dt earlier: where it was when its velocity began to be that of now.
+/// The same one step dt earlier, that is before the displacement by the present velocity.
 KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_before(const Particles& p, double expansion, double dt, int i) {
   EndMotion m = motion_of(p, expansion, i);
   m.u = m.u - dt * m.v;
@@ -35,7 +35,7 @@ KOKKOS_FORCEINLINE_FUNCTION EndMotion motion_before(const Particles& p, double e
   return m;
 }
 
-/// Normal and tangent of a bond now: the mean of the edge's directions as its two ends have turned it.
+/// Current normal and tangent of a bond: mean of the edge's directions as turned by its two ends.
 struct BondFrame {
   double n_x, n_y;
 
@@ -49,8 +49,9 @@ KOKKOS_FORCEINLINE_FUNCTION BondFrame frame_of(Vec2 normal, const Rotation& a, c
   return {scale * sum.x, scale * sum.y};
 }
 
-/// Opening of one integration point, its rate, and the lever arms of its midpoint. Equal and opposite forces act there,
-/// on one line, so that linear and angular momentum are kept exactly and the elastic forces have a potential.
+/// Opening of one integration point, its rate, and the lever arms of its midpoint. Equal and opposite forces act at
+/// this point, on one line, so that linear and angular momentum are conserved exactly and the elastic forces have a
+/// potential.
 struct PointOpening {
   double delta_n, delta_t;
   double rate_n, rate_t;
@@ -79,7 +80,7 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2 arm_of(const Bonds& bonds, int k, int point, in
 KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const EndMotion& a, const EndMotion& b, const Bonds& bonds,
                                                       int k) {
   const BondFrame frame = frame_of({bonds.normal(k, 0), bonds.normal(k, 1)}, a.rotation, b.rotation);
-  // no loop over the two points: it would keep the loop over bonds from vectorising
+  // no loop over the two points: it would keep the loop over bonds from being vectorised
   return {{frame.n_x, frame.n_y},
           {opening_of(a, b, arm_of(bonds, k, 0, 0), arm_of(bonds, k, 0, 1), frame),
            opening_of(a, b, arm_of(bonds, k, 1, 0), arm_of(bonds, k, 1, 1), frame)}};
@@ -92,7 +93,7 @@ KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond(const Particles& particles
   return motion_of_bond(a, b, bonds, k);
 }
 
-/// One step of dt earlier.
+/// The same one step dt earlier.
 KOKKOS_FORCEINLINE_FUNCTION BondMotion motion_of_bond_before(const Particles& particles, const Bonds& bonds,
                                                              double expansion, double dt, int k) {
   const EndMotion a = motion_before(particles, expansion, dt, bonds.pair(k, 0));

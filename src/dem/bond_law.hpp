@@ -1,11 +1,11 @@
 #pragma once
-// The cohesive bond at one integration point: strengths, the unified linear traction-separation law and the damage it
-// leaves. Stresses in Pa, openings in m, tension and opening positive. Equation numbers are the paper's.
+// The cohesive bond at one integration point: strengths, the unified linear traction-separation law and the resulting
+// damage. Stresses in Pa, openings in m, tension and opening positive. Equation numbers are the paper's.
 #include "kernels/base/base.hpp"
 
 namespace vug {
 
-// By value: the references of Kokkos::max and min keep loops from vectorising.
+// By value: the references that Kokkos::max and min return keep loops from being vectorised.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double at_least(double bound, double x) {
   return x > bound ? x : bound;
 }
@@ -13,26 +13,28 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double at_most(double bound, double x) {
   return x < bound ? x : bound;
 }
 
-/// Strength left at chemical damage d_c (Eqs. 27, 29): f1 = -0.83 d2 + 0.017 d + 0.98, over f1(0) when normalised.
+/// Share of the strength left at chemical damage d_c (Eqs. 27, 29): f1 = -0.83 d2 + 0.017 d + 0.98, divided by f1(0) if
+/// normalised.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_strength_factor(double d_c, bool normalised) {
   return ((-0.83 * d_c + 0.017) * d_c + 0.98) / (normalised ? 0.98 : 1.0);
 }
 
-/// Where the fit of f2 has its minimum: beyond it dissolved rock would get tougher, so f2 is held there.
+/// d_c at which the fit of f2 has its minimum. Beyond it, dissolved rock would become tougher, so f2 is held constant.
 inline constexpr double chemical_energy_turning_point = 3.34 / (2 * 5.29);
 
-/// Fracture energy left at d_c (Eqs. 27, 29): f2 = 5.29 d2 - 3.34 d + 1.01 up to its minimum, then constant.
+/// Share of the fracture energy left at d_c (Eqs. 27, 29): f2 = 5.29 d2 - 3.34 d + 1.01 up to its minimum, then
+/// constant; divided by f2(0) if normalised.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_energy_factor(double d_c, bool normalised) {
   const double d = d_c < chemical_energy_turning_point ? d_c : chemical_energy_turning_point;
   return ((5.29 * d - 3.34) * d + 1.01) / (normalised ? 1.01 : 1.0);
 }
 
-/// Shear strength by Mohr-Coulomb: c + tan(phi) <-sigma_n>; compression strengthens, tension does not weaken.
+/// Shear strength by Mohr-Coulomb: c + tan(phi) <-sigma_n>. Compression increases it, tension does not reduce it.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double shear_strength(double cohesion, double tan_phi, double sigma_n) {
   return cohesion + tan_phi * at_least(0, -sigma_n);
 }
 
-/// What one integration point is made of, at its current chemical damage.
+/// Stiffness and strengths of one integration point at its current chemical damage.
 struct BondPoint {
   double k_n;      ///< M_n (1 - d_c) / L, Pa/m
   double k_t;      ///< M_t (1 - d_c) / L, Pa/m
@@ -42,7 +44,7 @@ struct BondPoint {
   double G_II;     ///< N/m
 };
 
-/// The square of the undamaged stress over the strength ellipse: 1 or more means damage (Eq. 11).
+/// Square of the undamaged stress over the strength ellipse: 1 or more means damage (Eq. 11).
 KOKKOS_FORCEINLINE_FUNCTION double ellipse(const BondPoint& p, double delta_n, double delta_t) {
   constexpr double smallest = 1e-300, largest = 1e100;  // a strength may be zero
   const double n = p.k_n * at_least(0, delta_n) / at_least(smallest, p.sigma_n);
@@ -50,19 +52,20 @@ KOKKOS_FORCEINLINE_FUNCTION double ellipse(const BondPoint& p, double delta_n, d
   return at_most(largest, n * n + t * t);
 }
 
-/// Whether the undamaged stress is on the strength ellipse or beyond, by products alone: a strength may be zero.
+/// Whether the undamaged stress is on the strength ellipse or beyond it; without divisions, because a strength may be
+/// zero.
 KOKKOS_FORCEINLINE_FUNCTION constexpr bool is_overstressed(const BondPoint& p, double delta_n, double delta_t) {
   const double n = p.k_n * at_least(0, delta_n) * p.sigma_t, t = p.k_t * delta_t * p.sigma_n;
   const double strength = p.sigma_n * p.sigma_t;
   return n * n + t * t >= strength * strength;
 }
 
-/// Damage that the opening asks for on the unified linear law. With the mixity of the current opening delta_e,
+/// Damage that the unified linear law gives for an opening. With the mixity of the current opening delta_e,
 ///   delta_0 = delta_e / r,                       r = sqrt(ellipse)                     (onset, Eq. 11)
 ///   delta_f = 2 delta_e r / W,                   W = k_n <delta_n>^2 / G_I + k_t delta_t^2 / G_II
 ///   d_m     = delta_f (delta_e - delta_0) / (delta_e (delta_f - delta_0)) = 2 r (r - 1) / (2 r^2 - W),
 /// so that the equivalent stress falls linearly from the ellipse to zero and W_I/G_I + W_II/G_II = 1 on a proportional
-/// path. delta_f <= delta_0 (stored energy above G) is a snap: d_m = 1 at once.
+/// path. If delta_f <= delta_0 (stored energy above G), the bond snaps: d_m = 1 at once.
 KOKKOS_FORCEINLINE_FUNCTION double damage_of_opening(const BondPoint& p, double delta_n, double delta_t) {
   constexpr double smallest = 1e-300, largest = 1e100;
   const double opening = at_least(0, delta_n);
@@ -83,13 +86,13 @@ KOKKOS_FORCEINLINE_FUNCTION bool onset_in_tension(const BondPoint& p, double del
 }
 
 /// Energy per area that damage can release between the openings of two moments, J/m2: k delta delta' / 2, the form that
-/// the leapfrog keeps (accounts.hpp); closing is not degraded and releases nothing.
+/// the leapfrog keeps (accounts.hpp). Compression is not degraded and releases nothing.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double undamaged_energy(const BondPoint& p, double delta_n, double delta_n_before,
                                                               double delta_t, double delta_t_before) {
   return 0.5 * (p.k_n * at_least(0, delta_n) * at_least(0, delta_n_before) + p.k_t * delta_t * delta_t_before);
 }
 
-/// Share of the stiffness that damage leaves: all of it in compression, 1 - d_m in tension (Eq. 12).
+/// Share of the normal stiffness that damage leaves: 1 in compression, 1 - d_m in tension (Eq. 12).
 KOKKOS_FORCEINLINE_FUNCTION constexpr double normal_integrity(double d_m, double delta_n) {
   return delta_n > 0 ? 1 - d_m : 1;
 }

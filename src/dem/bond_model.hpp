@@ -1,5 +1,5 @@
 #pragma once
-// The stress of a bond and the forces that it leaves on its ends, while it holds.
+// Stress of a bond that has not failed, and the forces that it exerts on its ends.
 #include "dem/accounts.hpp"
 #include "dem/bond_elasticity.hpp"
 #include "dem/bond_kinematics.hpp"
@@ -7,17 +7,18 @@
 
 namespace vug {
 
-// Of forces.cpp alone: with external names less of it would be inlined, which costs time and moves last bits.
+// Used by forces.cpp only. With external names less of this would be inlined, which costs time and changes last bits.
 namespace {
 
 /// Stress at an integration point, on the face of a: tension and the direction of t positive, Pa.
 struct PointStress {
   double normal = 0;
   double tangential = 0;
-  double slip = 0;  ///< of a crack: where its slider stands afterwards, m
+  double slip = 0;  ///< of a crack: position of its slider afterwards, m
 };
 
-/// What both kernels of a bond need: its stress and energy while it holds, and the way in which they leave forces.
+/// The common part of both kernels of bonds: stress and energy of a bond that has not failed, and how forces are
+/// stored.
 template <class Law, class Keeper>
 struct BondModel {
   Law laws;
@@ -34,7 +35,7 @@ struct BondModel {
     return d_c < 1 ? d_c : 1.0;
   }
 
-  /// Stiffness and strengths of the bond at its chemical damage; sigma_t holds the cohesion alone.
+  /// Stiffness and strengths of the bond at its chemical damage; sigma_t is only the cohesion.
   KOKKOS_FORCEINLINE_FUNCTION BondPoint material(int k, double d_c) const {
     const BondParameters& law = laws.of(k);
     const double inverse_length = 1 / (law.length_factor * bonds.spacing(k));
@@ -55,7 +56,7 @@ struct BondModel {
     return point;
   }
 
-  /// Of a bond with damage d_m and d_c.
+  /// Stress of a bond with damage d_m and d_c.
   KOKKOS_FORCEINLINE_FUNCTION PointStress stress_of(int k, const BondPoint& point, double d_m, double d_c,
                                                     const PointOpening& o) const {
     const BondParameters& law = laws.of(k);
@@ -64,7 +65,7 @@ struct BondModel {
             (1 - d_m) * (point.k_t * o.delta_t + viscous * law.tangential_modulus * o.rate_t), 0};
   }
 
-  /// Stored energy that new damage releases, and what viscosity takes; nothing for a bond that failed before.
+  /// Books the stored energy that new damage releases and what viscosity takes; nothing for a bond that failed before.
   KOKKOS_FORCEINLINE_FUNCTION void keep_cohesive(int k, const BondPoint& material, const double (&damage)[2],
                                                  const PointOpening (&opening)[2],
                                                  const PointStress (&stress)[2]) const {
@@ -100,11 +101,11 @@ struct BondModel {
   }
 };
 
-/// One bond as if it held: opening at two Gauss points and stress with viscosity eta M v (Eq. 12), forces and torques
-/// on both ends at the midpoint of the opening. No branches, so that a host computes eight bonds at once: whether a
-/// point asks for more damage is told by products alone, and the law of damage, which is all quotients and roots, is
-/// left to BondFailure, as are bonds that have failed. Reads about 25 numbers of the bond and 18 of its particles,
-/// writes 7; the forces of the two ends cancel exactly.
+/// Computes one bond as if it had not failed: opening at two Gauss points and stress with viscosity eta M v (Eq. 12),
+/// forces and torques on both ends at the midpoint of the opening. It has no branches, so that a host computes eight
+/// bonds at once. Products alone show whether a point needs more damage; the law of damage, which consists of quotients
+/// and roots, is left to BondFailure, as are bonds that have failed. Reads about 25 numbers of the bond and 18 of its
+/// particles, writes 7. The forces on the two ends cancel exactly.
 template <class Law, class Keeper>
 struct CohesiveForces {
   BondModel<Law, Keeper> model;

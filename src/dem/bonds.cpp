@@ -90,7 +90,7 @@ void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, con
   Kokkos::deep_copy(b.arm, arm);
 }
 
-/// What each bond is made of; one entry for all where the rock is of one material.
+/// Parameters of each bond; one entry for all where the rock is of one material.
 std::vector<BondParameters> laws_of_bonds(const Assembly& assembly, const std::vector<Edge>& edges,
                                           const Particles& particles, const MechanicsParameters& parameters) {
   if (assembly.region.empty()) return {parameters.bond};
@@ -122,7 +122,7 @@ void fill_elasticity(const std::vector<BondParameters>& laws, Bonds& b) {
   fill("bond_damping", &BondParameters::damping, b.elasticity.damping);
 }
 
-/// Scatter by the rock's seed and shape, means by what each bond is made of.
+/// Draws one property of all bonds: scatter from the rock's seed and shape, mean from the parameters of each bond.
 void draw(const BondParameters& rock, const std::vector<BondParameters>& laws, const std::vector<Edge>& edges,
           BondProperty property, double BondParameters::*mean, const ScalarField<double>& values) {
   const auto host = Kokkos::create_mirror_view(values);

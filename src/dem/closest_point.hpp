@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// Where a point stands to the outline of a triangle.
+/// Position of a point relative to the outline of a triangle.
 struct ClosestPoint {
   double distance = 0;  ///< negative inside
   Vec2 normal;          ///< from the outline towards the point, outwards when inside
@@ -24,8 +24,8 @@ KOKKOS_FUNCTION inline ClosestPoint closest_on_edge(Vec2 p, Vec2 q, Vec2 point) 
   return {distance, distance > 0 ? (1 / distance) * gap : outward};
 }
 
-/// Closest point on the outline of a counter-clockwise triangle. A point inside is closest to the edge it is least
-/// deep under.
+/// Closest point on the outline of a counter-clockwise triangle. For a point inside, it is on the edge to which the
+/// point has the least distance.
 KOKKOS_FUNCTION inline ClosestPoint closest_on_triangle(const Triangle& t, Vec2 point) {
   ClosestPoint best[3];
   bool inside = true;
@@ -42,8 +42,8 @@ KOKKOS_FUNCTION inline ClosestPoint closest_on_triangle(const Triangle& t, Vec2 
   return best[chosen];
 }
 
-/// Whether the line of one of the edges of a, counter-clockwise, keeps every corner of b farther than `gap` outside:
-/// then no point of b is closer to a. Cheap, and misses only pairs that face each other with a corner each.
+/// Whether the line of one of the edges of a (counter-clockwise) has every corner of b outside at a distance of more
+/// than `gap`: then no point of b is closer to a. Cheap; misses only pairs whose closest points are a corner of each.
 KOKKOS_FUNCTION inline bool keeps_clear(const Triangle& a, const Triangle& b, double gap) {
   for (int k = 0; k < 3; ++k) {
     const Vec2 p = a.corner[k], edge = a.corner[(k + 1) % 3] - p;

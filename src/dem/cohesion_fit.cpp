@@ -30,7 +30,7 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
     fit.cohesion = parameters.bond.cohesion;
     if (std::abs(fit.strength.mean / strength - 1) <= tolerance) return fit;
     parameters.bond.cohesion *= strength / fit.strength.mean;
-    for (RockMaterial& material : parameters.materials)  // a case that leaves it out has given them that of the rock
+    for (RockMaterial& material : parameters.materials)  // a case that does not set it has given them that of the rock
       if (material.bond.cohesion == fit.cohesion) material.bond.cohesion = parameters.bond.cohesion;
   }
   throw InputError("laboratory: no cohesion found that gives a strength of " + std::to_string(strength) +

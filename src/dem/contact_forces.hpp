@@ -1,5 +1,5 @@
 #pragma once
-// The forces of the pairs of triangles that touch without being bonded.
+// Forces of pairs of triangles that touch without being bonded.
 #include "dem/accounts.hpp"
 #include "dem/bond_kinematics.hpp"
 #include "dem/closest_point.hpp"
@@ -8,10 +8,10 @@
 
 namespace vug {
 
-// Of forces.cpp alone: with external names less of it would be inlined, which costs time and moves last bits.
+// Used by forces.cpp only. With external names less of this would be inlined, which costs time and changes last bits.
 namespace {
 
-/// The eroded outline of a particle, as small as dissolution has left it, relative to a point, and its motion.
+/// Eroded outline of a particle, scaled down by dissolution, relative to a reference point, and its motion.
 struct MovingOutline {
   Triangle outline;
   Vec2 centre;  ///< of the particle, relative to the same point
@@ -19,12 +19,12 @@ struct MovingOutline {
   double spin = 0;
 };
 
-/// What the pairs of a particle hold in their springs and have lost to friction in this step.
+/// Energy that the pairs of a particle store in their springs and have lost to friction in this step.
 struct PairEnergy {
   double stored = 0, friction = 0;
 };
 
-/// What a pair's contacts do to its two particles, a and b: the force on a, the opposite one on b.
+/// Load of a pair's contacts on its two particles a and b: the force on a; the force on b is the opposite.
 struct PairLoad {
   Vec2 force;
   double torque_a = 0, torque_b = 0;
@@ -36,16 +36,16 @@ struct PairLoad {
   }
 };
 
-/// Both kinds of contacts of a pair, `other` with the roles of the two particles exchanged.
+/// Sum of both kinds of contacts of a pair; in `other` the roles of the two particles are exchanged.
 KOKKOS_FORCEINLINE_FUNCTION PairLoad difference(const PairLoad& load, const PairLoad& other) {
   return {load.force - other.force, load.torque_a + other.torque_b, load.torque_b + other.torque_a};
 }
 
-/// One pair: corners of each against the outline of the other. n points from the outline's body to the corner's one;
-/// overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 at the contact point
-/// half-way. Every corner counts with its own closest point, be it inside an edge or a corner: distances are
-/// continuous, and with them forces and the energy, however the two slide round each other. Two corners that meet count
-/// twice, each for the other. Forces cancel exactly and act on one line.
+/// Contacts of a pair: corners of each particle with the outline of the other. n points from the outline's body to the
+/// corner's body; overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 act at
+/// the contact point half way between them. Every corner has its own closest point, which may be inside an edge or a
+/// corner. Distances are therefore continuous, and so are forces and energy, however the two slide round each other.
+/// Two corners that meet count twice, once for each. Forces cancel exactly and act on one line.
 template <class Keeper>
 struct ContactForces {
   ContactParameters law;
@@ -69,7 +69,8 @@ struct ContactForces {
     return out;
   }
 
-  /// Adds what corner c of `a` feels at `where` on the outline of b: the whole load, and the share of the dashpots.
+  /// Adds the load on corner c of `a` at the point `where` of the outline of b: the whole load, and the part of the
+  /// dashpots.
   KOKKOS_FUNCTION void add_corner(const MovingOutline& a, const MovingOutline& b, int c, const ClosestPoint& where,
                                   double& stretch, PairLoad& load, PairLoad& drag, PairEnergy& energy) const {
     const Vec2 n = where.normal, t{-n.y, n.x};
@@ -82,7 +83,7 @@ struct ContactForces {
     const ContactReaction reaction = contact_reaction(point, overlap, -dot(rate, n), offset, rate_t, 0);
     stretch = offset - reaction.slip;
     load.add(reaction.normal * n + reaction.tangential * t, arm_a, arm_b);
-    // in the leapfrog's form (accounts.hpp), the next overlap and stretch by the present rates
+    // in the leapfrog's form (accounts.hpp): the next overlap and stretch follow from the present rates
     energy.stored += 0.5 * (law.normal_stiffness * overlap * (overlap - dt * dot(rate, n)) +
                             law.tangential_stiffness * stretch * (stretch + dt * rate_t));
     if constexpr (Keeper::kept) {
@@ -93,7 +94,7 @@ struct ContactForces {
     }
   }
 
-  /// Writes the load of a pair and the share of its dashpots.
+  /// Writes the load of a pair and the part of its dashpots.
   KOKKOS_FUNCTION void leave(int pair, const PairLoad& load, const PairLoad& drag) const {
     contacts.load(pair, 0) = load.force.x;
     contacts.load(pair, 1) = load.force.y;
@@ -102,7 +103,7 @@ struct ContactForces {
     accounts.keep_pair_drag(pair, drag.force.x, drag.force.y, drag.torque_a, drag.torque_b);
   }
 
-  /// A corner that does not touch forgets its friction.
+  /// Releases the friction spring of a corner that does not touch; its energy counts as friction.
   KOKKOS_FUNCTION void forget(double& stretch, PairEnergy& energy) const {
     energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
     stretch = 0;
@@ -129,7 +130,7 @@ struct ContactForces {
       leave(pair, {}, {});
       return;
     }
-    PairLoad by_a, by_b, drag_a, drag_b;  // of the corners of a on b, and of b on a: there the roles are exchanged
+    PairLoad by_a, by_b, drag_a, drag_b;  // of the corners of a on b, and of b on a, where the roles are exchanged
     for (int c = 0; c < 3; ++c) {
       push_corner(a, b, c, contacts.stretch(pair, generation, c), by_a, drag_a, energy);
       push_corner(b, a, c, contacts.stretch(pair, generation, 3 + c), by_b, drag_b, energy);
@@ -137,7 +138,7 @@ struct ContactForces {
     leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
   }
 
-  /// Pairs [first, last), of which particle `low` is the lower one.
+  /// Computes the pairs [first, last), whose lower particle is `low`.
   KOKKOS_FUNCTION void push_pairs(int low, int first, int last, int generation) const {
     PairEnergy energy;
     const Vec2 origin{particles.x0(low, 0), particles.x0(low, 1)};
@@ -147,8 +148,8 @@ struct ContactForces {
     accounts.add_pair_friction(low, energy.friction);
   }
 
-  /// All pairs of a particle; most have none, and none is listed while contacts sleep. (Bonds::events tells that
-  /// sooner, but bonds write it in this very launch.)
+  /// Computes all pairs of a particle. Most particles have none, and no pair is listed while contacts are inactive.
+  /// (Bonds::events would show this earlier, but bonds write it in the same launch.)
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int low) const {
     const int generation = contacts.status(contacts_generation);
     const int first = contacts.first(low, generation), last = contacts.first(low + 1, generation);

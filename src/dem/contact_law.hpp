@@ -1,5 +1,6 @@
 #pragma once
-// Two bodies that touch without being bonded: normal spring and dashpot that never pull, friction spring with a slider.
+// Contact law of two bodies that are not bonded: normal spring and dashpot that never pull, friction spring with a
+// slider.
 #include "kernels/base/base.hpp"
 
 namespace vug {
@@ -13,7 +14,7 @@ struct ContactPoint {
   double mu;   ///< friction coefficient
 };
 
-/// Reaction at a contact point and where its slider stands afterwards.
+/// Reaction at a contact point and the position of its slider afterwards.
 struct ContactReaction {
   double normal;      ///< compression, >= 0
   double tangential;  ///< along the tangent, opposing stretch
@@ -21,8 +22,8 @@ struct ContactReaction {
 };
 
 /// Reaction to an overlap (closing positive), its rate and the tangential offset of the two bodies:
-///   f_n = max(0, k_n overlap + c_n rate),  f_t = -k_t (offset - slip) - c_t offset_rate,  |f_t| <= mu f_n;
-/// a sliding contact drags the slider behind it, an open one carries it along.
+///   f_n = max(0, k_n overlap + c_n rate),  f_t = -k_t (offset - slip) - c_t offset_rate,  |f_t| <= mu f_n.
+/// A contact that slides drags the slider behind it. In an open contact the slider follows the offset.
 KOKKOS_FORCEINLINE_FUNCTION ContactReaction contact_reaction(const ContactPoint& p, double overlap, double overlap_rate,
                                                              double offset, double offset_rate, double slip) {
   const bool closed = overlap > 0;

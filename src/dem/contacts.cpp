@@ -11,14 +11,14 @@ namespace vug {
 
 namespace {
 
-constexpr int pairs_per_particle = 10;  // a triangulation has about 5 that share a corner but no edge
+constexpr int pairs_per_particle = 10;  // a triangulation has about 5 per particle that share a corner but no edge
 
 template <class V>
 V fresh(const char* label, std::size_t count) {
   return V(std::string("vug::dem::contact_") + label, count);
 }
 
-/// A fifth of the smallest particle's mean edge: wide enough to be rebuilt rarely, narrow enough to hold few pairs.
+/// A fifth of the mean edge of the smallest particle: wide enough for few rebuilds, narrow enough for few pairs.
 double choose_skin(const Particles& particles) {
   const auto corner = on_host(particles.corner);
   double smallest = std::numeric_limits<double>::infinity();

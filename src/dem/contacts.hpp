@@ -1,20 +1,22 @@
 #pragma once
-// Pairs of triangles that may touch although no bond joins them, and the memory of their friction.
+// Pairs of triangles that may touch although no bond joins them, with the state of their friction.
 #include "dem/bonds.hpp"
 
 namespace vug {
 
-/// Corners of a pair that may touch the other one's outline: three of the lower particle, three of the higher.
+/// Corners of a pair that may touch the outline of the other triangle: three of the lower particle, three of the
+/// higher.
 inline constexpr int pair_features = 6;
 
-/// Candidate pairs (low, high), in two generations so that a rebuild can look up the friction of the old list.
-/// Pairs [first(i, g), first(i + 1, g)) belong to particle i as the lower one, ordered by the higher one's number.
+/// Candidate pairs (low, high), in two generations so that a rebuild can look up the friction in the old list. Pairs
+/// [first(i, g), first(i + 1, g)) have particle i as their lower one and are ordered by the number of the higher one.
 struct Contacts {
   int capacity = 0;  ///< pairs
-  double skin = 0;   ///< pairs closer than this are candidates, m; rebuilt when a particle moved by a quarter of it
+  double skin = 0;   ///< pairs closer than this are candidates, m; rebuilt when a particle has moved by a quarter of it
 
-  /// [contacts_stale]: the list must be rebuilt; [contacts_generation] in use, 0 or 1; [contacts_lost]: pairs that
-  /// found no room. Nothing is looked for while Bonds::events says that contacts sleep.
+  /// [contacts_stale]: the list must be rebuilt; [contacts_generation]: the list in use, 0 or 1; [contacts_lost]:
+  /// number of pairs for which there was no room. Nothing is searched while Bonds::events says that contacts are
+  /// inactive.
   IndexList status;
   Kokkos::View<int* [2], Kokkos::LayoutLeft> first;                      ///< (particle + 1, generation)
   Kokkos::View<int* [2], Kokkos::LayoutLeft> other;                      ///< (pair, generation) the higher particle
@@ -33,7 +35,7 @@ struct Contacts {
 
 inline constexpr int contacts_stale = 0, contacts_generation = 1, contacts_lost = 2;
 
-/// An empty list for these particles; those of rock that faces itself are awake from the start.
+/// Makes an empty list for these particles; with `awake` (rock that faces itself) contacts are active from the start.
 Contacts make_contacts(const Particles& particles, const Bonds& bonds, bool awake);
 
 }  // namespace vug

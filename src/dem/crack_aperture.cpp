@@ -12,15 +12,16 @@ struct FindCrackAperture {
   double expansion, residual, unit;
   ScalarField<double> aperture;
 
-  /// At an end of the edge, from the openings of the integration points nearer to it and further from it.
+  /// Opening at an end of the edge, from the openings of the integration points nearer to it and further from it.
   KOKKOS_FORCEINLINE_FUNCTION double at_end(double near, double far) const {
     const double middle = (near + far) / 2, opening = middle + (near - middle) / gauss_point;
     return residual + (opening > 0 ? opening : 0);
   }
   KOKKOS_FUNCTION void operator()(int k) const {
     if (is_gone(particles.solid_fraction(bonds.pair(k, 0))) || is_gone(particles.solid_fraction(bonds.pair(k, 1))))
-      return;  // where a triangle that is no longer there would be says nothing
-    const double broken = has_failed(bonds.state(k)) ? 1 : bonds.d_m(k);  // by dissolution as well, whatever its d_m
+      return;  // the place of a triangle that is gone has no meaning
+    const double broken =
+        has_failed(bonds.state(k)) ? 1 : bonds.d_m(k);  // also when it was dissolved, whatever its d_m
     if (broken == 0) {
       aperture(k) = 0;
       return;

@@ -1,5 +1,5 @@
 #pragma once
-// How wide cracks gape, for what flows through them.
+// Apertures of cracks, for the flow through them.
 #include "dem/bonds.hpp"
 
 namespace vug {
@@ -10,9 +10,10 @@ KOKKOS_FORCEINLINE_FUNCTION double wedge_aperture(double a, double b) {
   return a + b > 0 ? Kokkos::cbrt(2 * a * a * b * b / (a + b)) : 0;
 }
 
-/// aperture(bond) = d_m, 1 of a bond that has failed, times that of the wedge between the bond's two faces, in units of
-/// `unit` m; each end gapes by as far as the faces have parted along the normal there, `residual` (m) added, which a
-/// crack keeps when it closes (rough faces). A bond of a triangle that is gone keeps the aperture that it had.
+/// Sets aperture(bond) to d_m (1 for a bond that has failed) times the aperture of the wedge between the bond's two
+/// faces, in units of `unit` m. The aperture at each end is the distance along the normal by which the faces have
+/// parted there, at least 0, plus `residual` (m), which a crack keeps when it closes (rough faces). A bond of a
+/// triangle that is gone keeps the aperture that it had.
 void find_crack_apertures(const Exec& exec, const Particles& particles, const Bonds& bonds, double expansion,
                           double residual, double unit, const ScalarField<double>& aperture);
 

@@ -32,8 +32,8 @@ struct Stiffness {
   }
 };
 
-/// Critical step of one particle with everything else held still and mirrored; the smallest over all particles bounds
-/// the system.
+/// Critical step of one particle while everything else is held still and mirrored; the smallest over all particles
+/// bounds that of the system.
 struct ParticleStep {
   BondParameters rock;
   ContactParameters contact;
@@ -79,7 +79,7 @@ struct ParticleStep {
     Stiffness stiffness, dashpot;
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) add_bond(e, rho, stiffness, dashpot);
     add_contact(i, rho, stiffness, dashpot);
-    // the mirror image below doubles every spring; what ends at the fixed rock beyond has none
+    // the mirror image below doubles every spring; springs that end at the fixed rock beyond have none
     stiffness.add(0.5 * loads.stiffness(i, 0), {1, 0}, 0);
     stiffness.add(0.5 * loads.stiffness(i, 1), {0, 1}, 0);
     const double omega = Kokkos::sqrt(2 * stiffness.largest_eigenvalue() / mass);

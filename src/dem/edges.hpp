@@ -13,8 +13,8 @@ struct Edge {
   std::array<int, 2> triangle;  ///< on the left (the lower number of two), on the right (-1: boundary)
 };
 
-/// All edges in the order in which the triangles name them first. Throws InputError when an edge has three triangles
-/// or two that lie on the same side.
+/// All edges in the order of their first appearance in the triangles. Throws InputError when an edge has three
+/// triangles or two that lie on the same side.
 std::vector<Edge> find_edges(const Assembly& assembly);
 
 }  // namespace vug

@@ -1,13 +1,14 @@
 #pragma once
-// What a bond or the faces of a crack store.
+// Elastic energy of a bond or of the faces of a crack.
 #include "dem/bond_elasticity.hpp"
 #include "dem/bond_kinematics.hpp"
 #include "dem/bond_law.hpp"
 
 namespace vug {
 
-/// (1 - d) (k_n delta_n delta_n' + k_t delta_t delta_t') / 2 over the edge of one bond, delta at the time of the last
-/// forces, delta' one step later; for a crack its compression and the stretch of its friction spring. J per m.
+/// (1 - d) (k_n delta_n delta_n' + k_t delta_t delta_t') / 2 over the edge of one bond, with delta at the time of the
+/// last forces and delta' one step later; for a crack, the energy of its compression and of the stretch of its friction
+/// spring. J per m.
 struct ElasticEnergy {
   BondParameters rock;
   double expansion;

@@ -9,7 +9,7 @@ namespace vug {
 
 namespace {
 
-/// m v^2 / 2 + I spin^2 / 2 of one particle.
+/// Kinetic energy of one particle, m v^2 / 2 + I spin^2 / 2.
 struct KineticEnergy {
   double mass_scaling;
   Particles p;
@@ -20,7 +20,7 @@ struct KineticEnergy {
   }
 };
 
-/// The half step of dashpot work that the sums do not hold yet.
+/// Half step of dashpot work that the sums do not contain yet.
 struct PendingDrag {
   double expansion;
   double dt;

@@ -1,6 +1,6 @@
 #pragma once
-// The energy ledger: what was put into the rock and where it is now. Sums in a fixed order: the same bits for any
-// number of threads.
+// The energy ledger: what was put into the rock and where it is now. Sums are taken in a fixed order, so that the bits
+// are the same for any number of threads.
 #include "dem/accounts.hpp"
 #include "dem/contacts.hpp"
 
@@ -8,8 +8,8 @@
 
 namespace vug {
 
-/// J per m of thickness. `kinetic` and `elastic` are those of this moment; the others are sums since the last reset and
-/// are zero when no ledger is kept.
+/// Energies, J per m of thickness. `kinetic` and `elastic` are current values; the others are sums since the last reset
+/// and are zero when no ledger is kept.
 struct Energies {
   double kinetic = 0;
   double elastic = 0;   ///< stored in bonds, closed cracks and contacts
@@ -18,10 +18,10 @@ struct Energies {
   double fracture = 0;  ///< released by damage
   double friction = 0;
   double damping = 0;    ///< viscosity of bonds, dashpots of contacts, local damping
-  double dissolved = 0;  ///< gone with rock that dissolved (mass_loss.hpp)
+  double dissolved = 0;  ///< lost with rock that dissolved (mass_loss.hpp)
 
-  /// What is missing: nothing while cracks neither open nor close (accounts.hpp), else second order in the time step.
-  /// Heating at constant opening counts here as well.
+  /// Error of the ledger: zero while cracks neither open nor close (accounts.hpp), else second order in the time step.
+  /// Heating at constant opening also appears here.
   double imbalance() const { return initial + work - kinetic - elastic - fracture - friction - damping - dissolved; }
 };
 
@@ -29,8 +29,8 @@ struct Energies {
 Accounts make_accounts(const Particles& particles, const Bonds& bonds, const Contacts& contacts);
 void reset(const Exec& exec, const Accounts& accounts);
 
-/// Adds everything up half a step before the displacements, where the velocities are, dt being the last step: not for
-/// use inside a step.
+/// Adds everything up at the time of the velocities, half a step before the displacements; `dt` is that of the last
+/// step. Not for use inside a step.
 Energies measure_energies(const Exec& exec, const MechanicsParameters& parameters, double dt,
                           const Particles& particles, const Bonds& bonds, const Contacts& contacts,
                           const std::optional<Accounts>& accounts);

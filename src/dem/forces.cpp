@@ -8,8 +8,8 @@ namespace vug {
 
 namespace {
 
-/// Contacts beside bonds: they need not know of a bond that fails in this step, since no pair is listed before the
-/// next search.
+/// Launches contacts beside bonds. Contacts need not know of a bond that fails in this step, because no pair is listed
+/// for it before the next search.
 template <class Law, class Keeper>
 void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces<Keeper> touch,
                  const ForceGroups& only) {
@@ -29,7 +29,7 @@ void launch_with(const Queue& queue, BondModel<Law, Keeper> model, ContactForces
     launch(queue, label, side_by_side(in_turn(bonds, std::move(hold), std::move(fail)), std::move(pairs)));
 }
 
-/// What the dashpots of its contacts do to each particle.
+/// Sums the dashpots of the contacts of each particle, into particle_drag.
 template <class Keeper>
 void gather_drag(const Exec& exec, int count, const Bonds& bonds, const Contacts& contacts, const Keeper& accounts) {
   if constexpr (Keeper::kept)

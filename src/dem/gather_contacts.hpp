@@ -1,10 +1,10 @@
 #pragma once
-// What the contacts of a particle add up to.
+// Sum of the contacts of a particle.
 #include "dem/contacts.hpp"
 
 namespace vug {
 
-/// Sum of a particle's contacts, in the order of its row, of loads or of the dashpots in them.
+/// Sums a particle's contacts in the order of its row, either the loads or the part of the dashpots in them.
 struct GatherContacts {
   IndexList events;      ///< of Bonds
   IndexList row, entry;  ///< of Contacts
@@ -26,7 +26,7 @@ struct GatherContacts {
   }
 };
 
-/// Of the loads themselves.
+/// Functor that sums the loads themselves.
 inline GatherContacts gather_loads(const Bonds& bonds, const Contacts& contacts) {
   return {bonds.events, contacts.row, contacts.entry, contacts.load, contacts.push};
 }

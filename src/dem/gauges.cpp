@@ -32,7 +32,7 @@ struct ReactionOf {
   KOKKOS_FUNCTION double operator()(int k) const { return p.reaction(held(k), axis); }
 };
 
-/// Ends of the edge of a bond.
+/// Position of an end of the edge of a bond, in the undeformed rock, m.
 KOKKOS_FORCEINLINE_FUNCTION Vec2 end_of_edge(const Particles& p, const Bonds& bonds, int k, int end) {
   const int a = bonds.pair(k, 0);
   const Vec2 first{bonds.arm(k, 0, 0, 0), bonds.arm(k, 0, 0, 1)}, second{bonds.arm(k, 1, 0, 0), bonds.arm(k, 1, 0, 1)};
@@ -51,7 +51,7 @@ struct FurthestEnd {
   }
 };
 
-/// The first end, 2 * bond + end, that lies as far as `reached`.
+/// First end (2 * bond + end) that lies as far as `reached`.
 struct FirstEnd {
   FurthestEnd of;
   double reached;

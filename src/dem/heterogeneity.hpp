@@ -1,5 +1,6 @@
 #pragma once
-// Strengths that vary from bond to bond: Weibull numbers that depend on names, never on the order of drawing.
+// Strengths that vary from bond to bond: Weibull numbers that depend on names, never on the order in which they are
+// drawn.
 #include "kernels/base/splitmix64.hpp"
 
 #include <cmath>
@@ -7,7 +8,7 @@
 
 namespace vug {
 
-/// What is drawn; each property of a bond has its own independent number.
+/// Properties that are drawn; each property of a bond has its own independent number.
 enum class BondProperty : std::uint64_t { normal_strength = 1, cohesion = 2, energy_I = 3, energy_II = 4 };
 
 /// A number in (0, 1) from a seed, the two vertex names of an edge (low, high) and a property.

@@ -8,34 +8,35 @@ namespace vug {
 
 namespace {
 
-/// One particle: local damping F -= alpha |F| sign(v); held axes follow their platen and leave the force that holds
-/// them in `reaction`; rock that is gone stays where it is. No branches and no calls, so that a host moves eight
-/// particles at once. Reads about 45 numbers, writes 11. Conserves momentum up to the sum of the outside forces.
+/// Moves one particle. Local damping is F -= alpha |F| sign(v). Held axes follow their platen, and the force that holds
+/// them is stored in `reaction`. Rock that is gone stays where it is. There are no branches and no calls, so that a
+/// host moves eight particles at once. Reads about 45 numbers, writes 11. Conserves momentum up to the sum of the
+/// outside forces.
 template <class Keeper>
 struct Integrate {
   StepControl control;
   ParticlePush push;
   Keeper accounts;
 
-  /// New velocity of one degree of freedom under `force`.
+  /// New velocity of one degree of freedom under `force`, local damping included.
   KOKKOS_FORCEINLINE_FUNCTION double kicked(double v, double force, double inverse_mass) const {
     const double against = v > 0 ? -1 : v < 0 ? 1 : 0;
     return v + control.dt * inverse_mass * (force + control.local_damping * Kokkos::abs(force) * against);
   }
 
-  /// What local damping takes when the velocity goes from v to w.
+  /// Energy that local damping takes when the velocity changes from v to w.
   KOKKOS_FORCEINLINE_FUNCTION double damped(double v, double w, double force) const {
     const double along = v > 0 ? 1 : v < 0 ? -1 : 0;
     return control.dt * control.local_damping * Kokkos::abs(force) * along * 0.5 * (v + w);
   }
 
-  /// What the dashpots of its contacts take from one degree of freedom.
+  /// Energy that the dashpots of its contacts take from one degree of freedom.
   KOKKOS_FORCEINLINE_FUNCTION double dragged(int i, int component, double v, double w) const {
     return -control.dt * accounts.particle_drag(i, component) * 0.5 * (v + w);
   }
 
-  /// Moves one degree of freedom of a particle that is `here` (1) or gone (0); work of `given` forces and of the
-  /// platen, and damping, go to the accounts.
+  /// Moves one degree of freedom of a particle that is present (`here` = 1) or gone (0). The work of the `given` forces
+  /// and of the platen, and damping, go to the accounts.
   KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double here, double force, double given,
                                         double inverse_mass) const {
     const bool held = (push.p.held(i) & (axis == 0 ? 1 : 2)) != 0;
