@@ -1,6 +1,6 @@
 #pragma once
-// Two bodies in one launch, which for short lists takes longer than the work: one after the other over a list, or over
-// those groups of it that have something to do; side by side over two lists.
+// Two bodies in one launch, because a launch takes longer than the work of short lists. They run one after the other
+// over a list, or over those groups of it that have something to do, or side by side over two lists.
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/recording.hpp"
 
@@ -15,13 +15,13 @@ struct Groups {
   int count = 0;  ///< items of the list
   int size = 1;
   Kokkos::View<std::uint8_t*> runs;  ///< (group) 0: nothing to do
-  Kokkos::View<std::uint8_t*> ours;  ///< (group) 0: another process does it; empty: all are ours
+  Kokkos::View<std::uint8_t*> ours;  ///< (group) 0: another process computes it; empty: all are ours
 
   KOKKOS_FORCEINLINE_FUNCTION int number() const { return (count + size - 1) / size; }
   KOKKOS_FORCEINLINE_FUNCTION int group_of(int item) const { return item / size; }
   KOKKOS_FORCEINLINE_FUNCTION bool is_ours(int group) const { return ours.data() == nullptr || ours(group) != 0; }
   KOKKOS_FORCEINLINE_FUNCTION bool runs_here(int group) const { return runs(group) != 0 && is_ours(group); }
-  /// How many run here.
+  /// Number of groups that run here.
   KOKKOS_FORCEINLINE_FUNCTION int running() const {
     int sum = 0;
     for (int group = 0; group < number(); ++group) sum += runs_here(group);
@@ -29,8 +29,8 @@ struct Groups {
   }
 };
 
-/// What a launch runs: on a host blocks of a list, on a GPU its items. Made by moving: a copy of a body counts the
-/// references of all its Views, which took a sixth of a step on a small lattice.
+/// What a launch runs: blocks of a list on a host, its items on a GPU. Bodies are moved into it, because a copy counts
+/// the references of all Views of the body, which took a sixth of a step on a small lattice.
 template <class Body>
 struct Work {
   Body body;
@@ -39,7 +39,7 @@ struct Work {
 
 namespace detail {
 
-/// A block of the first body, then the same block of the second.
+/// Runs a block of the first body, then the same block of the second.
 template <class First, class Second>
 struct LoopsInTurn {
   NodeLoop<First> first;
@@ -60,8 +60,8 @@ struct NodesInTurn {
   }
 };
 
-/// One of equal shares of the groups that run, in their order: a thread has the same ones in every launch until others
-/// run, so that they stay in its caches.
+/// Runs one of equal shares of the groups that run, in their order. A thread has the same groups in every launch until
+/// other groups run, so that they stay in its caches.
 template <class First, class Second>
 struct GroupLoops {
   First first;
@@ -101,8 +101,8 @@ struct Nothing {
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int) const {}
 };
 
-/// On a host a share of the blocks of either, so that every thread has of both; on a GPU all items of one, then of the
-/// other.
+/// On a host runs a share of the blocks of each list, so that every thread has some of both; on a GPU all items of one
+/// list, then of the other.
 template <class One, class Other>
 struct SideBySide {
   One one;
@@ -127,7 +127,7 @@ inline int blocks_of(int n, int size) {
 
 }  // namespace detail
 
-/// body(i) for i in [0, n), which must be independent.
+/// Work that calls body(i) for i in [0, n); the calls must be independent.
 template <class Body>
 auto each(int n, Body body) {
   if constexpr (runs_on_host) {
@@ -138,8 +138,8 @@ auto each(int n, Body body) {
   }
 }
 
-/// first(i), then second(i), for i in [0, n). Of each, iterations must be independent; second(i) may read what first(i)
-/// wrote, but not what other iterations did. The bits are those of two calls of for_each_node.
+/// Work that calls first(i), then second(i), for i in [0, n). Iterations of each body must be independent; second(i)
+/// may read what first(i) wrote, but not what other iterations wrote. The bits are those of two calls of for_each_node.
 template <class First, class Second>
 auto in_turn(int n, First first, Second second) {
   if constexpr (runs_on_host) {
@@ -151,7 +151,7 @@ auto in_turn(int n, First first, Second second) {
   }
 }
 
-/// The same over the groups that run, of which every thread of a host takes a share.
+/// The same over the groups that run; on a host every thread takes a share of these.
 template <class First, class Second>
 auto in_turn([[maybe_unused]] const Exec& exec, const Groups& groups, First first, Second second) {
   const int n = groups.count;
@@ -163,13 +163,13 @@ auto in_turn([[maybe_unused]] const Exec& exec, const Groups& groups, First firs
   }
 }
 
-/// body(i) for the items of the groups that run.
+/// Work that calls body(i) for the items of the groups that run.
 template <class Body>
 auto each(const Exec& exec, const Groups& groups, Body body) {
   return in_turn(exec, groups, std::move(body), detail::Nothing{});
 }
 
-/// Two lists at once; neither may read what the other writes.
+/// Work on two lists at once; neither may read what the other writes.
 template <class One, class Other>
 auto side_by_side(Work<One> one, Work<Other> other) {
   const int ones = one.count, others = other.count, most = ones > others ? ones : others;
@@ -177,7 +177,8 @@ auto side_by_side(Work<One> one, Work<Other> other) {
                                               runs_on_host ? most : ones + others};
 }
 
-/// Runs it in one launch, or records that; the shortest without waking other threads of a host. Nothing is fenced.
+/// Runs the work in one launch, or records it. On a host, work of one block runs without waking other threads. There is
+/// no fence.
 template <class Body>
 void launch(const Queue& queue, const std::string& label, const Work<Body>& work) {
   if (work.count <= 0) return;

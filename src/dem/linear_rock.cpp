@@ -8,7 +8,7 @@ namespace vug {
 
 namespace {
 
-constexpr double least_pivot = 1e-12;  // over the largest: smaller ones are rigid motion that nothing holds
+constexpr double least_pivot = 1e-12;  // over the largest; smaller ones mean rigid motion that nothing holds
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace vug {
 /// (bond, point, normal or tangential) stiffness, N/m.
 using StiffnessField = Kokkos::View<double* [2][2], Kokkos::LayoutLeft>;
 
-/// The rock as a linear system in the free displacements and rotations of its particles, its bonds being springs at
+/// The rock as a linear system in the free displacements and rotations of its particles, with the bonds as springs at
 /// their two points.
 class LinearRock {
  public:
@@ -21,16 +21,16 @@ class LinearRock {
   /// Row of component c (x, y, rotation) of particle i; -1 where it is held.
   int row(int i, int c) const { return row_[at(i, c)]; }
 
-  /// False when some motion meets no resistance.
+  /// Factorises the matrix of these stiffnesses; false when some motion meets no resistance.
   bool factorise(const StiffnessField::host_mirror_type& stiffness);
 
-  /// Displacements and rotations by the forces and torques of `force`, (row).
+  /// Displacements and rotations that the forces and torques `force` (row) cause.
   Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factors_.solve(force); }
 
  private:
-  /// Of component c of the i-th of several.
+  /// Index of component c of the i-th of several particles or ends.
   static std::size_t at(int i, int c) { return 3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(c); }
-  /// Adds k g g^T with g the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
+  /// Adds k g g^T, where g is the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
   void add_spring(std::vector<Eigen::Triplet<double>>& entries, int k, int s, int c, double stiffness) const;
 
   decltype(Bonds::pair)::host_mirror_type pair_;

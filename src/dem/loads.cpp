@@ -12,7 +12,7 @@ namespace vug {
 
 namespace {
 
-/// How far from a line a vertex may lie that counts as on it.
+/// Distance from a line within which a vertex counts as on it.
 double tolerance_of(const Extent& rock) {
   return 1e-6 * std::max(rock.width(), rock.height());
 }
@@ -48,7 +48,7 @@ int held_axes(Support support, int side) {
 
 using Interval = std::array<double, 2>;
 
-/// Takes [from, to] out of the intervals and returns what was taken.
+/// Removes [from, to] from the intervals and returns what was removed.
 std::vector<Interval> take(std::vector<Interval>& left, double from, double to) {
   std::vector<Interval> taken, rest;
   for (const auto& [low, high] : left) {
@@ -65,7 +65,7 @@ std::vector<Interval> take(std::vector<Interval>& left, double from, double to) 
   return taken;
 }
 
-/// The pieces of one edge p -> q of a side.
+/// Adds the pieces of one edge p -> q of a side.
 void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const std::vector<SidePart>& parts,
                 std::vector<LoadedPiece>& pieces) {
   const bool upright = edge.side % 2 == 0;
@@ -131,7 +131,8 @@ Support support_of(const LoadedPiece& piece, const Loads& loads) {
 
 std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPiece>& pieces, const Loads& loads,
                                        int particles) {
-  std::vector<std::array<int, 4>> held(static_cast<std::size_t>(particles));  // by the sides
+  std::vector<std::array<int, 4>> held(
+      static_cast<std::size_t>(particles));  // (particle, side) axes that this side holds
   for (const LoadedPiece& piece : pieces)
     if (piece.decides)
       held[static_cast<std::size_t>(piece.particle)][static_cast<std::size_t>(piece.side)] |=
@@ -140,7 +141,7 @@ std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPi
   for (std::size_t i = 0; i < held.size(); ++i)
     for (int axis = 0; axis < 2; ++axis) {
       int owner = -1;
-      for (const int s : {axis, axis + 2, 1 - axis, 3 - axis})  // those with this normal, then the others
+      for (const int s : {axis, axis + 2, 1 - axis, 3 - axis})  // the sides with this normal, then the others
         if (owner < 0 && (held[i][static_cast<std::size_t>(s)] & 1 << axis) != 0) owner = s;
       if (owner == static_cast<int>(side)) axes[i] = static_cast<std::uint8_t>(axes[i] | 1 << axis);
     }
@@ -182,7 +183,7 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     if (part) traction = {value_at(part->traction[0], 0), value_at(part->traction[1], 0)};
     const Support support = support_of(piece, loads);
     Vec2 f{piece.length * traction[0], piece.length * traction[1]};
-    if (support == Support::servo) (side % 2 == 0 ? f.x : f.y) = 0;  // its platen sees to it
+    if (support == Support::servo) (side % 2 == 0 ? f.x : f.y) = 0;  // its platen provides this pressure
     force(i, 0) += f.x;
     force(i, 1) += f.y;
     moment(i, 0) += cross(piece.arm, f);

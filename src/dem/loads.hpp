@@ -1,5 +1,5 @@
 #pragma once
-// What acts on the outside of the rock: stress and supports on its four sides, and gravity.
+// Loads on the outside of the rock: stress and supports on its four sides, and gravity.
 #include "dem/particles.hpp"
 #include "dem/support.hpp"
 
@@ -15,21 +15,21 @@ namespace vug {
 enum class RockSide : int { right = 0, top = 1, left = 2, bottom = 3 };
 inline constexpr int rock_side_count = 4;
 
-/// A number over the time since the preload, s; empty: 0.
+/// A number as a function of the time since the preload, s; empty: 0.
 using OverTime = std::function<double(double)>;
 inline double value_at(const OverTime& number, double time) {
   return number ? number(time) : 0;
 }
 
-/// A part of a side that is loaded and held in its own way; what of the side's own loads lies there does not count.
+/// A part of a side with its own load and support; there the loads of the side itself do not apply.
 struct SidePart {
   RockSide side = RockSide::right;
-  double from = 0, to = 0;  ///< m along the side; the same: the one edge there
+  double from = 0, to = 0;  ///< m along the side; if equal: the one edge there
   Support support = Support::free;
   std::array<OverTime, 2> traction;  ///< force on the rock per area along x and y, Pa; of a part that is not held
   double stiffness = 0;              ///< of the rock beyond, Pa/m
   std::array<OverTime, 2> velocity;  ///< of a held part, m/s; at rest during a preload
-  bool changes = false;              ///< whether a traction is another one later
+  bool changes = false;              ///< whether a traction changes in time
   std::string name = {};             ///< in messages
   bool moves() const { return velocity[0] || velocity[1]; }
 };
@@ -58,12 +58,12 @@ struct BoundaryEdge {
 /// All boundary edges. An edge belongs to a side when both its ends lie on that side of the assembly's bounding box.
 std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
 
-/// Whether parts of the boundary lie in front of others, as in holes, in slots and between pieces: of any outline but a
-/// convex one. Such rock may touch itself before a bond has failed.
+/// Whether parts of the boundary are in front of others, as in holes, in slots and between pieces: true for any outline
+/// that is not convex. Such rock may touch itself before a bond has failed.
 bool faces_itself(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary);
 
-/// Steady loads of each particle, ready for the integrator. The torque of a dead load turns with the particle:
-/// T = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
+/// Steady loads of each particle, ready for the integrator. The torque of a dead load changes as the particle turns: T
+/// = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
 struct BoundaryLoads {
   VectorField<double> force;      ///< (particle, axis) N
   VectorField<double> moment;     ///< (particle, A or B) N m
@@ -72,36 +72,37 @@ struct BoundaryLoads {
   double gravity_y = 0;
 };
 
-/// An edge, or a piece of one, in the hands of one part, or of the side itself (-1).
+/// An edge of the boundary, or a piece of one, that belongs to one part of a side, or to the side itself (-1).
 struct LoadedPiece {
   int part = -1;
   int side = 0;  ///< RockSide
   int particle = 0;
   double length = 0;    ///< m
   Vec2 arm;             ///< its middle from the particle's centroid, m
-  bool decides = true;  ///< how the particle is held
+  bool decides = true;  ///< whether it decides how the particle is held
 };
 
-/// How it is held, and with which stiffness of the rock beyond.
+/// Support of a piece.
 Support support_of(const LoadedPiece& piece, const Loads& loads);
 
-/// All loaded edges in pieces, in the order of the boundary. A support has an edge of which it has more than a half.
+/// All edges of the four sides in pieces, in the order of the boundary. A support holds an edge if it has more than
+/// half of it.
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles);
 
-/// Of each particle the axes (bit 0: x, bit 1: y) along which the support of this side holds it, so that its reaction
-/// there is the side's. An axis that several sides hold is that of the one whose normal it is, else of the first in the
-/// order of RockSide: over all sides the reactions add up to the force that holds the rock.
+/// (particle) The axes (bit 0: x, bit 1: y) along which the support of this side holds the particle, so that its
+/// reaction there belongs to the side. An axis that several sides hold belongs to the side whose normal it is, else to
+/// the first in the order of RockSide. The reactions of all sides therefore add up to the force that holds the rock.
 std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPiece>& pieces, const Loads& loads,
                                        int particles);
 
-/// Places tractions at the middles of the pieces and writes the supports into held and drive of the particles; parts at
-/// time zero, and without their velocities. Throws InputError where a load finds no edge of the rock to act on, or a
-/// support none to hold; what later parts hide wholly is none of these.
+/// Applies tractions at the middles of the pieces, and writes the supports into held and drive of the particles. Parts
+/// are taken at time zero and without their velocities. Throws InputError where a load finds no edge of the rock to act
+/// on, or a support none to hold, unless later parts hide it completely.
 BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary, const Loads& loads,
                           const Particles& particles);
 
-/// Changes the speed of the platen at a held side.
+/// Sets the velocity of the platen at a held side.
 void set_platen_velocity(const std::vector<BoundaryEdge>& boundary, RockSide side, std::array<double, 2> velocity,
                          const Particles& particles);
 
