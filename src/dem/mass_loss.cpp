@@ -7,7 +7,7 @@ namespace vug {
 
 namespace {
 
-/// One triangle: p -= dm v, E -= (dm v^2 + dI spin^2) / 2.
+/// Takes mass from one triangle: p -= dm v, E -= (dm v^2 + dI spin^2) / 2.
 struct TakeMass {
   ScalarField<double> now;  ///< solid fraction
   double mass_scaling;
@@ -30,7 +30,7 @@ struct TakeMass {
   }
 };
 
-/// One bond: E -= dd_c of what it would store undissolved.
+/// Takes stiffness from one bond: E -= dd_c times what it would store undissolved.
 struct TakeStiffness {
   ScalarField<double> now;  ///< d_c
   ElasticEnergy energy;

@@ -12,7 +12,7 @@ namespace vug {
 
 namespace {
 
-/// Of two springs one behind the other.
+/// Modulus of two springs in series.
 double in_series(double m_a, double h_a, double m_b, double h_b) {
   return m_a == m_b ? m_a : (h_a + h_b) / (h_a / m_a + h_b / m_b);
 }

@@ -7,7 +7,7 @@ namespace vug {
 
 namespace {
 
-/// Components of the stress of one triangle times its area, and that area.
+/// Stress of one triangle times its area, and that area.
 struct StressTimesArea {
   Particles particles;
   Bonds bonds;
@@ -44,7 +44,7 @@ struct StressOfTriangle {
   }
 };
 
-/// One number of one member: 0 xx, 1 yy, 2 xy, each times the area, 3 the area.
+/// One number of one member: 0 xx, 1 yy, 2 xy, each times the area; 3 the area.
 struct ShareOfMember {
   StressTimesArea of;
   IndexList members;

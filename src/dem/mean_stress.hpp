@@ -12,13 +12,14 @@ struct Stress {
 };
 
 /// (particle, xx yy xy) Stress of each triangle, tension positive, Pa: (1/A) sum of arm (x) force over its edges
-/// (Weber's formula, arms to the middles of the edges). Forces of broken bonds count, those of other contacts, of the
-/// fluid and of loads on outer edges do not.
+/// (Weber's formula, arms to the middles of the edges). Forces of broken bonds are included, those of other contacts,
+/// of the fluid and of loads on outer edges are not.
 Kokkos::View<double* [3], Kokkos::LayoutLeft> stress_of_triangles(const Exec& exec, const Particles& particles,
                                                                   const Bonds& bonds);
 
-/// Mean stress of the named particles: exact for the sum over a region whose edges are all bonded, where what the two
-/// integration points of an inner edge add cancels. Sums in a fixed order on the device, which it waits for.
+/// Mean stress of the given particles. The sum over a region whose edges are all bonded is exact, because the
+/// contributions of the two integration points of an inner edge cancel. Sums in a fixed order on the device, which it
+/// waits for.
 Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bonds, const IndexList& members);
 Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The rock as one moving thing: particles, bonds, loads and the loop over sub-steps.
+// The rock as a whole: particles, bonds, loads and the loop over sub-steps.
 #include "dem/bonds.hpp"
 #include "dem/energy.hpp"
 #include "dem/integrate.hpp"
@@ -23,78 +23,82 @@ namespace vug {
 /// Cundall's alpha while the preload comes to rest: 0.5 to 0.9 need about the same number of steps.
 inline constexpr double default_preload_damping = 0.7;
 
-/// Sub-steps between two looks at what rests; a wave passes some ten triangles meanwhile.
+/// Sub-steps between two checks of which rock rests; meanwhile a wave passes some ten triangles.
 inline constexpr int steps_between_looks = 16;
 
-/// Sub-steps between two searches for contacts: far less than a quarter of the skin is covered in so many.
+/// Sub-steps between two searches for contacts; particles move by far less than a quarter of the skin in so many.
 inline constexpr int steps_between_searches = 50;
 
-/// What a call of Mechanics::advance finds.
+/// Whether the rock has changed since the last call of Mechanics::advance.
 enum class RockIs { changed, the_same };
 
 /// Mechanics of bonded triangles. The coupling writes force, torque and temperature_change of `particles()`, calls
-/// `dissolve` when solid has gone, then `advance`.
+/// `dissolve` when solid has been lost, then `advance`.
 class Mechanics {
  public:
   /// Throws InputError for an assembly that is no triangulation or parameters that are out of range.
   Mechanics(const Assembly& assembly, const MechanicsParameters& parameters, const Loads& loads);
 
-  /// From now on `advance` moves this rank's share of the rock; nothing is shared where a ledger sums up losses or a
-  /// servo moves platens. Called by all ranks. Where rock is shared `advance` and `make_whole` wait for the others.
+  /// Makes `advance` move only this rank's share of the rock from now on. Nothing is shared where a ledger sums up
+  /// losses or a servo moves platens. Called by all ranks. Where rock is shared, `advance` and `make_whole` wait for
+  /// the other ranks.
   void share(const Ranks& ranks);
-  /// Whether this rank moves a particle.
+  /// Whether this rank moves the particle.
   bool moves(int particle) const { return !share_ || share_->moves(particle); }
-  /// Brings positions and damage of all rock to all ranks, for those who look at cracks and fragments.
+  /// Brings positions and damage of all rock to all ranks, for analyses of cracks and fragments.
   void make_positions_whole(const Exec& exec) const;
-  /// Brings the whole state to all ranks, before anything else looks at it.
+  /// Brings the whole state to all ranks; call it before anything else reads the state.
   void make_whole(const Exec& exec) const;
 
-  /// Safe bound of the largest stable time step at the current masses, s; take at most 0.3 of it.
+  /// Lower bound of the largest stable time step at the current masses, s; use at most 0.3 of it.
   double critical_step() const;
 
-  /// Takes `substeps` steps of dt with outside forces and temperatures held. Two kernels each, one more per servo
-  /// platen, and two more every 50 steps; no fence, no allocation, no host copy. Where rock may sleep
-  /// (parameters().rest_tolerance), three more every 16 steps and a count read by the host; nothing while all of it
-  /// does. `rock`: whether temperatures, solid and damage are those of the call before, so that a look need not see
-  /// what sleeps. On a GPU sub-steps between searches and looks are one launch, unless loads change in time, a servo
-  /// moves platens or there is a ledger.
+  /// Takes `substeps` steps of dt with constant outside forces and temperatures. A step is two kernels; one more per
+  /// servo platen, with loads that change in time and with a ledger, and two more every 50 steps. There is no fence, no
+  /// allocation and no host copy. Where rock may sleep (parameters().rest_tolerance) every 16th step has up to three
+  /// more kernels, and a host reads a count; between these checks nothing is launched on a host while all rock sleeps.
+  /// `rock` says whether temperatures, solid and damage are those of the previous call; a check then need not evaluate
+  /// what sleeps. On a GPU the sub-steps between searches and checks are one launch, unless loads change in time, a
+  /// servo moves platens, rock is shared by ranks or there is a ledger.
   void advance(const Exec& exec, double dt, int substeps, RockIs rock = RockIs::changed);
 
-  /// What is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what is
-  /// gone are booked. Call it between steps of dt.
+  /// Sets what is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what
+  /// is lost are booked. Call it between steps of dt.
   void dissolve(const Exec& exec, double dt, const ScalarField<double>& solid_fraction, const ScalarField<double>& d_c);
 
-  /// Puts boundary loads and gravity on the rock in a ramp, with Cundall's local damping, and waits until it is at
-  /// rest. Velocities are then zero; u_reference and angle_reference hold what has been reached. Throws
+  /// Applies boundary loads and gravity in a ramp, with Cundall's local damping, and waits until the rock is at rest.
+  /// Velocities are then zero; u_reference and angle_reference hold the displacements and rotations reached. Throws
   /// Interrupted.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
-  /// The same state without the way to it: where the loads balance, solved for. False, and the state (visit_state) as
-  /// it was, where that does not lead there (see find_static_equilibrium), where platens move by themselves, or where
-  /// it would damage a bond: how far damage goes then depends on the way.
+  /// Solves for the state that the preload leads to, where the loads balance, instead of computing the way to it.
+  /// Returns false and restores the state (visit_state) where this does not find that state (see
+  /// find_static_equilibrium), where platens move by themselves, or where it would damage a bond: how far damage goes
+  /// then depends on the way.
   bool preload_statically(const Exec& exec);
 
-  /// How the last ramped preload ended; nothing where there was none, or where the state it led to was solved for.
+  /// Report of the last ramped preload; none where there was none, or where its state was solved for.
   const std::optional<PreloadReport>& ramped() const { return ramped_; }
 
-  /// Velocity of the platen of a held side from now on, m/s.
+  /// Sets the velocity of the platen of a held side from now on, m/s.
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
-  /// Displacements count from the unloaded rock from now on; not where rock beyond the sides answers them.
+  /// Makes displacements count from the unloaded rock from now on; not for use where rock beyond the sides reacts to
+  /// them.
   void count_from_unloaded();
-  /// What the listed triangles start with, m/s; without spin.
+  /// Sets the velocity of the listed triangles, m/s; not their spin.
   void set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity);
   /// Force that holds a side, N per m of thickness.
   Vec2 reaction(RockSide side) const;
   /// The energy ledger, J per m; work and losses only with parameters().energy_ledger.
   Energies energies(const Exec& exec) const;
-  /// Starts the ledger anew from the present state.
+  /// Restarts the ledger from the present state.
   void reset_ledger(const Exec& exec);
-  /// The first particle that is not finite or faster than `largest_speed`.
+  /// The first particle whose motion is not finite or faster than `largest_speed`.
   RunawayParticle runaway(const Exec& exec, double largest_speed) const;
-  /// What has gone with the rock that dissolved; not for use inside a step.
+  /// What has been lost with the rock that dissolved; not for use inside a step.
   LostWithRock lost() const { return lost_with_rock(particles_, loss_); }
   BondCounts bond_counts() const { return count_bonds(bonds_); }
-  /// Share of the rock that is awake, by groups of triangles.
+  /// Share of the groups of triangles that are awake.
   double awake_share() const { return rest_ ? vug::awake_share(*rest_) : 1.0; }
 
   const Particles& particles() const { return particles_; }
@@ -103,42 +107,42 @@ class Mechanics {
   const MechanicsParameters& parameters() const { return parameters_; }
   const std::vector<BoundaryEdge>& boundary() const { return boundary_; }
   const std::vector<ServoPlaten>& servos() const { return servos_; }
-  /// Calls visit(name, View) for everything that a resumed run must find again, to the bit; with time() and steps().
-  /// Where numbers are indices or switches, visit(name, View, least, most) says what they may be.
+  /// Calls visit(name, View) for everything that a resumed run must restore to the bit, besides time() and steps(). For
+  /// indices and switches it calls visit(name, View, least, most) with the range that they may have.
   template <class Visit>
   void visit_state(const Visit& visit) const;
 
   double time() const { return time_; }
-  /// For a run that is resumed.
+  /// For a resumed run.
   void set_time(double time) {
     time_ = time;
     if (share_) share_->forget_pairs();
   }
-  /// Steps taken, preload included: contacts are looked for at every fiftieth, so a resumed run must go on counting.
+  /// Steps taken, preload included. Contacts are searched at every fiftieth, so a resumed run must continue the count.
   long steps() const { return steps_; }
   void set_steps(long steps) { steps_ = steps; }
-  /// Whether the next look at what rests sees all bonds; a resumed run must do as the one it goes on with.
+  /// Whether the next check of what rests evaluates all bonds; a resumed run must do as the run that it continues.
   bool all_due() const { return !rest_ || rest_->all_due; }
   void set_all_due(bool all_due) {
     if (rest_) rest_->all_due = all_due;
   }
 
  private:
-  /// `rest` names what sleeps, `share` what others move; null: nothing, as in a preload.
+  /// `rest` says what sleeps, `share` what other ranks move; null: nothing, as in a preload.
   void step(const Exec& exec, const StepControl& control, Rest* rest = nullptr, RockShare* share = nullptr);
   template <class Keeper>
   void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest, RockShare* share);
   void search_contacts(const Exec& exec, RockShare* share);
-  /// So many of the next sub-steps, at most `most`, are the same two kernels: 0 or 1 where nothing is recorded.
+  /// Number of the next sub-steps, at most `most`, that are the same two kernels; 0 or 1 where nothing is recorded.
   int alike(int most) const;
-  /// Takes them in one launch, recorded where that has not been done for this `count` and dt.
+  /// Takes `count` sub-steps in one launch, which is recorded first if that has not been done for this `count` and dt.
   void replay(const Exec& exec, const StepControl& control, int count);
   long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
-  /// What both ways of preloading end with: the rock is at rest, its displacements are the reference.
+  /// End of both kinds of preload: the rock is at rest, its displacements become the reference.
   void take_as_reference(const Exec& exec);
   double contact_energy(const Exec& exec) const;
-  /// Brings Particles::warming up to the temperatures; one kernel where the rock is of several materials.
+  /// Updates Particles::warming from the temperatures; one kernel where the rock is of several materials.
   void follow_temperature(const Exec& exec);
 
   MechanicsParameters parameters_;
@@ -150,17 +154,17 @@ class Mechanics {
   NeighbourGrid grid_;
   BoundaryLoads loads_;
   std::vector<ServoPlaten> servos_;
-  std::optional<TimedLoads> timed_;  ///< where loads change or platens move by a table
+  std::optional<TimedLoads> timed_;  ///< where loads change in time or platens move as given by a table
   MassLoss loss_;
   std::optional<Accounts> accounts_;
   std::optional<Rest> rest_;           ///< where rock may sleep
-  std::optional<RockShare> share_;     ///< where several ranks move it
-  std::map<int, Recording> recorded_;  ///< by the number of sub-steps, of recorded_dt_
+  std::optional<RockShare> share_;     ///< where several ranks share it
+  std::map<int, Recording> recorded_;  ///< by the number of sub-steps, for recorded_dt_
   double recorded_dt_ = 0;
   double sound_crossing_ = 0;            ///< s, of the intact rock
   std::optional<PreloadReport> ramped_;  ///< the last preload by a ramp
   double initial_energy_ = 0;
-  double lost_contact_energy_ = 0;  ///< with the outlines that dissolved; only with accounts_
+  double lost_contact_energy_ = 0;  ///< lost with the outlines that dissolved; only with accounts_
   double last_dt_ = 0;
   double time_ = 0;
   long steps_ = 0;
@@ -201,7 +205,7 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("awake", rest_->particles.runs, 0, 1);
   visit("bonds_awake", rest_->bonds.runs, 0, 1);
   visit("bonds_due", rest_->due.runs, 0, 1);
-  visit("stress", bonds_.stress);  // of what sleeps, for pictures and sums until the next look
+  visit("stress", bonds_.stress);  // of sleeping rock, for pictures and sums until the next check
   visit("contact_energy", contacts_.energy);
   visit("load", bonds_.load);
   visit("reaction", particles_.reaction);

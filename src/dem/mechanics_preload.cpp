@@ -1,4 +1,4 @@
-// How the rock comes to rest under its loads before a run begins.
+// Brings the rock to rest under its loads before a run begins.
 #include "dem/mechanics.hpp"
 #include "dem/static_equilibrium.hpp"
 #include "host/interruption.hpp"
@@ -13,12 +13,13 @@ namespace vug {
 
 namespace {
 
-constexpr double at_rest = 1e-9;           // kinetic over elastic energy: the stress oscillates by its square root
-constexpr long shortest_look = 16;         // steps: a look at the energies takes as long as two
-constexpr int looks_at_rest = 3;           // in a row, a fifth of the ramp apart: no turning point of an oscillation
+constexpr double at_rest =
+    1e-9;  // kinetic over elastic energy: the relative oscillation of the stress is its square root
+constexpr long shortest_look = 16;  // steps: a look at the energies costs as much as two
+constexpr int looks_at_rest = 3;  // in a row, a fifth of the ramp apart: this excludes turning points of an oscillation
 constexpr int longest_settling = 50;       // times the ramp, or
 constexpr double longest_crossings = 500;  // of sound through the rock, if that is longer
-constexpr double shortest_ramp = 2;        // crossings: a load that is there at once overshoots to twice itself
+constexpr double shortest_ramp = 2;        // crossings: a load applied at once overshoots to twice itself
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace vug {
 
 namespace {
 
-/// Least number of the particles whose motion fails the comparison (NaN fails every comparison).
+/// Smallest number of a particle whose motion fails the comparison (NaN fails every comparison).
 struct FindRunaway {
   double largest_speed;
   Particles p;

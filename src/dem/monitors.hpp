@@ -1,5 +1,5 @@
 #pragma once
-// What the host asks now and then: is the motion sane, how many bonds are left. Not for use inside a step.
+// Occasional checks by the host: whether the motion is sane, how many bonds are left. Not for use inside a step.
 #include "dem/bonds.hpp"
 
 #include <vector>
@@ -14,7 +14,7 @@ struct RunawayParticle {
 
 RunawayParticle find_runaway(const Exec& exec, const Particles& particles, double largest_speed);
 
-/// Bonds by what has become of them.
+/// Numbers of bonds by their state.
 struct BondCounts {
   int damaged = 0;  ///< 0 < d_m < 1
   int failed_in_tension = 0;

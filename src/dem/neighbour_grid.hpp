@@ -1,10 +1,10 @@
 #pragma once
-// Finding pairs that may touch: a uniform cell list, rebuilt on the device only when particles have moved.
+// Search for pairs that may touch: a uniform cell list, rebuilt on the device only when particles have moved.
 #include "dem/contacts.hpp"
 
 namespace vug {
 
-/// Cells of side >= 2 reach + skin over the rock; particles beyond its edge count in the outermost cells.
+/// Cells of side >= 2 reach + skin over the rock; particles beyond its edge belong to the outermost cells.
 struct NeighbourGrid {
   double left = 0, bottom = 0, cell = 1;
   int nx = 1, ny = 1;
@@ -21,9 +21,9 @@ struct NeighbourGrid {
 
 NeighbourGrid make_neighbour_grid(const Particles& particles, double skin);
 
-/// Rebuilds the candidate pairs when contacts are awake and a particle has moved by more than a quarter of the skin, a
-/// bond has failed or a pair of crack faces has parted. Two launches that end at once when there is nothing to do; no
-/// host copy.
+/// Rebuilds the candidate pairs when contacts are active and a particle has moved by more than a quarter of the skin,
+/// or a bond has failed, or the faces of a crack have parted or dissolved. Two launches that return at once when there
+/// is nothing to do; no host copy.
 void update_contacts(const Exec& exec, const NeighbourGrid& grid, const Particles& particles, const Bonds& bonds,
                      const Contacts& contacts);
 

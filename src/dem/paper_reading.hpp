@@ -1,15 +1,16 @@
 #pragma once
-// What the paper's Table 1 may mean beside its letter.
+// Another reading of the paper's Table 1.
 #include "dem/parameters.hpp"
 
 #include <cmath>
 
 namespace vug {
 
-/// Table 1 in the reading that gives the paper's measured strength without a fit: the printed strengths and energies
-/// are scale parameters of their Weibull distributions of shape p.bond.weibull_shape (mean = scale Gamma(1 + 1/m), 6.5
-/// % less for m = 7; the scale itself where m = 0 says that nothing scatters), f1 and f2 act as printed (0.98 and 1.01
-/// in fresh rock), and the internal friction is no part of a bond's strength.
+/// Table 1 in the reading that gives the paper's measured strength without a fit:
+/// - the printed strengths and energies are scale parameters of their Weibull distributions of shape
+///   p.bond.weibull_shape (mean = scale Gamma(1 + 1/m), 6.5 % less for m = 7; the scale itself for m = 0, no scatter);
+/// - f1 and f2 act as printed (0.98 and 1.01 in fresh rock);
+/// - the internal friction is no part of a bond's strength.
 inline MechanicsParameters weibull_scale_reading(MechanicsParameters p) {
   const double shape = p.bond.weibull_shape;
   const double mean_over_scale = shape > 0 ? std::tgamma(1 + 1 / shape) : 1;

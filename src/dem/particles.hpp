@@ -1,5 +1,5 @@
 #pragma once
-// The rigid triangles: where they are, how they move, what pushes them from outside.
+// The rigid triangles: positions, motion, forces from outside.
 #include "dem/assembly.hpp"
 #include "dem/dissolved_rock.hpp"
 #include "dem/parameters.hpp"
@@ -9,9 +9,9 @@
 
 namespace vug {
 
-/// Shapes and motion of all particles, SI, 1 m thick. Displacements are stored, not positions: micrometres of motion
-/// on centimetres of rock keep all their digits. The coupling writes force, torque, solid_fraction and
-/// temperature_change; the mechanics writes everything else.
+/// Shapes and motion of all particles, SI, 1 m thick. Displacements are stored, not positions, so that micrometres of
+/// motion on centimetres of rock keep all their digits. The coupling writes force, torque and temperature_change; the
+/// mechanics writes everything else.
 struct Particles {
   int count = 0;
   double radius = 0;  ///< of the rounding of all sphero-triangles, m
@@ -35,8 +35,8 @@ struct Particles {
   ScalarField<double> torque;              ///< from outside about the moving centroid, N m
   ScalarField<double> solid_fraction;      ///< remaining solid volume over the initial one; see is_gone
   ScalarField<double> temperature_change;  ///< mean of T - T_ref, K
-  /// The same times the particle's thermal expansion over MechanicsParameters::thermal_expansion: the very View where
-  /// the rock is of one material.
+  /// temperature_change times the particle's thermal expansion over MechanicsParameters::thermal_expansion; the same
+  /// View where the rock is of one material.
   ScalarField<double> warming;
 
   Kokkos::View<std::uint8_t*> held;  ///< bits 1, 2, 4: x, y, spin follow `drive` instead of the forces
@@ -47,7 +47,8 @@ struct Particles {
 /// Triangle k of an assembly.
 Triangle triangle_of(const Assembly& assembly, int k);
 
-/// Particles at rest in the place of the triangles. Throws InputError for an assembly that is no triangulation.
+/// Makes particles at rest at the positions of the triangles. Throws InputError for an assembly that is no
+/// triangulation.
 Particles make_particles(const Assembly& assembly, const MechanicsParameters& parameters);
 
 }  // namespace vug

@@ -1,5 +1,5 @@
 #pragma once
-// What pushes one particle: the sum that moves it, and by which it rests.
+// Force and torque on one particle: the sum that moves it, and that decides whether it rests.
 #include "dem/contacts.hpp"
 #include "dem/loads.hpp"
 
@@ -9,9 +9,8 @@ struct Push {
   double x = 0, y = 0, torque = 0;  ///< N, N, N m
 };
 
-/// Forces on a particle from what is stored: its bonds' slots in fixed order, its contacts as gathered in
-/// Contacts::push, outside forces, boundary loads and gravity. No branches, so that a host does eight particles at
-/// once.
+/// Sums the stored forces on a particle: its bonds' slots in a fixed order, its contacts as gathered in Contacts::push,
+/// outside forces, boundary loads and gravity. It has no branches, so that a host computes eight particles at once.
 struct ParticlePush {
   double load_factor, surroundings;                        ///< see StepControl
   Kokkos::View<int* [3], Kokkos::LayoutLeft> slot;         ///< of Bonds
@@ -26,12 +25,12 @@ struct ParticlePush {
     return {sign * load(k, 0), sign * load(k, 1), load(k, 2 + end)};
   }
 
-  /// What the rock beyond the boundary adds to the stress that was there after the preload.
+  /// Force of the rock beyond the boundary in addition to the stress after the preload.
   KOKKOS_FORCEINLINE_FUNCTION double spring(int i, int axis) const {
     return surroundings * boundary.stiffness(i, axis) * (p.u(i, axis) - p.u_reference(i, axis));
   }
 
-  /// Of what does not come from other particles; nothing pushes rock that is gone.
+  /// Sum of what does not come from other particles; zero for rock that is gone.
   KOKKOS_FORCEINLINE_FUNCTION Push outside(int i) const {
     const double weight = p.mass(i) * mass_fraction(p.solid_fraction(i));
     const double a = boundary.moment(i, 0), b = boundary.moment(i, 1);
@@ -42,14 +41,14 @@ struct ParticlePush {
             here * (p.torque(i) + load_factor * moment)};
   }
 
-  /// Of everything; `given` from outside(i).
+  /// Sum of everything; `given` is outside(i).
   KOKKOS_FORCEINLINE_FUNCTION Push total(int i, const Push& given) const {
     const Push a = bond(i, 0), b = bond(i, 1), c = bond(i, 2);
     return {a.x + b.x + c.x + contacts(i, 0) + given.x, a.y + b.y + c.y + contacts(i, 1) + given.y,
             a.torque + b.torque + c.torque + contacts(i, 2) + given.torque};
   }
 
-  /// Leaves the forces that hold a particle against all that pushes it in its `reaction`.
+  /// Stores in `reaction` the forces that hold a particle against the sum `all`.
   KOKKOS_FORCEINLINE_FUNCTION void hold(int i, const Push& all) const {
     p.reaction(i, 0) = (p.held(i) & 1) != 0 ? -all.x : 0.0;
     p.reaction(i, 1) = (p.held(i) & 2) != 0 ? -all.y : 0.0;

@@ -1,4 +1,4 @@
-// Sub-steps that are the same two kernels, as one launch of a GPU.
+// Sub-steps that consist of the same two kernels, as one launch on a GPU.
 #include "dem/forces.hpp"
 #include "dem/mechanics.hpp"
 
@@ -8,7 +8,7 @@ namespace vug {
 
 namespace {
 
-constexpr int longest_replay = 16;  // sub-steps: there may be a recording of every length
+constexpr int longest_replay = 16;  // sub-steps: there may be one recording for every length
 
 }  // namespace
 
@@ -23,7 +23,8 @@ int Mechanics::alike(int most) const {
   return count;
 }
 
-/// All that changes from one sub-step to the next, and what others change between them, lies in Views that stay.
+/// A recording can be replayed because everything that changes from one sub-step to the next, or that others change
+/// between them, is in Views that stay where they are.
 void Mechanics::replay(const Exec& exec, const StepControl& control, int count) {
   if (recorded_dt_ != control.dt) recorded_.clear();
   recorded_dt_ = last_dt_ = control.dt;
