@@ -54,12 +54,12 @@ class Mechanics {
   double critical_step() const;
 
   /// Takes `substeps` steps of dt with constant outside forces and temperatures. A step is two kernels; one more per
-  /// servo platen, with loads that change in time and with a ledger, and two more every 50 steps. There is no fence, no
-  /// allocation and no host copy. Where rock may sleep (parameters().rest_tolerance) every 16th step has up to three
-  /// more kernels, and a host reads a count; between these checks nothing is launched on a host while all rock sleeps.
-  /// `rock` says whether temperatures, solid and damage are those of the previous call; a check then need not evaluate
-  /// what sleeps. On a GPU the sub-steps between searches and checks are one launch, unless loads change in time, a
-  /// servo moves platens, rock is shared by ranks or there is a ledger.
+  /// servo platen, with loads that change in time and with a ledger, and two more every 50 steps. Unless ranks share
+  /// the rock there is no fence, no allocation and no host copy. Where rock may sleep (parameters().rest_tolerance)
+  /// every 16th step has up to three more kernels, and a host reads a count; between these checks nothing is launched
+  /// on a host while all rock sleeps. `rock` says whether temperatures, solid and damage are those of the previous
+  /// call; a check then need not evaluate what sleeps. On a GPU the sub-steps between searches and checks are one
+  /// launch, unless loads change in time, a servo moves platens, ranks share the rock or there is a ledger.
   void advance(const Exec& exec, double dt, int substeps, RockIs rock = RockIs::changed);
 
   /// Sets what is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what

@@ -20,7 +20,7 @@ bool acts(const Loads& loads, std::size_t side) {
          loads.stiffness[side] != 0;
 }
 
-/// What is left of a part, or of a side (part = -1), on the rock; slivers by rounding are nothing.
+/// Edges of the rock that are left to a part, or to a side (part = -1); slivers due to rounding do not count.
 struct Found {
   bool edge = false, decides = false;
   Found(const std::vector<LoadedPiece>& pieces, int part, int side, double tolerance) {

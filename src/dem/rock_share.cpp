@@ -23,7 +23,7 @@ void set_marks(const Kokkos::View<std::uint8_t*>& view, const Marks& marks) {
   Kokkos::deep_copy(view, to_device<Kokkos::View<std::uint8_t*>>("vug::dem::marks", marks));
 }
 
-/// Equal shares, whole groups of particles one after the other.
+/// Gives every rank an equal share of consecutive whole groups of particles.
 std::vector<int> owners_of_groups(const Ranks& ranks, int groups) {
   std::vector<int> owner(groups);
   for (int r = 0; r < ranks.size(); ++r)
@@ -70,7 +70,7 @@ RockShare::RockShare(const Ranks& ranks, Particles particles, Bonds bonds, Conta
   set_marks(bond_groups_.ours, ours_of_bonds);
 }
 
-/// A group is evaluated as a whole, so that all that its items touch must be known.
+/// A group is evaluated as a whole, so everything that its items touch must be known here.
 void RockShare::follow_pairs(const Exec& exec) {
   exec.fence("vug::dem::follow_pairs");
   const int generation = on_host(contacts_.status)(contacts_generation);
@@ -141,7 +141,7 @@ void RockShare::make_whole(const Exec& exec, const MassLoss& loss) const {
   whole(of_particles_, particles_.v, particles_.spin, particles_.reaction, particles_.force, particles_.torque,
         loss.momentum, loss.kinetic, contacts_.energy);
   whole(of_bonds_, bonds_.joint, bonds_.point_damage, bonds_.slip, bonds_.stress, bonds_.load, loss.elastic);
-  // of both lists of pairs: a new one looks up the friction in the old
+  // both lists of pairs, because a new one looks up the friction in the old
   const std::size_t rows = contacts_.stretch.extent(0);
   for (int generation = 0; generation < 2; ++generation)
     for (std::size_t feature = 0; feature < pair_features; ++feature)

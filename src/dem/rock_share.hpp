@@ -1,5 +1,5 @@
 #pragma once
-// How processes share the motion of a rock that all of them hold (docs/scaling.md).
+// Sharing the motion of a rock that every process holds completely (docs/scaling.md).
 #include "dem/contacts.hpp"
 #include "dem/mass_loss.hpp"
 #include "dem/rest.hpp"
@@ -9,41 +9,41 @@
 
 namespace vug {
 
-/// Each rank moves groups of triangles that follow one another, evaluates every bond and pair that has one of them at
-/// an end, and is told how the triangles at the other ends move. What two ranks evaluate both get the same bits:
-/// damage, cracks and friction of a bond between them are known to both. Everything else about the others' rock is old
-/// until it is made whole. What waits for others is called by all ranks.
+/// Each rank moves consecutive groups of triangles, evaluates every bond and pair that has one of them at an end, and
+/// receives the motion of the triangles at the other ends. What two ranks evaluate gets the same bits on both, so both
+/// know damage, cracks and friction of a bond between them. Everything else about the others' rock is outdated until it
+/// is made whole. Functions that wait for other ranks must be called by all ranks.
 class RockShare {
  public:
-  /// The Views of a rock that stays where it is in memory.
+  /// Takes the Views of a rock, which must stay where they are in memory.
   RockShare(const Ranks& ranks, Particles particles, Bonds bonds, Contacts contacts);
 
-  /// Whether this rank moves a particle.
+  /// Whether this rank moves the particle.
   bool moves(int particle) const { return owner_[particle] == ranks_.rank(); }
-  /// What runs here when nothing sleeps.
+  /// Groups that run here when nothing sleeps.
   const Groups& particles() const { return particle_groups_; }
   const Groups& bonds() const { return bond_groups_; }
   const Groups& pairs() const { return pair_groups_; }
 
-  /// The pairs are others than those that were known.
+  /// Marks the known pairs as outdated.
   void forget_pairs() { generation_ = -1; }
-  /// Finds out what runs here and whose motion is needed, if pairs have changed. Waits for the others then.
+  /// Determines what runs here and whose motion is needed, if pairs have changed; then it waits for the other ranks.
   void follow_pairs(const Exec& exec);
-  /// Brings the motion of the others' triangles here.
+  /// Gets the motion of the others' triangles that is needed here.
   void exchange_motion(const Exec& exec) const { motion_.exchange<double, 8>(exec, moving_); }
-  /// Brings which groups rest to all.
+  /// Tells all ranks which groups rest.
   void tell_rest(const Exec& exec, const Rest& rest) const;
-  /// Agrees on whether cracks have changed, and brings what a search for pairs reads to all.
+  /// Agrees on whether cracks have changed, and brings to all ranks what a search for pairs reads.
   void prepare_search(const Exec& exec) const;
-  /// Brings positions and damage to all.
+  /// Brings positions and damage to all ranks.
   void make_positions_whole(const Exec& exec) const;
-  /// Brings everything that a checkpoint or a sum may read to all.
+  /// Brings everything that a checkpoint or a sum may read to all ranks.
   void make_whole(const Exec& exec, const MassLoss& loss) const;
 
  private:
   Owners of_pairs(int generation) const;
   void agree_on_events() const;
-  /// All columns of (item, ...).
+  /// The same for all columns of a View (item, ...).
   template <class V>
   void make_whole(const Owners& owners, const V& view) const;
 

@@ -9,7 +9,7 @@ namespace vug {
 
 namespace {
 
-/// One platen, by one thread: some tens of particles.
+/// Moves one platen, in one thread: it holds some tens of particles.
 struct FollowPressure {
   ServoPlaten platen;
   double speed_per_stress;  ///< G, m/(s Pa)

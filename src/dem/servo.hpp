@@ -1,5 +1,5 @@
 #pragma once
-// Servo platens: rigid, frictionless, moved so that they press on the rock with a wanted stress.
+// Servo platens: rigid, frictionless, and moved so that they press on the rock with a given stress.
 #include "dem/bonds.hpp"
 #include "dem/loads.hpp"
 
@@ -7,15 +7,15 @@
 
 namespace vug {
 
-/// Share of the stress error that a platen takes out of the layer of bonds behind it in a step. The stress answers a
-/// step late, s(n + 1) = s(n) - g s(n - 1): stable below 1, an error halves with every step at 1/2.
+/// Share of the stress error of the layer of bonds behind it that a platen removes in a step. The stress responds a
+/// step later, s(n + 1) = s(n) - g s(n - 1): this is stable below 1, and with 1/2 an error halves in every step.
 inline constexpr double servo_gain = 0.5;
 
-/// One platen. Its outward speed is v = G (p - p_wanted), p the pressure on it in the last step and
-/// G = servo_gain / (K dt), with K = sum of (k_n n^2 + k_t t^2) l of the bonds between held and free particles, over
-/// the length of the platen: the servo of granular mechanics (Itasca, PFC: v = G (sigma_measured - sigma_required), G =
-/// alpha A / (k_n N dt)). In a wave it is a boundary of impedance 1 / G. Rock that keeps moving outwards at v presses
-/// with p_wanted + v / G.
+/// One platen. Its outward speed is v = G (p - p_wanted), where p is the pressure on it in the last step and G =
+/// servo_gain / (K dt). K is the sum of (k_n n^2 + k_t t^2) l over the bonds between held and free particles, divided
+/// by the length of the platen. This is the servo of granular mechanics (Itasca, PFC: v = G (sigma_measured -
+/// sigma_required), G = alpha A / (k_n N dt)). To waves it is a boundary of impedance 1 / G. Rock that keeps moving
+/// outwards at v presses with p_wanted + v / G.
 struct ServoPlaten {
   int axis = 0;           ///< of its normal
   double outward = 1;     ///< sign of the outward normal
@@ -25,12 +25,12 @@ struct ServoPlaten {
   IndexList held;         ///< its particles, ascending
 };
 
-/// The servo platens of the loads.
+/// Makes the servo platens of the loads.
 std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& boundary, const Assembly& assembly,
                                             const Loads& loads, const BondParameters& law, const Bonds& bonds);
 
-/// Sets the platen's speed for the next step, after `dt`, from its reaction in this one: sums in the order of `held`,
-/// the same bits for any number of threads. `load_factor` scales the wanted pressure, for ramps.
+/// Sets the platen's speed for the next step, after `dt`, from its reaction in this one. Sums in the order of `held`,
+/// so that the bits are the same for any number of threads. `load_factor` scales the wanted pressure, for ramps.
 void follow_pressure(const Exec& exec, const ServoPlaten& platen, double dt, double load_factor,
                      const Particles& particles);
 

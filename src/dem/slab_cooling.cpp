@@ -7,7 +7,7 @@ namespace vug {
 
 namespace {
 
-constexpr int terms = 1000;              // diffusion lengths down to 4e-3 of the height
+constexpr int terms = 1000;              // enough for diffusion lengths down to 4e-3 of the height
 constexpr double negligible_decay = 40;  // exp(-40) = 4e-18
 
 /// The root of a tan a = biot in (n pi, n pi + pi / 2), by bisection of a sin a - biot cos a.

@@ -1,22 +1,22 @@
 #pragma once
-// The temperature of a slab that is cooled from one side, and the stress of it before anything cracks.
+// Temperature of a slab that is cooled from one side, and its stress before anything cracks.
 #include <limits>
 #include <vector>
 
 namespace vug {
 
-/// A slab of thickness `height` (or the half of one of twice that) whose face is met by a medium colder by `drop` from
-/// time zero on, no heat passing the other side. Depth below the face, temperatures as changes, SI; time is given as
-/// the diffusion length 2 sqrt(kappa t).
+/// A slab of thickness `height` (or half of a slab of twice that) whose face is cooled from time zero on by a medium
+/// colder by `drop`; no heat passes the other side. Depth is measured from the face, temperatures are changes, SI. Time
+/// is given as the diffusion length 2 sqrt(kappa t).
 class SlabCooling {
  public:
   /// `biot` is the heat transfer coefficient times the height over the conductivity; infinite: the face takes the
   /// temperature of the medium at once.
   SlabCooling(double drop, double height, double biot = std::numeric_limits<double>::infinity());
 
-  /// Infinite Biot number: -drop sum over n of (-1)^n [erfc((2 n H + z) / length) + erfc((2 (n + 1) H - z) / length)]
-  /// (Carslaw and Jaeger 1959, 3.3). Otherwise -drop (1 - sum over n of 4 sin a_n / (2 a_n + sin 2 a_n) cos(a_n (1 -
-  /// z/H)) exp(-a_n^2 length^2 / (2 H)^2)), a_n tan a_n = biot (the same, 3.11).
+  /// Temperature change. Infinite Biot number: -drop sum over n of (-1)^n [erfc((2 n H + z) / length) + erfc((2 (n + 1)
+  /// H - z) / length)] (Carslaw and Jaeger 1959, 3.3). Otherwise -drop (1 - sum over n of 4 sin a_n / (2 a_n + sin 2
+  /// a_n) cos(a_n (1 - z/H)) exp(-a_n^2 length^2 / (2 H)^2)), a_n tan a_n = biot (the same, 3.11).
   double change(double depth, double length) const;
 
   /// Lateral stress far from the flanks, tension positive: -E alpha (change - mean change over the height), plane

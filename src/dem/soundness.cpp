@@ -9,7 +9,7 @@ namespace vug {
 
 namespace {
 
-/// Whether no bond holds a particle any more.
+/// Whether no bond holds the particle any more.
 bool is_loose(const Bonds& bonds, int particle) {
   const auto pair = on_host(bonds.pair);
   const auto state = on_host(bonds.state);

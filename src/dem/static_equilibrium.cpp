@@ -21,12 +21,12 @@ namespace vug {
 namespace {
 
 constexpr double balanced = 1e-11;         // largest force left over the largest load
-constexpr int most_solves = 40;            // an increment; without sliding it takes three
-constexpr int increments_with_cracks = 8;  // friction depends on the way
-constexpr double long_time = 1e9;          // s that an increment takes: no dashpot feels it
+constexpr int most_solves = 40;            // per increment; without sliding it takes three
+constexpr int increments_with_cracks = 8;  // friction depends on the path of the loads
+constexpr double long_time = 1e9;          // s that an increment takes, so that no dashpot acts
 
 using ForceField = Kokkos::View<double* [3], Kokkos::LayoutLeft>;
-/// A copy on the host that is nobody else's.
+/// A separate copy on the host, which shares no memory with the view.
 template <class ViewType>
 typename ViewType::host_mirror_type host_copy(const ViewType& view) {
   typename ViewType::host_mirror_type copy = Kokkos::create_mirror(view);
@@ -34,7 +34,7 @@ typename ViewType::host_mirror_type host_copy(const ViewType& view) {
   return copy;
 }
 
-/// Force and torque that each particle is left with; what holds a held axis is its reaction.
+/// Force and torque on each particle that are not balanced; stores the force that holds a held axis in `reaction`.
 struct Imbalance {
   ParticlePush push;
   ForceField force;
@@ -47,7 +47,8 @@ struct Imbalance {
   }
 };
 
-/// Stiffness of both points of a bond as they are now: none across a crack that gapes, none along one that slides.
+/// Current stiffness of both points of a bond: no normal one where a crack is open, no tangential one where it is open
+/// or slides.
 struct PointStiffness {
   BondParameters rock;
   double failure_at, expansion;
@@ -125,7 +126,8 @@ class Search {
 
   bool in_balance() const { return largest_ <= std::max(balanced * load_, rounding()); }
 
-  /// Whether pairs that have come near in the last increment, and were not listed in it, leave the balance alone.
+  /// Whether the balance still holds with the pairs that have come near in the last increment and were not listed in
+  /// it.
   bool nothing_else_touches() {
     const auto list = [&] { return on_host(contacts_.status)(contacts_generation); };
     const int before = list();
@@ -136,14 +138,16 @@ class Search {
     return in_balance();
   }
 
-  /// What is left of forces that are differences of displacements: a slender beam moves far under a small load.
+  /// Rounding error of forces that are differences of displacements; it matters where a slender beam moves far under a
+  /// small load.
   double rounding() const {
     if (factored_.empty()) return 0;
     constexpr double digits = 16 * std::numeric_limits<double>::epsilon();
     return digits * *std::max_element(factored_.begin(), factored_.end()) * moved_.lpNorm<Eigen::Infinity>();
   }
 
-  /// Force and torque that the free components are left with; notes the largest, torques over the particles' size.
+  /// Force and torque on the free components that are not balanced; stores the largest, with torques divided by the
+  /// particles' size.
   Eigen::VectorXd imbalance(double load_factor) {
     Kokkos::deep_copy(exec_, bonds_.slip, slip_);
     Kokkos::deep_copy(exec_, contacts_.stretch, stretch_);
@@ -164,7 +168,7 @@ class Search {
     return left;
   }
 
-  /// Factors anew only where a crack has opened, closed, or begun or ceased to slide.
+  /// Factorises again only where a crack has opened or closed, or has started or stopped sliding.
   bool factorise() {
     for_each_node(exec_, "vug::dem::point_stiffness", bonds_.count,
                   PointStiffness{parameters_.bond, parameters_.chemical.failure_at, parameters_.thermal_expansion,
@@ -176,13 +180,13 @@ class Search {
     return linear_.factorise(now);
   }
 
-  /// Where the increment begins.
+  /// Stores the positions at the start of the increment.
   void start() {
     u_ = host_copy(particles_.u);
     angle_ = host_copy(particles_.angle);
   }
 
-  /// Puts all particles where `moved_` has them, with the velocities that take them there in a long time.
+  /// Moves all particles by `moved_` from the start of the increment, with the velocities that do so in a long time.
   void move() {
     const auto u = host_copy(particles_.u), v = host_copy(particles_.v), rotation = host_copy(particles_.rotation);
     const auto angle = host_copy(particles_.angle), spin = host_copy(particles_.spin);
@@ -219,8 +223,8 @@ class Search {
   decltype(Contacts::stretch) stretch_;
   VectorField<double>::host_mirror_type u_;      ///< at the start of the increment
   ScalarField<double>::host_mirror_type angle_;  ///< likewise
-  Eigen::VectorXd moved_;                        ///< since then, of the free components
-  std::vector<double> factored_;                 ///< the stiffnesses that linear_ was made of
+  Eigen::VectorXd moved_;                        ///< displacements since then, of the free components
+  std::vector<double> factored_;                 ///< the stiffnesses that linear_ was factorised with
   double load_ = 0, largest_ = 0;                ///< largest load and imbalance, N
 };
 

@@ -1,16 +1,16 @@
 #pragma once
-// How a side of the rock is held. Free of Kokkos: what only reads a case needs no more.
+// Supports of the sides of the rock. Does not depend on Kokkos, so that code that only reads a case need not either.
 
 namespace vug {
 
-/// How a side is held. Held particles are those with an edge on the side.
+/// Support of a side. Held particles are those with an edge on the side.
 enum class Support {
-  free,        ///< not at all
+  free,        ///< no support
   roller,      ///< a frictionless rigid platen: normal motion and rotation are held
   fixed,       ///< a glued rigid platen: all motion is held
   pin,         ///< no motion, but the particles turn
   pin_roller,  ///< no normal motion, but the particles turn
-  servo,       ///< a roller whose platen moves so that it presses with the wanted stress
+  servo,       ///< a roller whose platen moves so that it presses with the given stress
 };
 
 }  // namespace vug

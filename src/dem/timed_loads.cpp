@@ -11,7 +11,7 @@ namespace vug {
 
 namespace {
 
-/// (part, axis) tractions or velocities now.
+/// Current tractions or velocities (part, axis).
 struct PartValues {
   double of[most_timed_parts][2];
 };
@@ -53,14 +53,14 @@ struct FollowLoads {
   }
 };
 
-/// Axes that the platen of a piece moves.
+/// Bits of the axes that the platen of a piece moves.
 int moved_axes(const LoadedPiece& piece, const SidePart& part) {
   if (!piece.decides || !part.moves()) return 0;
   const bool both = part.support == Support::fixed || part.support == Support::pin;
   return both ? 3 : 1 << piece.side % 2;
 }
 
-/// Numbers of the parts that change or move among `timed`, to which they are added; -1 of the others.
+/// (part) Number of each part that changes or moves in `timed`, to which these parts are added; -1 for the others.
 std::vector<int> number_parts(const std::vector<SidePart>& parts, std::vector<SidePart>& timed) {
   std::vector<int> number(parts.size(), -1);
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -71,7 +71,7 @@ std::vector<int> number_parts(const std::vector<SidePart>& parts, std::vector<Si
   return number;
 }
 
-/// The pieces of parts that change or move, those of a particle one behind the other.
+/// The pieces of parts that change or move, grouped by particle.
 struct TimedPieces {
   std::vector<int> particle, row{0}, part, axes;
   std::vector<LoadedPiece> all;
@@ -94,7 +94,8 @@ struct TimedPieces {
   }
 };
 
-/// Length and arm of every piece, and what else acts on their particles: all at the start but these pieces.
+/// Fills in length and arm of every piece, and the other loads on their particles: all loads at the start without these
+/// pieces.
 void fill(const TimedPieces& pieces, const BoundaryLoads& at_start, TimedLoads& timed) {
   const auto length = Kokkos::create_mirror_view(timed.length);
   const auto arm = Kokkos::create_mirror_view(timed.arm);

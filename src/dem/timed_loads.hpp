@@ -1,15 +1,15 @@
 #pragma once
-// Loads and platens that change in time: the particles that feel them, and what they feel in a step.
+// Loads and platens that change in time: the particles that they act on, and their values in a step.
 #include "dem/loads.hpp"
 
 #include <optional>
 
 namespace vug {
 
-/// So many parts of sides may change or move: their values are arguments of a kernel.
+/// Largest number of parts of sides that may change or move: their values are arguments of a kernel.
 inline constexpr int most_timed_parts = 16;
 
-/// Pieces of the boundary, grouped by particle, of which at least one changes or moves.
+/// Pieces of the boundary that change or move, grouped by particle.
 struct TimedLoads {
   std::vector<SidePart> parts;        ///< that change or move
   IndexList particle;                 ///< (entry)
@@ -18,18 +18,18 @@ struct TimedLoads {
   ScalarField<double> length;         ///< (piece) m
   VectorField<double> arm;            ///< (piece, axis) m
   IndexList axes;                     ///< (piece) bits 1, 2: the axes that its platen moves
-  VectorField<double> force, moment;  ///< (entry) of everything else, as in BoundaryLoads
+  VectorField<double> force, moment;  ///< (entry) of all other loads, as in BoundaryLoads
 
   bool moves() const;
 };
 
-/// Nothing where no part of the loads changes or moves. Throws InputError for more than most_timed_parts.
+/// Makes the timed loads; none where no part changes or moves. Throws InputError for more than most_timed_parts.
 std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                            const Loads& loads, const Particles& particles,
                                            const BoundaryLoads& at_start);
 
 /// Sets tractions to those at `time` and the speeds of platens to those half a step of `dt` later, when they act. One
-/// kernel; the same bits whatever went before.
+/// kernel; the bits do not depend on previous calls.
 void follow_loads(const Exec& exec, const TimedLoads& timed, double time, double dt, const BoundaryLoads& loads,
                   const Particles& particles);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Geometry of one triangle (docs/model.md, particles): everything a rigid sphero-triangle needs to know of its shape.
+// Geometry of one triangle (docs/model.md, particles): all of the shape that a rigid sphero-triangle needs.
 #include "kernels/base/base.hpp"
 
 namespace vug {
@@ -33,13 +33,14 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr Vec2 spin_times(double omega, Vec2 r) {
   return {-omega * r.y, omega * r.x};
 }
 
-/// A rotation stored as its departure from the identity, so that small angles keep all their digits.
+/// A rotation stored as its difference from the identity, so that small angles keep all their digits.
 struct Rotation {
   double cos_minus_1 = 0;
   double sin = 0;
 
-  /// By the half angle, whose sine and cosine are those of a quarter turn's series (error below 2e-16), written out
-  /// because a call of the library's would keep the loop over particles from vectorising.
+  /// Computed from the half angle, whose sine and cosine come from series about the nearest multiple of pi/2 (error
+  /// below 2e-16). The series are written out because a call of the library would keep the loop over particles from
+  /// being vectorised.
   KOKKOS_FORCEINLINE_FUNCTION static Rotation by(double angle) {
     constexpr double quarter = 1.57079632679489661923, rest = 6.123233995736766e-17;  // pi/2 in two parts
     const double half = 0.5 * angle, turns = Kokkos::floor(half / quarter + 0.5);
@@ -55,12 +56,12 @@ struct Rotation {
                   r2 * (1.0 / 24 +
                         r2 * (-1.0 / 720 +
                               r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800 + r2 * (1.0 / 479001600 - r2 / 87178291200))))));
-    // sine and cosine of the half angle up to a common sign, which the products below do not see
+    // sine and cosine of the half angle up to a common sign, which cancels in the products below
     const double odd = turns - 2 * Kokkos::floor(0.5 * turns);
     const double s = odd > 0 ? cosine : sine, c = odd > 0 ? -sine : cosine;
     return {-2 * s * s, 2 * s * c};
   }
-  /// (Q - 1) r: how far the rotation moves the end of r.
+  /// (Q - 1) r: displacement of the end of r by the rotation.
   KOKKOS_FORCEINLINE_FUNCTION Vec2 move(Vec2 r) const {
     return {cos_minus_1 * r.x - sin * r.y, sin * r.x + cos_minus_1 * r.y};
   }
@@ -95,8 +96,9 @@ struct Triangle {
     const Vec2 c = centroid();
     return Kokkos::max(norm(corner[0] - c), Kokkos::max(norm(corner[1] - c), norm(corner[2] - c)));
   }
-  /// The corner of the triangle whose edges lie a distance `radius` further inside; dilated by a disc of that radius
-  /// it gives the sphero-triangle, which touches the edges of this one. A homothety about the incentre.
+  /// Corner k of the triangle whose edges lie a distance `radius` further inside, which is similar to this one about
+  /// the incentre. Dilated by a disc of that radius it gives the sphero-triangle, which touches the edges of this
+  /// triangle.
   KOKKOS_FUNCTION Vec2 eroded_corner(int k, double radius) const {
     const Vec2 c = incentre();
     return c + (1 - radius / inradius()) * (corner[k] - c);
