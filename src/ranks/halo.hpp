@@ -1,5 +1,5 @@
 #pragma once
-// Values that a rank reads of items that others compute.
+// Exchange of values that a rank reads and others compute.
 #include "kernels/base/base.hpp"
 #include "ranks/ranks.hpp"
 
@@ -9,23 +9,23 @@
 
 namespace vug {
 
-/// Who needs which slots of a list from whom. All ranks number the slots alike. Messages lie in a device's memory where
-/// MPI takes them from there (takes_device_memory), else in the host's.
+/// Slots of a list that each rank needs from the others. All ranks number the slots alike. Messages lie in a device's
+/// memory where MPI accepts that (takes_device_memory), else in the host's.
 class Halo {
  public:
   Halo() = default;
   /// This rank needs `slots`, each from the rank that owns it. Called by all ranks.
   Halo(const Ranks& ranks, const std::vector<int>& slots, const std::vector<int>& owner);
 
-  /// fields[k](slot) of every slot that a rank needs = that of its owner. One packing kernel, one message per
+  /// Sets fields[k](slot) of every slot that a rank needs to the owner's value. One packing kernel, one message per
   /// neighbour, one unpacking kernel; buffers and requests are made at the first call and kept. Called by all ranks.
   template <class T, std::size_t n>
   void exchange(const Exec& exec, const std::array<ScalarField<T>, n>& fields) const;
-  /// The other way: the owners get what the ranks hold that need the slots. No slot may be needed by two ranks.
+  /// The reverse: the owners receive the values of the ranks that need the slots. No slot may be needed by two ranks.
   template <class T, std::size_t n>
   void exchange_back(const Exec& exec, const std::array<ScalarField<T>, n>& fields) const;
 
-  /// Slots that come here.
+  /// Number of slots that this rank receives.
   int taken() const;
   std::vector<int> taken_slots() const;
 

@@ -29,7 +29,7 @@ void let_first_end(const Ranks& ranks) {
 
 namespace {
 
-/// What a variable of the environment says, 1 where that is no number; nothing where there is none.
+/// Number in an environment variable, 1 where it is not a number; none where the variable is not set.
 std::optional<int> number_of(const char* variable) {
   const char* const text = std::getenv(variable);
   if (!text) return std::nullopt;
@@ -51,7 +51,8 @@ int processes_started() {
 int processes_that_mpi_does_not_know() {
   if (processes_started() > 1) return 1;
   for (char** variable = environ; *variable; ++variable)
-    for (const std::string_view of_launcher : {"PMI", "OMPI_COMM_WORLD_", "MV2_COMM_WORLD_"})  // also of PMI2, PMIx
+    for (const std::string_view of_launcher :
+         {"PMI", "OMPI_COMM_WORLD_", "MV2_COMM_WORLD_"})  // also matches PMI2, PMIx
       if (std::string_view(*variable).starts_with(of_launcher)) return 1;
   return number_of("SLURM_STEP_NUM_TASKS").value_or(1);
 }
@@ -75,7 +76,7 @@ int ranks_on_these_processors(const Ranks& ranks) {
   if (ranks.alone()) return 1;
   cpu_set_t own;
   CPU_ZERO(&own);
-  sched_getaffinity(0, sizeof own, &own);  // where that fails, all are alike
+  sched_getaffinity(0, sizeof own, &own);  // where that fails, all ranks have the same (empty) set
   MPI_Comm machine;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   int beside = 1;
@@ -89,7 +90,7 @@ int ranks_on_these_processors(const Ranks& ranks) {
 
 namespace {
 
-/// What MPI says of itself: to try without would end the process.
+/// What MPI reports about itself, because a trial without support would end the process.
 bool claims_device_memory() {
   bool claimed = false;
 #ifdef MPIX_CUDA_AWARE_SUPPORT  // Open MPI
@@ -114,7 +115,7 @@ struct CountRight {
   KOKKOS_FUNCTION void operator()(int i, int& sum) const { sum += numbers(i) == wanted; }
 };
 
-/// Whether a message from the memory of Views arrives there.
+/// Whether a message from memory of Views arrives in memory of Views.
 bool proves_device_memory() {
   constexpr int count = 1000, number = 4711;
   const Kokkos::View<int*> out("vug::mpi::out", count), in("vug::mpi::in", count);
@@ -144,7 +145,7 @@ std::string mpi_library() {
   MPI_Get_library_version(text, &length);
   std::string name(text, length);
   name.resize(std::min(name.size(), name.find_first_of(",\n")));
-  for (const std::string_view filling : {" Version:", "\t"})  // of MPICH
+  for (const std::string_view filling : {" Version:", "\t"})  // from MPICH
     if (const auto at = name.find(filling); at != std::string::npos)
       name.replace(at, filling.size(), filling == "\t" ? " " : "");
   return name;

@@ -4,7 +4,8 @@
 
 namespace vug {
 
-/// Starts MPI and ends it; one of them, around all that computes. In a build without MPI there is one rank.
+/// Starts MPI and ends it. There must be one of these, around everything that computes. In a build without MPI there is
+/// one rank.
 class Mpi {
  public:
   Mpi();
@@ -19,28 +20,29 @@ class Mpi {
   Ranks world_;
 };
 
-/// How many ranks of this machine, this one among them, have the processors that this one may use: all of them, or
+/// Number of ranks on this machine, including this one, that may use the same processors as this one: all of them, or
 /// those of a core, a socket or whatever the launcher has bound it to. Called by all ranks.
 int ranks_on_these_processors(const Ranks& ranks);
 
-/// What is wrong with a case is wrong on every rank: waits for the first one to say so and to end all, if it does.
+/// Waits some seconds on all ranks but the first. An error in a case occurs on every rank; the first one can thus
+/// report it and end all, if it does.
 void let_first_end(const Ranks& ranks);
 
-/// Ends every rank with an exit code, also those that wait for this one. Returns where there is no other.
+/// Ends every rank with an exit code, also those that wait for this one. Returns if there is no other.
 void end_all_ranks(const Ranks& ranks, int code);
 
-/// What was built in, for instance "Open MPI v4.1.4" or "MPICH 4.0.2"; "none".
+/// MPI library of the build, for instance "Open MPI v4.1.4" or "MPICH 4.0.2"; "none" without MPI.
 std::string mpi_library();
 
-/// Whether messages may lie in the memory of Views: on a host always; in a device's where MPI says so and has proved it
-/// by a message that this process sent itself when it first asked.
+/// Whether messages may be in the memory of Views: on a host always; on a device where MPI reports this and a message
+/// of this process to itself, sent at the first call, has confirmed it.
 bool takes_device_memory();
 
-/// What the environment says of how many processes were started together; 1 where nobody did.
+/// Number of processes started together, according to the environment; 1 where it does not say.
 int processes_started();
 
-/// How many processes Slurm's srun has started together without anything by which MPI could find the others; 1 where it
-/// has not.
+/// Number of processes that Slurm's srun has started together without anything by which MPI could find the others; 1
+/// otherwise.
 int processes_that_mpi_does_not_know();
 
 }  // namespace vug

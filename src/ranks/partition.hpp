@@ -4,12 +4,14 @@
 
 namespace vug {
 
-/// Consecutive rows for every part, of nearly the same weight: part p has the rows [first[p], first[p + 1]).
+/// Divides the rows into parts of consecutive rows of nearly the same weight: part p has the rows [first[p], first[p +
+/// 1]).
 class Partition {
  public:
   Partition() = default;
-  /// By bisection: the parts are halved, and the rows cut where their weights, sums of which must be exact (whole
-  /// numbers), come nearest to the same proportion. The same on every rank. A part may be empty.
+  /// By bisection: the parts are halved, and the rows are cut where their weights come nearest to the same proportion.
+  /// Sums of the weights must be exact (whole numbers), so that the result is the same on every rank. A part may be
+  /// empty.
   Partition(const std::vector<double>& weight_of_row, int parts);
 
   int parts() const { return static_cast<int>(first_.size()) - 1; }

@@ -100,7 +100,7 @@ void Ranks::complete(const Owners& owners, void* values, std::size_t item) const
 
 namespace {
 
-/// visit(first, last) of the parts of ascending runs that lie in [first, last).
+/// Calls visit(first, last) for the parts of ascending runs that lie in [first, last).
 template <class Visit>
 void visit_within(const Runs& runs, int first, int last, const Visit& visit) {
   auto run = std::partition_point(runs.begin(), runs.end(), [&](const auto& r) { return r.second <= first; });
@@ -113,7 +113,7 @@ int count_within(const Runs& runs, int first, int last) {
   return count;
 }
 
-/// The items of runs, one after the other.
+/// The items of runs within [first, last), one after the other.
 std::vector<char> packed(const Runs& runs, int first, int last, std::size_t item, const char* items) {
   std::vector<char> out(count_within(runs, first, last) * item);
   char* to = out.data();
@@ -131,7 +131,7 @@ void unpack(const char* from, const Runs& runs, int first, int last, std::size_t
   });
 }
 
-constexpr int tag_of_pieces = 1;  // halos have another
+constexpr int tag_of_pieces = 1;  // halos use another
 
 }  // namespace
 

@@ -1,26 +1,26 @@
 #pragma once
-// The processes, called ranks, that compute one case together. Without MPI, and where nobody started more, there is
-// one.
+// The processes, called ranks, that compute one case together. There is one without MPI, or when no more were started.
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace vug {
 
-/// Items [first, last) of a list, one after the other.
+/// Runs of consecutive items [first, last) of a list.
 using Runs = std::vector<std::pair<int, int>>;
 
-/// Who computes which items of a list: (rank) in ascending order. Every item has one owner.
+/// (rank) Items of a list that each rank computes, in ascending order. Every item has one owner.
 using Owners = std::vector<Runs>;
 
-/// owner(item) of [0, count) as runs.
+/// Owners as runs, from `owner` (item).
 Owners owners_of(const std::vector<int>& owner, int ranks);
 
-/// One beyond the last item that anybody has.
+/// One past the last item that any rank owns.
 std::size_t end_of(const Owners& owners);
 
-/// This rank among the others. What needs all of them (`most`, `told`, `traded`, `make_whole`, `bring`) must be called
-/// by all, in the same order. Ends with the Mpi that gave it.
+/// This rank among the others. Functions that need all ranks (`most`, `least`, `told`, `told_by_all`, `traded`,
+/// `make_whole`, `bring`) must be called by all of them, in the same order. Valid as long as the Mpi object that made
+/// it.
 class Ranks {
  public:
   Ranks() = default;  ///< one rank, this process
@@ -32,25 +32,26 @@ class Ranks {
   /// The rank that writes the files.
   bool first() const { return rank_ == 0; }
 
-  /// The largest and the smallest of all ranks' values.
+  /// Largest and smallest of all ranks' values.
   int most(int value) const;
   double most(double value) const;
   int least(int value) const { return -most(-value); }
   double least(double value) const { return -most(-value); }
-  /// What the first rank says.
+  /// The text of the first rank, on every rank.
   std::string told(const std::string& text) const;
-  /// What every rank says, on the first one; empty on the others.
+  /// (rank) The texts of all ranks, on the first one; empty on the others.
   std::vector<std::string> told_by_all(const std::string& text) const;
-  /// lists[r] goes to rank r; returns what came from each.
+  /// Sends lists[r] to rank r and returns the lists received, (rank).
   std::vector<std::vector<int>> traded(const std::vector<std::vector<int>>& lists) const;
-  /// Fills in the items of `values` (item), memory of Views, that other ranks own. Kernels that write them must have
+  /// Fills in the items of `values` (item), in memory of Views, that other ranks own. Kernels that write them must have
   /// ended.
   template <class T>
   void make_whole(const Owners& owners, T* values) const {
     if (!alone()) complete(owners, values, sizeof(T));
   }
-  /// Of items [first, last) of a list, `item` bytes each, `own` holds on every rank its own, `whole` on the first one
-  /// takes those of others; both begin with the item `first`, in the host's memory.
+  /// Collects the items [first, last) of a list, `item` bytes each, on the first rank: `own` holds each rank's own
+  /// items, and `whole` receives those of the others on the first rank. Both begin with the item `first`, in the host's
+  /// memory.
   void bring(const Owners& owners, int first, int last, std::size_t item, const void* own, void* whole) const;
 
  private:

@@ -15,13 +15,13 @@ namespace vug {
 
 namespace {
 
-/// Of this process.
+/// Counts of this process.
 struct Counts {
   std::vector<Traffic> phases{{.phase = "elsewhere"}};
   int current = 0;
   double since = steady_seconds();
 
-  /// Ends the phase of now.
+  /// Ends the current phase and begins another.
   void turn_to(int phase) {
     const double time = steady_seconds();
     phases[current].passed += time - since;
@@ -41,7 +41,7 @@ Counts& counts() {
   return all;
 }
 
-/// Sum and largest over the ranks, on the first one.
+/// Sum and largest value over the ranks, on the first one.
 struct OverRanks {
   double sum = 0, most = 0;
 };
