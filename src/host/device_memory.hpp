@@ -1,5 +1,5 @@
 #pragma once
-// Whether what will be allocated for kernels fits where they run.
+// Check that what will be allocated for kernels fits into the memory where they run.
 #include "host/free_memory.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -10,8 +10,8 @@
 
 namespace vug {
 
-/// Throws MemoryError unless a memory space has `bytes` in one piece for `what`. They are taken and given back: Kokkos
-/// does not say how much a GPU has free.
+/// Throws MemoryError unless a memory space has `bytes` in one piece for `what`. The bytes are allocated and freed,
+/// because Kokkos does not say how much memory of a GPU is free.
 template <class Space>
 void require_room(double bytes, const std::string& what) {
   try {

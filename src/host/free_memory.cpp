@@ -15,14 +15,14 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The number that a file consists of; infinite where there is none ("max").
+/// The number that a file consists of; infinite if it has none ("max").
 double number_in(const std::string& path) {
   double value = unlimited;
   std::ifstream(path) >> value;
   return value > 0 ? value : unlimited;
 }
 
-/// The number behind a name in a file of lines "name number"; 0 where there is none.
+/// The number after a name in a file of lines "name number"; 0 if there is none.
 double entry(const std::string& path, const std::string& name) {
   std::ifstream file(path);
   std::string line, found;
@@ -34,15 +34,15 @@ double entry(const std::string& path, const std::string& name) {
   return 0;
 }
 
-/// Free in one control group: `limit`, `use` and the entry of droppable caches as this version of the kernel calls
-/// them.
+/// Free memory in one control group. `limit`, `use` and `cache` are the names that this version of control groups has
+/// for the limit, the use and the entry of caches that can be dropped.
 double free_in_group(const std::string& folder, const char* limit, const char* use, const char* cache) {
   const double most = number_in(folder + "/" + limit), used = number_in(folder + "/" + use);
   if (most == unlimited || used == unlimited) return unlimited;
   return most - used + entry(folder + "/memory.stat", cache);
 }
 
-/// The least over the groups from the one of this process up to the root, in either version of control groups.
+/// The least free memory over the groups from that of this process up to the root, in either version of control groups.
 double free_in_groups() {
   double least = unlimited;
   std::ifstream groups("/proc/self/cgroup");

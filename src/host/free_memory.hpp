@@ -1,11 +1,11 @@
 #pragma once
-// How much memory this process may still take on the host, and who says so.
+// Memory that this process may still take on the host, and what limits it.
 #include <stdexcept>
 #include <string>
 
 namespace vug {
 
-/// The memory does not suffice (exit code 5): what is needed and what there is.
+/// The memory is not sufficient (exit code 5); the message says what is needed and what there is.
 struct MemoryError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -15,8 +15,8 @@ struct FreeMemory {
   std::string bound_by;  ///< "the machine", "the control group", "ulimit -v", "ulimit -d"
 };
 
-/// The tightest of what the machine has free (swap with it), the limits of the control groups that hold the process
-/// (caches that can be dropped count as free), and the limits of its address space and data. Linux; elsewhere infinite.
+/// The smallest of: what the machine has free (including swap), the limits of the control groups of the process (caches
+/// that can be dropped count as free), and the limits of its address space and data. Linux; elsewhere infinite.
 FreeMemory free_memory();
 
 /// "1.2 GiB had been taken; that given back, the control group leaves 1.5 GiB", for messages after an allocation
@@ -26,7 +26,7 @@ std::string memory_taken();
 /// Throws MemoryError when `bytes` more than what is held do not fit: `what` needs at least so much, so much is free.
 void require_memory(double bytes, const std::string& what);
 
-/// Throws MemoryError: `what` needs `bytes` at least, which it cannot have for that reason.
+/// Throws MemoryError: `what` needs at least `bytes`, which it cannot have for the given reason.
 [[noreturn]] void refuse_memory(double bytes, const std::string& what, const std::string& reason);
 
 }  // namespace vug

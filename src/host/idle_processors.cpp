@@ -46,7 +46,7 @@ std::vector<ProcessorTime> read_processor_times(std::string_view stat) {
     if (!line.starts_with("cpu") || line.size() < 4 || line[3] < '0' || line[3] > '9') continue;
     char* at = nullptr;
     ProcessorTime time{static_cast<int>(std::strtol(line.c_str() + 3, &at, 10))};
-    constexpr int counted = 8;  // up to stolen time; what guests use is in user time
+    constexpr int counted = 8;  // up to stolen time; the time of guests is part of user time
     for (int column = 0; column < counted; ++column) {
       const long long ticks = std::strtoll(at, &at, 10);
       time.all += ticks;

@@ -1,12 +1,12 @@
 #pragma once
-// How many processors have nothing to do. Threads that wait for each other at the end of every kernel lose more than a
-// processor shared with another program has to give: one thread is then faster than two.
+// Number of idle processors. Threads that wait for each other at the end of every kernel lose more by a processor that
+// is shared with another program than it contributes: one thread is then faster than two.
 #include <string_view>
 #include <vector>
 
 namespace vug {
 
-/// Of one processor since the system began, in its ticks.
+/// Time of one processor since the system started, in ticks.
 struct ProcessorTime {
   int processor = 0;
   long long idle = 0, all = 0;
@@ -15,11 +15,11 @@ struct ProcessorTime {
 /// The lines "cpuN user nice system idle iowait ..." of /proc/stat; waiting for a disk counts as idle.
 std::vector<ProcessorTime> read_processor_times(std::string_view stat);
 
-/// Threads that find a processor each: of every processor the share of its time that was idle, added up and rounded, a
-/// processor busy for less than two fifths counting as idle; at least 1. Both lists have the same processors.
+/// Number of threads that find a processor each: sum of the idle shares of all processors, rounded up from a fraction
+/// of 0.6, else down; at least 1. Both lists have the same processors.
 int idle_processors(const std::vector<ProcessorTime>& before, const std::vector<ProcessorTime>& after);
 
-/// The same of the processors that this process may use, watched for `seconds`; 0 where the system does not tell.
+/// The same for the processors that this process may use, measured over `seconds`; 0 where the system does not say.
 int idle_processors(double seconds);
 
 }  // namespace vug

@@ -1,38 +1,38 @@
 #pragma once
-// Somebody asks the program to stop: whoever computes for long looks now and then, and ends in good order.
+// Requests to stop the program: long computations check for them regularly and end in good order.
 #include <stdexcept>
 #include <string>
 
 namespace vug {
 
-/// The run was asked to stop (exit code 130): by what, and what is left of it.
+/// The run was asked to stop (exit code 130); the message says by what, and what is left of the run.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Notes that a signal asks to stop; may be called by its handler.
+/// Records that a signal asks to stop; may be called by its handler.
 void request_stop(int signal);
 bool stop_requested();
-/// "interrupted by SIGTERM", of the signal noted last.
+/// For instance "interrupted by SIGTERM", for the signal recorded last.
 std::string stop_reason();
-/// Throws Interrupted when a stop was asked for.
+/// Throws Interrupted when a stop was requested.
 void throw_if_stop_requested();
 
-/// What the handler of a signal says where it ends the process at once: that nothing has been written, until somebody
-/// who has written something gives other words, which must stay.
+/// Sets the message of the signal handler when it ends the process at once. By default it says that nothing has been
+/// written; code that has written something replaces it. The memory of `words` must stay valid.
 void say_when_ended(const char* words);
-/// Those words; may be called by the handler.
+/// That message; may be called by the handler.
 const char* words_when_ended();
 
-/// While one lives, somebody looks at stop_requested() at least once a second or a step. At other times there is
-/// nothing to be brought to an end, and a signal may end the process where it stands.
+/// While one exists, stop_requested() is checked at least once a second or a step. Otherwise nothing needs to be
+/// completed, and a signal may end the process at once.
 class StopsInOrder {
  public:
   StopsInOrder();
   StopsInOrder(const StopsInOrder&) = delete;
   StopsInOrder& operator=(const StopsInOrder&) = delete;
   ~StopsInOrder();
-  /// Whether one lives; may be called by the handler of a signal.
+  /// Whether one exists; may be called by a signal handler.
   static bool now();
 };
 

@@ -13,11 +13,11 @@ namespace {
 
 std::atomic<std::int64_t> bytes{0};
 
-/// What a field is large from on, bytes: a sweep walks through some twenty arrays at once, and pages of 4 KiB cost it a
+/// Size from which a field is large, bytes. A sweep reads some twenty arrays at once, and pages of 4 KiB cost it a
 /// tenth of its speed or more.
 constexpr std::uint64_t large = 4u << 20;
 
-/// Kokkos calls it before anything is written there.
+/// Kokkos calls this before anything is written to the memory.
 void allocated(Kokkos::Profiling::SpaceHandle space, const char*, const void* data, std::uint64_t size) {
   bytes += static_cast<std::int64_t>(size);
   if (size >= large && std::strcmp(space.name, Kokkos::HostSpace::name()) == 0)

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers too small to be normal.
+// Flushing of subnormal numbers.
 #include "kernels/base/base.hpp"
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -7,8 +7,8 @@
 
 namespace vug {
 
-/// Subnormal numbers cost a hundred times a normal one and carry nothing here: flushed to zero on every thread. For the
-/// beginning of a program, once Kokkos runs.
+/// Flushes subnormal numbers to zero on every thread: they cost a hundred times as much as normal ones and do not
+/// matter here. To be called at the beginning of a program, once Kokkos runs.
 inline void flush_subnormals() {
 #if defined(__SSE2__)
   constexpr unsigned flush_and_zero = 0x8040;

@@ -27,7 +27,7 @@ namespace {
                    wanted);
 }
 
-/// A whole number of the environment that is at least `least`; `absent` where the variable is not set.
+/// The whole number in an environment variable, at least `least`; `absent` where the variable is not set.
 int whole_number(const char* variable, int least, int absent) {
   const char* text = std::getenv(variable);
   if (!text) return absent;
@@ -47,7 +47,7 @@ void require_word(const char* variable, std::initializer_list<std::string_view> 
   if (std::find(words.begin(), words.end(), value) == words.end()) refuse(variable, text, wanted);
 }
 
-/// Kokkos aborts at a variable that it cannot read.
+/// Checks the variables of Kokkos, which aborts at one that it cannot read.
 void check_environment() {
   whole_number("KOKKOS_NUM_THREADS", 1, 1);
   whole_number("KOKKOS_DEVICE_ID", 0, 0);
@@ -58,7 +58,7 @@ void check_environment() {
 
 #if defined(_OPENMP)
 
-/// OpenMP ends the program where the system refuses it a thread.
+/// Throws where the system refuses a thread: OpenMP would end the program.
 void require_startable(int count) {
   std::promise<void> end;
   const std::shared_future<void> over = end.get_future().share();
@@ -76,7 +76,7 @@ void require_startable(int count) {
                      std::to_string(count) + " (" + why + "); ask for fewer by --threads");
 }
 
-/// Threads that a parallel region of `count` really has.
+/// Number of threads that a parallel region of `count` threads really has.
 int threads_of_a_region(int count) {
   int found = 1;
 #pragma omp parallel num_threads(count)
@@ -85,8 +85,9 @@ int threads_of_a_region(int count) {
   return found;
 }
 
-/// That there are more threads than the processors that they may use, where a launcher, a batch system or `taskset` has
-/// seen to that, or several processes share them; who starts too many alone on a whole machine knows what he does.
+/// Remark that there are more threads than processors that they may use, if a launcher, a batch system or `taskset` has
+/// restricted these or several processes share them. Too many threads of one process on a whole machine are taken as
+/// intended.
 std::string remark_on_processors(int count, int sharing) {
   const int processors = omp_get_num_procs();
   const bool bound = processors < sysconf(_SC_NPROCESSORS_ONLN);
@@ -107,7 +108,7 @@ ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
   check_environment();
   ThreadChoice choice;
 #if defined(_OPENMP)
-  omp_set_dynamic(0);  // or OpenMP may give fewer from one parallel region to the next
+  omp_set_dynamic(0);  // else OpenMP may give fewer from one parallel region to the next
   if (omp_get_max_active_levels() < 1) omp_set_max_active_levels(1);
   int usual = omp_get_max_threads();
   if (!std::getenv("OMP_NUM_THREADS")) usual = std::max(1, usual / sharing);
