@@ -13,7 +13,7 @@ namespace vug {
 
 std::vector<Member> members_of(const Study& study, const std::string& directory) {
   std::vector<Member> members;
-  std::map<std::string, InputFile> digests;  // of files that many members name
+  std::map<std::string, InputFile> digests;  // of files that several members name
   for (const auto& values : sample(study)) {
     Member member;
     member.name = fmt::format("{:04}", members.size() + 1);

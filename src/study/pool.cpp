@@ -20,7 +20,7 @@ namespace vug {
 
 namespace {
 
-/// A job as a child can become it with calls that a signal handler may use, and nothing else.
+/// A job, prepared so that a child process can become it with calls that a signal handler may use, and nothing else.
 struct Call {
   explicit Call(const Job& job) : words(job.words), log(job.log), complaint(one_line(words[0]) + ": cannot be run: ") {
     for (std::string& word : words) pointers.push_back(word.data());
@@ -34,10 +34,10 @@ struct Call {
 };
 
 void say(const std::string& text) {
-  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // there is nobody else to be told
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // there is nowhere else to report it
 }
 
-/// Of the child, between fork and exec.
+/// Runs in the child, between fork and exec.
 [[noreturn]] void become(const Call& call, pid_t parent) {
   const int file = ::open(call.log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
   if (file >= 0) {
@@ -91,7 +91,7 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
       continue;
     }
     for (auto& [child, one] : running) look_at(one);
-    const bool end = ending();  // asked once: a signal may come at any time
+    const bool end = ending();  // read once, because a signal may come at any time
     if (end && !stopped)
       for (const auto& [child, one] : running) ::kill(child, SIGTERM);
     stopped = end;
@@ -99,7 +99,7 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
     const pid_t child = ::waitpid(-1, &status, WNOHANG);
     const auto found = running.find(child);
     if (found == running.end()) {
-      ::usleep(20000);  // a stop is seen at once, and a child that ends soon enough
+      ::usleep(20000);  // short enough to notice a stop or the end of a child in time
       continue;
     }
     look_at(found->second);

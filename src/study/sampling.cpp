@@ -33,7 +33,7 @@ std::vector<std::vector<std::string>> grid(const Study& study) {
   return runs;
 }
 
-/// The values of one key, [run]: lists are gone through from the start again and again.
+/// The values of one key, [run]; lists are repeated from the start as often as needed.
 std::vector<std::string> hypercube_values(const Study& study, const StudyKey& key, std::uint64_t stream) {
   std::vector<std::string> values;
   CounterRandom random{study.seed * 0x100000001b3u + stream};

@@ -13,7 +13,7 @@ struct StudyKey {
   std::string key;                  ///< "reaction.damkohler", as for --set
   std::vector<std::string> values;  ///< in TOML's syntax; empty where a range is given
   double from = 0, to = 0;          ///< of a range
-  bool logarithmic = false;         ///< values of the range are spread evenly in their logarithm
+  bool logarithmic = false;         ///< values of the range are evenly spaced in their logarithm
 };
 
 struct Study {
@@ -22,7 +22,7 @@ struct Study {
   Sampling sampling = Sampling::grid;
   int samples = 0;  ///< of the Latin hypercube
   std::uint64_t seed = 1;
-  std::vector<std::string> overrides;  ///< of all runs, before those of their keys
+  std::vector<std::string> overrides;  ///< of all runs, applied before those of their keys
   std::vector<StudyKey> keys;
   std::vector<std::string> results;  ///< columns of the history that go into the table; empty: all
 };
@@ -30,9 +30,9 @@ struct Study {
 /// Reads a study. Throws InputError `file:line:column: what is wrong`, FileError.
 Study read_study(const std::string& path);
 
-/// The values of the keys in every run, [run][key], in TOML's syntax: all combinations of a grid, the last key fastest;
-/// the n-th values of a list; a Latin hypercube, in which every key has one value in each of `samples` equal parts of
-/// its range (McKay, Beckman & Conover 1979). A function of the study alone.
+/// The values of the keys in every run, [run][key], in TOML's syntax: for a grid all combinations, the last key
+/// fastest; for a list the n-th values; for a Latin hypercube one value of every key in each of `samples` equal parts
+/// of its range (McKay, Beckman & Conover 1979). Depends on the study alone.
 std::vector<std::vector<std::string>> sample(const Study& study);
 
 }  // namespace vug

@@ -28,7 +28,7 @@ void check_known(const TomlDocument& document, const toml::table& table, const s
   }
 }
 
-/// A value of a list as TOML, or nothing where it is an array or a table.
+/// A value of a list as TOML, arrays included; empty for a table or a date.
 std::string text_of(const toml::node& node) {
   std::ostringstream text;
   if (const auto* word = node.as_string()) text << toml::value<std::string>(word->get());
@@ -91,7 +91,8 @@ StudyKey read_key(const TomlDocument& document, const TomlCursor& table, int ind
   return key;
 }
 
-/// Where a later key sets what an earlier one has set, only one value takes effect, and the table would show both.
+/// Throws where a later key sets what an earlier one has set: only one value would take effect, but the table would
+/// show both.
 void require_different_keys(const TomlDocument& document, const Study& study) {
   for (std::size_t later = 0; later < study.keys.size(); ++later)
     for (std::size_t earlier = 0; earlier < later; ++earlier) {

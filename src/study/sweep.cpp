@@ -31,8 +31,8 @@ void make_directory(const std::string& path) {
   if (error) throw FileError(fmt::format("{}: cannot make the folder: {}", path, error.message()));
 }
 
-/// One sweep at a time in a directory. The runs of a sweep hold the lock as well: where one was killed, the next waits
-/// for those that are still writing their checkpoints.
+/// Lock for one sweep at a time in a directory. The runs of a sweep hold it too: if a sweep was killed, the next one
+/// waits for those runs that are still writing their checkpoints.
 class SweepLock {
  public:
   SweepLock(const std::string& directory, const SweepOptions& options)
@@ -46,7 +46,7 @@ class SweepLock {
                           << std::endl;
       return;
     }
-    if (options.only_table) return;  // what that writes is whole all the same
+    if (options.only_table) return;  // the files that it writes are complete in any case
     if (options.progress) *options.progress << "waiting for another sweep of " << directory << " to end" << std::endl;
     while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
     }
@@ -69,7 +69,7 @@ std::vector<std::string> words_of(const Study& study, const Member& member) {
   return words;
 }
 
-/// The members that are yet to be run. Throws InputError where the directory holds something else.
+/// The members that still have to be run. Throws InputError where the directory contains something else.
 std::vector<const Member*> open_members(const std::vector<Member>& members, const std::string& directory, bool resume) {
   std::vector<const Member*> open;
   for (const Member& member : members) {
@@ -83,10 +83,10 @@ std::vector<const Member*> open_members(const std::vector<Member>& members, cons
   return open;
 }
 
-/// What a sweep writes beside its runs.
+/// Files that a sweep writes beside its runs.
 constexpr const char *copy_of_study = "study.toml", *table = "table.csv", *failures = "failures.csv";
 
-/// Throws InputError where the folder holds files of these names that no sweep has written, or another sweep has.
+/// Throws InputError where the folder contains files of these names that were written by no sweep, or by another one.
 void require_own_files(const Study& study, const std::vector<Member>& members, const std::string& directory,
                        bool resume) {
   const bool begun = std::any_of(members.begin(), members.end(),
@@ -130,15 +130,15 @@ int sweep(const std::string& path, const SweepOptions& options) {
   const std::string directory = directory_of(path, options);
   const std::vector<Member> members = members_of(study, directory);
   const bool go_on = options.resume || options.only_table;
-  open_members(members, directory, go_on);  // looks before it writes
+  open_members(members, directory, go_on);  // checks before anything is written
   require_own_files(study, members, directory, go_on);
   if (options.only_table && !fs::exists(directory + "/runs"))
     throw InputError(directory + ": holds no study of which there could be a table");
   make_directory(directory + "/runs");
   const SweepLock lock(directory, options);
-  const StopsInOrder in_order;  // also when the last run has ended and the table is made
+  const StopsInOrder in_order;  // also while the table is made after the last run
   const std::vector<const Member*> open = open_members(members, directory, go_on);
-  for (const Member& member : members) look_at_columns(study, member);  // of what has been run before
+  for (const Member& member : members) look_at_columns(study, member);  // of earlier runs
   detail::replace_file(directory + "/" + copy_of_study, study.text, false);
   if (options.only_table) return write_tables(study, members, directory);
   std::vector<Job> jobs;
@@ -154,7 +154,7 @@ int sweep(const std::string& path, const SweepOptions& options) {
       *options.progress << fmt::format("[{}/{}] {}", ended, members.size(), said_of(job, *open[job.job], study))
                         << std::endl;
   };
-  // as soon as a run has begun, not when all have ended
+  // checked as soon as a run has begun, not when all have ended
   run_jobs(jobs, at_once, tell, [&](std::size_t job) { return look_at_columns(study, *open[job]); });
   const int not_done = write_tables(study, members, directory);
   say_when_ended("interrupted when the study was done");

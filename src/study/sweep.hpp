@@ -8,24 +8,24 @@ namespace vug {
 
 struct SweepOptions {
   std::string directory;    ///< empty: runs/<name of the study>
-  int at_once = 0;          ///< runs at once; 0: as many as there are processors
-  bool resume = false;      ///< go on with what the directory holds
-  bool only_table = false;  ///< run nothing: table.csv and failures.csv of what the directory holds
+  int at_once = 0;          ///< runs at once; 0: one per processor
+  bool resume = false;      ///< continue what the directory holds
+  bool only_table = false;  ///< run nothing; write table.csv and failures.csv of what the directory holds
   std::ostream* progress = nullptr;
   std::ostream* warnings = nullptr;
 };
 
-/// Where the results of a study go.
+/// Directory for the results of a study.
 std::string directory_of(const std::string& study, const SweepOptions& options);
 
-/// Runs the members of the study, each as a process of its own with one thread, and writes table.csv and failures.csv.
-/// With `resume` those that are done or diverged stay as they are, and others continue from their checkpoints; the
-/// table is the same as that of a sweep that nothing has interrupted. With `only_table` nothing is run. Returns how
-/// many are not done. Throws InputError, FileError, and Interrupted when asked to stop.
+/// Runs the members of the study, each as a separate process with one thread, and writes table.csv and failures.csv.
+/// With `resume`, members that are done or diverged stay as they are, and the others continue from their checkpoints;
+/// the table is then the same as that of a sweep without interruption. With `only_table` nothing is run. Returns the
+/// number of members that are not done. Throws InputError, FileError, and Interrupted when asked to stop.
 int sweep(const std::string& study, const SweepOptions& options);
 
-/// Becomes the run of one member, counted from 0, which says what it has to say in its log: for the arrays of a batch
-/// system. Throws as sweep.
+/// Replaces this process by the run of one member, counted from 0, with its output in the member's log: for job arrays
+/// of a batch system. Throws as sweep.
 void become_member(const std::string& study, const SweepOptions& options, int member);
 
 /// A script for Slurm's sbatch that runs the study as an array of jobs.

@@ -26,14 +26,14 @@ std::string csv(const std::string& text) {
   return out + "\"";
 }
 
-/// A value without the quotes that TOML's text has.
+/// A value without the quotes of TOML's text.
 std::string plain(const std::string& value) {
   const bool quoted =
       value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
   return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-/// The last value of a column as history.csv has it; nothing where there is none.
+/// The last value of a column of a history; empty if there is none.
 std::string last_value(const History& history, const std::string& name) {
   const int column = history.find(name);
   return column < 0 || history.rows() == 0 ? "" : fmt::format("{:.17g}", history.values[column].back());
@@ -46,7 +46,7 @@ void require_columns(const Study& study, const History& history) {
                                    suggestion(name, history.names)));
 }
 
-/// Throws FileError where the end of a history is lost: an earlier row would pass for the result.
+/// Throws FileError where the end of a history is missing: an earlier row would be taken for the result.
 void require_whole(const Member& member, const History& history) {
   const std::string last = last_value(history, "step_1"), steps = read_run_summary(member.directory)->steps;
   if (std::strtod(last.c_str(), nullptr) != std::strtod(steps.c_str(), nullptr) || last.empty())
@@ -81,7 +81,7 @@ const char* words_of(MemberState state) {
   }
 }
 
-/// The last line of a file that says anything.
+/// The last line of a file that is not empty.
 std::string last_words(const std::string& path) {
   if (!std::filesystem::exists(path)) return "";
   std::istringstream file(detail::read_file(path));
