@@ -1,5 +1,5 @@
 #pragma once
-// `vug completion`: what a shell may offer behind `vug`.
+// `vug completion`: what a shell may offer after `vug`.
 #include <string>
 
 namespace CLI {
@@ -8,7 +8,7 @@ class App;
 
 namespace vug {
 
-/// A script for bash, zsh (that of bash, which its bashcompinit understands) or fish, made from the commands and
+/// A script for bash, zsh (that for bash, which zsh's bashcompinit understands) or fish, made from the commands and
 /// options of the program. Throws InputError for another shell.
 std::string completion_script(const CLI::App& app, const std::string& shell);
 

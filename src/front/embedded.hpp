@@ -1,5 +1,5 @@
 #pragma once
-// Files of the project that the program carries with it.
+// Files of the project that are built into the program.
 #include <string>
 #include <vector>
 
@@ -9,7 +9,7 @@ struct Template {
   std::string name, text;
 };
 
-/// Cases to begin with.
+/// Templates of cases.
 const std::vector<Template>& templates();
 
 /// CITATION.cff.

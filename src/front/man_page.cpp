@@ -9,7 +9,7 @@ namespace vug {
 
 namespace {
 
-/// Text of a page: a line may not begin with a dot, and a backslash is one of its own.
+/// Text of a page, escaped: a line may not begin with a dot, and a backslash has its own name.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '\\' ? std::string("\\e") : std::string(1, c);

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of results that is complete or not there.
+// A folder of results that is either complete or absent.
 #include "io/detail/files.hpp"
 #include "kernels/base/require.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace vug {
 
-/// A folder that appears under its name when it is complete. Dropped before that, it leaves nothing behind.
+/// A folder that appears under its name when it is complete. If it is dropped before commit(), nothing of it remains.
 class NewFolder {
  public:
   explicit NewFolder(const std::filesystem::path& path) : path_(path), temporary_(path.string() + ".tmp") {

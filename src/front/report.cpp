@@ -23,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the case and its files lie in the bundle, so that the case finds them by the paths it says.
+/// Paths of the case and its files in the bundle, chosen so that the case finds them by the paths that it names.
 struct CasePlaces {
   fs::path file;                 ///< the case
-  std::vector<fs::path> inputs;  ///< empty for a file that the case names by its whole path
+  std::vector<fs::path> inputs;  ///< empty for a file that the case names by an absolute path
 };
 
 CasePlaces places_of(const RunOrigin& origin) {
@@ -50,7 +50,7 @@ CasePlaces places_of(const RunOrigin& origin) {
   return places;
 }
 
-/// The step that the run had reached: of one that was killed, as far as its history goes.
+/// The last step of the run; for a run that was killed, the last one in its history.
 std::int64_t step_reached(const std::string& directory, const RunSummary& summary) {
   const History history = read_history(directory + "/history.csv");
   const int steps = history.find("step_1");
@@ -58,7 +58,7 @@ std::int64_t step_reached(const std::string& directory, const RunSummary& summar
   return std::max<std::int64_t>(std::atoll(summary.steps.c_str()), static_cast<std::int64_t>(last_row));
 }
 
-/// The newest sound checkpoint before a step.
+/// The newest undamaged checkpoint before a step.
 std::optional<Checkpoint> checkpoint_before(std::int64_t step, const std::string& directory,
                                             const RunSummary& summary) {
   for (const fs::path& path : detail::checkpoints(directory + "/checkpoint")) try {
@@ -70,7 +70,7 @@ std::optional<Checkpoint> checkpoint_before(std::int64_t step, const std::string
   return std::nullopt;
 }
 
-/// What is told of a run, and where its replay begins.
+/// Information on a run for the bundle, and the start of its replay.
 struct Told {
   RunSummary summary;
   RunOrigin origin;
@@ -87,13 +87,13 @@ struct Told {
     for (const std::string& entry : origin.overrides) command += " --set " + shell_word(entry);
     return command + fmt::format(" --steps {} -o replayed{}", reached, checkpoint ? " --resume" : "");
   }
-  /// Exit codes that a replay may have, as the shell's `case` takes them: a run that was stopped, or had no room, may
-  /// go on to its end.
+  /// Exit codes that a replay may have, in the syntax of the shell's `case`: a run that was stopped, or had too little
+  /// memory, may continue to its end.
   std::string codes() const { return summary.status == "diverged" ? summary.exit_code : "0 | " + summary.exit_code; }
 };
 
-/// The last row of a run that was killed may be half there, and the replay ends with a row of its own: histories are
-/// compared as far as the run's goes.
+/// The last row of a run that was killed may be incomplete, and the replay ends with an additional row: histories are
+/// compared up to the length of the run's.
 constexpr const char* replay_script = R"sh(#!/bin/sh
 # Runs the last stretch of a run of vug again, into the folder `replayed` beside this file, and compares its history with
 # the run's, byte by byte. Another program than vug in PATH: VUG=/path/to/vug ./replay
@@ -139,7 +139,7 @@ std::string size_text(const fs::path& folder) {
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
 }
 
-/// Why a file of the case cannot be taken along; empty where it can.
+/// Why a file of the case cannot be included; empty if it can.
 std::string what_hinders(const InputFile& input, const fs::path& place) {
   if (place.empty()) return "is named by its whole path: send it apart";
   try {
@@ -149,7 +149,7 @@ std::string what_hinders(const InputFile& input, const fs::path& place) {
   }
 }
 
-/// The case and its files; gives a warning for each that is not among them.
+/// Copies the case and its files; returns a warning for each file that is not included.
 std::string copy_case(const Told& told, const NewFolder& folder) {
   std::string warnings;
   folder.write(told.places.file, told.origin.case_text);

@@ -12,12 +12,12 @@ namespace vug {
 
 namespace {
 
-/// A key or a table, with what lies in it.
+/// A key or a table, with its keys.
 struct Node {
   std::string name;
   const KeyDescription* key = nullptr;
   std::vector<Node> children;
-  bool repeats = false;  ///< a table, or several of it
+  bool repeats = false;  ///< a table of which there may be several
 
   Node& child(const std::string& wanted) {
     for (Node& node : children)
@@ -27,7 +27,7 @@ struct Node {
   }
 };
 
-/// Limits of a number, from the words of the documentation: "> 0, <= 1", "0 ... 10".
+/// Limits of a number, from the text of the documentation: "> 0, <= 1", "0 ... 10".
 std::string limits_of(const std::string& range) {
   if (range.find("...") != std::string::npos) {
     std::istringstream text(range);
@@ -45,7 +45,7 @@ std::string limits_of(const std::string& range) {
   return out;
 }
 
-/// A number, or text that has its unit.
+/// Schema of a number or, where it has a unit, also of text with this unit.
 std::string number_schema(const KeyDescription& key) {
   const std::string number = fmt::format("{{\"type\": \"number\"{}}}", limits_of(key.range));
   if (key.unit == "1") return number;

@@ -14,7 +14,7 @@ void wait_briefly(char** argv) {
     const std::string program = this_program();
     if (::setenv("GOMP_SPINCOUNT", "10000", 0) == 0) ::execv(program.c_str(), argv);
   } catch (const std::filesystem::filesystem_error&) {
-    return;  // unknown: it goes on as it is
+    return;  // the path is unknown: continue as it is
   }
 }
 

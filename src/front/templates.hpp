@@ -4,8 +4,8 @@
 
 namespace vug {
 
-/// Writes the template of that name to `path` (<name>.toml where it is empty) and returns the path. Throws InputError
-/// when there is no such template or the file is there already, FileError.
+/// Writes the template of that name to `path` (<name>.toml if empty) and returns the path. Throws InputError when there
+/// is no such template or the file exists already, FileError.
 std::string new_case(const std::string& name, std::string path);
 
 /// How to cite vug: the text of CITATION.cff (YAML).

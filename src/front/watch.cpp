@@ -22,7 +22,7 @@ bool ends_in_balance_error(const std::string& name) {
   return name.ends_with("_balance_error_1");
 }
 
-/// Parts of balances, and what the first line says already.
+/// Whether a column is a part of a balance, or is shown in the first line already.
 bool is_secondary(const std::string& name) {
   if (name == "time_s" || name == "step_1" || ends_in_balance_error(name)) return true;
   return name.find("_initial_") != std::string::npos || name.find("_stored_") != std::string::npos ||
@@ -33,7 +33,7 @@ bool changes(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
 }
 
-/// Places of the columns to draw.
+/// Indices of the columns to draw.
 std::vector<int> chosen_columns(const History& history, const WatchView& view) {
   std::vector<int> chosen;
   for (const std::string& name : view.columns) {
@@ -55,7 +55,7 @@ double number(const std::string& text) {
   return text.empty() ? 0 : std::strtod(text.c_str(), nullptr);
 }
 
-/// "done", "running", and what else it may be where nobody can tell.
+/// "done", "running", and the possible states where it cannot be determined.
 std::string status_of(const WatchedRun& run) {
   if (run.summary.status != "running" || run.in_use == InUse::yes) return run.summary.status;
   if (run.in_use == InUse::no) return "ended without a word (killed?)";
@@ -82,7 +82,7 @@ std::string state_of(const WatchedRun& run) {
   return text;
 }
 
-/// The column's balance whose error is the largest of the last row.
+/// The balance with the largest error in the last row.
 std::string worst_balance(const History& history) {
   int worst = -1;
   for (std::size_t c = 0; c < history.names.size(); ++c)
@@ -95,7 +95,7 @@ std::string worst_balance(const History& history) {
                      name.substr(0, name.size() - std::string_view("_balance_error_1").size()));
 }
 
-/// Seconds since a time in UTC, ISO 8601; 0 where it is none.
+/// Seconds since a time in UTC, ISO 8601; 0 if it is not a time.
 double seconds_since(const std::string& started) {
   std::tm parts{};
   if (::strptime(started.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts) == nullptr) return 0;

@@ -1,5 +1,5 @@
 #pragma once
-// `vug watch`: a run under way, in a terminal.
+// `vug watch`: progress of a run, in a terminal.
 #include "io/history_reader.hpp"
 #include "io/run_folder.hpp"
 #include "io/run_summary.hpp"
@@ -10,7 +10,7 @@
 
 namespace vug {
 
-/// What there is to draw.
+/// State of a run, to be drawn.
 struct WatchedRun {
   RunSummary summary;
   History history;             ///< empty before the first row
@@ -22,21 +22,21 @@ struct WatchedRun {
   bool under_way() const { return summary.status == "running" && in_use != InUse::no; }
 };
 
-/// How it is drawn.
+/// Settings of the drawing.
 struct WatchView {
   int width = 80, height = 24;       ///< of the terminal, characters
-  std::vector<std::string> columns;  ///< of history.csv; none: those that change, as many as there is room for
+  std::vector<std::string> columns;  ///< of history.csv; empty: those that change, as many as there is room for
 };
 
-/// Eight heights of a block for `values` over `time`, `width` of them from the first moment to the last.
+/// Draws `values` over `time` as `width` blocks of eight heights, from the first moment to the last.
 std::string sparkline(const std::vector<double>& time, const std::vector<double>& values, int width);
 
-/// State and progress of the run, a line for each column (name, its course, value), the largest error of a
-/// balance. Throws InputError for a column that the history does not have.
+/// State and progress of the run, a line for each column (name, curve, last value), the largest error of a balance.
+/// Throws InputError for a column that the history does not have.
 std::string watch_text(const WatchedRun& run, const WatchView& view);
 
-/// Reads `directory`, hands its text to `show`, and again every second until no process writes there any more, or only
-/// once. Returns whether the run is done or, for all that can be known, under way. Throws InputError where there is no
+/// Reads `directory` and passes its text to `show`, every second until no process writes there any more, or only once.
+/// Returns whether the run is done or, as far as can be determined, still running. Throws InputError where there is no
 /// run, FileError.
 bool watch(const std::string& directory, const WatchView& view, bool once,
            const std::function<void(const std::string&)>& show);
