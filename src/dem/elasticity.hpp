@@ -12,10 +12,10 @@ struct Elasticity {
   double poisson_ratio = 0;
 };
 
-/// Elasticity of bonded rock: E / (1 - nu) = M_n / chi and E / (1 + nu) = (2 / chi) M_n M_t / (M_n + M_t), that is nu =
-/// (1 - r) / (1 + 3 r) with r = M_t / M_n. Each triangle is held by three bonds, so that one uniform stress balances
-/// it; averaging over all directions of the edges gives these compliances (Reuss). The first is exact, the second
-/// within 2 % (docs/validation.md).
+/// Elasticity of bonded rock, with r = M_t / M_n:
+///   E / (1 - nu) = M_n / chi,  E / (1 + nu) = (2 / chi) M_n M_t / (M_n + M_t),  that is nu = (1 - r) / (1 + 3 r).
+/// Each triangle is held by three bonds, so that one uniform stress balances it; averaging over all directions of the
+/// edges gives these compliances (Reuss). The first is exact, the second within 2 % (docs/validation.md).
 constexpr Elasticity elasticity_of(const BondParameters& bond) {
   const double ratio = bond.tangential_modulus / bond.normal_modulus;
   const double nu = (1 - ratio) / (1 + 3 * ratio);

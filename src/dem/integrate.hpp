@@ -16,9 +16,9 @@ struct StepControl {
   double surroundings = 1;   ///< scales the springs of the rock beyond: 0 in a preload, which they would resist
 };
 
-/// Gathers the forces on each particle in a fixed order, those of its contacts into Contacts::push, and moves it: v(t +
-/// dt/2) = v(t - dt/2) + dt F / m, u(t + dt) = u(t) + dt v(t + dt/2), and the same for spin and angle. Symplectic.
-/// `awake` gives the groups of particles that move; null: all.
+/// Gathers the forces on each particle in a fixed order, those of its contacts into Contacts::push, and moves it:
+///   v(t + dt/2) = v(t - dt/2) + dt F / m,  u(t + dt) = u(t) + dt v(t + dt/2),
+/// and the same for spin and angle. Symplectic. `awake` gives the groups of particles that move; null: all.
 template <class Keeper>
 void integrate(const Queue& queue, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                const BoundaryLoads& loads, const Particles& particles, const Keeper& accounts,

@@ -19,7 +19,7 @@ enum class Specimen {
 struct PlatenTest {
   Specimen specimen = Specimen::block;
   double speed = 0.5;       ///< of the upper platen, m/s; positive compresses, negative pulls
-  double heating_rate = 0;  ///< of the whole specimen, K/s, a part of it in every step; needs speed = 0
+  double heating_rate = 0;  ///< of the whole specimen, K/s, applied in every step; needs speed = 0
   /// Pressure on the flanks of a block, Pa; applied before the test, while the platens do not move.
   double confinement = 0;
   /// Support::free: the pressure is the dead load of a membrane, constant to the bit; Support::servo: it is that of

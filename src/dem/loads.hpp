@@ -62,8 +62,8 @@ std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
 /// that is not convex. Such rock may touch itself before a bond has failed.
 bool faces_itself(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary);
 
-/// Steady loads of each particle, ready for the integrator. The torque of a dead load changes as the particle turns: T
-/// = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
+/// Steady loads of each particle, ready for the integrator. The torque of a dead load changes as the particle turns:
+///   T = (cos - 1) A - sin B + A with A = sum of r × F and B = sum of r . F at the start.
 struct BoundaryLoads {
   VectorField<double> force;      ///< (particle, axis) N
   VectorField<double> moment;     ///< (particle, A or B) N m

@@ -11,11 +11,12 @@ namespace vug {
 /// step later, s(n + 1) = s(n) - g s(n - 1): this is stable below 1, and with 1/2 an error halves in every step.
 inline constexpr double servo_gain = 0.5;
 
-/// One platen. Its outward speed is v = G (p - p_wanted), where p is the pressure on it in the last step and G =
-/// servo_gain / (K dt). K is the sum of (k_n n^2 + k_t t^2) l over the bonds between held and free particles, divided
-/// by the length of the platen. This is the servo of granular mechanics (Itasca, PFC: v = G (sigma_measured -
-/// sigma_required), G = alpha A / (k_n N dt)). To waves it is a boundary of impedance 1 / G. Rock that keeps moving
-/// outwards at v presses with p_wanted + v / G.
+/// One platen. Its outward speed is
+///   v = G (p - p_wanted),  G = servo_gain / (K dt),
+/// where p is the pressure on it in the last step, and K the sum of (k_n n^2 + k_t t^2) l over the bonds between held
+/// and free particles, divided by the length of the platen. This is the servo of granular mechanics (Itasca, PFC):
+///   v = G (sigma_measured - sigma_required),  G = alpha A / (k_n N dt).
+/// To waves it is a boundary of impedance 1 / G. Rock that keeps moving outwards at v presses with p_wanted + v / G.
 struct ServoPlaten {
   int axis = 0;           ///< of its normal
   double outward = 1;     ///< sign of the outward normal

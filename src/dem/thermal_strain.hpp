@@ -1,7 +1,8 @@
 #pragma once
-// Thermal strain of a triangle. For a linear triangle with the strain alpha dT, minimum potential energy gives u_k =
-// alpha dT (X_k - x) for every elasticity matrix, uniquely up to rigid motion: the triangle grows about its centroid. A
-// warm triangle is therefore the cold one with its lever arms scaled.
+// Thermal strain of a triangle. For a linear triangle with the strain alpha dT, minimum potential energy gives
+//   u_k = alpha dT (X_k - x)
+// for every elasticity matrix, uniquely up to rigid motion: the triangle grows about its centroid. A warm triangle is
+// therefore the cold one with its lever arms scaled.
 #include "kernels/base/base.hpp"
 
 namespace vug {

@@ -19,8 +19,7 @@ struct FreeMemory {
 /// that can be dropped count as free), and the limits of its address space and data. Linux; elsewhere infinite.
 FreeMemory free_memory();
 
-/// "1.2 GiB had been taken; that given back, the control group leaves 1.5 GiB", for messages after an allocation
-/// failed.
+/// For messages after a failed allocation: "1.2 GiB had been taken; that given back, the control group leaves 1.5 GiB".
 std::string memory_taken();
 
 /// Throws MemoryError when `bytes` more than what is held do not fit: `what` needs at least so much, so much is free.

@@ -4,8 +4,7 @@
 
 namespace vug {
 
-/// Divides the rows into parts of consecutive rows of nearly the same weight: part p has the rows [first[p], first[p +
-/// 1]).
+/// Divides the rows into parts of nearly the same weight; part p has the consecutive rows [first[p], first[p + 1]).
 class Partition {
  public:
   Partition() = default;
