@@ -21,9 +21,9 @@ struct NeighbourGrid {
 
 NeighbourGrid make_neighbour_grid(const Particles& particles, double skin);
 
-/// Rebuilds the candidate pairs when contacts are active and a particle has moved by more than a quarter of the skin,
-/// or a bond has failed, or the faces of a crack have parted or dissolved. Two launches that return at once when there
-/// is nothing to do; no host copy.
+/// Rebuilds the candidate pairs when contacts are active and a particle has moved by more than a quarter of the skin, a
+/// bond has failed, the faces of a crack have parted or dissolved, or a triangle is gone. Two launches that return at
+/// once when there is nothing to do; no host copy.
 void update_contacts(const Exec& exec, const NeighbourGrid& grid, const Particles& particles, const Bonds& bonds,
                      const Contacts& contacts);
 
