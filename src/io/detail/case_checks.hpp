@@ -1,18 +1,18 @@
 #pragma once
-// What the tables of a case demand of each other. Each function throws InputError at the first contradiction.
+// Checks between the tables of a case. Each function throws InputError at the first contradiction.
 #include "io/detail/toml_document.hpp"
 #include "io/scene.hpp"
 
 namespace vug {
 
-/// Every key and table of the document is one that the reader knows.
+/// Every key and table of the document must be one that the reader knows.
 void check_names(const TomlDocument& document);
 
 void check_modules(const TomlDocument& document, const Scene& scene);     ///< which table needs which other
 void check_places(const TomlDocument& document, Scene& scene);            ///< everything drawn lies on the lattice
-void check_ageing(const TomlDocument& document, const Scene& scene);      ///< what may age faster than the fluid
+void check_ageing(const TomlDocument& document, const Scene& scene);      ///< rock that ages faster than the fluid
 void check_times(const TomlDocument& document, const Scene& scene);       ///< end, intervals, ramps
-void check_scales(const TomlDocument& document, const Scene& scene);      ///< what the time step makes of diffusivities
+void check_scales(const TomlDocument& document, const Scene& scene);      ///< diffusivities in lattice units
 void check_species(const TomlDocument& document, const Scene& scene);     ///< names of species
 void check_minerals(const TomlDocument& document, Scene& scene);          ///< where minerals are, and their rates
 void check_boundaries(const TomlDocument& document, Scene& scene);        ///< conditions against modules and each other
@@ -20,12 +20,12 @@ void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [
 void check_groups(const TomlDocument& document, const Scene& scene);      ///< named surfaces need a mesh
 void check_files(const TomlDocument& document, Scene& scene);             ///< meshes and images exist; resolves paths
 
-/// The generator makes no more triangles on `area` (m2) than anybody has a use for.
+/// The generator must not make more than `most_triangles` on `area` (m2).
 void check_triangles(const TomlDocument& document, const RockSection& rock, double area);
 
-/// Remarks on what is allowed but probably not meant.
+/// Adds the warnings about what is allowed but probably not meant.
 void collect_warnings(Scene& scene);
-/// Those on what fills the pores.
+/// Those about the fluid in the pores.
 void warn_about_pores(Scene& scene);
 
 }  // namespace vug

@@ -1,6 +1,6 @@
 #pragma once
-// One function per table of the case file: keys to struct. Each is called with the table's cursor only when the table
-// is there (or when the keys are being described); what tables demand of each other is in case_checks.hpp.
+// One function per table of the case file, from keys to struct. Each is called with the table's cursor only when the
+// table is given (or when the keys are being described). Checks between tables are in case_checks.hpp.
 #include "io/detail/plain_name.hpp"
 #include "io/detail/toml_cursor.hpp"
 #include "io/presets.hpp"
@@ -8,10 +8,10 @@
 
 namespace vug {
 
-/// Keys of a form, `type` first. Where a mesh may say where something lies, `type` may be "group": then there is none.
-enum class FormOf { geometry, mesh, rock };  ///< of `rock` the type may also be "mineral"
+/// Reads the keys of a form, `type` first. With a mesh `type` may be "group"; then nothing is returned.
+enum class FormOf { geometry, mesh, rock };  ///< with `rock` the type may also be "mineral"
 std::optional<Form> read_form(const TomlCursor& table, FormOf of);
-/// A form or, where there is a mesh, its named surface: keys of a form with `group`; of FormOf::rock also `mineral`.
+/// A form or, where there is a mesh, its named surface: keys of a form and `group`; with FormOf::rock also `mineral`.
 RockRegion read_region(const TomlCursor& table, FormOf of);
 
 void read_case(const TomlCursor& table, Scene& scene);
@@ -22,24 +22,23 @@ RockSection read_rock(const TomlCursor& table);
 FlowSection read_flow(const TomlCursor& table);
 HeatSection read_heat(const TomlCursor& table);
 SoluteSection read_solute(const TomlCursor& table);
-/// Needs the solutes for the diffusivity in the Damkohler number.
+/// Uses the solutes for the diffusivity in the Damkohler number.
 ReactionSection read_reaction(const TomlCursor& table, const std::optional<SoluteSection>& solute);
-/// Keys of a rate, each that of the rock where it is left out.
+/// Reads the keys of a rate. Where one is absent, `rate` keeps the value of the rock.
 void read_own_rate(const TomlCursor& table, RateLaw& rate);
 inline constexpr Unit equilibrium_unit{"1", 1e100};
 inline constexpr Range equilibrium_range{.low = 1e-12, .infinity_allowed = true};
-/// Needs the reaction and the heat for what is left out.
+/// Takes values that are absent from the reaction and the heat of the scene.
 MineralSection read_mineral(const TomlCursor& table, const Scene& scene);
-/// `fallback` gives what the preset of the case chooses.
+/// `fallback` has the values that the case's preset chooses.
 MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback);
-/// Of [mechanics.bond], which the profile of [mechanics] has to know before the rest.
+/// Reads one key of [mechanics.bond] before the others, because the profile of [mechanics] needs it.
 void read_weibull_shape(const TomlCursor& bonds, BondParameters& bond);
-/// Of [mechanics]: bonds, elasticity and the materials of regions.
+/// Reads the parts of [mechanics] on bonds, elasticity and the materials of regions.
 void read_materials(const TomlCursor& table, MechanicsSection& mechanics);
-/// Also fills the chemical law of the mechanics.
-/// in_metres: widths are, as rock.pathway_width says.
+/// Also fills the chemical law of the mechanics. `in_metres`: widths are in metres (rock.pathway_width).
 DamageSection read_damage(const TomlCursor& table, bool in_metres, ChemicalDamageLaw& chemical);
-/// `meshed`: the rock's mesh says how large the specimen is.
+/// `meshed`: the size of the specimen is that of the rock's mesh.
 LaboratorySection read_laboratory(const TomlCursor& table, bool meshed);
 TractionBoundary read_traction(const TomlCursor& table);
 BoundarySection read_boundary(const TomlCursor& table);
@@ -47,7 +46,7 @@ std::vector<InjectionSection> read_injections(const TomlCursor& boundary);
 /// The tables [boundary.shape.<name>] of the shapes that have a name.
 std::vector<OpeningSection> read_openings(const TomlCursor& boundary, const GeometrySection& geometry);
 Preset read_preset(const TomlCursor& table);
-/// `may_age`: a tolerance lets the rock age faster than the fluid. `flows`: there is one.
+/// `may_age`: a tolerance may let the rock age faster than the fluid. `flows`: the case has [flow].
 AccuracySection read_accuracy(const TomlCursor& table, Preset preset, bool may_age, bool flows);
 std::vector<Gauge> read_gauges(const TomlCursor& output);
 OutputSection read_output(const TomlCursor& table);

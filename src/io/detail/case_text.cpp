@@ -9,7 +9,7 @@
 namespace vug {
 namespace {
 
-constexpr std::size_t largest = 4u << 20;  // bytes; a long list of shapes fits many times
+constexpr std::size_t largest = 4u << 20;  // bytes; enough for a long list of shapes many times over
 
 [[noreturn]] void refuse(const std::string& path, const std::string& problem) {
   throw InputError(one_line(fmt::format("{}: {}", path, problem)));

@@ -1,5 +1,5 @@
 #pragma once
-// The bytes of a case file, before they are TOML.
+// The text of a case file, before it is parsed as TOML.
 #include <string>
 
 namespace vug {
@@ -8,7 +8,7 @@ namespace vug {
 /// or read.
 std::string read_case_text(const std::string& path);
 
-/// Throws InputError when `text` is empty or no text.
+/// Throws InputError when `text` is empty or not text.
 void check_text(const std::string& text, const std::string& path);
 
 }  // namespace vug

@@ -1,4 +1,4 @@
-// What [laboratory] demands of all other tables.
+// Checks of [laboratory] against all other tables.
 #include "io/detail/case_checks.hpp"
 
 #include <fmt/format.h>

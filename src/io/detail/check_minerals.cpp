@@ -1,4 +1,4 @@
-// Where the minerals of a case are, and what their rates demand of the reaction.
+// Checks of the minerals of a case: where they are, and their rates against the reaction.
 #include "io/detail/case_checks.hpp"
 #include "io/detail/toml_cursor.hpp"
 
@@ -13,8 +13,8 @@ std::string further_table(std::size_t i) {
   return fmt::format("reaction.further.{}", i);
 }
 
-/// What an order other than one, a finite equilibrium and the paper's wall allow each other. `key` is the table that
-/// the rate stands in, `reaction` that of the reaction, which names the product.
+/// Checks which of an order other than one, a finite equilibrium constant and the paper's wall may be combined. `key`
+/// is the table of the rate, `reaction` that of the reaction, which names the product.
 void check_rate(const TomlDocument& document, const std::string& key, const RateLaw& rate, const std::string& reaction,
                 bool has_product, ReactiveWallLaw wall) {
   if (rate.inverse_equilibrium_constant > 0 && !has_product)
@@ -27,7 +27,7 @@ void check_rate(const TomlDocument& document, const std::string& key, const Rate
     document.fail(key + ".order", "is not 1; that is only for reaction.wall = \"kinetic\"");
 }
 
-/// Labels are pixels of rock, and of one mineral each.
+/// A label must be that of rock pixels, and of one mineral only.
 void check_labels(const TomlDocument& document, Scene& scene, std::size_t m) {
   ImageSection& image = scene.geometry.image;
   const std::string key = fmt::format("mineral.{}.labels", m);
@@ -47,7 +47,7 @@ void check_labels(const TomlDocument& document, Scene& scene, std::size_t m) {
   }
 }
 
-/// Columns of the history begin with names of species and of minerals.
+/// A species must not have the name of a column that the history has for this mineral.
 void check_columns(const TomlDocument& document, const Scene& scene, std::size_t m) {
   if (!scene.solute) return;
   for (const Species& species : scene.solute->species)

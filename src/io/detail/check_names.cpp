@@ -1,4 +1,4 @@
-// Every name in a case against the keys the reader knows.
+// Checks every name in a case against the keys that the reader knows.
 #include "io/case_keys.hpp"
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
@@ -13,7 +13,7 @@
 namespace vug {
 namespace {
 
-/// Known names below each documented table: "lattice" -> size, spacing, time_step. Leaves have no entry of their own.
+/// Known names in each documented table: "lattice" -> size, spacing, time_step. Leaves have no entry of their own.
 using NameTree = std::map<std::string, std::vector<std::string>>;
 
 NameTree name_tree() {
@@ -41,7 +41,7 @@ std::vector<std::string> spelled_out(const std::vector<std::string>& names) {
   return result;
 }
 
-/// What the documentation calls `name` in a table that knows `names`, empty when it does not know it.
+/// The name by which the documentation has `name`, in a table with the known `names`; empty when it is not known.
 std::string documented_name(const std::string& name, const std::vector<std::string>& names) {
   const auto known = spelled_out(names);
   if (std::find(known.begin(), known.end(), name) != known.end()) {
@@ -52,7 +52,7 @@ std::string documented_name(const std::string& name, const std::vector<std::stri
   return wildcard != names.end() ? *wildcard : "";
 }
 
-/// Another table that has a key of this name, for keys that were put into the wrong table.
+/// Another table that has a key of this name, for a key in the wrong table.
 std::string elsewhere(const std::string& name, const NameTree& tree) {
   for (const auto& [table, names] : tree) {
     if (!table.empty() && std::find(names.begin(), names.end(), name) != names.end()) {

@@ -1,4 +1,4 @@
-// Whether what a case draws lies on its lattice, and whether its triangles are not too many.
+// Checks that everything a case draws lies on its lattice, and that its triangles are not too many.
 #include "io/detail/case_checks.hpp"
 #include "io/detail/toml_cursor.hpp"
 #include "io/form.hpp"
@@ -12,7 +12,7 @@
 namespace vug {
 namespace {
 
-/// A point on the lattice, its edge included; a millionth of a cell of slack for decimal fractions.
+/// A point must be on the lattice, its edge included, with a millionth of a cell of slack for decimal fractions.
 void check_point(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
                  const Point& point) {
   const double slack = 1e-6 * lattice.spacing;
@@ -24,7 +24,7 @@ void check_point(const TomlDocument& document, const LatticeSection& lattice, co
   }
 }
 
-/// Some of a form must be on the lattice.
+/// At least a part of a form must be on the lattice.
 void require_on_lattice(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
                         const Form& form) {
   const Box box = box_of(form);

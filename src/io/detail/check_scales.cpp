@@ -1,4 +1,4 @@
-// Spacing and time step against the numbers that they bring into lattice units.
+// Checks of spacing and time step: the diffusivities that they give in lattice units.
 #include "io/detail/case_checks.hpp"
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 namespace vug {
 namespace {
 
-// A relaxation time that differs from 1/2 by less is 1/2 for what is computed; a time step that spreads anything over
-// so many cells is a slip of the pen.
+// A relaxation time closer to 1/2 than `least` is numerically 1/2. A time step in which anything spreads over more than
+// `most` cells is a typing error.
 constexpr double least = 1e-12, most = 1e9;
 
 void check_diffusivity(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,
@@ -24,7 +24,7 @@ void check_diffusivity(const TomlDocument& document, const LatticeSection& latti
                             key, value, scaled, least, most));
 }
 
-/// At the start, and on all sides and openings.
+/// The temperatures at the start and on all sides and openings.
 std::vector<double> named_temperatures(const Scene& scene) {
   std::vector<double> found{scene.heat->initial_temperature};
   const auto add = [&](const HeatBoundary& heat) {
@@ -38,7 +38,8 @@ std::vector<double> named_temperatures(const Scene& scene) {
   return found;
 }
 
-/// A viscosity that depends on the temperature is a number at all that the case names.
+/// A viscosity that depends on the temperature must be between `least` and `most` in lattice units at every temperature
+/// that the case names.
 void check_law_of_viscosity(const TomlDocument& document, const Scene& scene) {
   const FlowSection& flow = *scene.flow;
   const char* key = flow.viscosity_table.empty() ? "flow.viscosity_activation_energy" : "flow.viscosity_table";

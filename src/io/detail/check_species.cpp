@@ -1,4 +1,4 @@
-// Names of species in a reaction.
+// Checks of the names of species in a reaction.
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
 
@@ -15,7 +15,7 @@ std::vector<std::string> names_of(const SoluteSection& solute) {
   return names;
 }
 
-/// Names of a reactant and its product, in the table `key`.
+/// Checks the names of a reactant and its product in the table `key`.
 void check_pair(const TomlDocument& document, const std::string& key, const std::vector<std::string>& names,
                 const std::string& reactant, const std::optional<std::string>& product) {
   const auto known = [&](const std::string& name) {

@@ -1,4 +1,4 @@
-// Which table of a case needs which other, and the files that it names.
+// Checks which tables a case needs, and that the files which it names exist.
 #include "io/detail/case_checks.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/message.hpp"
@@ -22,7 +22,7 @@ void check_file(const TomlDocument& document, const std::string& key, std::strin
   file = where;
 }
 
-/// What of the flow depends on the temperature needs one.
+/// Properties of the flow that depend on the temperature need [heat].
 void check_thermal_flow(const TomlDocument& document, const Scene& scene) {
   const FlowSection& flow = *scene.flow;
   const bool gravity = flow.gravity[0] != 0 || flow.gravity[1] != 0;

@@ -16,7 +16,7 @@ void check_times(const TomlDocument& document, const Scene& scene) {
   if (scene.time.end && *scene.time.end / step > 1e15) {
     document.fail("time.end", fmt::format("is more than 1e15 steps of lattice.time_step = {:g} s", step));
   }
-  const bool ages = scene.accuracy.dissolution_tolerance > 0;  // then steps say little of the time
+  const bool ages = scene.accuracy.dissolution_tolerance > 0;  // then the number of steps says little about the time
   const double end = scene.time.end ? *scene.time.end
                      : ages         ? std::numeric_limits<double>::max()
                                     : static_cast<double>(*scene.time.steps) * step;

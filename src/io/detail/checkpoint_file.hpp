@@ -1,5 +1,5 @@
 #pragma once
-// What a checkpoint is made of, as far as its writer and its reader must agree.
+// The format of a checkpoint, for its writer and its reader.
 #include "io/checkpoint.hpp"
 #include "io/detail/input_file.hpp"
 #include "kernels/base/require.hpp"
@@ -10,16 +10,16 @@
 #include <string>
 #include <string_view>
 
-// The file: "VUGSTATE", then 64-bit words in the byte order of the machine: version (which also tells the byte order),
-// step, time, length of the case's hash; the hash; length of the run's name; the name; number of blocks; for each block
-// length of its name, name, size, data; at the end the digest of everything before it. Texts and data are padded with
-// zeros to multiples of eight bytes.
+// A file consists of "VUGSTATE", then 64-bit words in the byte order of the machine: version (which also shows the byte
+// order), step, time, length of the case's hash; the hash; length of the run's name; the name; number of blocks; for
+// each block length of its name, name, size, data; at the end the digest of everything before it. Texts and data are
+// padded with zeros to multiples of eight bytes.
 namespace vug::detail {
 
 inline constexpr std::string_view checkpoint_magic = "VUGSTATE";
 inline constexpr std::uint64_t checkpoint_version = 2;
 
-/// Zeros behind `size` bytes.
+/// Number of zeros that follow `size` bytes.
 inline std::size_t padding(std::size_t size) {
   return (8 - size % 8) % 8;
 }
@@ -38,7 +38,7 @@ inline bool begins_as_checkpoint(const BinaryFile& file) {
   return file.size() >= checkpoint_magic.size() && bytes_of(file, 0, checkpoint_magic.size()) == checkpoint_magic;
 }
 
-/// Where a block's data lie in the file.
+/// Where the data of a block are in the file.
 struct Bytes {
   std::size_t offset = 0, size = 0;
 };
@@ -56,7 +56,7 @@ class CheckpointReader {
     at_ += sizeof(value);
     return value;
   }
-  /// Passes over padded bytes.
+  /// Skips padded bytes.
   Bytes bytes() {
     const auto size = word<std::uint64_t>();
     if (size > end_ - at_ || padding(size) > end_ - at_ - size) fail("the checkpoint is damaged (a size)");
@@ -78,7 +78,7 @@ class CheckpointReader {
   std::size_t end_, at_ = 0;
 };
 
-/// What stands before the blocks, without a look at the digest.
+/// What precedes the blocks; the digest is not checked.
 struct CheckpointHeader {
   std::int64_t step = 0;
   double time = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The names of checkpoints, and which there are.
+// The names of checkpoints, and the list of those in a folder.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,9 +13,9 @@ std::string checkpoint_name(std::int64_t step);
 /// Whether a file has the name of a checkpoint.
 bool is_checkpoint_name(const std::filesystem::path& path);
 
-/// What has the name of a checkpoint in a folder, newest first: the names sort by step. Empty where there is no folder;
-/// throws FileError where it cannot be read: whoever took it for one without checkpoints would begin anew where a run
-/// lies.
+/// Paths in a folder with the name of a checkpoint, newest first: the names sort by step. Empty where the folder does
+/// not exist. Throws FileError where it cannot be read: if it counted as empty, a run could begin anew over an existing
+/// one.
 std::vector<std::filesystem::path> checkpoints(const std::string& directory);
 
 }  // namespace vug::detail

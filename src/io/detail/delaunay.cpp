@@ -42,7 +42,8 @@ std::vector<std::array<int, 3>> delaunay(const IntegerGrid& grid, const std::vec
   boost::polygon::voronoi_diagram<double> diagram;
   boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
 
-  // Every Voronoi vertex is the circumcentre of the triangle, or of the cocircular polygon, of the cells around it.
+  // Every Voronoi vertex is the circumcentre of a triangle (or of a polygon of cocircular points) of the cells around
+  // it.
   std::vector<std::array<int, 3>> triangles;
   std::int64_t area = 0;
   for (const auto& vertex : diagram.vertices()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Delaunay triangulation of points of a rectangle, on exact integers.
+// Delaunay triangulation of points in a rectangle, with exact integers.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,8 @@ namespace vug::detail {
 
 using Point = std::array<double, 2>;
 
-/// The rectangle [0, length] in both directions on a grid of integers so fine (1e-8 of the longer side) that snapping
-/// is harmless and so coarse that every predicate is exact.
+/// The rectangle [0, length] on a grid of integers. Its spacing, 1e-8 of the longer side, is so fine that snapping
+/// points to it does no harm and so coarse that every predicate is exact.
 struct IntegerGrid {
   Point length;
   std::array<std::int32_t, 2> size;

@@ -1,12 +1,12 @@
 #pragma once
-// Digests that notice accidents (not attacks).
+// Digests that detect accidental changes (not attacks).
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 
 namespace vug::detail {
 
-/// FNV-1a, 64 bits, byte by byte: the published one, for names and short texts.
+/// FNV-1a, 64 bits, byte by byte, as published: for names and short texts.
 class TextDigest {
  public:
   void add(std::string_view text) {
@@ -18,8 +18,8 @@ class TextDigest {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-/// A digest of large data, eight bytes at a time. Each word is mixed in by an invertible step, so a change within any
-/// one word always changes the value. Data fed in pieces must come in multiples of eight bytes, but for the last.
+/// A digest of large data, eight bytes at a time. Each word is mixed in by an invertible step, so that a change within
+/// a single word always changes the value. Pieces of data must be multiples of eight bytes long, except the last one.
 class DataDigest {
  public:
   void add(std::string_view data) {
@@ -36,7 +36,7 @@ class DataDigest {
   }
   void mix(std::uint64_t word) {
     value_ = (value_ ^ word) * 0x9e3779b97f4a7c15u;
-    value_ ^= value_ >> 32;  // or the highest bits of two words could cancel
+    value_ ^= value_ >> 32;  // otherwise the highest bits of two words could cancel
   }
   std::uint64_t value_ = 0x243f6a8885a308d3u;
 };

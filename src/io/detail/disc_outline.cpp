@@ -21,7 +21,7 @@ DiscOutline disc_outline(double diameter, double flat_width, double edge) {
     const double middle = (low + high) / 2;
     (tangent(middle) < last ? low : high) = middle;
   }
-  // from 0, at the side, to 1, at the end of the flat
+  // share = 0 at the side, 1 at the end of the flat
   const auto on_arc = [&](double share) { return on_circle(radius, tangent(share * low)); };
   const auto parts = [edge](double length) { return std::max(2L, std::lround(length / edge)); };
   const long arc = parts(2 * low * radius), flat = parts(2 * half_flat);

@@ -9,13 +9,13 @@
 
 namespace vug::detail {
 
-/// The values of all items.
+/// Reads the values of all items.
 std::vector<double> values_of(const Field& field, std::size_t items);
 
-/// Reads a field of items (row, column) in the pieces in which FieldLayout writes it, for a rank that writes nothing.
+/// Reads a field of items (row, column) in the same pieces as FieldLayout writes it, for a rank that writes nothing.
 void read_along(const Field& field, const std::vector<std::size_t>& items);
 
-/// Shape of the items and how numbers are stored. Vectors of the plane get a third component, zero, which viewers need.
+/// Shape of the items and type of the numbers. Vectors in the plane get a third component, zero, which viewers need.
 struct FieldLayout {
   std::vector<std::size_t> items;
   bool compress = true;
@@ -24,7 +24,7 @@ struct FieldLayout {
   void write(Hdf5File& file, const std::string& name, const Field& field, std::vector<Attribute> attributes) const;
 };
 
-/// Those of `fields` that `names` has; all when it is empty.
+/// Those of `fields` whose names are in `names`; all when it is empty.
 std::vector<Field> selected(const std::vector<Field>& fields, const std::vector<std::string>& names);
 
 /// XDMF attributes for all fields of a group ("" is the root) of the file that XDMF calls `file_name`.

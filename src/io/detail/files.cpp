@@ -21,12 +21,12 @@ int open_file(const std::string& path, int flags, const std::string& action) {
   return descriptor;
 }
 
-// The entry of a new name in its folder.
+// Syncs the folder, which holds the entry of a new name.
 void sync_folder(const std::string& path) {
   const auto parent = std::filesystem::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   const int descriptor = open_file(folder, O_RDONLY | O_DIRECTORY, "open");
-  const bool failed = ::fsync(descriptor) != 0 && errno != EINVAL;  // EINVAL: a file system that has no such thing
+  const bool failed = ::fsync(descriptor) != 0 && errno != EINVAL;  // EINVAL: the file system does not support this
   const int reason = errno;
   ::close(descriptor);
   errno = reason;

@@ -1,5 +1,5 @@
 #pragma once
-// Writing files so that a reader finds the old one or the new one, never half of either.
+// Writing files so that a reader finds either the old one or the new one, never a part of one.
 #include <string>
 #include <string_view>
 
@@ -8,7 +8,7 @@ namespace vug::detail {
 /// Throws FileError: `path: cannot <action>: <reason of errno>`.
 [[noreturn]] void throw_file_error(const std::string& path, const std::string& action);
 
-/// A file that is written under a temporary name beside its own, and takes its name when it is complete. Dropped
+/// A file that is written under a temporary name beside its own and renamed when it is complete. If it is destroyed
 /// before that, it leaves nothing behind. Throws FileError.
 class NewFile {
  public:
@@ -17,9 +17,9 @@ class NewFile {
   NewFile& operator=(const NewFile&) = delete;
   ~NewFile();
   void write(std::string_view data);
-  /// The name until then, for a library that writes by itself.
+  /// The name until then, for a library that writes the file itself.
   const std::string& temporary() const { return temporary_; }
-  /// Renames. With `sync` the data and the new name have reached the disk before it returns.
+  /// Renames the file. With `sync` the data and the new name have reached the disk before it returns.
   void commit(bool sync);
 
  private:
@@ -27,13 +27,13 @@ class NewFile {
   int descriptor_;
 };
 
-/// A whole new file in one call.
+/// Writes a whole new file.
 void replace_file(const std::string& path, std::string_view text, bool sync);
 
-/// Whether `path` still names the file that is open as `descriptor`: not where it was removed or replaced.
+/// Whether `path` still names the file that is open as `descriptor`; false after it was removed or replaced.
 bool names_open_file(const std::string& path, int descriptor);
 
-/// The whole file.
+/// Returns the whole file.
 std::string read_file(const std::string& path);
 
 }  // namespace vug::detail

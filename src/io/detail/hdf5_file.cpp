@@ -16,7 +16,7 @@ static_assert(sizeof(hid_t) == sizeof(Hdf5Id));
 
 namespace {
 
-// The library's own words for what went wrong, those of the operating system where there are any.
+// Takes the reason of an error from the library's messages: that of the operating system where there is one.
 herr_t collect_reason(unsigned, const H5E_error2_t* error, void* out) {
   auto& reason = *static_cast<std::string*>(out);
   if (!error->desc) return 0;
@@ -27,7 +27,7 @@ herr_t collect_reason(unsigned, const H5E_error2_t* error, void* out) {
     reason = std::string(text.substr(from, text.find('\'', from) - from));
     return 1;
   }
-  reason = text;  // the innermost comes last
+  reason = text;  // the innermost error comes last
   return 0;
 }
 
@@ -56,22 +56,22 @@ struct Handle {
   ~Handle() {
     if (id >= 0) close(id);
   }
-  /// Closes it now and throws where that fails, as of a data set whose last chunks find no room.
+  /// Closes it now and throws where that fails, for instance when the last chunks of a data set do not fit on the disk.
   void done(const std::string& path, const char* action) { check(close(std::exchange(id, -1)), path, action); }
 };
 
-// Where memory ends while it starts, the library follows a null pointer: it starts where there is more than it takes,
-// or std::bad_alloc ends the run in our words.
+// Where memory runs out while the library starts, it follows a null pointer. It is therefore started only when more
+// memory than it needs is free; otherwise std::bad_alloc is thrown, which the run reports.
 bool has_room() {
-  constexpr std::size_t enough = 2 << 20;     // it takes 132 KiB
-  void* volatile room = std::malloc(enough);  // volatile, or a compiler may leave both out
+  constexpr std::size_t enough = 2 << 20;     // the library takes 132 KiB
+  void* volatile room = std::malloc(enough);  // volatile, because a compiler may leave out both calls
   if (!room) throw std::bad_alloc();
   std::free(room);
   return true;
 }
 
-// Quiet (errors become exceptions), without locks (a viewer may hold the file open while the run goes on), and without
-// the library's own clean-up at exit, which never ends after a full disk.
+// Makes the library quiet (errors become exceptions), without file locks (a viewer may hold the file open during the
+// run) and without its own clean-up at exit, which never ends after a full disk.
 hid_t access_properties(const std::string& path) {
   static const bool quiet = has_room() && H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   if (!quiet) throw FileError(path + ": the HDF5 library does not start");
@@ -112,7 +112,7 @@ hid_t file_type(StoredAs type) {
   return type == StoredAs::float32 ? H5T_IEEE_F32LE : H5T_STD_I32LE;
 }
 
-// Chunks of at most 64 k values: whole small arrays, tiles of large ones.
+// Chunks of at most 64 k values: small arrays as a whole, large ones in tiles.
 std::vector<hsize_t> chunk_of(const std::vector<hsize_t>& extent) {
   auto chunk = extent;
   const hsize_t limit = extent.size() > 1 && extent[1] > 3 ? 256 : 65536;
@@ -186,7 +186,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& sh
   const int rank = static_cast<int>(extent.size());
   const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, path_, "write");
   const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path_, "write");
-  check(H5Pset_obj_track_times(layout.id, false), path_, "write");  // the same results are the same bytes
+  check(H5Pset_obj_track_times(layout.id, false), path_, "write");  // so that equal results are equal bytes
   if (compress && shape[0] * row_size(shape) > 0) {
     check(H5Pset_chunk(layout.id, rank, chunk_of(extent).data()), path_, "write");
     check(H5Pset_shuffle(layout.id), path_, "write");

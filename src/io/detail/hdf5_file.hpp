@@ -1,5 +1,6 @@
 #pragma once
-// The little of HDF5 that snapshots need, every call checked. No header of the library is seen outside hdf5_file.cpp.
+// The part of HDF5 that snapshots need, with every call checked. The library's headers are included in hdf5_file.cpp
+// only.
 #include "io/detail/files.hpp"
 
 #include <cstdint>
@@ -23,41 +24,42 @@ struct Attribute {
 
 enum class StoredAs { float32, int32 };
 
-/// visit(first row, rows) of the pieces of an array of this shape that are written at once, in order: as many rows as
-/// its chunks have, each of which is compressed once.
+/// Calls visit(first row, rows) for the pieces in which an array of this shape is written, in order: as many rows as
+/// its chunks have, so that each chunk is compressed once.
 void visit_pieces(const std::vector<std::size_t>& shape, const std::function<void(std::size_t, std::size_t)>& visit);
 
-/// Numbers in a row: those of all dimensions but the first.
+/// Number of values in a row: the product of all dimensions but the first.
 std::size_t row_size(const std::vector<std::size_t>& shape);
 
-/// A new file that takes its name when it is complete (detail/files.hpp), or one that is read. HDF5 changes a file in
-/// several places at once, and a kill in between makes all of it unreadable: so no file is ever changed.
+/// A new file that takes its name when it is complete (detail/files.hpp), or an existing one to be read. No file is
+/// ever changed, because HDF5 does that in several places at once, and a kill in between makes the whole file
+/// unreadable.
 class Hdf5File {
  public:
-  /// A new file, written under a temporary name beside `path` until commit(); dropped before that, it leaves nothing.
+  /// Creates a file under a temporary name beside `path` until commit(); if destroyed before that, it leaves nothing.
   static Hdf5File create(const std::string& path);
-  /// An existing one, to be read.
+  /// Opens an existing file to read it.
   static Hdf5File open(const std::string& path);
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
   ~Hdf5File();
 
-  /// An attribute of the root.
+  /// Writes an attribute of the root.
   void write(const Attribute& attribute);
-  /// A data set with the attributes; groups in its name ("bonds/d_m") are made. `read` fills in a piece of its values,
-  /// rows from `first` on.
+  /// Writes a data set with its attributes and makes the groups in its name ("bonds/d_m"). `read` fills in a piece of
+  /// its values, the rows from `first` on.
   void write(const std::string& name, const std::vector<std::size_t>& shape,
              const std::function<void(std::size_t first, std::span<double> values)>& read, StoredAs type, bool compress,
              const std::vector<Attribute>& attributes);
-  /// The root of `file`, a path relative to this one, under a name in this one.
+  /// Links the root of `file`, a path relative to this file, under a name in this file.
   void link(const std::string& name, const std::string& file);
   /// Writes what is still in memory and takes the name; with `sync` all of it has reached the disk before it returns.
   void commit(bool sync);
 
   /// Names and shapes of the data sets of a group ("" is the root), sorted.
   std::vector<std::pair<std::string, std::vector<std::size_t>>> datasets(const std::string& group) const;
-  /// A number that is an attribute of the root.
+  /// A number that is stored as an attribute of the root.
   double attribute(const std::string& name) const;
 
  private:

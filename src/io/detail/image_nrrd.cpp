@@ -1,4 +1,4 @@
-// NRRD: a text header (teem.sourceforge.net/nrrd/format.html), an empty line, the values, raw or by gzip.
+// NRRD: a text header (teem.sourceforge.net/nrrd/format.html), an empty line, then the values, raw or in gzip format.
 #include "io/detail/image_plain.hpp"
 #include "io/detail/samples.hpp"
 
@@ -13,7 +13,7 @@
 namespace vug::detail {
 namespace {
 
-/// The fields of a header by name, and where the values begin.
+/// The fields of a header by name, and the position where the values begin.
 struct NrrdHeader {
   std::string path;
   std::map<std::string, std::string> fields;
@@ -97,7 +97,8 @@ std::vector<std::int64_t> sizes_of(const NrrdHeader& header) {
   return sizes;
 }
 
-/// From "space directions" with "space units", or from "spacings" with "units"; none where either is missing.
+/// Pixel size from "space directions" with "space units", or from "spacings" with "units"; nothing where one is
+/// missing.
 std::optional<double> pixel_size_of(const NrrdHeader& header) {
   const bool oriented = header.fields.contains("space directions");
   std::istringstream units(header.get(oriented ? "space units" : "units"));
@@ -125,7 +126,7 @@ std::optional<double> pixel_size_of(const NrrdHeader& header) {
   return square_pixel(header.path, size[0], size[1]);
 }
 
-/// Rows that lie one after another in a gzip stream.
+/// Rows that follow one another in a gzip stream.
 class GzipRows : public ImageRows {
  public:
   GzipRows(const std::string& path, ImageHeader what, std::uint64_t begin, std::uint64_t skip, SampleType type,
@@ -169,7 +170,7 @@ class GzipRows : public ImageRows {
   std::uint64_t at_, to_skip_;
   SampleType type_;
   bool swapped_;
-  int next_ = 0;  ///< row that inflate_into gives next
+  int next_ = 0;  ///< row that inflate_into returns next
   z_stream stream_{};
   std::vector<unsigned char> row_;
   unsigned char block_[1 << 16];

@@ -1,18 +1,18 @@
 #pragma once
-// Pictures whose rows lie in the file as they are: raw files, and what other formats hold uncompressed.
+// Pictures whose rows are uncompressed in the file: raw files, and other formats where they are not compressed.
 #include "io/detail/image_rows.hpp"
 
 #include <vector>
 
 namespace vug::detail {
 
-/// Where the rows of a page begin: `rows` to a strip, but for the last.
+/// Where the rows of a page begin, with `rows` rows in each strip but the last.
 struct PlainStrips {
   std::vector<std::uint64_t> begin;
   std::int64_t rows = 1;
 };
 
-/// Reads the part of a row that is asked for and nothing else. `white_is_zero` turns values of unsigned types round.
+/// Reads only the requested part of a row. `white_is_zero` inverts values of unsigned types.
 class PlainRows : public ImageRows {
  public:
   PlainRows(const std::string& path, ImageHeader what, PlainStrips strips, SampleType type, bool swapped,
@@ -27,10 +27,10 @@ class PlainRows : public ImageRows {
   std::vector<unsigned char> bytes_;
 };
 
-/// Whether numbers of that order are not in this machine's.
+/// Whether numbers of that byte order must be swapped on this machine.
 bool is_swapped(bool big_endian);
 
-/// Header of a page of values as they are stored.
+/// Header of a page whose values are used as they are stored.
 ImageHeader plain_header(std::int64_t width, std::int64_t height, SampleType type);
 
 }  // namespace vug::detail

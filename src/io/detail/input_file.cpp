@@ -36,7 +36,7 @@ std::string why_no_file(const std::string& path) {
 
 BinaryFile::BinaryFile(const std::string& path) : path_(path), descriptor_(-1) {
   if (const std::string why = why_no_file(path); !why.empty()) refuse(path, why);
-  // O_NONBLOCK: if the name has become that of a pipe meanwhile, opening it does not wait for a writer
+  // O_NONBLOCK: should the name have become that of a pipe in the meantime, opening it does not wait for a writer
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor_ < 0) throw_file_error(path, "open");
   struct stat status {};

@@ -22,8 +22,8 @@ void LatticeSnapshots::write(double time, std::int64_t step) {
   });
 }
 
-// Lattice nodes as points of a flat three-dimensional image: a two-dimensional one comes out of ParaView's reader in
-// the plane of y and z, where neither vectors nor the particles lie.
+// Writes the lattice nodes as points of a flat three-dimensional image. ParaView's reader would put a two-dimensional
+// one into the plane of y and z, in which neither the vectors nor the particles lie.
 std::string LatticeSnapshots::grid(const Hdf5File& file, const std::string& name, double time) const {
   return fmt::format(
       "<Grid Name=\"lattice\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n"

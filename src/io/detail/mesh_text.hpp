@@ -1,5 +1,5 @@
 #pragma once
-// The words of a Gmsh file, each with its line.
+// The words of a Gmsh file, each with the number of its line.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,10 +15,10 @@ class MeshText {
   std::int64_t integer();   ///< the next word as a whole number
   double number();          ///< the next word as a finite number
   std::string quoted();     ///< the next "text in quotation marks"
-  std::int64_t count();     ///< a number of things, each of which takes at least two bytes of the rest
+  std::int64_t count();  ///< a number of items, refused if the rest of the text is too short for them (two bytes each)
   void skip(std::int64_t words);
   void expect(std::string_view wanted);
-  void skip_past(std::string_view end);  ///< everything up to the word `end`
+  void skip_past(std::string_view end);  ///< skips everything up to and with the word `end`
   /// Throws InputError: `path:line: message`.
   [[noreturn]] void fail(const std::string& message) const;
 

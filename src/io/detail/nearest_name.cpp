@@ -11,7 +11,7 @@ namespace vug {
 namespace {
 
 std::string lower(std::string_view text) {
-  std::string result(text.substr(0, 64));  // nobody mistypes a name into something longer
+  std::string result(text.substr(0, 64));  // longer texts are not mistyped names
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
 }

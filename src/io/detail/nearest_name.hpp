@@ -1,5 +1,5 @@
 #pragma once
-// The name a user probably meant.
+// The name that a user probably meant.
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
 /// "; did you mean "x"?" when a candidate is close, otherwise nothing.
 std::string likely_name(std::string_view name, std::span<const std::string> candidates);
 
-/// The same, where none is close "; valid are a, b, c".
+/// The same; where no candidate is close, "; valid are a, b, c".
 std::string suggestion(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace vug

@@ -6,7 +6,7 @@ namespace vug {
 
 /// Whether a name can be part of a data set's name and of `--set`.
 bool is_plain_name(const std::string& name);
-/// What is_plain_name asks for, for messages.
+/// The rule of is_plain_name, for messages.
 inline constexpr const char* plain_name_rule =
     "must begin with a letter and hold at most 40 letters, digits, '_', '+' or '-'";
 

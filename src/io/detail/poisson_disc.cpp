@@ -8,7 +8,7 @@ namespace vug::detail {
 
 namespace {
 
-// A point of the unit disc, pushed to its rim: no sine, whose last bit depends on the C library.
+// A random direction: a point of the unit disc, scaled to length 1. A sine's last bit would depend on the C library.
 Point direction(CounterRandom& random) {
   while (true) {
     const double x = 2 * random.uniform() - 1;
@@ -60,7 +60,8 @@ void fill_with_points(std::vector<Point>& points, KeepOut& keep_out, const std::
     bool found = false;
     for (int k = 0; k < tries && !found; ++k) {
       const Point along = direction(random);
-      // Just outside the kept distance: a dense, even packing without the gaps that become obtuse triangles.
+      // Just outside the distance to be kept: this gives a dense, even packing without gaps that become obtuse
+      // triangles.
       const double distance = spacing(from) * (1 + 0.25 * random.uniform());
       const Point p{from[0] + distance * along[0], from[1] + distance * along[1]};
       if (!inside(p) || !keep_out.allows(p, spacing(p))) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Points that keep a distance of their own from each other (Bridson's growth from the points already there).
+// Points that each keep a distance of their own from all others (Bridson's algorithm, which grows from given points).
 #include "io/detail/delaunay.hpp"
 #include "kernels/base/splitmix64.hpp"
 
@@ -8,21 +8,21 @@
 
 namespace vug::detail {
 
-/// Places that new points must keep clear of, in square cells.
+/// Places from which new points must keep a distance, sorted into square cells.
 class KeepOut {
  public:
-  /// `reach` is the largest distance that any place and newcomer keep.
+  /// `reach` is the largest distance that a new point must keep from any place.
   KeepOut(Point length, double reach);
-  /// A point: a newcomer keeps the mean of both spacings.
+  /// Adds a point, from which a new point keeps the mean of both spacings.
   void add_point(Point p, double spacing) { add({p, spacing / 2, 0.5}); }
-  /// A disc that stays empty.
+  /// Adds a disc that stays empty.
   void add_disc(Point centre, double radius) { add({centre, radius, 0}); }
   bool allows(Point p, double spacing) const;
 
  private:
   struct Place {
     Point centre;
-    double own, share;  // distance kept = own + share × the newcomer's spacing
+    double own, share;  // distance to keep = own + share × spacing of the new point
   };
   void add(const Place& place);
   int cell(double coordinate, int axis) const;
@@ -32,8 +32,8 @@ class KeepOut {
   std::vector<std::vector<Place>> places_;
 };
 
-/// Appends points to `points` until no more fit: each keeps `spacing(p)` from all others, lies where `inside(p)` holds
-/// and is allowed by `keep_out`, which already knows the first points.
+/// Appends points to `points` until no more fit. Each keeps `spacing(p)` from all others, lies where `inside(p)` holds
+/// and is allowed by `keep_out`, which must already contain the given points.
 void fill_with_points(std::vector<Point>& points, KeepOut& keep_out, const std::function<double(Point)>& spacing,
                       const std::function<bool(Point)>& inside, CounterRandom random);
 

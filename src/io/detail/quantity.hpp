@@ -8,7 +8,7 @@
 
 namespace vug {
 
-/// The value in `unit` of a text that holds a number and a unit; nothing when it is not one of the accepted forms.
+/// The value, in `unit`, of a text with a number and a unit; nothing when its form is not accepted.
 std::optional<double> parse_quantity(std::string_view text, Unit unit);
 
 /// The units that may be written where `unit` is expected, for messages: "Pa, kPa, MPa, GPa, bar".

@@ -1,16 +1,16 @@
 #pragma once
-// What a number in a case file is measured in and how large it may be.
+// Units and ranges of the numbers in a case file.
 #include <limits>
 #include <string>
 #include <string_view>
 
 namespace vug {
 
-/// An SI unit and the largest magnitude of it that is accepted: beyond it a number is a slip of the pen.
+/// An SI unit and the largest magnitude that is accepted; a number beyond it is taken for a typing error.
 struct Unit {
   std::string_view symbol;
   double largest;
-  bool difference = false;  ///< of two temperatures: where their scale begins does not count
+  bool difference = false;  ///< of two temperatures: the zero of their scale does not matter
 };
 
 namespace unit {
@@ -48,7 +48,7 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;
   bool high_open = false;
-  bool infinity_allowed = false;  ///< +inf is a value, for instance an irreversible reaction's equilibrium constant
+  bool infinity_allowed = false;  ///< +inf is allowed, as for the equilibrium constant of an irreversible reaction
 
   bool contains(double value) const;
   std::string text() const;  ///< "> 0", "0 ... 1", "any"

@@ -22,7 +22,7 @@ double distance(Point a, Point b) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// Where on the line (0 to 1) the point nearest to p lies.
+// Position (0 to 1) on the line of the point nearest to p.
 double nearest(const Line& line, Point p) {
   const double dx = line.to[0] - line.from[0], dy = line.to[1] - line.from[1];
   const double square = dx * dx + dy * dy;
@@ -58,7 +58,7 @@ double distance_to_rim(const Polygon& polygon, Point p) {
   return least;
 }
 
-/// Its corners, those of a disc as far apart as the triangles there want.
+/// The corners of a form; those of a disc are one local element size apart.
 Polygon polygon_of(const Form& form, const ElementSize& size) {
   const auto* disc = std::get_if<Disc>(&form);
   return {outline_of(form, disc ? size({disc->centre[0] + disc->radius, disc->centre[1]}) : 1)};
@@ -76,13 +76,13 @@ bool on_a_side(const Line& line, Point length) {
   return false;
 }
 
-// A point of a side a little way into the rock.
+// Moves a point of a side a little way into the rock.
 Point moved_inside(Point p, Point length, double by) {
   for (int axis = 0; axis < 2; ++axis) p[axis] = std::clamp(p[axis], by, length[axis] - by);
   return p;
 }
 
-// Leads an end of a notch that stops just short of a side or of the hole up to it: what is left would be a sliver.
+// Extends a notch that ends just short of a side or of the hole up to it; the gap would make very thin triangles.
 Point attached(Point end, const std::vector<Line>& lines, const ElementSize& size) {
   Point best = end;
   double closest = 0.5 * size(end);
@@ -98,10 +98,10 @@ Point attached(Point end, const std::vector<Line>& lines, const ElementSize& siz
 
 struct Meeting {
   double t;
-  Point point;  // of an end exactly the end, not what interpolation rounds to
+  Point point;  // at an end exactly the end, without the rounding of an interpolation
 };
 
-// Where `line` meets the others, in order: crossings, and ends that lie on it.
+// Where `line` meets the others, in order: crossings, and ends that are on it.
 std::vector<Meeting> meetings(const Line& line, const std::vector<Line>& lines, double tolerance) {
   std::vector<Meeting> found{{0, line.from}, {1, line.to}};
   const double dx = line.to[0] - line.from[0], dy = line.to[1] - line.from[1];
@@ -126,7 +126,7 @@ int point_number(Outline& outline, Point p, double tolerance) {
   return static_cast<int>(outline.points.size()) - 1;
 }
 
-// Points between a and b at equal shares of the integral of 1 / size.
+// Adds points between a and b that divide the integral of 1 / size into equal parts.
 void divide(Outline& outline, int a, int b, bool notch, const ElementSize& size) {
   constexpr int samples = 1000;
   const Line line{outline.points[a], outline.points[b], notch};
@@ -244,7 +244,7 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
     }
   }
   for (const Point corner : {Point{0, 0}, Point{length[0], 0}, length, Point{0, length[1]}})
-    point_number(outline, corner, tolerance);  // also where the hole takes the corner: they span the triangulation
+    point_number(outline, corner, tolerance);  // also where the hole cuts it away: they span the triangulation
   for (const auto& piece : pieces) divide(outline, piece.a, piece.b, piece.notch, size);
   return outline;
 }

@@ -40,11 +40,12 @@ struct Outline {
     int a, b;
     bool notch;
   };
-  std::optional<OrderedRectangle> hole;  ///< cut to the rock
+  std::optional<OrderedRectangle> hole;  ///< the part of it inside the rock
   std::vector<Polygon> holes;
-  double tie = 0;                ///< m, within which a point is on the rim of one of `holes`
+  double tie = 0;                ///< m, distance within which a point counts as on the rim of one of `holes`
   bool in_holes(Point p) const;  ///< in one of `holes` and not on its rim
-  /// Convex outline inside its rectangle, whose corners, the first four points, are no part of the rock.
+  /// The outline is convex and lies inside its rectangle, whose corners, the first four points, do not belong to the
+  /// rock.
   bool round = false;
   std::vector<Point> points;
   std::vector<Edge> edges;

@@ -90,7 +90,7 @@ RockSnapshots::Points RockSnapshots::moved_vertices() const {
   return out;
 }
 
-// A bond is drawn midway between the two places where its triangles have carried each end.
+// Ends of the bonds. A bond is drawn half way between the two positions to which its triangles have moved each end.
 RockSnapshots::Points RockSnapshots::bond_ends(const Points& moved) const {
   Points out;
   out.reserve(2 * shape_.bonds.size());

@@ -1,6 +1,5 @@
 #pragma once
-// particles.h5 with particles.xdmf and the folder particles: triangles, each with vertices of its own, and bonds as
-// lines.
+// particles.h5 with particles.xdmf and the folder particles: triangles, each with its own vertices, and bonds as lines.
 #include "io/detail/field_layout.hpp"
 #include "io/detail/snapshot_series.hpp"
 #include "io/snapshot_writer.hpp"
@@ -16,7 +15,7 @@ class RockSnapshots {
   RockSnapshots(const RockSnapshots&) = delete;  // the series keeps a pointer to this
   RockSnapshots& operator=(const RockSnapshots&) = delete;
 
-  /// Begins anew, with the part that never changes, `rock`: which vertices make a triangle or a bond.
+  /// Begins anew and writes `rock`, the part that never changes: which vertices make a triangle or a bond.
   void create();
   std::vector<std::string> resume(std::int64_t step);
   void write(double time, std::int64_t step);

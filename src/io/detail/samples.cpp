@@ -8,7 +8,7 @@
 namespace vug::detail {
 namespace {
 
-/// Calls `use` with a value of the type that a file holds.
+/// Calls `use` with a value of the C++ type that belongs to `type`.
 template <class Use>
 auto with_type(SampleType type, const Use& use) {
   switch (type) {

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as they lie in files.
+// Numbers as they are stored in files.
 #include "io/scene.hpp"
 
 #include <cstddef>
@@ -13,10 +13,11 @@ std::size_t bytes_of(SampleType type);
 /// "uint16", as in the case file.
 const char* name_of(SampleType type);
 
-/// Largest value of an unsigned type that pictures are stored in, 255 for uint8; 0 for all others.
+/// Largest value of an unsigned type in which pictures are stored, 255 for uint8; 0 for all other types.
 double white_of(SampleType type);
 
-/// Values of `type` from `bytes`, as many as `values` holds; `swapped` when they are not in this machine's byte order.
+/// Reads values of `type` from `bytes`, as many as `values` holds; `swapped` when their byte order is not this
+/// machine's.
 void decode(const unsigned char* bytes, SampleType type, bool swapped, std::span<double> values);
 
 }  // namespace vug::detail

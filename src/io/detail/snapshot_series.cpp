@@ -44,7 +44,7 @@ std::vector<std::string> SnapshotSeries::resume(std::int64_t step) {
   return damaged;
 }
 
-/// Snapshots after `step`, and what was not finished.
+/// Removes the snapshots after `step` and unfinished files.
 void SnapshotSeries::remove_after(std::int64_t step) const {
   const auto folder = directory_ + "/" + stem_;
   try {

@@ -1,6 +1,6 @@
 #pragma once
-// A series of snapshots, one HDF5 file each, with an HDF5 file that links to all of them and the XDMF file that names
-// their data.
+// A series of snapshots, one HDF5 file each, with an HDF5 file that links to all of them and an XDMF file that
+// describes their data.
 #include "io/detail/hdf5_file.hpp"
 
 #include <functional>
@@ -9,7 +9,7 @@
 namespace vug::detail {
 
 /// The files `<stem>.h5`, `<stem>.xdmf` and `<stem>/*.h5` of a folder. Each is written under a temporary name and
-/// renamed, a snapshot before the two that refer to it: at any moment all of them are whole.
+/// renamed, a snapshot before the two files that refer to it, so that all of them are complete at any time.
 class SnapshotSeries {
  public:
   /// Turns a snapshot into a <Grid> of the XDMF file; `name` is its file, relative to that.
@@ -17,12 +17,12 @@ class SnapshotSeries {
   using Fill = std::function<void(Hdf5File&)>;
 
   SnapshotSeries(std::string directory, std::string stem, Grid grid);
-  /// Begins anew, without the snapshots that are there; files of other names stay.
+  /// Begins anew and removes the snapshots that are there; files with other names stay.
   void create();
-  /// Continues the files, without the snapshots after `step`, without those that are no longer there, and without
-  /// damaged ones, which it returns, each with what is wrong with it.
+  /// Continues the series. Snapshots after `step` are removed. The new index does not name damaged snapshots; they are
+  /// returned, a line each with what is wrong.
   std::vector<std::string> resume(std::int64_t step);
-  /// Adds a part that has no time.
+  /// Adds a part without a time.
   void add_part(const std::string& name, const Fill& fill);
   /// Adds a snapshot.
   void append(double time, std::int64_t step, const Fill& fill);

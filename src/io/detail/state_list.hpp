@@ -1,5 +1,5 @@
 #pragma once
-// Bodies of StateList's templates.
+// Definitions of StateList's templates.
 #include "io/field_list.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
@@ -19,7 +19,8 @@ inline void require_size(const std::string& name, std::size_t found, std::size_t
                     std::to_string(expected));
 }
 
-/// Bytes of a type that not every byte is one of: bool and enumerations are read as whole numbers.
+/// The type as which the bytes of a value are read: an integer for bool and enumerations, of which not every byte is a
+/// value.
 template <class Value>
 struct NumberOf {
   using Type = Value;

@@ -1,5 +1,5 @@
 #pragma once
-// The names of files that belong to one lattice step.
+// Names of the files that belong to one lattice step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace vug::detail {
 inline constexpr std::string_view step_prefix = "step_";
 inline constexpr std::size_t step_digits = 12;
 
-/// "step_000000000120": such names sort by their step.
+/// "step_000000000120". Such names sort by step.
 inline std::string step_name(std::int64_t step) {
   return fmt::format("{}{:0{}d}", step_prefix, step, step_digits);
 }
 
-/// Whether step_name gives this name for some step: others are not ours.
+/// Whether `name` is what step_name returns for some step; other files are not vug's.
 inline bool is_step_name(std::string_view name) {
   if (!name.starts_with(step_prefix)) return false;
   const std::string_view digits = name.substr(step_prefix.size());

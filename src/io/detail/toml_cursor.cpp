@@ -35,7 +35,7 @@ const toml::node* TomlCursor::node(std::string_view key) const {
   return given_ && !describing() ? document_->find(inside(key)) : nullptr;
 }
 
-/// The node of a key, or null when the default stands; while describing, only writes the key down.
+/// The node of a key, or null where its default applies. While describing it only adds the key to the log.
 const toml::node* TomlCursor::look_up(KeyDescription description) const {
   if (describing()) {
     description.key = documented(description.key);
@@ -126,7 +126,7 @@ double TomlCursor::number(const toml::node& node, const std::string& key, Unit u
 }
 
 std::int64_t TomlCursor::whole(const toml::node& node, const std::string& key, Range range) const {
-  constexpr double exact = 9007199254740992.0;  // 2^53: larger doubles no longer count in ones
+  constexpr double exact = 9007199254740992.0;  // 2^53, beyond which not every whole number is a double
   std::int64_t value = 0;
   if (const auto* integer = node.as_integer()) {
     value = integer->get();

@@ -1,7 +1,7 @@
 #pragma once
-// Reads the keys of one table of a case into variables that already hold their defaults, checking type, unit and range.
-// With a KeyLog it reads nothing and writes down every key it is asked for instead: the documentation and the search
-// for misspelt keys use that list, so the reader is the only place where a key is named.
+// Reads the keys of one table of a case into variables that already hold their defaults, and checks type, unit and
+// range. With a KeyLog it reads nothing and logs each key that is requested instead. The documentation and the search
+// for misspelt keys use that list, so that keys are named in the reader only.
 #include "io/case_keys.hpp"
 #include "io/detail/range.hpp"
 #include "io/detail/toml_document.hpp"
@@ -24,13 +24,13 @@ using KeyLog = std::vector<KeyDescription>;
 class TomlCursor {
  public:
   explicit TomlCursor(const TomlDocument& document) : document_(&document), given_(true) {}
-  /// A cursor that only describes.
+  /// A cursor that only describes its keys.
   explicit TomlCursor(KeyLog& log) : log_(&log), given_(true) {}
 
-  /// Whether the table is in the case; always so while describing.
+  /// Whether the table is in the case; always true while describing.
   bool given() const { return given_; }
   bool describing() const { return log_ != nullptr; }
-  /// "boundary.left".
+  /// For instance "boundary.left".
   const std::string& path() const { return path_; }
   bool has(std::string_view key) const { return !describing() && given_ && document_->find(inside(key)) != nullptr; }
 
@@ -40,13 +40,13 @@ class TomlCursor {
   std::vector<TomlCursor> tables(std::string_view key) const;
   /// The table `key`, or the elements of an array of tables of that name (see may_repeat).
   std::vector<TomlCursor> one_or_more(std::string_view key) const;
-  /// Names and values of a table with free keys; `documented` stands for such a key.
+  /// Names and values of a table with free keys; `documented` is how such a key appears in the documentation.
   std::vector<std::pair<std::string, TimeTable>> named_numbers(std::string_view key, std::string_view documented,
                                                                Unit unit, Range range) const;
 
   void read(std::string_view key, double& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::optional<double>& value, Unit unit, Range range = range::any) const;
-  /// A number of something that is made of others: it keeps theirs, in `value`, where it is left out.
+  /// Reads a number that is absent where it equals that of a larger whole; `value` then keeps what it already holds.
   void read_own(std::string_view key, double& value, Unit unit, Range range) const {
     std::optional<double> own;
     read(key, own, unit, range);
@@ -75,22 +75,23 @@ class TomlCursor {
 
   template <class Value>
   using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
-  /// One of a list of words.
+  /// Reads one of a list of words.
   template <class Value>
   void choose(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const;
 
-  /// As read or choose, but the key must be there.
+  /// As `read` and `choose`, but the key is required.
   template <class Value, class... Arguments>
   void need(std::string_view key, Value& value, Arguments... arguments) const;
   template <class Value>
   void need_choice(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const;
 
-  /// Refuses `key` where another choice makes it meaningless; `reason` as in "is only for type = \"pressure\"".
+  /// Refuses `key` where another choice makes it meaningless; `reason` is for instance "is only for type =
+  /// \"pressure\"".
   void refuse(std::string_view key, std::string_view reason) const;
   [[noreturn]] void fail(std::string_view key, std::string_view problem) const {
     document_->fail(inside(key), problem);
   }
-  /// Full key path, for messages and for checks between tables.
+  /// Full path of a key, for messages and for checks between tables.
   std::string inside(std::string_view key) const;
 
  private:

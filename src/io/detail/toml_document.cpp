@@ -84,7 +84,7 @@ std::string TomlDocument::where(std::string_view key) const {
   const auto setting = std::find_if(overrides_.rbegin(), overrides_.rend(),
                                     [&](const Override& entry) { return lies_in(key, entry.key); });
   if (setting != overrides_.rend()) return "--set " + setting->text;
-  // the nearest enclosing thing that was written in the file: overrides and implied tables have no line
+  // the nearest enclosing item that is written in the file: overrides and implied tables have no line
   for (std::string_view name = key;;) {
     const toml::node* node = find(name);
     if (node != nullptr && !name.empty() && node->source().begin) {

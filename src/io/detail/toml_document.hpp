@@ -1,5 +1,5 @@
 #pragma once
-// A case file as TOML, with the overrides of the command line already in it, that knows where everything was written.
+// A case file as TOML, with the overrides of the command line applied. It knows where each value was written.
 #include <toml++/toml.h>
 
 #include <string>
@@ -16,7 +16,7 @@ struct Override {
 
 class TomlDocument {
  public:
-  /// Parses and overrides. Throws InputError naming line and column, or the override.
+  /// Parses the text and applies the overrides. Throws InputError that names line and column, or the override.
   TomlDocument(const std::string& text, std::string path, const std::vector<std::string>& overrides);
 
   const toml::table& root() const { return root_; }
@@ -28,7 +28,7 @@ class TomlDocument {
   /// "file:line:column" of a key, of the nearest enclosing table when it is absent, or the override that set it.
   std::string where(std::string_view key) const;
 
-  /// Throws InputError "where: key = value problem", value only where it is a plain one.
+  /// Throws InputError "where: key = value problem"; the value is included only where it is not a table or list.
   [[noreturn]] void fail(std::string_view key, std::string_view problem) const;
   /// Throws InputError "where: message".
   [[noreturn]] void fail_at(std::string_view key, std::string_view message) const;
@@ -39,7 +39,7 @@ class TomlDocument {
   std::vector<Override> overrides_;
 };
 
-/// Splits "key=value", checks its form and writes the value into `root`, adding tables that are not there.
+/// Splits "key=value", checks its form and writes the value into `root`; missing tables are added.
 Override apply_override(toml::table& root, const std::string& text);
 
 /// The segments of a dotted key.

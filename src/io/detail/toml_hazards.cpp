@@ -12,7 +12,7 @@
 namespace vug {
 namespace {
 
-constexpr int deepest = 100;  // levels of dotted keys; the reader knows five
+constexpr int deepest = 100;  // levels of dotted keys; cases have five
 
 bool is_bare_key(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
@@ -25,8 +25,8 @@ bool is_blank(char c) {
 }
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Walks through TOML knowing what is string, comment, value and key, as far as the text is valid: beyond its first
-/// error toml++ does not read either.
+/// Scans TOML and distinguishes strings, comments, values and keys. It is right up to the first error of the text,
+/// beyond which toml++ does not read either.
 class HazardScan {
  public:
   HazardScan(const std::string& text, const std::string& path) : text_(text), path_(path) {}
@@ -82,7 +82,7 @@ class HazardScan {
     at_ += many_lines ? 3 : 1;
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (c == '\n' && !many_lines) return;  // invalid: the string has no end
+      if (c == '\n' && !many_lines) return;  // invalid: the string does not end
       if (c == '\n') ++line_;
       if (c == '\\' && quote == '"') {
         if (at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++line_;
@@ -93,7 +93,7 @@ class HazardScan {
       at_ += end && many_lines ? 3 : 1;
       if (end) break;
     }
-    while (many_lines && at_ < text_.size() && text_[at_] == quote) ++at_;  // quotes that belong to the string's end
+    while (many_lines && at_ < text_.size() && text_[at_] == quote) ++at_;  // quotes that belong to the end
   }
 
   void check_header() {

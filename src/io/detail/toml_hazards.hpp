@@ -1,13 +1,13 @@
 #pragma once
-// Texts that toml++ cannot bear: they are found, and refused, before it sees them.
+// Texts at which toml++ fails or crashes; they are found and refused before it reads them.
 #include <string>
 
 namespace vug {
 
-/// Throws InputError naming the line of a table header that begins with no key, which toml++ takes for impossible; of a
-/// key of more than a hundred levels, for which it would nest tables until the stack ends; of a character beyond ASCII
-/// outside of strings and comments, where TOML 1.0 has none and toml++ 3.3 looks some up beyond the end of a table.
-/// `path` is for messages.
+/// Throws InputError, with the line, for three things: a table header that does not begin with a key, which toml++
+/// takes for impossible; a key of more than a hundred levels, for which it would nest tables until the stack overflows;
+/// a character beyond ASCII outside strings and comments, which TOML 1.0 does not allow and some of which toml++ 3.3
+/// looks up beyond the end of a table. `path` is for messages.
 void refuse_toml_hazards(const std::string& text, const std::string& path);
 
 /// Whether a byte is part of such a character.

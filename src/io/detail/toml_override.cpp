@@ -1,5 +1,5 @@
-// `--set table.key=value`: a value on the command line in place of the one in the file; `--set table={...}`: a whole
-// table.
+// `--set table.key=value` replaces a value of the file by one from the command line; `--set table={...}` replaces a
+// whole table.
 #include "io/detail/toml_document.hpp"
 #include "io/detail/toml_hazards.hpp"
 #include "io/message.hpp"
@@ -13,7 +13,7 @@
 namespace vug {
 namespace {
 
-constexpr std::size_t deepest = 16;  // no key of a case lies deeper
+constexpr std::size_t deepest = 16;  // cases have fewer levels
 
 /// An override as it may appear in a message.
 std::string shortened(const std::string& text) {
@@ -30,7 +30,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// A number in the sense of an array index.
+/// Whether a segment is a number, that is an array index.
 bool is_index(const std::string& segment) {
   return !segment.empty() && segment.size() < 10 &&
          std::all_of(segment.begin(), segment.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -42,7 +42,7 @@ toml::table parsed_value(const std::string& text, const std::string& value) {
   const bool looks_structured = std::string_view("[{\"'").find(value.front()) != std::string_view::npos;
   toml::table bare;
   bare.insert("value", value);
-  // toml++ may only see letters beyond ASCII between quotes (toml_hazards.cpp)
+  // toml++ may see characters beyond ASCII between quotes only (toml_hazards.cpp)
   if (!looks_structured && std::any_of(value.begin(), value.end(), is_beyond_ascii)) return bare;
   refuse_toml_hazards("value = " + value, "--set " + shortened(text));
   try {
@@ -54,7 +54,7 @@ toml::table parsed_value(const std::string& text, const std::string& value) {
   return bare;
 }
 
-/// A table or a list of tables, as they may stand at the top of a case.
+/// Whether a node is a table or a list of tables, which may stand at the top level of a case.
 bool is_whole_table(const toml::node& node) {
   const auto* array = node.as_array();
   return node.is_table() || (array != nullptr && (array->empty() || array->is_homogeneous<toml::table>()));
@@ -79,7 +79,7 @@ toml::node& element(toml::array& array, const std::string& segment, const std::s
   return *array.get(index);
 }
 
-/// The child of `node` on the way down; a missing one is added as what the next segment needs.
+/// The child of `node` on the way to a key. A missing one is added, as a table or a list as the next segment requires.
 toml::node& descend(toml::node& node, const std::string& segment, const std::string& next, const std::string& text) {
   if (auto* array = node.as_array()) return element(*array, segment, text, false);
   auto* table = node.as_table();

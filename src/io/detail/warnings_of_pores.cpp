@@ -1,4 +1,4 @@
-// Remarks on what a case may say of fluid, heat, solutes and their reaction but probably does not mean.
+// Warnings about fluid, heat, solutes and their reaction: what a case may say but probably does not mean.
 #include "io/detail/case_checks.hpp"
 #include "io/form.hpp"
 #include "io/narrow_cracks.hpp"
@@ -38,8 +38,8 @@ void warn_about_reaction(Scene& scene) {
   }
 }
 
-/// Whether fluid may leave the lattice there at some time. `inward`: of a side, the axis and direction into the
-/// lattice.
+/// Whether fluid may leave the lattice there at some time. `inward` is given for a side: the axis and direction into
+/// the lattice.
 bool may_leave(const FlowBoundary& flow, std::optional<std::pair<int, int>> inward) {
   if (flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow) return true;
   if (flow.kind != FlowBoundaryKind::velocity) return false;
@@ -50,7 +50,7 @@ bool may_leave(const FlowBoundary& flow, std::optional<std::pair<int, int>> inwa
   return sign > 0 ? flow.velocity[axis].lowest() < 0 : flow.velocity[axis].highest() > 0;
 }
 
-/// Heat and solutes that nothing lets out with the fluid pile up at its outlet.
+/// Heat and solutes accumulate at an outlet of the fluid where their own conditions do not let them out.
 void warn_about_outlets(Scene& scene) {
   const auto look = [&](const std::string& key, const BoundarySection& at, std::optional<std::pair<int, int>> inward) {
     if (!scene.flow || !may_leave(at.flow, inward)) return;
@@ -81,7 +81,8 @@ void warn_about_outlets(Scene& scene) {
     look("boundary.shape." + scene.geometry.shapes[opening.shape].name, opening.conditions, std::nullopt);
 }
 
-/// A shape has no image beyond a joined side: what reaches over it is lost, unless the case draws it there as well.
+/// The part of a shape that extends beyond a joined side is lost: it does not appear at the opposite side unless the
+/// case draws it there as well.
 void warn_about_cut_shapes(Scene& scene) {
   const auto& shapes = scene.geometry.shapes;
   const std::array<bool, 2> joined{is_periodic(scene, scene.left), is_periodic(scene, scene.bottom)};
@@ -109,7 +110,7 @@ void warn_about_cut_shapes(Scene& scene) {
     }
 }
 
-/// What S does to pressures assumes that pathways are wider in metres the coarser the lattice.
+/// The pressure scale S assumes that pathways are wider, in metres, on coarser lattices.
 void warn_about_scaled_pressure(Scene& scene) {
   if (!scene.flow || scene.flow->pressure_scale == 1 || !scene.rock) return;
   const char* given = scene.rock->pathway_width                                        ? "rock.pathway_width"
@@ -122,7 +123,7 @@ void warn_about_scaled_pressure(Scene& scene) {
                     scene.flow->pressure_scale, given, scene.flow->pressure_scale));
 }
 
-/// A slit fills so slowly that its flow seems steady while it is not.
+/// A narrow crack fills so slowly that its flow seems steady while it is not.
 void warn_about_held_slits(Scene& scene) {
   if (scene.accuracy.flow_tolerance > 0 && has_cracks_below_a_cell(scene))
     scene.warnings.emplace_back(
