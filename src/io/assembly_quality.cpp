@@ -20,7 +20,7 @@ struct Side {
   int triangle;
 };
 
-// All sides of all triangles, those of one edge next to each other.
+// All sides of all triangles, sorted so that those of one edge are next to each other.
 std::vector<Side> sorted_sides(const Assembly& assembly) {
   std::vector<Side> sides;
   sides.reserve(3 * assembly.triangles.size());

@@ -1,5 +1,6 @@
 #pragma once
-// What makes a triangulation usable as rock: no needles, no crumbs, no loose pieces, no edge with three sides.
+// Whether a triangulation can be used as rock: no needles, no tiny triangles, no loose pieces, no edge of three
+// triangles.
 #include "dem/assembly.hpp"
 
 #include <string>
@@ -12,12 +13,13 @@ struct AssemblyQuality {
   double min_area_share = 0;   ///< smallest area over the mean
   double mean_edge = 0;        ///< m, over all edges
   double area = 0;             ///< m2
-  int islands = 0;             ///< pieces that no shared edge joins
-  int overused_edges = 0;      ///< edges of three or more triangles, or of two that run along it in the same sense
+  int islands = 0;             ///< pieces that are not joined by a shared edge
+  int overused_edges = 0;      ///< edges of three or more triangles, or of two that run along it in the same direction
   int inverted_triangles = 0;  ///< clockwise or without area
 };
 
-/// Bounds outside which the mechanics would be wrong or crawl: the time step falls with the smallest height.
+/// Bounds of a usable triangulation. Outside them the mechanics would be wrong or slow: the time step is proportional
+/// to the smallest height.
 struct AssemblyLimits {
   double min_angle = 20;        ///< degrees
   double min_area_share = 0.2;  ///< of the mean area

@@ -1,5 +1,5 @@
-// [boundary.left|right|bottom|top], [boundary.injection] and [boundary.shape.<name>]: what holds on the sides of the
-// lattice and on the openings inside it.
+// [boundary.left|right|bottom|top], [boundary.injection] and [boundary.shape.<name>]: the conditions on the sides of
+// the lattice and on the openings inside it.
 #include "io/detail/case_tables.hpp"
 #include "kernels/base/side.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 enum class Place { side, opening };
 
-/// What of the given fluid velocity or flow rate; exactly one of `velocity` (on an opening `speed`) and the two rates.
+/// Reads the flow rates, and checks that exactly one of `velocity` (on an opening `speed`) and the two rates is given.
 void read_velocity(const TomlCursor& table, FlowBoundary& boundary, Place place) {
   const char* const own = place == Place::side ? "velocity" : "speed";
   table.read("flow_rate", boundary.flow_rate, unit::square_metre_per_second);

@@ -12,7 +12,8 @@
 namespace vug {
 namespace {
 
-/// Whole number of cells in a length. The tolerance, in cells, forgives decimal fractions such as 0.07 / 5e-5.
+/// Number of cells in a length, which must be whole. The tolerance, in cells, allows for decimal fractions such as 0.07
+/// / 5e-5.
 int cells_along(const TomlCursor& table, double length, double spacing, int axis) {
   constexpr double tolerance = 1e-6, fewest = 3, most = 1 << 28;
   const double cells = length / spacing;
@@ -64,7 +65,7 @@ void read_shapes(const TomlCursor& table, GeometrySection& geometry) {
     table.fail("shapes", "is missing; type = \"shapes\" needs at least one [[geometry.shapes]]");
 }
 
-/// Keys of a raw file: needed there, and refused for one that knows by itself.
+/// Reads the keys of a raw file. They are refused for a picture with a header, which contains these values.
 void read_raw(const TomlCursor& table, ImageSection& image) {
   const std::string& file = image.file;
   const auto ends = [&](std::string ending) {
@@ -96,7 +97,7 @@ void read_raw(const TomlCursor& table, ImageSection& image) {
   table.read("raw_pages", image.raw_pages, range::between(1, 1 << 20));
 }
 
-/// Rock and pore by grey values, or by labels.
+/// Reads how rock and pore are distinguished: by grey values or by labels.
 void read_phases(const TomlCursor& table, ImageSection& image) {
   table.read("solid_labels", image.solid_labels);
   table.read("fluid_labels", image.fluid_labels);

@@ -1,4 +1,4 @@
-// [flow], [heat], [solute], [reaction]: what fills the pores and what it does to their walls.
+// [flow], [heat], [solute], [reaction]: the fluid in the pores and its reaction with their walls.
 #include "io/detail/case_tables.hpp"
 #include "io/detail/nearest_name.hpp"
 
@@ -8,7 +8,7 @@ namespace vug {
 
 namespace {
 
-/// k_r^0 as given, or from Da = k_r^0 l / D of the reactant (Eq. 13).
+/// Reads k_r^0, or computes it from Da = k_r^0 l / D of the reactant (Eq. 13).
 void read_rate(const TomlCursor& table, const std::optional<SoluteSection>& solute, ReactionSection& reaction) {
   std::optional<double> rate;
   table.read("rate_constant", rate, unit::metre_per_second, range::not_negative);
@@ -37,7 +37,7 @@ void read_rate(const TomlCursor& table, const std::optional<SoluteSection>& solu
 
 namespace {
 
-/// Kinematic, dynamic or from a table over the temperature: one of the three.
+/// Reads the viscosity: one of kinematic, dynamic and a table over the temperature.
 void read_viscosity(const TomlCursor& table, FlowSection& flow) {
   std::optional<double> kinematic, dynamic;
   table.read("viscosity", kinematic, unit::square_metre_per_second, range::positive);
@@ -100,7 +100,7 @@ HeatSection read_heat(const TomlCursor& table) {
 
 namespace {
 
-/// Other columns of the history begin with these (balances, and what flows through sides).
+/// Names with which other columns of the history begin (balances, and flows through sides).
 constexpr const char* taken_by_columns[] = {"heat",        "fluid_mass",    "mass", "solid_volume", "dissolved_volume",
                                             "rock_volume", "rock_dissolved"};
 

@@ -1,4 +1,4 @@
-// The keys of a form, wherever a case draws one: a rectangle, a disc, a polygon.
+// The keys of a form (rectangle, disc, polygon), for all tables of a case that draw one.
 #include "io/detail/case_tables.hpp"
 
 namespace vug {
@@ -31,7 +31,7 @@ Polygon read_polygon(const TomlCursor& table) {
   return polygon;
 }
 
-/// The type of a region that has been read as such.
+/// The `type` of a region that has been read.
 std::string word_of_type(const TomlCursor& table) {
   std::string type;
   table.read("type", type);

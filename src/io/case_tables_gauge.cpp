@@ -1,4 +1,4 @@
-// [[output.gauges]]: numbers of the rock in the history.
+// [[output.gauges]]: quantities of the rock in the history.
 #include "io/detail/case_tables.hpp"
 #include "kernels/base/side.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 using Kind = GaugeKind;
 
-/// Where a gauge of stress averages: the form of a shape, or the triangle at a point.
+/// Reads where a gauge of stress averages: over a form, or over the triangle at a point.
 void read_place_of_stress(const TomlCursor& table, Gauge& gauge) {
   if (!table.has("shape") && !table.describing()) {
     table.need("at", gauge.at, unit::metre);

@@ -1,4 +1,4 @@
-// What rock is made of: [mechanics.bond], young_modulus and poisson_ratio, and [[mechanics.material]] where it differs.
+// The materials of the rock: [mechanics.bond], young_modulus and poisson_ratio, and [[mechanics.material]] for regions.
 #include "dem/elasticity.hpp"
 #include "dem/toughness.hpp"
 #include "io/detail/case_tables.hpp"
@@ -6,7 +6,7 @@
 namespace vug {
 namespace {
 
-/// The numbers of bonds that a material may have of its own; those of the rock are the defaults of all.
+/// Reads the bond parameters that a material may have of its own; their defaults are those of the rock.
 template <class Read>
 void read_strengths(BondParameters& bond, const Read& read) {
   read("normal_strength", bond.normal_strength, unit::pascal, range::not_negative);
@@ -22,7 +22,7 @@ void read_moduli(BondParameters& bond, const Read& read) {
   read("tangential_modulus", bond.tangential_modulus, unit::pascal, range::positive);
 }
 
-/// E and nu instead of the moduli of the bonds; of one that is left out the rock keeps that of its bonds.
+/// Reads E and nu, which replace the moduli of the bonds. Where only one is given, the other follows from these moduli.
 void read_elasticity(const TomlCursor& table, const TomlCursor& bonds, BondParameters& bond) {
   std::optional<double> young, poisson;
   table.read("young_modulus", young, unit::pascal, range::positive);
@@ -35,7 +35,7 @@ void read_elasticity(const TomlCursor& table, const TomlCursor& bonds, BondParam
   bond = with_elasticity(bond, {young.value_or(of_bonds.young_modulus), poisson.value_or(of_bonds.poisson_ratio)});
 }
 
-/// A number of a material: that of the rock where it is left out.
+/// Reads a number of a material, which is that of the rock where it is absent.
 struct OwnNumber {
   const TomlCursor& table;
   void operator()(const char* key, double& value, Unit unit, Range range) const {
@@ -60,7 +60,8 @@ void read_material(const TomlCursor& table, MechanicsSection& mechanics) {
   mechanics.regions.push_back(region);
 }
 
-/// Returns the path ratio, over which the bonds get the fracture energies of the rock.
+/// Reads [mechanics.bond]. Returns the path ratio, by which the fracture energies of the rock are divided for the
+/// bonds.
 double read_bond(const TomlCursor& table, BondParameters& bond) {
   const auto read = [&](const char* key, double& value, Unit unit, Range range) {
     table.read(key, value, unit, range);

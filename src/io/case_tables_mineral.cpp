@@ -1,5 +1,5 @@
-// [[mineral]]: where the minerals of the rock are and what they are made of; and the rates of reactants, which differ
-// from mineral to mineral.
+// [[mineral]]: where the minerals of the rock are and their properties, with the rates of the reactants on each
+// mineral.
 #include "io/detail/case_tables.hpp"
 #include "io/detail/nearest_name.hpp"
 
@@ -10,7 +10,7 @@
 namespace vug {
 namespace {
 
-constexpr std::size_t most_minerals = 64;  // their numbers are bytes, and each has columns of its own in the history
+constexpr std::size_t most_minerals = 64;  // their numbers are bytes, and each has its own columns in the history
 
 constexpr std::array<std::string_view, 6> rate_keys = {"rate_constant", "activation_energy", "equilibrium_constant",
                                                        "order",         "stoichiometry",     "product_stoichiometry"};

@@ -11,7 +11,7 @@ namespace {
 /// of 2 and 3 mm (`vug lab --fit-cohesion 91.1` finds 57.6 and 57.3); Table 1 as printed gives about 137 MPa.
 constexpr double calibrated_cohesion = 58e6;
 
-/// The straight pieces of a notch, from its ends or from the points along it.
+/// Reads the straight pieces of a notch, from its ends or from the points along it.
 void read_notch(const TomlCursor& table, int entry, bool in_metres, std::vector<Notch>& notches) {
   Notch notch{};
   std::vector<Point> points;

@@ -1,4 +1,4 @@
-// [accuracy] and [output]: how a case is computed and what is kept of it.
+// [accuracy] and [output]: how a case is computed and what is written.
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>

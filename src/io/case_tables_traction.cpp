@@ -1,4 +1,4 @@
-// [boundary.<side>.traction]: how the rock is held and what presses on it, on a side or on parts of it.
+// [boundary.<side>.traction]: supports and loads of the rock, on a side or on parts of it.
 #include "io/detail/case_tables.hpp"
 
 #include <cmath>

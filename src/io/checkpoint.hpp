@@ -1,5 +1,5 @@
 #pragma once
-// Checkpoints: the whole state, byte for byte, in files that are either complete or not there.
+// Checkpoints: the whole state, byte for byte, in files that are either complete or do not exist.
 #include "io/field_list.hpp"
 
 #include <cstdint>
@@ -14,30 +14,30 @@ namespace detail {
 class BinaryFile;
 }
 
-/// Whose state it is.
+/// The case and the run to which a state belongs.
 struct CheckpointOwner {
-  std::string case_hash;  ///< what was asked for (io/run_record.hpp)
-  std::string run;        ///< the run that wrote it; empty: whichever
+  std::string case_hash;  ///< of the case and its overrides (io/run_record.hpp)
+  std::string run;        ///< the run that wrote it; empty: any run
 };
 
 /// Writes the state into `directory` (made when it is missing) as `step_<number>.checkpoint`: under a temporary name,
-/// synced to the disk, then renamed. The newest two of this run are kept, and none after `step`; others' stay. Throws
-/// FileError; the checkpoints written before are then still there.
+/// synced to the disk, then renamed. Of the checkpoints of this run the newest two are kept, and none after `step`;
+/// those of other runs stay. Throws FileError; the checkpoints written before then still exist.
 void write_checkpoint(const std::string& directory, const StateList& state, std::int64_t step, double time,
                       const CheckpointOwner& owner);
 
-/// A checkpoint that has been read through and found sound.
+/// A checkpoint that has been read completely and whose digest is right.
 class Checkpoint {
  public:
-  /// The newest sound one of its owner in `directory`; nothing where there is no checkpoint at all. Damaged ones and
-  /// those of others are passed over and listed in refused(). Throws FileError, with the reason for each, when none is
-  /// left, and when the folder is there and cannot be read.
+  /// Returns the newest sound checkpoint of its owner in `directory`; nothing where there is no checkpoint at all.
+  /// Damaged ones and those of others are skipped and listed in refused(). Throws FileError, with the reason for each,
+  /// when only such are there, and when the folder exists and cannot be read.
   static std::optional<Checkpoint> latest(const std::string& directory, const CheckpointOwner& owner);
-  /// That of a file. Throws FileError when it is truncated, changed, no checkpoint, or somebody else's.
+  /// Opens a file. Throws FileError when it is truncated, changed, not a checkpoint, or that of another owner.
   static Checkpoint open(const std::string& path, const CheckpointOwner& owner);
 
-  /// Loads the blocks that `state` names, in its order. May be called again with other lists: sizes that the first ones
-  /// hold are known then. Throws FileError for a block that is not in the file or does not fit.
+  /// Loads the blocks that `state` names, in its order. May be called again with further lists, because sizes may be
+  /// known only from the blocks of the first. Throws FileError for a block that is not in the file or does not fit.
   void load(const StateList& state) const;
 
   std::int64_t step() const { return step_; }
@@ -57,7 +57,7 @@ class Checkpoint {
   std::string path_, run_;
   std::int64_t step_ = 0;
   double time_ = 0;
-  std::shared_ptr<const detail::BinaryFile> file_;  ///< what was read through
+  std::shared_ptr<const detail::BinaryFile> file_;  ///< the open file
   std::vector<Block> blocks_;
   std::vector<std::string> refused_;
 };

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes words and padded bytes, and keeps the digest.
+/// Writes words and padded bytes, and computes the digest.
 class Writer {
  public:
   explicit Writer(const std::string& path) : file_(path) {}
@@ -31,7 +31,7 @@ class Writer {
     static_assert(sizeof(Word) == 8);
     raw({reinterpret_cast<const char*>(&value), sizeof(value)});
   }
-  /// Data of `size` bytes are to come, in pieces.
+  /// Begins data of `size` bytes, which follow in pieces.
   void begin(std::size_t size) { word(static_cast<std::uint64_t>(size)); }
   void piece(std::string_view data) {
     while (tail_.size() % 8 != 0 && !data.empty()) {
@@ -43,7 +43,7 @@ class Writer {
     raw(data.substr(0, whole));
     tail_ += data.substr(whole);
   }
-  // The tail goes out with its padding in one word, as the digest wants it.
+  // Writes the tail with its padding as one word, as the digest requires.
   void end() {
     tail_.resize(tail_.size() + detail::padding(tail_.size()));
     raw(std::exchange(tail_, {}));
@@ -61,11 +61,10 @@ class Writer {
  private:
   detail::NewFile file_;
   detail::DataDigest digest_;
-  std::string tail_;  ///< what pieces until now have beyond whole words
+  std::string tail_;  ///< bytes of the pieces so far that do not fill a word
 };
 
-// Whether a file belongs to this run, as far as its first bytes tell: a damaged one that was overwritten by nothing
-// else is ours as well.
+// Whether a file belongs to this run, judged by its header only: a damaged file whose header is intact counts as well.
 bool is_of(const CheckpointOwner& owner, const fs::path& path) {
   try {
     const detail::BinaryFile file(path.string());
@@ -78,7 +77,8 @@ bool is_of(const CheckpointOwner& owner, const fs::path& path) {
   }
 }
 
-// Removes what this run has no use for after `step`: all but its newest two, and states of a future that it left.
+// Removes the checkpoints that this run no longer needs: all but its newest two up to `step`, and all after `step`,
+// which it went back from.
 void prune(const std::string& directory, std::int64_t step, const CheckpointOwner& owner) {
   std::error_code error;
   int kept = 0;

@@ -1,7 +1,7 @@
 #pragma once
-// What modules offer for output, and what a checkpoint must hold. Both hide the type of the Views behind functions
-// that copy to the host, piece by piece, called only when something is written. Where several ranks share a field, all
-// of them call these alike, and the first one gets the values.
+// The fields that modules offer for output, and the blocks that a checkpoint must contain. Both hide the type of the
+// Views behind functions that copy to the host, piece by piece, and are called only when something is written. Where
+// several ranks share a field, all of them make the same calls, and rank 0 gets the values.
 #include "kernels/base/base.hpp"
 
 #include <cstddef>
@@ -22,9 +22,9 @@ struct Field {
   std::string name;  ///< lower case with underscores, for instance "solid_fraction"
   std::string unit;  ///< SI, "1" where there is none
   int components = 1;
-  std::function<ReadItems()> open;  ///< computes what there is to read, as it is now
+  std::function<ReadItems()> open;  ///< computes the values as they are now, for reading
 
-  /// All items at once.
+  /// Reads all items at once.
   void read(std::span<double> values) const { open()(0, values); }
 };
 
@@ -35,7 +35,7 @@ struct FieldList {
   std::vector<Field> bonds;
 };
 
-/// Takes bytes in their order, piece after piece.
+/// Takes bytes in their order, in pieces.
 using TakeBytes = std::function<void(std::span<const std::byte>)>;
 /// Fills in the bytes from `at` on.
 using GiveBytes = std::function<void(std::size_t at, std::span<std::byte>)>;
@@ -45,28 +45,28 @@ struct StateBlock {
   std::string name;
   std::size_t bytes;
   std::function<void(const TakeBytes&)> save;
-  std::function<void(const GiveBytes&)> load;  ///< throws FileError for numbers that cannot be
+  std::function<void(const GiveBytes&)> load;  ///< throws FileError for invalid numbers
 
-  /// All bytes at once.
+  /// Returns all bytes.
   std::vector<std::byte> saved() const;
   void load_all(std::span<const std::byte> bytes) const;  ///< throws FileError also when the size does not fit
 };
 
-/// What the numbers of a block may be. No file can be trusted, and a number out of range may be an index, or the length
+/// Range of the numbers of a block. A file cannot be trusted, and a number out of range may be an index or the length
 /// of a loop.
 struct StateRange {
   double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
 };
 
-/// Everything a checkpoint must hold so that a restart continues with the same bits.
+/// Everything a checkpoint must contain so that a restart continues with the same bits.
 struct StateList {
   std::vector<StateBlock> blocks;
 
-  /// A View of numbers that keeps its extent from here on. Loading throws FileError for one that is not finite or out
-  /// of range.
+  /// Adds a View of numbers, whose extent must not change afterwards. Loading throws FileError for a number that is not
+  /// finite or out of range.
   template <class ViewType>
   void add(std::string name, ViewType view, StateRange range = {});
-  /// A plain number on the host, likewise.
+  /// The same for a single number on the host.
   template <class Value>
   void add_value(std::string name, Value& value, StateRange range = {});
   void add(StateBlock block) { blocks.push_back(std::move(block)); }

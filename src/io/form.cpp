@@ -77,7 +77,7 @@ Box box_of(const Form& form) {
 
 double outline_length(const Form& form) {
   if (const auto* disc = std::get_if<Disc>(&form)) return 2 * std::numbers::pi * disc->radius;
-  const std::vector<Point> points = outline_of(form, 0);  // of a disc alone the edge matters
+  const std::vector<Point> points = outline_of(form, 0);  // for a disc only the edge matters
   double length = 0;
   for (std::size_t a = 0, b = points.size() - 1; a < points.size(); b = a++)
     length += std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]);

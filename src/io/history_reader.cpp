@@ -50,7 +50,7 @@ History read_history(const std::string& path) {
           fmt::format("{}:{}: has {} cells, the header has {}", path, line_number, cells.size(), history.names.size()));
     for (std::size_t c = 0; c < cells.size(); ++c) {
       double value = 0;
-      if (cells[c].empty() && history.names[c].starts_with("bar_of_")) {  // of error_bars.csv: nothing is known
+      if (cells[c].empty() && history.names[c].starts_with("bar_of_")) {  // of error_bars.csv: unknown
         history.values[c].push_back(std::numeric_limits<double>::quiet_NaN());
         continue;
       }

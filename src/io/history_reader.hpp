@@ -1,5 +1,5 @@
 #pragma once
-// history.csv, read back.
+// Reads history.csv.
 #include <string>
 #include <vector>
 
@@ -12,12 +12,12 @@ struct History {
 
   std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }
   const std::vector<double>& time() const { return values.front(); }
-  /// Place of a column, or -1.
+  /// Index of a column, or -1.
   int find(const std::string& name) const;
 };
 
-/// Reads a file that HistoryWriter wrote; a torn last line is left out. Throws FileError where there is none, or where
-/// a cell is no number; an empty bar of error_bars.csv is NaN.
+/// Reads a file that HistoryWriter wrote; an incomplete last line is left out. Throws FileError where there is no such
+/// file, or where a cell is not a number; an empty bar of error_bars.csv is NaN.
 History read_history(const std::string& path);
 
 }  // namespace vug

@@ -18,12 +18,12 @@ namespace vug {
 
 namespace {
 
-// The header and the whole rows up to `time`.
+// The header and the complete rows up to `time`.
 std::string kept_rows(const std::string& path, const std::string& header, double time) {
   std::istringstream in(detail::read_file(path));
   std::string line;
   std::getline(in, line);
-  const bool torn = in.eof() && header.starts_with(line);  // before its first row was whole
+  const bool torn = in.eof() && header.starts_with(line);  // cut off in the header
   if (!torn && line != header)
     throw FileError(path + ": the columns differ from those of this run, so it cannot be continued");
   const auto commas = std::count(header.begin(), header.end(), ',');

@@ -10,21 +10,21 @@
 
 namespace vug {
 
-/// Appends rows to a CSV file, 17 significant digits (which read back to the same bits), each on the disk's way before
-/// `write` returns. The first column is the time. Throws FileError.
+/// Appends rows to a CSV file, with 17 significant digits (which read back to the same bits). When `write` returns, the
+/// row has been handed to the operating system. The first column is the time. Throws FileError.
 class HistoryWriter {
  public:
-  /// Columns are named with their units ("time_s"). With `resume_time` an existing file is continued: rows after that
-  /// time and a torn last line are dropped; throws FileError when its header is another one.
+  /// Names of columns include their units ("time_s"). With `resume_time` an existing file is continued: rows after that
+  /// time and an incomplete last line are dropped; throws FileError when its header differs.
   HistoryWriter(const std::string& path, const std::vector<std::string>& columns,
                 std::optional<double> resume_time = std::nullopt);
   void write(std::span<const double> row);
-  /// Brings the rows to the disk. Throws FileError also where the file was removed or replaced meanwhile, since then
-  /// nobody will find them.
+  /// Syncs the rows to the disk. Throws FileError also where the file was removed or replaced in the meantime, because
+  /// its rows would then be lost.
   void sync();
-  /// Cells of NaN are left empty from now on.
+  /// From now on cells with NaN are left empty.
   void leave_unknown_empty() { empty_ = true; }
-  /// Rows of the file, with those that it had when it was continued.
+  /// Number of rows in the file, with those that it had when it was continued.
   std::int64_t rows() const { return rows_; }
 
  private:

@@ -19,7 +19,8 @@ struct Size {
   int columns, rows;
 };
 
-/// The part of the page that the case asks for. Throws InputError where it is not on the page or gives no whole cells.
+/// Size of the part of the page that the case uses. Throws InputError where it is not on the page or is not a whole
+/// number of cells.
 Size cropped_size(const ImageSection& image, const detail::ImageHeader& header) {
   constexpr std::int64_t most = 1 << 28;
   if (header.width < 1 || header.height < 1 || header.width > most || header.height > most)
@@ -66,7 +67,7 @@ void require_pixel_size(const ImageSection& image, std::optional<double> pixel_s
                            lattice.spacing, image.pixel_size ? "" : " (geometry.pixel_size goes before the file)"));
 }
 
-/// Tells rock from pore, and counts what it has seen.
+/// Distinguishes rock from pore, and collects the summary.
 class Pixels {
  public:
   Pixels(const ImageSection& image, const detail::ImageHeader& header) : image_(image) {
@@ -90,7 +91,7 @@ class Pixels {
     }
   }
 
-  /// The grey value, 0 black and 1 white; 0 of a label.
+  /// The grey value, 0 for black and 1 for white; 0 for a label.
   double grey(double value) const { return image_.labelled() ? 0 : (value - black_) / (white_ - black_); }
   bool dark(double grey) const { return (grey < image_.threshold) != image_.invert; }
 
@@ -115,7 +116,7 @@ class Pixels {
     return last_->solid;
   }
 
-  /// Number of the mineral of the pixel that `solid` was asked for last.
+  /// Number of the mineral of the pixel for which `solid` was called last.
   std::uint8_t mineral() const { return last_->mineral; }
 
   void summarise(double pixels, ImageSummary& summary) const {
@@ -137,14 +138,14 @@ class Pixels {
   };
   const ImageSection& image_;
   double black_ = 0, white_ = 1;
-  bool narrow_ = false;  ///< a type of which 8-bit values use the darkest part only
+  bool narrow_ = false;  ///< a type of more than 8 bits, whose values may be 8-bit ones all the same
   std::map<double, Label> labels_;
   Label* last_ = nullptr;
   double last_value_ = 0;
   double least_ = std::numeric_limits<double>::infinity(), largest_ = -std::numeric_limits<double>::infinity();
 };
 
-/// The minerals of a row of cells, by the pixels of each; does nothing where no label has one.
+/// Counts the pixels of each mineral in a row of cells; does nothing where no label has a mineral.
 class MineralCounts {
  public:
   MineralCounts(const ImageSection& image, int across) {
@@ -153,7 +154,7 @@ class MineralCounts {
   }
   bool any() const { return kinds_ > 0; }
   void add(int cell, std::uint8_t mineral) { ++count_[kinds_ * static_cast<std::size_t>(cell) + mineral]; }
-  /// The mineral of most pixels, for every cell; then none has any.
+  /// Gives every cell the mineral of most of its pixels, and sets the counts to zero.
   void take(std::vector<std::uint8_t>& cells) {
     for (auto first = count_.begin(); first != count_.end(); first += static_cast<std::ptrdiff_t>(kinds_))
       cells.push_back(
@@ -171,7 +172,7 @@ struct Cells {
   std::vector<std::uint8_t> mineral;
 };
 
-/// Cells as they lie in the picture, row by row from its top.
+/// Reads the cells of a picture, row by row from its top.
 Cells cells_of(const ImageSection& image, detail::ImageRows& rows, Size size, Pixels& pixels) {
   const int n = image.coarsen, across = size.columns / n;
   Cells cells;
@@ -199,7 +200,7 @@ Cells cells_of(const ImageSection& image, detail::ImageRows& rows, Size size, Pi
   return cells;
 }
 
-/// The same on the lattice: turned, mirrored, from the bottom.
+/// Converts the cells to the lattice: turned, mirrored, row by row from the bottom.
 template <class Value>
 std::vector<Value> placed(const std::vector<Value>& cells, const ImageSection& image, int across,
                           const LatticeSection& lattice) {
@@ -213,10 +214,10 @@ std::vector<Value> placed(const std::vector<Value>& cells, const ImageSection& i
       if (image.rotate == ImageTurn::half) {
         column = nx - 1 - column;
         row = ny - 1 - row;
-      } else if (image.rotate == ImageTurn::left) {  // its right edge comes to the top
+      } else if (image.rotate == ImageTurn::left) {  // its right edge becomes the top
         std::swap(column, row);
         column = ny - 1 - column;
-      } else if (image.rotate == ImageTurn::right) {  // its left edge comes to the top
+      } else if (image.rotate == ImageTurn::right) {  // its left edge becomes the top
         std::swap(column, row);
         row = nx - 1 - row;
       }

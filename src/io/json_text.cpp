@@ -40,7 +40,7 @@ std::vector<std::string> json_texts(const std::string& list) {
       continue;
     } else if (c != '\\') {
       text += c;
-    } else if (list.compare(i + 1, 1, "u") == 0) {  // one byte: two digits of four are not zero
+    } else if (list.compare(i + 1, 1, "u") == 0) {  // the code of one byte: the last two of the four digits
       text += static_cast<char>(std::strtol(list.substr(i + 2, 4).c_str(), nullptr, 16));
       i += 5;
     } else if (++i < list.size()) {

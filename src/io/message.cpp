@@ -5,7 +5,7 @@
 namespace vug {
 namespace {
 
-/// A character of UTF-8: its number and its bytes; no bytes where there is none.
+/// A UTF-8 character: its code point and its number of bytes, which is 0 when it is not valid.
 struct Character {
   std::uint32_t code = 0;
   std::size_t bytes = 0;
@@ -28,7 +28,7 @@ Character first_character(std::string_view text) {
   return code < least[bytes] || surrogate || code > 0x10ffff ? Character{} : Character{code, bytes};
 }
 
-/// Controls, ends of lines and paragraphs, marks and isolates of direction.
+/// Control characters, ends of lines and paragraphs, and marks and isolates of writing direction.
 bool acts_on_a_terminal(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x200e || code == 0x200f || code == 0x061c ||
          (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);

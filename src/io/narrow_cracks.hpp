@@ -1,12 +1,12 @@
 #pragma once
-// Whether a case has cracks that no cell is narrow enough for.
+// Whether a case may have cracks narrower than a cell.
 #include "io/scene.hpp"
 
 #include <algorithm>
 
 namespace vug {
 
-/// Whether pathways are as wide as cracks gape, or some have a width in metres below the spacing.
+/// Whether pathways are as wide as their cracks open, or some have a width in metres below the spacing.
 inline bool has_cracks_below_a_cell(const Scene& scene) {
   if (!scene.rock) return false;
   if (scene.damage && scene.damage->aperture == ApertureLaw::opening) return true;

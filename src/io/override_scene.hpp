@@ -1,5 +1,5 @@
 #pragma once
-// A case once more, with some keys otherwise.
+// A case with some keys changed.
 #include "io/scene.hpp"
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace vug {
 
-/// The scene that its case file gives with its own overrides and `more` of them, "table.key=value". Throws as
-/// read_scene.
+/// Returns the scene of the same case file with its own overrides and those in `more`, "table.key=value". Throws as
+/// read_scene does.
 Scene override_scene(const Scene& scene, const std::vector<std::string>& more);
 
 }  // namespace vug

@@ -30,7 +30,7 @@ struct PngWriter {
   PngWriter& operator=(const PngWriter&) = delete;
   ~PngWriter() { png_destroy_write_struct(&png, &info); }
 
-  /// libpng leaves this by a jump, so nothing in it may need a destructor.
+  /// libpng leaves this function by longjmp, so nothing in it may need a destructor.
   bool write(std::string& out, int width, int height, png_colorp colours, int count, png_bytepp rows) {
     if (!info || setjmp(png_jmpbuf(png))) return false;
     png_set_write_fn(png, &out, append, nullptr);
@@ -70,7 +70,7 @@ void write_palette_picture(const std::string& path, int width, std::span<const s
   const int scale = std::max(1, enough / std::max(width, height));
   std::vector<png_byte> data(pixels.size() * scale);
   std::vector<png_bytep> rows;
-  for (int y = height - 1; y >= 0; --y) {  // a picture begins at its top
+  for (int y = height - 1; y >= 0; --y) {  // the first row of a picture is its top
     png_byte* row = data.data() + static_cast<std::size_t>(y) * width * scale;
     for (int x = 0; x < width * scale; ++x) row[x] = pixels[static_cast<std::size_t>(y) * width + x / scale];
     rows.insert(rows.end(), static_cast<std::size_t>(scale), row);

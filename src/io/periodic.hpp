@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// Whether what the scene has of fluid, heat and solutes leaves through this side for the opposite one.
+/// Whether all of fluid, heat and solutes that the scene has leave through this side and enter at the opposite one.
 inline bool is_periodic(const Scene& scene, const BoundarySection& side) {
   return (scene.flow && side.flow.kind == FlowBoundaryKind::periodic) ||
          (scene.heat && side.heat.kind == HeatCondition::periodic) ||

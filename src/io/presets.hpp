@@ -1,6 +1,6 @@
 #pragma once
-// What the presets of a case stand for: the only place that says so. A key that the case gives wins over its preset.
-// Why these choices: docs/accuracy.md measures them, docs/case-file.md ("Presets") explains them.
+// What the presets of a case stand for, defined only here. A key that the case gives has precedence over its preset.
+// docs/accuracy.md has the measurements behind these choices, docs/case-file.md ("Presets") explains them.
 #include "io/scene.hpp"
 
 namespace vug {
@@ -52,8 +52,8 @@ inline MechanicsSection mechanics_of(Preset preset) {
   return mechanics;
 }
 
-/// What suits a tolerance in all but intervals, each with an error well below it (docs/accuracy.md): how the rock
-/// moves, and the precision, of which single costs 2e-3 where transport is slow.
+/// The preset that suits a tolerance in everything but the intervals, with an error well below it (docs/accuracy.md):
+/// how the rock moves, and the precision, where `single` costs 2e-3 if transport is slow.
 inline Preset preset_of(double tolerance) {
   return tolerance >= 2e-4 ? Preset::fast : tolerance >= 5e-5 ? Preset::balanced : Preset::careful;
 }
@@ -61,14 +61,14 @@ inline Precision precision_of(double tolerance) {
   return tolerance >= 5e-3 ? Precision::single_precision : Precision::double_precision;
 }
 
-/// The longest intervals that are chosen as a run goes.
+/// Sets the longest intervals that a run may choose.
 inline void set_longest_intervals(AccuracySection& accuracy) {
   accuracy.heat_interval = accuracy.solute_interval = accuracy.exchange_interval = 16;
   accuracy.update_interval = 128;
   accuracy.wall_interval = 512;
 }
 
-/// By its name in the case file.
+/// The preset of this name in the case file.
 inline Preset preset_of(const std::string& name) {
   for (const Preset preset : {Preset::fast, Preset::balanced, Preset::reference})
     if (name == accuracy_of(preset).preset) return preset;

@@ -36,7 +36,7 @@ Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::functi
 
 double Progress::fraction() const {
   if (run_.last_step <= 0) return 1;
-  const double ahead = run_.time_step > 0 ? ahead_ / run_.time_step : 0;  // of whole steps none is lost to rounding
+  const double ahead = run_.time_step > 0 ? ahead_ / run_.time_step : 0;  // added in steps, which stay exact
   return std::clamp((static_cast<double>(step_) + ahead) / static_cast<double>(run_.last_step), 0.0, 1.0);
 }
 
@@ -93,7 +93,7 @@ double Progress::mlups() const {
 std::string Progress::line() const {
   const double speed = steps_per_second();
   const Sample &first = window_.front(), &last = window_.back();
-  const double pace = (last.simulated - first.simulated) / (last.time - first.time);  // simulated over real seconds
+  const double pace = (last.simulated - first.simulated) / (last.time - first.time);  // simulated time over real time
   return fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  step {}  {:.4g} steps/s  {:.1f} MLUPS  ETA {}",
                      std::floor(100 * fraction()), simulated(), end(), step_, speed,
                      1e-6 * speed * run_.updates_per_step,

@@ -1,5 +1,5 @@
 #pragma once
-// How far the run is: a bar on a terminal, plain lines in a log.
+// Shows how far the run is: a bar on a terminal, plain lines in a log.
 #include "host/this_process.hpp"
 
 #include <cstdint>
@@ -11,29 +11,29 @@
 
 namespace vug {
 
-/// A duration as people say it: "42 s", "3 min 20 s", "5 h 07 min", "2 d 3 h"; "unknown" where there is none.
+/// A duration for people: "42 s", "3 min 20 s", "5 h 07 min", "2 d 3 h"; "unknown" where there is none.
 std::string duration_text(double seconds);
 
 /// Reports time, steps per second, MLUPS and the time left, from the speed of the last half minute. On a terminal one
-/// line is redrawn five times a second; in a log a line is added every 5 % but at most every two seconds, and when that
-/// takes long, after 5, 10, 20, 40 and then every 60 seconds.
+/// line is redrawn five times a second. In a log a line is added every 5 %, but at most every two seconds; where 5 %
+/// take longer, also after 5, 10, 20, 40 and then every 60 seconds.
 class Progress {
  public:
   struct Run {
     std::int64_t first_step = 0, last_step = 0;
     double time_step = 0;         ///< s
-    double updates_per_step = 0;  ///< lattice-node updates, all fields together
+    double updates_per_step = 0;  ///< lattice-node updates of all fields together
     bool quiet = false;           ///< warnings only
   };
   Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds);
 
-  /// Cheap enough for every step of a small lattice; `updates_per_step` may have grown with the fluid. `ahead` (s) is
-  /// by how much the time is more than that of the steps.
+  /// Cheap enough to be called in every step of a small lattice. `updates_per_step` may change, because the fluid
+  /// grows. `ahead` (s): how much further the time is than the steps alone make it.
   void update(std::int64_t step, double updates_per_step, double ahead = 0);
   void update(std::int64_t step) { update(step, run_.updates_per_step); }
-  /// A line of its own: something physical has happened, or a warning ("warning: ..." at its start, or after the step).
+  /// Writes a line of its own: a physical event or a warning ("warning: ..." at its start, or after the step).
   void note(std::string_view line);
-  /// The last line, with the averages of the whole run.
+  /// Writes the last line, with the averages of the whole run.
   void finish(std::string_view reason);
 
   double steps_per_second() const;
@@ -61,7 +61,7 @@ class Progress {
   double start_, shown_, interval_ = 5;
   std::int64_t step_;
   double ahead_ = 0, shown_fraction_ = 0;
-  double updates_ = 0;  // done so far
+  double updates_ = 0;  // so far
   std::deque<Sample> window_;
 };
 

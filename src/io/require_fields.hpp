@@ -1,5 +1,5 @@
 #pragma once
-// The fields that a case asks for against those that there are.
+// Checks the fields that a case requests against those that exist.
 #include "io/field_list.hpp"
 
 #include <string>

@@ -23,11 +23,11 @@ using detail::Outline;
 using detail::Point;
 using Triangles = std::vector<std::array<int, 3>>;
 
-constexpr double spacing_per_edge = 0.787;  // distance that points keep over the mean edge that results (measured)
+constexpr double spacing_per_edge = 0.787;  // distance between points over the mean edge that results (measured)
 constexpr int smoothing_sweeps = 6;
 constexpr int attempts = 8;
 
-/// One try at a mesh: everything that stays the same between tries.
+/// What stays the same between several attempts to make a mesh.
 struct Mesher {
   Point length;
   detail::IntegerGrid grid;
@@ -52,7 +52,7 @@ struct Mesher {
            !(outline.hole && outline.hole->contains(p, 1e-9 * length[0])) && !outline.in_holes(p) &&
            (!outline.round || in_disc(p));
   }
-  // The discs over the edges of the outline stay empty, which makes those edges Delaunay.
+  // Discs around the edges of the outline; when they stay empty, these edges are Delaunay.
   detail::KeepOut edge_discs(double factor) const;
   std::vector<Point> scatter(std::uint64_t stream) const;
   void smooth(std::vector<Point>& points, const Triangles& triangles) const;
@@ -86,7 +86,8 @@ std::vector<Point> Mesher::scatter(std::uint64_t stream) const {
   return points;
 }
 
-// Laplace: every free point moves to the mean of its neighbours, in order, unless it would enter an edge's disc.
+// Laplace smoothing: every free point moves to the mean of its neighbours, one after the other, unless that is inside
+// the disc of an edge.
 void Mesher::smooth(std::vector<Point>& points, const Triangles& triangles) const {
   const auto discs = edge_discs(0.5);
   std::vector<std::vector<int>> neighbours(points.size());
@@ -100,7 +101,8 @@ void Mesher::smooth(std::vector<Point>& points, const Triangles& triangles) cons
   }
 }
 
-// Drops the hole and the points nobody uses, and numbers points row by row so that neighbours are close in memory.
+// Drops the triangles of the hole and the unused points, and numbers points row by row, so that neighbours are close in
+// memory.
 Assembly Mesher::assemble(const std::vector<Point>& points, const Triangles& triangles) const {
   Triangles kept;
   std::set<int> used;

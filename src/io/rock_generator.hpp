@@ -1,20 +1,20 @@
 #pragma once
-// A triangulated rock from nothing but a seed: Poisson-disc points, Delaunay triangles, smoothed.
+// Generates a triangulated rock from a seed: Poisson-disc points, Delaunay triangles, smoothing.
 #include "dem/assembly.hpp"
 #include "io/scene.hpp"
 
 namespace vug {
 
 /// Tiles the rectangle [0, length_x] × [0, length_y], less the injection hole, with triangles of mean edge
-/// `rock.element_size`; with `grading` > 1 they grow linearly with the distance from the hole (from the notches where
+/// `rock.element_size`. With `grading` > 1 they grow linearly with the distance from the hole (from the notches where
 /// there is no hole) until the largest is `grading` times the smallest. The notches are edges of the mesh and listed in
-/// initial_cracks; a notch that ends less than half an element from a side or from the hole is led up to it.
-/// The same seed gives the same bits on every machine. Every angle is at least 20 degrees and every area at least 0.2
-/// of the mean (0.2 / grading² when graded); throws InputError where the geometry does not allow that.
+/// initial_cracks; a notch that ends less than half an element from a side or from the hole is extended to it. The same
+/// seed gives the same bits on every machine. Every angle is at least 20 degrees and every area at least 0.2 of the
+/// mean (0.2 / grading² when graded); throws InputError where the geometry does not allow that.
 Assembly generate_rock(double length_x, double length_y, const RockSection& rock);
 
-/// Likewise a disc for the Brazilian test, between flats of `flat_width` (over the diameter) on which platens stand;
-/// its rectangle is [0, diameter] × [0, diameter sqrt(1 - flat_width²)]. Uses element size and seed of `rock` alone.
+/// The same for a disc, for the Brazilian test, between flats of `flat_width` (over the diameter) for the platens. Its
+/// rectangle is [0, diameter] × [0, diameter sqrt(1 - flat_width²)]. Of `rock` only element size and seed are used.
 Assembly generate_disc(double diameter, double flat_width, const RockSection& rock);
 
 }  // namespace vug

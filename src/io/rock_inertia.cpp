@@ -12,7 +12,8 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// What starts from `rest`: at once, over a ramp or as its table says.
+/// Shortest time of a change of a value that is `rest` before the run: 0 where it jumps at the start, otherwise that of
+/// its ramp or table.
 double quickest(const TimeTable& table, double rest, double ramp_time = 0) {
   if (ramp_time > 0) return std::min(ramp_time, table.quickest());
   return table.at(0) == rest ? table.quickest() : 0;
@@ -28,7 +29,7 @@ double quickest(const FlowBoundary& flow, double initial_pressure) {
   return shortest;
 }
 
-/// Stresses of the beginning are borne from the beginning.
+/// Stresses at the start count as no jump: the preload applies them before the run.
 double quickest(const TractionLoad& load) {
   double shortest = std::min(load.normal_stress.quickest(), load.shear_stress.quickest());
   for (const TimeTable& component : load.velocity) shortest = std::min(shortest, quickest(component, 0));
@@ -46,7 +47,8 @@ bool expands(const MechanicsParameters& rock) {
                                                    [](const auto& m) { return m.thermal_expansion > 0; });
 }
 
-/// Of generated rock; a mesh does not say here how fine it is.
+/// Time in which heat diffuses through a triangle of generated rock; 0 for a mesh, whose triangle size is not known
+/// here.
 double heat_through_triangle(const Scene& scene) {
   double diffusivity = scene.heat->solid_diffusivity;
   for (const MineralSection& mineral : scene.minerals) diffusivity = std::max(diffusivity, mineral.diffusivity);
@@ -76,7 +78,7 @@ double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
   for (const RockMaterial& material : rock.materials)
     speed = std::min(speed, std::sqrt(material.bond.normal_modulus / material.density));
   const double crossing = std::max(scene.lattice.length_x, scene.lattice.length_y) / speed;
-  const double slower = share * tolerance * quickest_load(scene) / crossing;  // so many times waves may be
+  const double slower = share * tolerance * quickest_load(scene) / crossing;  // waves may be slower by this factor
   double scaling = heaviest;
   while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;
   return scaling;

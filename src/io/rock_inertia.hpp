@@ -1,23 +1,24 @@
 #pragma once
-// How heavy the triangles may be made without anybody noticing: a sub-step may be as much longer as waves are slower.
+// How much heavier the triangles may be made without a noticeable effect. Sub-steps may be longer by the same factor by
+// which waves are slower.
 #include "io/scene.hpp"
 
 #include <string>
 
 namespace vug {
 
-/// Shortest time (s) in which something that loads the rock changes: a ramp or the points of a table of pressures,
-/// velocities and tractions; the heat's way through a triangle of generated rock, h^2 / alpha. 0 where anything begins
-/// at once, infinity where nothing changes.
+/// Shortest time (s) in which something that loads the rock changes: a ramp, or the points of a table, of pressures,
+/// velocities and tractions; or the time that heat takes through a triangle of generated rock, h^2 / alpha. 0 where
+/// anything begins with a jump, infinity where nothing changes.
 double quickest_load(const Scene& scene);
 
 /// The largest mechanics.mass_scaling m of 1, 4, 16 and 64 (nothing heavier was measured) with which the rock still
 /// follows its loads within a tolerance t: a wave, of speed sqrt(M_n / (m rho)) in the slowest of its materials,
-/// crosses the longest side in 6 t of quickest_load at the most. The 6 is from the paper's rock (docs/model.md,
-/// "Intervals from a tolerance").
+/// crosses the longest side within 6 t times quickest_load. The 6 is from the paper's rock (docs/model.md, "Intervals
+/// from a tolerance").
 double quasi_static_mass_scaling(const Scene& scene, double tolerance);
 
-/// That a tolerance has chosen it, and why: for the log and `vug check`.
+/// Says that a tolerance has chosen it, and why: for the log and `vug check`.
 std::string mass_scaling_note(const Scene& scene);
 
 }  // namespace vug

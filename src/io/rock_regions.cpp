@@ -31,7 +31,7 @@ std::vector<int> triangles_of_group(const std::string& group, const std::string&
                                known.empty() ? "none" : excerpt(fmt::format("{}", fmt::join(known, ", ")), 200)));
 }
 
-/// Those whose centroid lies in the mineral and in no later one.
+/// Triangles whose centroid lies in the mineral and in no later one.
 std::vector<int> triangles_of_mineral(const std::string& name, const std::vector<MineralSection>& minerals,
                                       const std::string& what, const Assembly& assembly) {
   std::vector<bool> inside(assembly.triangles.size(), false);

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path without the ending that a file has while it is written.
+/// The path without the ending of a file that is being written.
 fs::path finished(const fs::path& path) {
   return path.extension() == ".tmp" ? path.parent_path() / path.stem() : path;
 }
@@ -40,7 +40,7 @@ bool is_snapshot(const fs::path& path) {
   return path.extension() == ".h5" && (path.stem() == "rock" || detail::is_step_name(path.stem().string()));
 }
 
-/// Files of a folder that a run has written, but for run.json.
+/// Files in a folder that a run has written, except run.json.
 std::vector<fs::path> results_in(const std::string& folder) {
   std::vector<fs::path> found;
   const auto add = [&](const fs::path& where, bool (*own)(const fs::path&)) {
@@ -59,11 +59,11 @@ bool is_run(const std::string& folder) {
   try {
     return read_run_summary(folder).has_value();
   } catch (const InputError&) {
-    return false;  // a run.json of somebody else
+    return false;  // a run.json that is not vug's
   }
 }
 
-/// Runs beside a run, for its error bars.
+/// Runs in the folder of a run that were made for its error bars.
 std::vector<std::string> twins_of(const std::string& folder) {
   std::vector<std::string> twins;
   for (const char* twin : {"coarse", "coarser", "finer"})
@@ -77,12 +77,12 @@ void remove_file(const fs::path& file) {
   if (error) throw FileError(fmt::format("{}: cannot remove: {}", file.string(), error.message()));
 }
 
-/// Who this is, for those who find the folder locked.
+/// Names this process, for those who find the folder locked.
 std::string name_of_process() {
   return fmt::format("process {} on {} since {}", ::getpid(), machine_name(), utc_now());
 }
 
-/// What a folder's lock says of its holder, as one harmless line.
+/// What a folder's lock says about its holder, as one line of printable characters.
 std::string holder(int lock) {
   char text[400];
   const ssize_t size = ::pread(lock, text, sizeof(text), 0);
@@ -123,7 +123,7 @@ InUse is_in_use(const std::string& directory, std::string* why) {
     if (errno == EWOULDBLOCK) return InUse::yes;
     return unknown(fmt::format("this file system has no locks ({})", std::strerror(errno)));
   }
-  // some file systems keep the locks of each machine to itself, and answer here that it is free
+  // some file systems keep each machine's locks to that machine, and report here that the lock is free
   const std::string host = host_of(holder(lock.descriptor));
   if (host.empty() || host == machine_name()) return InUse::no;
   return unknown(fmt::format("its lock is of another machine, {}, and may not be seen from here", host));
@@ -191,7 +191,7 @@ void RunFolder::take() {
   }
   const std::string name = name_of_process() + "\n";
   if (::ftruncate(lock_.value, 0) != 0 || ::pwrite(lock_.value, name.data(), name.size(), 0) < 0) {
-    // no room for a name: the lock holds without it
+    // the name could not be written, but the lock holds without it
   }
   if (use_ != Use::overwrite) return;
   for (const std::string& twin : twins_of(path_))
@@ -205,7 +205,7 @@ void RunFolder::clear() const {
 }
 
 void RunFolder::clear_error_bars() const {
-  std::error_code kept;  // folders in which there are files of others
+  std::error_code kept;  // ignored: folders that contain other files stay
   for (const std::string& twin : twins_of(path_)) {
     for (const fs::path& file : results_in(twin)) remove_file(file);
     for (const char* file : {"run.json", "run.lock"}) remove_file(twin + "/" + file);

@@ -12,7 +12,7 @@ namespace vug {
 
 namespace {
 
-/// What stands behind a key of run.json, which has one key a line.
+/// Value of a key in run.json, which has one key on each line.
 std::string value_of(const std::string& json, const std::string& key) {
   const std::string mark = "\n  \"" + key + "\": ";
   const auto at = json.find(mark);
@@ -23,7 +23,7 @@ std::string value_of(const std::string& json, const std::string& key) {
   return value;
 }
 
-/// The same of a text.
+/// The same for a text.
 std::string text_of(const std::string& json, const std::string& key) {
   const std::vector<std::string> texts = json_texts(value_of(json, key));
   return texts.empty() ? "" : texts.front();
@@ -62,7 +62,7 @@ std::optional<RunSummary> read_run_summary(const std::string& directory) {
 
 bool RunSummary::had_checkpoint() const {
   const auto counts = [](const std::string& number) { return !number.empty() && number != "0"; };
-  // before there was last_checkpoint: these have one at their end, and what was resumed began at one
+  // records without last_checkpoint: such a run wrote a checkpoint at its end, and a resumed one began at a checkpoint
   const bool ended_with_one = counts(steps) && (status == "done" || status == "interrupted");
   return !last_checkpoint.empty() || ended_with_one || counts(first_step);
 }

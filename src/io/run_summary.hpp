@@ -1,5 +1,5 @@
 #pragma once
-// run.json read back: what a run says of itself, and of where it comes from.
+// Reads run.json: what a run says about itself and its origin.
 #include "io/run_record.hpp"
 
 #include <cstdint>
@@ -9,35 +9,36 @@
 
 namespace vug {
 
-/// What a folder's run.json says of its run.
+/// What run.json of a folder says about its run.
 struct RunSummary {
   std::string run, status, case_hash;
   std::string inputs;  ///< as in the file: paths and hashes of the files that the case names
   std::string steps;
   std::string started, exit_reason;
-  std::string first_step, last_step;  ///< the latter empty where none is said
+  std::string first_step, last_step;  ///< the latter empty where the file does not have it
   std::string last_checkpoint;        ///< empty where there has been none
   std::string wall_time, exit_code;
   std::vector<std::string> events;
 
-  /// Whether the run has written a checkpoint, wherever that may be now.
+  /// Whether the run has ever written a checkpoint, even if that is no longer in the folder.
   bool had_checkpoint() const;
-  /// Its events up to a step. What was said at an end is of no step, and is said again at the next.
+  /// The events up to a step. Those written at the end of a run belong to no step and are left out; the next end
+  /// repeats them.
   std::vector<std::string> events_until(std::int64_t step) const;
 };
 
-/// That of `directory`; nothing where there is no run.json. Throws InputError when that is none of vug's.
+/// Reads run.json of `directory`; returns nothing where there is none. Throws InputError when it is not one of vug's.
 std::optional<RunSummary> read_run_summary(const std::string& directory);
 
-/// What it was made of: enough to make it again.
+/// Everything that is needed to repeat a run.
 struct RunOrigin {
   std::string version, commit, compiler, backend, device;
   std::string case_path, case_text;
   std::vector<std::string> overrides;
-  std::vector<InputFile> inputs;  ///< paths as seen from where the run was called
+  std::vector<InputFile> inputs;  ///< relative to the folder in which the run was started
 };
 
-/// That of the run in `directory`, which has a run.json (read_run_summary). Throws FileError.
+/// Reads the origin of the run in `directory`, which has a run.json (read_run_summary). Throws FileError.
 RunOrigin read_run_origin(const std::string& directory);
 
 }  // namespace vug

@@ -1,6 +1,6 @@
 #pragma once
-// The case, parsed: plain structs in SI, one per table of the case file. A table that is absent is physics that is not
-// modelled. Units and ranges of every key are in docs/case-file.md.
+// The parsed case: plain structs in SI units, one for each table of the case file. A table that is absent is physics
+// that is not modelled. Units and ranges of every key are in docs/case-file.md.
 #include "io/scene/boundaries.hpp"
 #include "io/scene/fluid.hpp"
 #include "io/scene/geometry.hpp"
@@ -18,7 +18,7 @@ namespace vug {
 /// Everything a case file says.
 struct Scene {
   std::string path;         ///< of the case file
-  std::string source_text;  ///< as read, for provenance; overrides are listed below it
+  std::string source_text;  ///< as read, recorded as the origin of results; overrides are listed below it
   std::vector<std::string> overrides;
   std::vector<std::string> warnings;  ///< one line each: allowed, but probably not meant
   std::string name, description;
@@ -44,15 +44,15 @@ struct Scene {
 /// Whether a reactant dissolves any of the rock.
 bool rock_dissolves(const Scene& scene);
 
-/// The files that a case names beside itself: a mesh, an image.
+/// The files that a case names: a mesh, an image.
 std::vector<std::string> input_files(const Scene& scene);
 
-/// Reads, overrides (`table.key=value`, value in TOML syntax) and validates a case. Throws InputError with
-/// `file:line:column: what is wrong, what was expected`, also for a mesh or image that is not there, or FileError when
-/// reading fails half-way.
+/// Reads a case, applies the overrides (`table.key=value`, value in TOML syntax) and validates it. Throws InputError
+/// with `file:line:column: what is wrong, what was expected`, also for a mesh or image that does not exist, and
+/// FileError when reading fails half-way.
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// As read_scene, from text (tests); `path` is used for messages and relative files.
+/// The same from text (for tests); `path` is used for messages and relative files.
 Scene parse_scene(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {});
 
 }  // namespace vug

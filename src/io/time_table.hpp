@@ -1,5 +1,5 @@
 #pragma once
-// A number of a case that may change in time.
+// A number in a case that may change in time.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,11 +12,11 @@ namespace vug {
 class TimeTable {
  public:
   TimeTable(double value = 0) : value_{value} {}
-  /// Times (s) ascend; as many values.
+  /// `time` (s) ascends; `value` has the same length.
   TimeTable(std::vector<double> time, std::vector<double> value) : time_(std::move(time)), value_(std::move(value)) {}
 
   bool constant() const { return value_.size() == 1; }
-  /// At a time, s.
+  /// Value at a time (s).
   double at(double time) const {
     const auto next = std::upper_bound(time_.begin(), time_.end(), time) - time_.begin();
     if (constant() || next == 0) return value_.front();
@@ -24,16 +24,16 @@ class TimeTable {
     const double share = (time - time_[next - 1]) / (time_[next] - time_[next - 1]);
     return value_[next - 1] + share * (value_[next] - value_[next - 1]);
   }
-  /// Its points, s; none of a number.
+  /// Times of its points, s; empty for a number.
   const std::vector<double>& moments() const { return time_; }
   double lowest() const { return *std::min_element(value_.begin(), value_.end()); }
   double highest() const { return *std::max_element(value_.begin(), value_.end()); }
-  /// The value furthest from zero, with its sign.
+  /// The value farthest from zero, with its sign.
   double peak() const {
     return *std::max_element(value_.begin(), value_.end(),
                              [](double a, double b) { return std::abs(a) < std::abs(b); });
   }
-  /// When it has taken its last value, s.
+  /// Time after which the value is constant, s.
   double settled() const { return constant() ? 0 : time_.back(); }
   /// The shortest time between two points of different values, s; infinity for a number.
   double quickest() const {

@@ -1,13 +1,13 @@
 #pragma once
-// How many triangles a generated rock has, before it is generated.
+// Estimates the number of triangles of a generated rock.
 #include <cmath>
 
 namespace vug {
 
-/// More than a lattice of the largest size has a use for.
+/// Largest number of triangles, more than a lattice of the largest size can use.
 inline constexpr double most_triangles = 1 << 22;
 
-/// Triangles of mean edge `edge` (m) that an area (m2) holds, when they are equilateral: area / (sqrt(3)/4 edge²).
+/// Number of equilateral triangles of edge `edge` (m) in an area (m2): area / (sqrt(3)/4 edge²).
 inline double triangles_in(double area, double edge) {
   return area / (std::sqrt(3.0) / 4 * edge * edge);
 }

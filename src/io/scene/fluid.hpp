@@ -1,5 +1,5 @@
 #pragma once
-// What the fluid does: flow, heat, dissolved species.
+// Flow, heat and dissolved species.
 #include "kernels/base/choices.hpp"
 
 #include <array>
@@ -13,9 +13,9 @@ struct FlowSection {
   double density = 1000;                   ///< kg/m3
   double viscosity = 0;                    ///< kinematic, m2/s
   double viscosity_activation_energy = 0;  ///< J/mol, of the Arrhenius law about the reference temperature
-  /// (K, m2/s); then `viscosity` is that at the reference temperature.
+  /// (K, m2/s); if given, `viscosity` is its value at the reference temperature.
   std::vector<std::array<double, 2>> viscosity_table;
-  std::array<double, 2> gravity{0, 0};  ///< m/s2, on differences of density
+  std::array<double, 2> gravity{0, 0};  ///< m/s2, acts on differences of density
   double thermal_expansion = 0;         ///< 1/K, of the volume
   double reference_temperature = 0;     ///< K, of density and viscosity; heat.initial_temperature unless given
   Collision collision = Collision::trt;
@@ -28,8 +28,8 @@ struct FlowSection {
   /// Kinematic viscosity at a temperature (K), m2/s: nu exp(E_a / R (1/T - 1/T_0)), or from the table.
   double viscosity_at(double temperature) const;
 
-  /// S_p >= 1 for coarse lattices: the lattice flows under the gauge pressures of the case divided by it, and what the
-  /// fluid does to the rock, and every pressure written out, is multiplied by it (docs/model.md)
+  /// S_p >= 1 for coarse lattices: the lattice flows under the gauge pressures of the case divided by S_p; the fluid's
+  /// force on the rock, and every pressure that is written out, is multiplied by it (docs/model.md).
   double pressure_scale = 1;
 };
 
@@ -52,7 +52,7 @@ struct SoluteSection {
   /// tau_h of the lattice kinetic scheme; absent: chosen so that Lambda = 1/4
   std::optional<double> relaxation_time;
   bool advective_form = true;  ///< keep a uniform concentration uniform in a stair-step flow
-  bool face_exchange = false;  ///< and the solute conserved: neighbours exchange what the advective form creates
+  bool face_exchange = false;  ///< also conserve the solute: neighbours exchange what the advective form would create
 };
 
 }  // namespace vug

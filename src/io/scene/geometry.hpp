@@ -28,11 +28,11 @@ struct Polygon {
   std::vector<std::array<double, 2>> points;
 };
 using Form = std::variant<Rectangle, Disc, Polygon>;
-/// A shape drawn on the lattice in the order of the file; later shapes paint over earlier ones. Coordinates in m.
+/// A shape drawn on the lattice. Where shapes overlap, the later one in the file counts. Coordinates in m.
 struct Shape {
   Form form;
   bool solid = true;
-  std::string name;  ///< of an opening, with conditions on its surface instead of a material; empty: none
+  std::string name;  ///< of an opening, which has conditions on its surface instead of a material; empty: none
 };
 
 /// Type of the values of a picture without a header.
@@ -43,24 +43,24 @@ enum class ImageMirror { none, left_right, top_bottom };
 
 /// A picture of rock. Columns and rows count from 0 at its upper left corner.
 struct ImageSection {
-  std::string file;        ///< path as resolved against the folder of the case
-  double threshold = 0.5;  ///< of the grey value, 0 is black and 1 white; darker is solid
+  std::string file;        ///< path, resolved against the folder of the case
+  double threshold = 0.5;  ///< grey value, 0 is black and 1 white; darker is solid
   bool invert = false;
   std::array<double, 2> grey_range{0, 0};  ///< values that are black and white; equal: 0 and the largest of the type
-  std::vector<std::int64_t> solid_labels, fluid_labels;  ///< a label map instead of a threshold when there are any
+  std::vector<std::int64_t> solid_labels, fluid_labels;  ///< if given: a label map instead of a threshold
   int page = 0;                                          ///< of a stack
-  std::optional<double> pixel_size;                      ///< m; otherwise that of the file, if it says one
+  std::optional<double> pixel_size;                      ///< m; absent: that of the file, if it has one
   std::array<int, 2> crop_from{0, 0};                    ///< column, row
   std::array<int, 2> crop_size{0, 0};                    ///< columns, rows; 0: to the far edge
   ImageTurn rotate = ImageTurn::none;      ///< a quarter turn to the left is counter-clockwise; after cropping
   ImageMirror mirror = ImageMirror::none;  ///< after turning
   int coarsen = 1;                         ///< pixels along the edge of a cell
   CoarsenRule coarsen_rule = CoarsenRule::majority;
-  std::array<int, 2> raw_size{0, 0};  ///< columns, rows of a file without a header
+  std::array<int, 2> raw_size{0, 0};  ///< columns and rows of a file without a header
   SampleType raw_type = SampleType::uint8;
   bool raw_big_endian = false;
   int raw_pages = 1;
-  std::map<std::int64_t, std::uint8_t> minerals;  ///< of labels: number of the mineral, from 1; of others 0
+  std::map<std::int64_t, std::uint8_t> minerals;  ///< number of the mineral of a label, from 1; 0 for labels not listed
 
   bool labelled() const { return !solid_labels.empty() || !fluid_labels.empty(); }
 };
@@ -69,7 +69,7 @@ enum class GeometryKind { open, image, shapes, rock };
 struct GeometrySection {
   GeometryKind kind = GeometryKind::open;
   std::string background = "fluid";  ///< of "shapes": what is there before the first shape
-  std::vector<Shape> shapes;         ///< of all kinds but "shapes": openings only
+  std::vector<Shape> shapes;         ///< if the kind is not "shapes": openings only
   ImageSection image;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// How long a run is, how accurate, and what it writes.
+// Length, accuracy and output of a run.
 #include "io/scene/geometry.hpp"
 
 #include <array>
@@ -19,24 +19,26 @@ enum class Precision { single_precision, double_precision };
 struct AccuracySection {
   std::string preset = "careful";
   Precision precision = Precision::double_precision;
-  int update_interval = 10;   ///< lattice steps between births, pathway openings and chemical-damage updates
-  int wall_interval = 10;     ///< lattice steps between renewals of the normals and rates of reacting walls, at most
+  int update_interval = 10;   ///< lattice steps between updates of births, pathways and chemical damage
+  int wall_interval = 10;     ///< most lattice steps between renewals of the normals and rates of reacting walls
   int heat_interval = 1;      ///< lattice steps per heat step
   int solute_interval = 1;    ///< lattice steps per solute step
   int exchange_interval = 1;  ///< lattice steps for which the fluid's force on the triangles is held
   int guard_interval = 100;   ///< lattice steps between checks for divergence
-  /// Largest share by which results may be off for the intervals above, which are chosen as the run goes then and are
-  /// at most what is given; 0: they are what is given
+  /// Largest relative error of results. With a value above 0 the intervals are chosen during the run, and those above
+  /// are upper limits; with 0 they are used as given.
   double tolerance = 0;
   /// Largest change of velocity between two checks, over the largest velocity, at which the flow is held until the
-  /// pores change; 0: never
+  /// pores change; 0: never held.
   double flow_tolerance = 0;
-  /// Volume that dissolves per volume that the acid pays for: the rock ages so many times faster than the fluid
+  /// Factor by which the rock ages faster than the fluid: dissolved volume over the volume that the acid used accounts
+  /// for.
   double dissolution_factor = 1;
-  /// Largest relative error of the dissolved volume for which that factor is chosen as the run goes; 0: it is given
+  /// Largest relative error of the dissolved volume, by which that factor is chosen during the run; 0: the factor is
+  /// given.
   double dissolution_tolerance = 0;
 
-  /// Whether `tolerance` chooses the intervals; where rock ages faster than the fluid it chooses that instead.
+  /// Whether `tolerance` chooses the intervals. Where the rock may age faster than the fluid, it bounds that instead.
   bool chooses_intervals() const { return tolerance > 0 && dissolution_tolerance == 0; }
 };
 
@@ -45,7 +47,7 @@ struct Probe {
   std::array<double, 2> at;  ///< m
 };
 enum class GaugeKind { displacement, stress, reaction, opening, crack_tip };
-/// Numbers of the rock for the history.
+/// A quantity of the rock in the history.
 struct Gauge {
   std::string name;
   GaugeKind kind = GaugeKind::displacement;
@@ -64,7 +66,7 @@ struct OutputSection {
   std::vector<std::string> fields;            ///< empty: all
   bool compress = true;
   bool forces = false;  ///< of the fluid on sides and named shapes, in the history
-  bool flows = false;   ///< of mass, heat and species through them, likewise
+  bool flows = false;   ///< of mass, heat and species through sides and named shapes, in the history
   std::vector<Probe> probes;
   std::vector<Gauge> gauges;
 };
