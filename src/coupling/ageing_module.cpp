@@ -11,14 +11,14 @@ namespace vug {
 
 namespace {
 
-/// Lattice steps between looks: whenever the walls are booked and solutes step, with ten steps of these in between.
+/// Lattice steps between looks: at least ten steps of the solutes, and such that the walls are booked at each look.
 int look_interval(const AccuracySection& accuracy) {
   constexpr int solute_steps = 10;
   const int both = std::lcm(accuracy.update_interval, accuracy.solute_interval);
   return both * std::max(1, (solute_steps * accuracy.solute_interval + both - 1) / both);
 }
 
-/// Points of all tables over time that the boundaries are given by, s, ascending.
+/// Points of all tables over time at the boundaries, s, ascending.
 std::vector<double> moments_of(const Scene& scene) {
   std::vector<double> moments;
   const auto add = [&](const TimeTable& table) {
@@ -105,7 +105,7 @@ void AgeingModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   paid_before_ = paid;
   const double look = interval_ * clock.time_step, age = clock.time() + before * clock.time_step;  // after this step
   const double aged = before * look / (clock.time() + clock.time_step);
-  // where nothing reacts although there is a wall, acid is still on its way
+  // where nothing reacts although there is a wall, the acid has not reached it yet
   const double none = geometry_.surface.count > 0 ? std::numeric_limits<double>::infinity() : 0;
   const double residual = made > 0 ? off / made : none;
   take_in({made, residual, reaction_.largest_loss(exec), aged, !flow_ || flow_->settled(), interval_,

@@ -1,11 +1,11 @@
 #pragma once
-// Looks how far the acid is from its steady state and lets the rock age as fast as that allows.
+// Determines how far the acid is from its steady state, and lets the rock age as fast as that allows.
 #include "coupling/ageing.hpp"
 #include "coupling/reaction_module.hpp"
 
 namespace vug {
 
-/// Stands after the solutes, which it watches, and before what has reacted is booked. `flow` may be null.
+/// Comes after the solutes, which it watches, and before what has reacted is booked. `flow` may be null.
 template <class T, class Set>
 class AgeingModule final : public Ageing {
  public:
@@ -24,17 +24,18 @@ class AgeingModule final : public Ageing {
     Sway sway;
     ScalarField<T> before;  ///< (fluid) concentration at the last look
   };
-  /// Volume, at the factor 1, that what has come and gone in the nodes since the last look could have dissolved, m3/m.
+  /// Volume (m3/m) that could have been dissolved, at the factor 1, by the acid that the nodes have gained or lost
+  /// since the last look.
   double unsteady(const Exec& exec);
 
   const Geometry& geometry_;
   ReactionModule<T, Set>& reaction_;
   const FlowModule<T>* flow_;
   int interval_;                 ///< lattice steps between looks
-  std::vector<double> moments_;  ///< s, at which what the boundaries are given bends
+  std::vector<double> moments_;  ///< s, at which given values of the boundaries bend
   std::vector<Watched> watched_;
-  ScalarField<double> change_;  ///< (block) room for a sum
-  int compared_;                ///< fluid nodes that were there at the last look
+  ScalarField<double> change_;  ///< (block) work space for a sum
+  int compared_;                ///< number of fluid nodes at the last look
   double paid_before_ = 0;
 };
 

@@ -12,12 +12,12 @@ struct StoreSum {
   KOKKOS_FUNCTION void operator()(int group, double value) const { sum(group) = value; }
 };
 
-/// sum(s) = settled(s) and what has dissolved of the wet nodes of sector s.
+/// sum(s) = settled(s) + dissolved volume of the wet nodes of sector s.
 struct SumWetNodes {
   Kokkos::View<const int*> offset, node;
   Kokkos::View<const double*> dissolved, settled;
   ScalarField<double> sum;
-  /// Neighbours in the list often lie on different rows.
+  /// Prefetches: neighbours in the list are often in different rows.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int k) const {
     constexpr int ahead = 256;
     if (k + ahead < static_cast<int>(node.extent(0))) prefetch_far(&dissolved(node(k + ahead)));
@@ -32,7 +32,7 @@ struct SumWetNodes {
   }
 };
 
-/// settled(s) += what had dissolved of the nodes of sector s that were wet and now are fluid.
+/// settled(s) += dissolved volume of the nodes of sector s that were wet and are fluid now.
 struct SettleNodes {
   Kokkos::View<const int*> offset, node;
   Kokkos::View<const NodeType*> type;
@@ -56,7 +56,7 @@ struct OfTriangle {
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int t) const { return sum(3 * t) + sum(3 * t + 1) + sum(3 * t + 2); }
 };
 
-/// Share of the solid of g that is left (see DissolvedShares).
+/// Share of the solid of group g that is left (see DissolvedShares).
 template <class Of>
 struct RemainingShare {
   Of dissolved;
@@ -77,7 +77,8 @@ struct StoreChemicalDamage {
   RemainingShare<OfSector> left;
   Kokkos::View<const double*> initial, solid_fraction;
   ScalarField<double> d_c;
-  /// The rock of a sector without a solid node has dissolved or lies elsewhere in the triangle: d_c never falls.
+  /// Share of a bond's side that is left. The rock of a sector without a solid node has dissolved or is elsewhere in
+  /// the triangle; d_c must not fall.
   KOKKOS_FORCEINLINE_FUNCTION double left_of_side(int s) const {
     const double of_triangle = solid_fraction(s / 3), own = left(s);
     return side_left(left.moved.held(s) > 0 || own < of_triangle ? own : of_triangle, of_triangle);
@@ -88,7 +89,7 @@ struct StoreChemicalDamage {
   }
 };
 
-/// Solid has moved: the share until now, what has dissolved and what the nodes hold now.
+/// After solid has moved: stores the share until now, what has dissolved and what the nodes hold now.
 template <class Of>
 struct StoreMoved {
   RemainingShare<Of> left;
@@ -101,7 +102,7 @@ struct StoreMoved {
   }
 };
 
-/// Marks a triangle that has left its place and sets the share of it that is left to 0.
+/// Marks a triangle that has left its place, and sets its remaining share to 0.
 struct LetFragmentGo {
   VectorField<double> u, u_reference;
   Kokkos::View<double* [3][2], Kokkos::LayoutLeft> corner;
@@ -114,7 +115,7 @@ struct LetFragmentGo {
   }
 
  private:
-  /// Of the triangle itself: the lattice may have no solid node in it.
+  /// Area of the triangle itself, because the lattice may have no solid node in it.
   KOKKOS_FORCEINLINE_FUNCTION double area(int t) const {
     const auto side = [&](int end, int axis) { return corner(t, end, axis) - corner(t, 0, axis); };
     return Kokkos::abs(side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)) / 2;

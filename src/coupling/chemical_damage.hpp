@@ -1,5 +1,5 @@
 #pragma once
-// What dissolution takes from triangles and bonds.
+// The effect of dissolution on triangles and bonds.
 #include "coupling/wet_nodes.hpp"
 #include "dem/particles.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace vug {
 
-/// When solid last moved between nodes, at first the start: per triangle or per sector.
+/// State when solid last moved between nodes (at first, at the start), for each triangle or sector.
 struct SolidMoved {
   ScalarField<double> left;       ///< share of the solid that remained then
   ScalarField<double> dissolved;  ///< volume dissolved in the nodes until then, pixels
@@ -21,18 +21,19 @@ struct SolidMoved {
   }
 };
 
-/// What dissolution leaves of triangles and bonds, by the solid of their sectors; nothing is missing where there was
-/// none. A bond carries by its two sectors in series (dem/dissolved_rock.hpp), for which Eq. 25 takes their sum.
+/// What dissolution leaves of triangles and bonds, from the solid of their sectors; where there was none at the start,
+/// nothing counts as lost. The two sectors of a bond act in series (dem/dissolved_rock.hpp); Eq. 25 takes their sum.
 ///
 /// Without pathways the share that is left is 1 less the dissolved volume of the nodes over their initial solid volume.
-/// An opening pathway moves solid from node to node without dissolving any: the share stays, and from then on
+/// An opening pathway moves solid from node to node without dissolving it: the share stays, and from then on
 ///
 ///     share = share until then * (1 - (dissolved since)/(volume held then)).
 ///
-/// A sector whose nodes have all been opened has the share of its triangle from then on, where that is less.
+/// A sector whose nodes have all been opened has from then on the share of its triangle, if that is less.
 ///
-/// Rock dissolves at wet nodes only, and a node stays wet until it turns fluid. So an update sums over the wet nodes
-/// and keeps one number for all that have turned fluid: it costs the surface, not the lattice.
+/// Rock dissolves at wet nodes only, and a node stays wet until it turns fluid. An update therefore sums over the wet
+/// nodes and keeps one number for all that have turned fluid, so that its cost is that of the surface, not of the
+/// lattice.
 class DissolvedShares {
  public:
   /// Takes the solid volume of every node (dense node, pixels) as the initial one.
@@ -41,27 +42,27 @@ class DissolvedShares {
 
   /// dissolved: (dense node), pixels.
   void update(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const;
-  /// To be called when opened pathways have moved solid from node to node, before settle.
+  /// Must be called when opened pathways have moved solid from node to node, before settle.
   void solid_moved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved,
                    const ScalarField<double>& volume) const;
-  /// To be called when nodes have turned fluid, before the wet nodes are found anew.
+  /// Must be called when nodes have turned fluid, before the wet nodes are found again.
   void settle(const Exec& exec, const WetNodes& wet, const Kokkos::View<NodeType*>& type,
               const ScalarField<double>& dissolved) const;
 
-  /// From now on `let_go` may be called.
+  /// Allows calls of `let_go`.
   void follow_fragments() { let_go_ = ScalarField<double>("vug::chemical_damage::let_go", solid_fraction_.extent(0)); }
-  /// A triangle that has moved farther than half its size, sqrt(area)/2, from where the lattice has it is a fragment
-  /// that the fluid carries off: it has no share left at the next update and ever after, while its solid stays where it
-  /// is drawn. Nothing without follow_fragments.
+  /// Lets fragments go that the fluid carries off: triangles that have moved farther than half their size,
+  /// sqrt(area)/2, from their place on the lattice. From the next update on such a triangle has no share left, but its
+  /// solid stays where it is drawn. Does nothing without follow_fragments.
   void let_go(const Exec& exec, const Particles& particles) const;
-  /// How many so far; waits for the device.
+  /// Number of fragments let go so far; waits for the device.
   int let_go_count() const;
 
   /// (triangle) share of the solid that remained at the last update.
   const ScalarField<double>& solid_fraction() const { return solid_fraction_; }
-  /// (bond) chemical damage then.
+  /// (bond) chemical damage at the last update.
   const ScalarField<double>& d_c() const { return d_c_; }
-  /// Visits (name, view) of what belongs in a checkpoint.
+  /// Calls visit(name, view) for everything that belongs in a checkpoint.
   template <class Visit>
   void visit_state(const Visit& visit) {
     visit("settled", settled_);
@@ -71,9 +72,9 @@ class DissolvedShares {
   }
 
  private:
-  /// sum_ = what has dissolved of each sector.
+  /// sum_ = dissolved volume of each sector.
   void sum_dissolved(const Exec& exec, const WetNodes& wet, const ScalarField<double>& dissolved) const;
-  /// held_ = what the nodes of each sector hold.
+  /// held_ = volume that the nodes of each sector hold.
   void sum_held(const Exec& exec, const ScalarField<double>& volume) const;
   void store_moved(const Exec& exec) const;
 
@@ -82,8 +83,8 @@ class DissolvedShares {
   SolidMoved triangles_, sectors_;
   ScalarField<double> initial_;     ///< (sector) solid volume, pixels
   ScalarField<double> settled_;     ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
-  ScalarField<double> let_go_;      ///< (triangle) 1 for a fragment that has gone; empty: none are followed
-  ScalarField<double> sum_, held_;  ///< (sector) of the present update
+  ScalarField<double> let_go_;      ///< (triangle) 1 for a fragment that was let go; empty without follow_fragments
+  ScalarField<double> sum_, held_;  ///< (sector) work space of an update
   ScalarField<double> solid_fraction_, d_c_;
 };
 

@@ -1,4 +1,4 @@
-// What `vug check` says of the choices of a case.
+// What `vug check` says about the choices of a case.
 #include "coupling/choices.hpp"
 #include "io/rock_inertia.hpp"
 
@@ -13,7 +13,7 @@ namespace vug {
 
 namespace {
 
-/// Two runs that only round differently differ by this much on the paper's rock (docs/accuracy.md).
+/// Difference on the paper's rock between two runs that differ in rounding only (docs/accuracy.md).
 constexpr const char* rounding = "5e-05";
 
 std::string on_the_rock(const MeasuredChoice& choice) {
@@ -21,11 +21,11 @@ std::string on_the_rock(const MeasuredChoice& choice) {
                      choice.name, choice.cost, std::stod(choice.error) < std::stod(rounding) ? rounding : choice.error);
 }
 
-/// A problem of one physics on which choices were measured.
+/// A problem with one physics for which choices were measured.
 struct Problem {
   const char* name;
-  const char* of;       // its error is
-  const char* where;    // and what is computed there
+  const char* of;       // quantity whose error was measured
+  const char* where;    // what is computed there
   const char* careful;  // error of preset = careful
 };
 
@@ -43,7 +43,7 @@ std::string alone(const MeasuredChoice& choice) {
       choice.name, choice.cost, problem.of, choice.error, problem.careful, problem.where);
 }
 
-/// Says so where a value is far from all that were measured.
+/// Adds a note where a value is far from all that were measured.
 void note_unknown(const char* key, double value, const std::vector<double>& measured, std::vector<std::string>& notes) {
   if (std::any_of(measured.begin(), measured.end(), [&](double one) { return is_near(value, one); })) return;
   notes.push_back(fmt::format("{} = {:g}: its speed and error have not been measured; those of {:g} have", key, value,
@@ -59,8 +59,8 @@ bool is_of_ladder(const std::string& name) {
                      [&](const MeasuredLadder& l) { return name.starts_with(l.key); });
 }
 
-/// Rock that moves and breaks takes most of the time of the paper's: what a choice gains there says nothing of a case
-/// without.
+/// Notes for a case without mechanics. Moving and breaking rock takes most of the time of the paper's rock, so what a
+/// choice gains there says nothing about other cases.
 std::vector<std::string> notes_without_mechanics(const Scene& scene) {
   const auto only_there = [](const std::string& choice) {
     return choice + ": its speed and error have been measured on the paper's rock only";

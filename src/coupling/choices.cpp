@@ -1,4 +1,4 @@
-// What was measured of the choices of speed against accuracy (docs/accuracy.md), and which cases make them.
+// Measurements of the choices of speed against accuracy (docs/accuracy.md), and which cases make them.
 #include "coupling/choices.hpp"
 
 #include "io/presets.hpp"
@@ -12,20 +12,20 @@ bool is_near(double value, double measured) {
 
 namespace {
 
-/// Whether the case says otherwise than its preset.
+/// Whether the case differs from its preset in a key.
 template <class Value>
 bool given(const Scene& scene, Value AccuracySection::*key) {
   return scene.accuracy.*key != accuracy_of(preset_of(scene.accuracy.preset)).*key;
 }
 
-/// Likewise of an interval.
+/// The interval where it differs from the preset and is longer than the default; otherwise 0.
 template <int AccuracySection::*key>
 double interval(const Scene& scene) {
   const int value = scene.accuracy.*key;
   return given(scene, key) && value > AccuracySection{}.*key ? value : 0;
 }
 
-/// Likewise of the way the rock moves.
+/// The same for a parameter of how the rock moves.
 template <double MechanicsParameters::*key>
 double of_rock(const Scene& scene) {
   if (!scene.mechanics) return 0;

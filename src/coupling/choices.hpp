@@ -1,5 +1,5 @@
 #pragma once
-// What the choices of a case gain and what they cost, as measured.
+// What the choices of a case gain and cost, as measured.
 #include "io/scene.hpp"
 
 #include <string>
@@ -7,37 +7,37 @@
 
 namespace vug {
 
-/// A choice of the page docs/accuracy.md, measured by perf/accuracy_cost: on the paper's rock, which is quoted of cases
-/// with mechanics, or where nothing but one physics is computed, which is quoted of others.
+/// A choice of the page docs/accuracy.md, measured by perf/accuracy_cost: on the paper's rock, which is quoted for
+/// cases with mechanics, or where only one physics is computed, which is quoted for the others.
 struct MeasuredChoice {
   const char* problem;  ///< "rock", "wall", "channel", "cooling" or "receding"
-  const char* row;      ///< of the problem's table: "precision = single"
-  const char* name;     ///< as a case has it
+  const char* row;      ///< of the problem's table, for instance "precision = single"
+  const char* name;     ///< as it is written in a case
   const char* cost;     ///< processor time over that of preset = careful
-  const char* error;    ///< of the rock's dissolved volume against that preset's, elsewhere against paper
+  const char* error;    ///< rock: of the dissolved volume against that preset's; else against analytic solutions
   bool (*made)(const Scene&);
 };
 
-/// All that were measured and that a case can make.
+/// All choices that were measured and that a case can make.
 const std::vector<MeasuredChoice>& measured_choices();
 
-/// A number that a case may choose, with the values that were measured (docs/accuracy.md).
+/// A number that a case may choose, with the values for which it was measured (docs/accuracy.md).
 struct MeasuredLadder {
   const char* key;
   std::vector<double> measured;  ///< on the paper's rock
-  std::vector<double> alone;     ///< where nothing but one physics is computed
-  /// What the case chooses otherwise than its preset and dearer in accuracy than `careful`; 0: nothing.
+  std::vector<double> alone;     ///< with only one physics
+  /// The value of the case where it differs from its preset and is less accurate than that of `careful`; otherwise 0.
   double (*chosen)(const Scene&);
 };
 
-/// All numbers of which several values were measured.
+/// All numbers for which several values were measured.
 const std::vector<MeasuredLadder>& measured_ladders();
 
-/// Whether what was measured at `measured` says something about `value`: it is no further off than the root of two.
+/// Whether the measurement at `measured` applies to `value`: they differ by a factor of sqrt(2) at most.
 bool is_near(double value, double measured);
 
-/// One line for every choice that the case makes, quoted where it lies near a value that was measured and said to be
-/// unknown elsewhere; no error of the rock below what rounding alone does.
+/// One line for every choice that the case makes. The measurement is quoted where the value is near a measured one;
+/// otherwise the line says that it is unknown. No error of the rock is given as less than that of rounding.
 std::vector<std::string> choice_notes(const Scene& scene);
 
 }  // namespace vug

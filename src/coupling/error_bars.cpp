@@ -35,7 +35,7 @@ Scene coarser(const Scene& scene, double ratio) {
   return override_scene(scene, change);
 }
 
-/// The ratio nearest to 2, of 5/4 to 3, that leaves whole numbers of cells; best one whose square does so too. 0: none.
+/// The ratio from 5/4 to 3 nearest to 2 that leaves whole numbers of cells, preferably with its square too. 0: none.
 double ratio_of_twins(const LatticeSection& lattice) {
   const int common = std::gcd(lattice.nx, lattice.ny);
   double best = 0, least = std::numeric_limits<double>::max();
@@ -63,7 +63,7 @@ Twins coarser_twins(const Scene& scene) {
   try {
     found.twins.push_back({"error_bars/coarser", coarser(scene, found.ratio * found.ratio)});
   } catch (const InputError&) {
-    // two lattices are better than none
+    // one coarser lattice has to do
   }
   return found;
 }
@@ -74,7 +74,7 @@ Twins finer_twins(const Scene& scene) {
   const auto halve = [&](const char* key, int interval) {
     if (interval > 1) change.push_back(fmt::format("accuracy.{}={}", key, interval / 2));
   };
-  if (accuracy.chooses_intervals())  // halves them all
+  if (accuracy.chooses_intervals())  // this halves all of them
     return {
         0,
         {{"error_bars/finer", override_scene(scene, {fmt::format("accuracy.tolerance={:.17g}", accuracy.tolerance / 2),
@@ -90,7 +90,7 @@ Twins finer_twins(const Scene& scene) {
   return {0, {{"error_bars/finer", override_scene(scene, change)}}};
 }
 
-/// An amount that has an error: no count, no step, no error of a balance, nothing of the start.
+/// Whether a column is an amount that has an error: not a count, a step, the error of a balance or an initial value.
 bool has_a_bar(std::string_view name) {
   return !name.ends_with("_1") && name != "time_s" && name.find("_initial_") == std::string_view::npos;
 }
@@ -98,13 +98,14 @@ bool has_a_bar(std::string_view name) {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 ErrorBar bar_of(double value, std::span<const double> twins, double ratio) {
-  // halved intervals: what is left is of first order, e = 2 (value - finer), a quarter more as for lattices
+  // halved intervals: errors are of first order, so that e = 2 (value - finer); a quarter is added as for lattices
   if (ratio == 0) return {2.5 * std::abs(value - twins[0]), std::nullopt, Convergence::unknown};
   return error_bar(value, twins[0], twins.size() > 1 ? std::optional(twins[1]) : std::nullopt, ratio);
 }
 
-/// A single twin that has the same bits says that nothing it varies changes the amount, not that the amount is right.
-/// At the start both have what the case gives; not so where no row differs, as of the elastic energy after a preload.
+/// Forgets the bars where the only twin agrees to the last bit: this says that what the twin varies does not change the
+/// amount, not that the amount is right. The first row keeps its bar of 0, because both start with what the case gives,
+/// unless no row differs at all, as for the elastic energy after a preload.
 void forget_agreement(const std::vector<double>& value, const TimeTable& twin, const std::vector<double>& time,
                       std::vector<double>& bar) {
   bool any = false;
@@ -199,7 +200,7 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
 }
 
 std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
-  Twins found = find_twins(scene);  // before anything runs
+  Twins found = find_twins(scene);  // throws before anything runs
   RunOptions own = options;
   own.directory = run_directory(scene, options.directory);
   own.words_when_done = "interrupted; the run itself is done, --resume goes on with its error bars";
@@ -208,7 +209,7 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
   std::vector<History> histories;
   std::string left_out;
   for (const Twin& twin : found.twins) {
-    if (stop_requested())  // in the last step of the one before
+    if (stop_requested())  // requested in the last step of the run before
       throw Interrupted(stop_reason() + "; the run itself is done, --resume goes on with its error bars");
     RunOptions of_twin = own;
     of_twin.directory = own.directory + "/" + twin.folder;
@@ -220,10 +221,10 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
       histories.push_back(read_history(of_twin.directory + "/history.csv"));
     } catch (const StabilityError& error) {
       left_out = fmt::format("left out, {}: {}\n", of_twin.directory, error.what());
-    } catch (const InputError& error) {  // too fast for a coarser lattice, or somebody else's folder
+    } catch (const InputError& error) {  // too fast for a coarser lattice, or a folder that is not vug's
       left_out = fmt::format("left out, {}: {}\n", of_twin.directory, error.what());
     }
-    if (!left_out.empty()) break;  // a lattice coarser still would do no better
+    if (!left_out.empty()) break;  // an even coarser lattice would fail as well
   }
   if (histories.empty()) return left_out + "no error bars: there is nothing to compare with\n";
   const ErrorBars bars = find_error_bars(history, histories, found.ratio);

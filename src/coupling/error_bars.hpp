@@ -1,5 +1,6 @@
 #pragma once
-// Error bars: the run again on coarser lattices, or with finer intervals, and what the differences say.
+// Error bars: the case is run again on coarser lattices, or with finer intervals, and the bars follow from the
+// differences.
 #include "coupling/grid_convergence.hpp"
 #include "coupling/run.hpp"
 #include "io/history_reader.hpp"
@@ -9,38 +10,38 @@
 
 namespace vug {
 
-/// A run that differs from another only in how finely it computes.
+/// A run that differs from another only in its resolution.
 struct Twin {
-  std::string folder;  ///< within that of the run
+  std::string folder;  ///< inside that of the run
   Scene scene;
 };
 
-/// What a case is compared with.
+/// The runs with which a case is compared.
 ///
-/// Lattices of 2 and 4 times the spacing and 4 and 16 times the step (so that viscosity and diffusivities keep their
-/// lattice values and every error of second order falls alike): a fifteenth of the run's cost. Where such lattices do
-/// not fit the size, the ratio nearest to 2 that does, of 5/4 to 3, is taken. Rock that is broken into pathways a
-/// number of cells wide has no such twin: there every interval of [accuracy] is halved instead, and the precision is
-/// double.
+/// These have lattices of 2 and 4 times the spacing and 4 and 16 times the time step, so that viscosity and
+/// diffusivities keep their lattice values and every error of second order changes by the same factor. They cost a
+/// fifteenth of the run. Where such lattices do not fit the size, the ratio is the one in 5/4 to 3 nearest to 2 that
+/// does. Rock with pathways that are a number of cells wide has no such twin. There every interval of [accuracy] is
+/// halved instead, and the precision is double.
 struct Twins {
-  double ratio = 0;         ///< of the spacings; 0: of finer intervals
+  double ratio = 0;         ///< ratio of the spacings; 0: the twin has finer intervals
   std::vector<Twin> twins;  ///< the nearest first
 };
 
-/// The twins of a scene. Throws InputError where it has none: numbers of cells without a common divisor, an image,
-/// nothing to halve.
+/// Finds the twins of a scene. Throws InputError where it has none: numbers of cells without a common divisor, an
+/// image, no interval to halve.
 Twins find_twins(const Scene& scene);
 
-/// What is known of one column of the history at the end.
+/// What is known about one column of the history at the end.
 struct BarOfColumn {
   std::string name;
   double value = 0;
   ErrorBar error;
 };
 
-/// Bars of `run` at every one of its rows from the histories of its twins, values[c][row] of the columns in `names`
-/// (those of both that are amounts; not counts, nor errors of balances), and what is known at the end. A bar is NaN
-/// where the only twin agrees to the last bit: nothing is known then.
+/// Error bars of `run` at each of its rows, from the histories of its twins: values[c][row] of the columns in `names`
+/// (amounts that both have; not counts or errors of balances), and the state at the end. A bar is NaN, that is unknown,
+/// where the only twin agrees to the last bit.
 struct ErrorBars {
   std::vector<std::string> names;
   std::vector<double> time;
@@ -50,9 +51,9 @@ struct ErrorBars {
 ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio);
 
 /// Runs the scene as run_case does, then its twins into DIR/error_bars/, and writes DIR/error_bars.csv: time_s, then
-/// every column of the history with its bar beside it, which is empty where nothing is known. Twins continue and
-/// replace what is there as `options` say. Returns what is known at the end, one line per column. Throws what run_case
-/// throws; a twin that diverges, or is too fast for its lattice, is left out.
+/// every column of the history followed by its bar, which is empty where it is unknown. `options` say whether twins are
+/// continued or replaced. Returns what is known at the end, one line per column. Throws what run_case throws; a twin
+/// that diverges, or is too fast for its lattice, is left out.
 std::string run_with_error_bars(const Scene& scene, const RunOptions& options);
 
 }  // namespace vug

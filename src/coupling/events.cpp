@@ -9,9 +9,9 @@ namespace vug {
 
 namespace {
 
-constexpr double breakthrough = 0.01;  // of what was injected
+constexpr double breakthrough = 0.01;  // share of what was injected
 const std::string breakthrough_of = "breakthrough of ";
-constexpr double grown = 1e-9;  // of the solid; less is rounding
+constexpr double grown = 1e-9;  // share of the solid; smaller values are rounding
 const std::string has_grown = "warning: rock has grown";
 
 struct Count {
@@ -31,13 +31,13 @@ std::vector<Count> counts_of(const Simulation& simulation) {
   return counts;
 }
 
-/// News of accuracy.dissolution_tolerance.
+/// A number about accuracy.dissolution_tolerance that may be reported.
 struct Pace {
   const char* key;
-  std::int64_t value, first;  ///< told from `first` on
+  std::int64_t value, first;  ///< reported from `first` on
   std::string what;
 };
-/// What holds the rock back, as far as the last look tells.
+/// Why the rock does not age faster, according to the last look.
 std::string why_it_waits(const Ageing& ageing) {
   if (std::isinf(ageing.residual())) return "nothing dissolves";
   if (ageing.residual() <= ageing.tolerance())
@@ -60,12 +60,13 @@ std::string at(const Clock& clock) {
   return fmt::format("step {}, {:.4g} s: ", clock.step, clock.time());
 }
 
-/// Amounts of a species that have come in and gone out through sides and openings.
+/// Amounts of a species that have entered and left through sides and openings.
 struct Passed {
   double in = 0, out = 0;
 };
 
-/// Of each species, by the columns "L1_gain_injected_mol_per_m", "..._outflow_..." and "..._shape_<name>_..." of a row.
+/// Amounts of each species, from the columns "L1_gain_injected_mol_per_m", "..._outflow_..." and "..._shape_<name>_..."
+/// of a row.
 std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
   std::map<std::string, Passed> passed;
   for (const HistoryValue& value : row) {
@@ -80,7 +81,7 @@ std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
   return passed;
 }
 
-/// Volume that the rock has won, over what there is: by a reaction that has run backwards.
+/// Volume that the rock has gained by reactions that run backwards, over its present volume.
 double growth_of(const std::vector<HistoryValue>& row) {
   double won = 0, there = 0;
   for (const HistoryValue& value : row) {
@@ -95,7 +96,7 @@ double growth_of(const std::vector<HistoryValue>& row) {
 Events::Events(const Simulation& simulation, const std::vector<std::string>& earlier) {
   look(simulation);
   begun_ = true;
-  for (const std::string& line : earlier) {  // no state tells that it has come
+  for (const std::string& line : earlier) {  // the state of the run does not contain whether these were reported
     if (const auto at = line.find(breakthrough_of); at != std::string::npos)
       next_.try_emplace(line.substr(at, line.find(':', at) - at), 0);
     if (line.find(has_grown) != std::string::npos) next_.try_emplace(has_grown, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// What has happened in the rock: lines for the log and for run.json.
+// Events in the rock, as lines for the log and for run.json.
 #include "coupling/simulation.hpp"
 
 #include <map>
@@ -8,25 +8,25 @@
 
 namespace vug {
 
-/// Watches counts that only grow and tells when each reaches 1, 10, 100, ...: failed bonds, dissolved nodes, nodes that
-/// damage has opened; and breakthrough, when a species leaves through an outflow with 1 % of what was injected of it;
-/// and that rock has grown on the whole.
+/// Watches counts that only grow and reports when each reaches 1, 10, 100, ...: failed bonds, dissolved nodes, nodes
+/// opened by damage. Also reports breakthrough, when more than 1 % of the injected amount of a species has left, and
+/// that rock has grown on the whole.
 class Events {
  public:
-  /// What has happened before is no news; `earlier` is what has been told of it.
+  /// Earlier events are not reported again; `earlier` has the lines about them.
   explicit Events(const Simulation& simulation, const std::vector<std::string>& earlier = {});
 
-  /// News of the counts, one line each; copies the states of the bonds to the host.
+  /// New lines about the counts; copies the states of the bonds to the host.
   std::vector<std::string> look(const Simulation& simulation);
-  /// What is to be said of how the run began: that the preload did not come to rest.
+  /// Line about the start of the run, if the preload did not come to rest.
   static std::vector<std::string> of_the_start(const Simulation& simulation);
-  /// What is to be said at the end: how far the rock has aged beyond the fluid, and what that has cost.
+  /// Lines at the end: how much the rock has aged beyond the fluid, and what error that has caused.
   static std::vector<std::string> sum_up(const Simulation& simulation);
-  /// News of a row of the history, which is dear to compute: breakthrough, growth.
+  /// New lines from a row of the history, which is expensive to compute: breakthrough, growth.
   std::vector<std::string> look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row);
 
  private:
-  std::map<std::string, std::int64_t> next_;  ///< count at which each thing is told next
+  std::map<std::string, std::int64_t> next_;  ///< count at which each event is reported next
   bool begun_ = false;
 };
 

@@ -10,7 +10,7 @@ namespace vug {
 
 namespace {
 
-/// Rows of the table.
+/// The rows of the table.
 class Numbers {
  public:
   explicit Numbers(const LatticeUnits& units) : units_(units) {
@@ -20,7 +20,7 @@ class Numbers {
   void put(const std::string& key, double value, const char* unit, double lattice, double one, const char* of) {
     add(key, fmt::format("{:.5g}", value), unit, fmt::format("{:.5g}", lattice), fmt::format("{:.4g} {}", one, of));
   }
-  /// A number that is its lattice number times `one`.
+  /// Adds a number that is its lattice value times `one`.
   void put(const std::string& key, double value, const char* unit, double one) {
     put(key, value, unit, value / one, one, unit);
   }
@@ -50,7 +50,7 @@ void explain_flow(const FlowSection& flow, const LatticeUnits& units, Numbers& n
                   units.acceleration() * units.pressure_scale);
 }
 
-/// What flows, heats and dissolves at a side, an injection or an opening.
+/// Adds the conditions of flow, heat and solutes at a side, an injection or an opening.
 void explain_side(const Scene& scene, const Stretch& stretch, const LatticeUnits& units, Numbers& numbers) {
   const std::string key = "boundary." + stretch.name + ".";
   const FlowBoundary& flow = stretch.conditions.flow;

@@ -1,5 +1,5 @@
 #pragma once
-// "Your number -> lattice number": what the numbers of a case become on its lattice.
+// The numbers of a case in lattice units.
 #include "io/scene.hpp"
 #include "kernels/base/units.hpp"
 
@@ -7,9 +7,9 @@
 
 namespace vug {
 
-/// A table of the case's own numbers in SI beside what the lattice computes with (cells, lattice steps, the density of
-/// the fluid and the largest concentration as units), and what one lattice unit of each quantity is. Of what changes in
-/// time the value furthest from zero. Mechanics is not in it: it computes in SI.
+/// A table of the numbers of the case in SI units, with the values that the lattice uses (units: cell, lattice step,
+/// density of the fluid, largest concentration), and what one lattice unit of each quantity is. For what changes in
+/// time it has the value farthest from zero. Mechanics is left out because it uses SI units.
 std::string explain(const Scene& scene, const LatticeUnits& units);
 
 }  // namespace vug

@@ -1,11 +1,11 @@
 #pragma once
-// The temperature that the reaction at a wall sees.
+// The temperature at which the reaction at a wall proceeds.
 #include "kernels/base/base.hpp"
 #include "kernels/launch/prefetch.hpp"
 
 namespace vug {
 
-/// lambda_s/(lambda_f + lambda_s) of a solid node: the same of all, or that of its mineral.
+/// lambda_s/(lambda_f + lambda_s) of a solid node: the same for all, or that of its mineral.
 struct SameShare {
   double share = 0.5;
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int) const { return share; }
@@ -23,7 +23,7 @@ struct FaceTemperature {
   Kokkos::View<const T*> theta;  ///< (dense node), K above the reference
   SolidShare solid_share;
   double reference = 0;  ///< K
-  /// That both will be asked for.
+  /// Prefetches the values of both nodes.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int solid, int fluid) const {
     prefetch(&theta(solid));
     prefetch(&theta(fluid));

@@ -1,5 +1,5 @@
 #pragma once
-// The pixels of the geometry on the host, and how the fluid hangs together in them.
+// The pixels of the geometry on the host, and how the fluid in them is connected.
 #include "coupling/geometry.hpp"
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace vug {
 
-/// Nodes of a plain row-by-row picture without halo.
+/// Nodes of a picture stored row by row without halo.
 class FluidPicture {
  public:
   FluidPicture(const Scene& scene, const Geometry& geometry);
@@ -17,7 +17,7 @@ class FluidPicture {
   bool is_fluid(std::size_t n) const { return fluid_[n]; }
   std::size_t fluid_nodes() const;
 
-  /// Calls visit(neighbour) for the eight around a node, as populations travel, that are on the lattice.
+  /// Calls visit(neighbour) for those of the eight nodes around a node that are on the lattice, with joined sides.
   template <class Visit>
   void for_each_neighbour(std::size_t n, const Visit& visit) const {
     const int x = static_cast<int>(n % nx), y = static_cast<int>(n / nx);
@@ -39,13 +39,13 @@ class FluidPicture {
   std::vector<bool> fluid_;
 };
 
-/// Numbers the pieces of connected fluid from 0; -1 in rock.
+/// Numbers the connected pieces of fluid from 0; -1 in rock.
 std::vector<int> pieces_of(const FluidPicture& picture);
 
-/// Nodes of fluid in pieces that reach from one side of the lattice to the opposite one.
+/// Fluid nodes in pieces that extend from one side of the lattice to the opposite one.
 struct JoinedPores {
-  std::size_t along_x = 0, along_y = 0;  ///< nodes: left to right, bottom to top
-  std::vector<bool> either;              ///< (node) of one kind or both
+  std::size_t along_x = 0, along_y = 0;  ///< number of nodes: left to right, bottom to top
+  std::vector<bool> either;              ///< (node) in a piece of either kind
 };
 JoinedPores joined_pores(const FluidPicture& picture);
 

@@ -9,7 +9,7 @@ struct ForceChange {
   double force = 0;   ///< largest |F|
 };
 
-/// Over all triangles; before (triangle, axis) is F afterwards. Waits for the device.
+/// Largest change over all triangles. Copies F to before (triangle, axis). Waits for the device.
 ForceChange largest_force_change(const Exec& exec, const VectorField<double>& force, const VectorField<double>& before);
 
 }  // namespace vug

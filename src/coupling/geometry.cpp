@@ -75,7 +75,7 @@ Polygon in_cells(Polygon polygon, double spacing) {
   return polygon;
 }
 
-/// Calls paint(node) for every node, row by row without halo, whose centre lies in the form.
+/// Calls paint(node) for every node whose centre is in the form, row by row without halo.
 template <class Paint>
 void draw(const Form& shape, const LatticeSection& lattice, const Paint& paint) {
   const auto draw_form = [&](const auto& form) {
@@ -86,7 +86,7 @@ void draw(const Form& shape, const LatticeSection& lattice, const Paint& paint) 
   std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape);
 }
 
-/// What to warn of where a picture shows no rock at all.
+/// The warning where a picture shows no rock at all.
 std::string without_rock(const ImageSection& image, const ImageSummary& found) {
   return fmt::format(
       "{}: has values {:g} ... {:g}, and {} no rock of any of them: all is pore", image.file, found.least,
@@ -107,7 +107,7 @@ DrawnRock drawn_rock(const Scene& scene) {
     SolidImage image = read_solid_image(geometry.image, scene.lattice);
     const bool all_rock = std::find(image.solid.begin(), image.solid.end(), false) == image.solid.end();
     const bool no_rock = std::find(image.solid.begin(), image.solid.end(), true) == image.solid.end();
-    if (all_rock && (scene.flow || scene.solute) && !geometry.image.labelled())  // as of 12 bits taken for 16
+    if (all_rock && (scene.flow || scene.solute) && !geometry.image.labelled())  // e.g. 12 bits taken for 16
       throw InputError(
           fmt::format("{}: has values {:g} ... {:g}, and geometry.grey_range, threshold and invert make "
                       "rock of them all: there is no fluid",

@@ -1,4 +1,4 @@
-// What the heat tells: limits, its balance, how far temperatures have gone.
+// What the heat module reports: limits, its balance, how far temperatures have changed.
 #include "coupling/heat_module.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -14,10 +14,10 @@ void HeatModule<T>::limits(LimitTable& table) const {
   const auto tau = [&](double diffusivity) { return 0.5 + 3 * interval_ * diffusivity / units_.diffusivity(); };
   table.push_back({"heat", "relaxation time, fluid", tau(section_.fluid_diffusivity), "1", 0.5003,
                    largest_relaxation_time, "change lattice.time_step"});
-  if (carrier_ && interval_ > 1)  // what is carried further than its neighbours is lost
+  if (carrier_ && interval_ > 1)  // what is carried beyond the neighbouring nodes is lost
     table.push_back({"heat", "cells per step at the largest speed", interval_ * fastest_, "1", 0, longest_way,
                      "lower accuracy.heat_interval, lattice.time_step or flow.speed_limit"});
-  // without walls of rock or openings there is no stair-step to feed the mode
+  // without walls of rock or openings no staircase can excite the mode
   if (carrier_ && (geometry_.surface.count > 0 || !geometry_.openings.empty()))
     table.push_back({"heat", "grid Peclet number at the largest speed",
                      fastest_ * units_.diffusivity() / section_.fluid_diffusivity, "1", 0, 4,

@@ -1,4 +1,4 @@
-// The heat where its intervals are chosen as the run goes (accuracy.tolerance).
+// The heat with intervals that are chosen during the run (accuracy.tolerance).
 #include "coupling/heat_module.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/scalar/turning.hpp"

@@ -19,8 +19,8 @@ namespace vug {
 
 namespace {
 
-// Temperatures this far outside what the case puts in are no solution of the heat equation; a flux has no such bound,
-// but rock and water that a model like this one is for do not outlive the second.
+// Temperatures this far outside those of the case are no solution of the heat equation. With a flux there is no such
+// bound in principle, but the rock and water of such a model do not survive the second value.
 constexpr double runaway_margin = 1000, runaway_margin_with_flux = 1e5;  // K
 
 }  // namespace
@@ -75,7 +75,7 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     rows_ = fluid_rows(exec, geometry.fluid);
   }
   const int sums =
-      std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // per row; as many as checkpoints have had
+      std::max(block_count(geometry.lattice.size()), geometry.lattice.ny);  // by row; as many as checkpoints have had
   created_ = LongSum("vug::heat::created", carrier_ ? sums : 0);
   born_ = ScalarField<double>("vug::heat::born", block_count(geometry.lattice.size()));  // rock may open without flow
   if (scene.mechanics || scene.reaction)
@@ -170,7 +170,7 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
 template <class T>
 void HeatModule<T>::births(const Exec& exec, const Births& births) {
   const Split& split = geometry_.split;
-  if (!split.alone()) {  // all ranks book alike what the new nodes gain
+  if (!split.alone()) {  // so that all ranks book the same gain of the new nodes
     const auto node = on_host(geometry_.fluid.node);
     std::vector<int> nodes;
     for (int i = births.first; i < births.last; ++i) nodes.push_back(node(i));
@@ -218,7 +218,7 @@ void HeatModule<T>::fields(FieldList& list) const {
 
 template <class T>
 void HeatModule<T>::state(StateList& list) {
-  fresh_ = false;  // other populations may come
+  fresh_ = false;  // because a checkpoint may be loaded
   visit_shares(SharedFields(geometry_.split.ranks(), &list));
   add_state(list, "heat/created", created_);
   list.add("heat/born", born_);

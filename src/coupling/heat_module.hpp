@@ -12,11 +12,11 @@
 
 namespace vug {
 
-/// The largest relaxation time, and the most cells that the fluid may go in a heat step (docs/stability.md).
+/// Largest relaxation time, and largest number of cells that the fluid may move in a heat step (docs/stability.md).
 inline constexpr double largest_relaxation_time = 3.5, longest_way = 1;
 
-/// Owns the temperature of every node. `flow` may be null: conduction only. Steps every accuracy.heat_interval lattice
-/// steps, with diffusivities and velocity times that number.
+/// Owns the temperature of every node. `flow` may be null: conduction only. A step is taken every
+/// accuracy.heat_interval lattice steps, with diffusivities and velocity multiplied by that number.
 template <class T>
 class HeatModule final : public Module {
  public:
@@ -41,84 +41,84 @@ class HeatModule final : public Module {
   void resume(const Exec& exec, const Intervals& intervals) override;
   void state(StateList& list) override;
 
-  /// (node) temperatures of now in our rows and at the `others` (Split::beyond_rows), except in openings, for rock and
-  /// reaction: taken together with a heat step before the rock asks, or else when they are asked for, once between two
-  /// steps.
+  /// (node) present temperatures in our rows and at the `others` (Split::beyond_rows), except in openings, for rock and
+  /// reaction. They are taken together with a heat step if the rock needs them before the next one, otherwise when they
+  /// are requested; at most once between two steps.
   const ScalarField<T>& temperature(const Exec& exec, const Halo& others) const;
   double initial_theta() const { return initial_theta_; }
   /// Temperature of the faces between solid and fluid, for the reaction.
   FaceTemperature<T> face_temperature(const Exec& exec, const Halo& others) const;
-  /// The same where minerals conduct each in their way.
+  /// Whether minerals have thermal properties of their own; then the next function is used instead.
   bool has_minerals() const { return !minerals_.empty(); }
   FaceTemperature<T, ShareOfMineral> mineral_face_temperature(const Exec& exec, const Halo& others) const;
-  double coldest() const { return coldest_; }  ///< K, of everything the case names
+  double coldest() const { return coldest_; }  ///< K, of all temperatures in the case
   double hottest() const { return hottest_; }  ///< K
 
  private:
   void find_halos();
-  /// The nodes that outflows of our rows look back at.
+  /// The nodes before those at outflows in our rows (kernels/scalar/outflow_slope.hpp).
   std::vector<int> nodes_before_outflows() const;
-  /// What we fill in others' rows for ours to conduct from, beside diagonals and in openings: a checkpoint has it
-  /// there.
+  /// Populations in other ranks' rows that this rank fills in for its own rows to conduct from, beside diagonals and in
+  /// openings; a checkpoint has them there.
   std::vector<int> slots_filled_beyond() const;
-  /// What only its rank has booked, on all of them: what entered and what was created.
+  /// Brings to all ranks the sums that only one rank has booked: what entered and what was created.
   void gather_sums() const;
-  /// Of the entries of entered_[boundary].
+  /// Owners of the entries of entered_[boundary].
   Owners owners_of_entries(std::size_t boundary) const;
-  /// fluid_theta_ after a step, of the nodes that this rank sweeps.
+  /// Sets fluid_theta_ after a step, at the nodes that this rank sweeps.
   void take_temperatures_of_fluid(const Exec& exec) const;
-  /// The same where there was no step before, from fluid node `first` on.
+  /// The same before the first step, from fluid node `first` on.
   void begin_temperatures_of_fluid(const Exec& exec, int first) const;
   double energy() const;
-  /// What conducts, by its numbers, rock of none first; empty where the case gives no mineral numbers of its own.
+  /// Sets minerals_ by number, beginning with rock that is no mineral; empty where no mineral has numbers of its own.
   void set_up_minerals(const Scene& scene);
   HeatParameters parameters() const;
   HeatExtremes extremes(const Exec& exec) const;
   bool rock_asks_before_next_step(const Clock& clock) const;
-  /// What the kernels call the value of a condition, at a time (s), and its transfer coefficient.
+  /// Value of a condition, at a time (s), in the units of the kernels, and its transfer coefficient.
   double value_of(const HeatBoundary& heat, double time) const;
-  /// The same of a step that begins at these times.
+  /// The value for a step with these times.
   double value_of(const HeatBoundary& heat, const StepTimes& times) const;
   double transfer_of(const HeatBoundary& heat) const;
   /// Widens the range of temperatures that the case names.
   void widen_range(const HeatBoundary& heat);
   HeatCrossing<T> crossing() const;
-  /// Brings the values of conditions that change to a time, s.
+  /// Sets the values of conditions that change to those of a time, s.
   void set_values(double time);
-  /// From the streaming that follows on, steps take so many lattice steps.
+  /// Steps take this many lattice steps, from the next streaming on.
   void set_interval(int interval);
-  /// The same in the step that follows, of which the collision turns the populations over; what it counts of the
-  /// displacement (turning.hpp).
+  /// The same for the step that follows, whose collision converts the populations. Returns the factor for the
+  /// displacement in this step (turning.hpp).
   double turn(double stretch);
   int directions() const { return section_.velocity_set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; }
 
-  /// A mineral as the case gives it.
+  /// A mineral as given by the case.
   struct Mineral {
     std::string name;
     double diffusivity, density, heat_capacity;
   };
 
-  /// lambda_s/(lambda_f + lambda_s) of a solid.
+  /// lambda_s/(lambda_f + lambda_s) for a solid.
   double solid_share(double density, double heat_capacity, double diffusivity) const;
 
   HeatSection section_;
   std::vector<Mineral> minerals_;
-  ScalarField<double> solid_share_;  ///< (mineral) of FaceTemperature; empty without minerals
+  ScalarField<double> solid_share_;  ///< (mineral) for FaceTemperature; empty without minerals
   LatticeUnits units_;
   const Geometry& geometry_;
   FlowModule<T>* flow_;                  ///< null: the fluid is at rest
-  const Carrier<T>* carrier_ = nullptr;  ///< null likewise
-  int interval_, next_interval_;         ///< until the end of the step that follows, and after it
-  int update_interval_;  ///< the rock asks for temperatures in the lattice steps that are multiples of it
+  const Carrier<T>* carrier_ = nullptr;  ///< likewise
+  int interval_, next_interval_;         ///< lattice steps until the end of the step that follows, and after it
+  int update_interval_;                  ///< the rock needs temperatures in the lattice steps that are multiples of it
   HeatFields<T> fields_;
-  ScalarField<T> theta_;            ///< (node) what `temperature` took last; empty where neither rock nor reaction asks
-  ScalarField<T> watched_;          ///< (node) temperatures at the last look; empty where nobody asks for changes
-  ScalarField<T> fluid_theta_;      ///< (fluid) temperatures that the flow feels; empty unless it asks
+  ScalarField<T> theta_;            ///< (node) result of `temperature`; empty where neither rock nor reaction needs it
+  ScalarField<T> watched_;          ///< (node) temperatures at the last look; empty where changes are not watched
+  ScalarField<T> fluid_theta_;      ///< (fluid) temperatures for the flow; empty where it does not depend on them
   ScalarField<T> before_;           ///< (fluid) those of the last step; empty unless the fluid is buoyant
-  mutable bool fresh_ = false;      ///< no step since
-  Halo populations_;                ///< of other ranks' nodes that we conduct from or look back at
-  Halo filled_;                     ///< populations in others' rows that we fill in
-  Halo in_rows_;                    ///< fluid nodes in our rows that others sweep
+  mutable bool fresh_ = false;      ///< theta_ is up to date
+  Halo populations_;                ///< of other ranks' nodes, for conduction and outflows in our rows
+  Halo filled_;                     ///< in other ranks' rows, filled in by this rank
+  Halo in_rows_;                    ///< fluid nodes in our rows that other ranks sweep
   std::vector<Stretch> stretches_;  ///< those of sides_, in the same order
   std::vector<HeatSide> sides_;
   std::vector<HeatOpening> openings_;  ///< those of the geometry, in the same order
@@ -130,7 +130,7 @@ class HeatModule final : public Module {
   ScalarField<double> born_;      ///< (block) energy that births added
   double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
   bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names
-  double fastest_ = 0;         ///< largest speed that drives it, lattice units
+  double fastest_ = 0;         ///< largest speed that carries heat, lattice units
   double initial_energy_ = 0;  ///< in fluid heat capacities
 };
 

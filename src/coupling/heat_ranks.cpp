@@ -103,7 +103,7 @@ template <class T>
 void HeatModule<T>::take_temperatures_of_fluid(const Exec& exec) const {
   if (fluid_theta_.extent(0) == 0) return;
   gather_temperatures(exec, geometry_.fluid, fields_, 0, fluid_theta_);
-  // in an even number of lattice steps what changes its sign in each has carried nothing
+  // over an even number of lattice steps, what changes its sign in each step has carried nothing
   const double share = interval_ % 2 == 1 ? 0.5 : 0;
   if (before_.extent(0) > 0) mix_with_before(exec, geometry_.fluid, share, before_, fluid_theta_);
   in_rows_.template exchange_back<T, 1>(exec, {fluid_theta_});

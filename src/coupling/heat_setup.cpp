@@ -1,4 +1,4 @@
-// What the case says of the heat, in the units of its steps: minerals, parameters, conditions at sides and openings.
+// The heat of a case in the units of its steps: minerals, parameters, conditions at sides and openings.
 #include "coupling/heat_module.hpp"
 
 #include <algorithm>

@@ -30,16 +30,16 @@ struct Graph {
 
 constexpr int nobody = -1;
 
-/// For every place the start nearest to it along the ways, and the bond crossed last on the way from there.
+/// For every place the nearest start along the edges of the graph, and the bond crossed last on the way from there.
 struct Nearest {
   std::vector<int> start;
-  std::vector<int> from;  ///< place before it, or nobody
+  std::vector<int> from;  ///< previous place on the way, or nobody
   std::vector<int> bond;
   std::vector<double> distance;
 };
 
-/// Dijkstra's algorithm from several places at once; the order of the places decides ties, so the result is the same on
-/// every machine.
+/// Dijkstra's algorithm from several places at once. The order of the places decides ties, so that the result is the
+/// same on every machine.
 Nearest nearest_start(const Graph& graph, const std::vector<int>& starts) {
   const std::size_t count = graph.ways.size();
   Nearest found{std::vector<int>(count, nobody), std::vector<int>(count, nobody), std::vector<int>(count, nobody),
@@ -67,7 +67,7 @@ Nearest nearest_start(const Graph& graph, const std::vector<int>& starts) {
   return found;
 }
 
-/// The rock as the search sees it: triangles that touch, and corners that bonds or the walls of holes join.
+/// The rock as graphs: triangles that touch, and corners joined by bonds or by the walls of holes.
 class Blocks {
  public:
   Blocks(const Assembly& assembly, const std::vector<bool>& fixed, std::uint64_t seed)
@@ -107,7 +107,7 @@ class Blocks {
         walls_.push_back(edge.vertex);
       }
     }
-    constexpr std::uint64_t pathway_property = 100;  // apart from the strengths drawn from the same names
+    constexpr std::uint64_t pathway_property = 100;  // unlike the strengths drawn from the same names
     std::vector<double> draw;
     for (const auto& t : assembly.triangles)
       draw.push_back(uniform_of(seed, t[0], t[1], pathway_property + static_cast<std::uint64_t>(t[2])));
@@ -118,7 +118,7 @@ class Blocks {
 
   int largest_count() const { return static_cast<int>(order_.size()); }
 
-  /// Bonds that are open when the rock falls into `count` blocks.
+  /// Bonds that are open when the rock is divided into `count` blocks.
   std::vector<bool> joints(int count) const {
     const Nearest block = nearest_start(touching_, {order_.begin(), order_.begin() + count});
     std::vector<bool> open = fixed_;
@@ -130,8 +130,8 @@ class Blocks {
   }
 
  private:
-  /// Opens the shortest way from the piece of the first open corner to any other piece; false when all is one piece or
-  /// no way is left.
+  /// Opens the shortest way from the piece with the first open corner to any other piece; false when there is one piece
+  /// only or no way is left.
   bool connect(std::vector<bool>& open) const {
     Graph network(along_.ways.size());
     std::vector<bool> conducts(along_.ways.size(), false);
@@ -160,10 +160,10 @@ class Blocks {
   }
 
   Graph touching_;                         ///< triangles that share a bond
-  Graph along_;                            ///< corners that a bond joins
+  Graph along_;                            ///< corners that are joined by a bond
   std::vector<std::array<int, 2>> ends_;   ///< (bond) corners
   std::vector<std::array<int, 2>> sides_;  ///< (bond) triangles
-  std::vector<std::array<int, 2>> walls_;  ///< of holes and notches: corners
+  std::vector<std::array<int, 2>> walls_;  ///< edges of holes and notches: corners
   std::vector<int> order_;                 ///< triangles in the order in which they become blocks
   const std::vector<bool>& fixed_;
 };
@@ -183,7 +183,7 @@ std::vector<bool> choose_pathways(const Assembly& assembly, const std::vector<bo
   if (taken(fixed) >= target) return fixed;
   const Blocks blocks(assembly, fixed, seed);
   const auto of_blocks = [&](int count) { return taken(blocks.joints(count)); };
-  // More blocks take more, apart from a little: halving finds the number within that.
+  // The share taken grows with the number of blocks, up to small fluctuations: bisection finds the number within these.
   int few = 1, many = blocks.largest_count();
   while (many - few > 1) {
     const int middle = (few + many) / 2;

@@ -14,7 +14,7 @@ Intervals longest_intervals(const AccuracySection& accuracy) {
     return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::min(interval, most))));
   };
   constexpr int look = IntervalChooser::look_interval;
-  // walls are renewed at no certain step, all others end with a look
+  // walls are renewed at no fixed step; all other intervals must end at a look
   return {power(accuracy.heat_interval, look), power(accuracy.solute_interval, look),
           power(accuracy.wall_interval, std::numeric_limits<int>::max()), power(accuracy.exchange_interval, look),
           power(accuracy.update_interval, look)};

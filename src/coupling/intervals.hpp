@@ -1,37 +1,38 @@
 #pragma once
-// How many lattice steps what changes slowly is left as it is (docs/model.md, "Intervals from a tolerance").
+// For how many lattice steps slow quantities are held (docs/model.md, "Intervals from a tolerance").
 
 #include <optional>
 
 namespace vug {
 
-/// Lattice steps, as the keys of [accuracy] of these names.
+/// Lattice steps, as the keys of [accuracy] with these names.
 struct Intervals {
   int heat = 1, solute = 1, wall = 1, exchange = 1, update = 1;
   bool operator==(const Intervals&) const = default;
 };
 
-/// By which share of itself has changed since the last look what the intervals hold: temperatures, concentrations, the
-/// dissolved volume, the fluid's force on the rock. 0 of what a scene has not; 1 where there is nothing yet.
+/// Shares by which the quantities that intervals hold have changed since the last look: temperatures, concentrations,
+/// the dissolved volume, the fluid's force on the rock. 0 for what the scene does not have; 1 where there is nothing
+/// yet.
 struct Changes {
   double heat = 0, solute = 0, solid = 0, force = 0;
-  std::optional<double> speed{};  ///< that the fluid will not exceed before the next look, lattice units
+  std::optional<double> speed{};  ///< bound of the fluid's speed until the next look, lattice units
 };
 
-/// The longest interval of at most `most`, a power of two, that is stable where a lattice step takes this share of what
-/// a step may take.
+/// The longest stable interval, a power of two of at most `most`. `taken` is the length of a lattice step over that of
+/// the longest stable step.
 inline int stable_interval(int most, double taken) {
   while (most > 1 && most * taken > 1) most /= 2;
   return most;
 }
 
-/// The share of itself by which something changed, 1 where it is only about to begin.
+/// Share of itself by which something has changed; 1 where it has not begun yet.
 inline double share_of(double change, double amount) {
   return amount > 0 ? change / amount : 1;
 }
 
-/// The interval that follows `now`, a power of two of at most `most`: what is held changes by at most `allowed` within
-/// one, at `change` per lattice step. Shrinks at once, as far as it must; doubles when there is room to spare.
+/// The interval that follows `now`, a power of two of at most `most`. What is held may change by at most `allowed`
+/// within it, at `change` per lattice step. Shrinks at once as far as necessary; doubles where there is enough room.
 inline int next_interval(int now, int most, double change, double allowed) {
   constexpr double room = 0.7;
   if (now > most || !(now * change <= allowed)) {

@@ -15,7 +15,7 @@ Spread spread_over(const std::vector<LoadedSpecimen>& specimens, double PlatenRe
   return spread_of(values);
 }
 
-/// None of a disc, nor of heated rock.
+/// Line with the elastic constants; empty for a disc and for heated rock.
 std::string elasticity(const std::vector<LoadedSpecimen>& specimens, Results& results) {
   const Spread modulus = spread_over(specimens, &PlatenResult::modulus);
   const Spread poisson = spread_over(specimens, &PlatenResult::poisson);

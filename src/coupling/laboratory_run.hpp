@@ -1,5 +1,5 @@
 #pragma once
-// `vug lab`: a laboratory test from its case to its curve, its pictures and its record.
+// `vug lab`: runs a laboratory test from its case and writes its curve, its pictures and its record.
 #include "io/scene.hpp"
 
 #include <iosfwd>
@@ -8,19 +8,19 @@
 
 namespace vug {
 
-/// What the command line adds to a test.
+/// Options of the command line.
 struct LaboratoryOptions {
   std::string directory;
-  bool overwrite = false;              ///< replace the results that `directory` holds
-  int seeds = 1;                       ///< specimens, which differ in the scatter of their bonds alone
-  std::optional<double> fit_strength;  ///< Pa: search for the cohesion of this mean strength instead
+  bool overwrite = false;              ///< replace the results in `directory`
+  int seeds = 1;                       ///< number of specimens, which differ only in the scatter of their bonds
+  std::optional<double> fit_strength;  ///< Pa: search for the cohesion that gives this mean strength instead
   std::ostream* progress = nullptr;    ///< null: quiet
-  std::ostream* warnings = nullptr;    ///< where warnings go of a quiet test; null: nowhere
+  std::ostream* warnings = nullptr;    ///< for warnings of a quiet test; null: nowhere
 };
 
-/// Runs the test of `scene`, which has a [laboratory], and returns what it found as text for people. The directory then
-/// holds stress_strain.csv (of a quench cracks.csv), particles.h5 with its XDMF file (first specimen: every
-/// output.interval and the end) and run.json with the results. Throws InputError, StabilityError, FileError,
+/// Runs the test of `scene`, which has a [laboratory], and returns its findings as text for people. The directory then
+/// contains stress_strain.csv (for a quench cracks.csv), particles.h5 with its XDMF file (first specimen, every
+/// output.interval and at the end) and run.json with the results. Throws InputError, StabilityError, FileError,
 /// Interrupted.
 std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Conserved sums: what is there now, what was there at the start, and every way in which it changed.
+// Conserved sums: the amount stored now, the initial amount, and every gain.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,8 +16,8 @@ struct Balance {
   std::string unit;      ///< for instance "mol/m"
   double initial = 0;
   double stored = 0;
-  std::vector<Term> gains;  ///< positive increases what is stored; numerical terms are named as such
-  double negligible = 0;    ///< amounts up to this are rounding of what they are differences of
+  std::vector<Term> gains;  ///< positive where they increase what is stored; numerical terms have names of their own
+  double negligible = 0;    ///< amounts up to this are rounding errors of differences
 
   /// stored - initial - sum of gains, over the largest of these amounts (0 when all are negligible).
   double relative_error() const;
@@ -26,7 +26,7 @@ struct Balance {
 /// All balances of a scene. Several modules may add gains to the same quantity.
 struct Ledger {
   std::vector<Balance> balances;
-  /// The balance of `quantity`, made when it is not there yet.
+  /// The balance of `quantity`, added where it does not exist yet.
   Balance& of(const std::string& quantity, const std::string& unit);
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The derived numbers of a case with their measured safe ranges: what `vug check` prints and what a run warns of.
+// Derived numbers of a case with their measured safe ranges, which `vug check` prints and about which a run warns.
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Limit {
   std::string unit;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  std::string advice;  ///< what to change when it is outside
+  std::string advice;  ///< what to change when it is out of range
 
   bool inside() const { return value >= low && value <= high; }
 };

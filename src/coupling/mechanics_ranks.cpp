@@ -1,4 +1,4 @@
-// The mechanics on several ranks: who sums up forces and takes mean temperatures.
+// The mechanics on several ranks: which rank sums forces and takes mean temperatures.
 #include "coupling/mechanics_module.hpp"
 #include "kernels/base/host_and_device.hpp"
 
@@ -6,8 +6,8 @@
 
 namespace vug {
 
-/// The force on a triangle is summed up by the rank of the fluid at its first link, for the rank that moves it; on one
-/// without links there is none, on every rank.
+/// The force on a triangle is summed by the rank of the fluid at its first link, for the rank that moves the triangle.
+/// A triangle without links has no force, on any rank.
 template <class T>
 void MechanicsModule<T>::share_links() {
   const Split& split = geometry_.split;

@@ -1,5 +1,5 @@
 #pragma once
-// Which mineral each node of the rock is.
+// The mineral of each node of the rock.
 #include "dem/assembly.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/lattice.hpp"
@@ -9,16 +9,16 @@
 
 namespace vug {
 
-/// The triangle of each node of a rock, -1 where there is none (row by row, without halo).
+/// The triangle of each node of the rock (row by row, without halo), -1 where there is none.
 struct TriangleOfNodes {
   const Assembly& assembly;
   const std::vector<int>& owner;
 };
 
-/// Number of the mineral of each node, from 1 in the order of the case; 0 is rock that no mineral holds, and what is
-/// not `solid` (row by row, without halo). Empty when the case has no minerals. `of_label` is what a label map says,
-/// empty for other geometries; `triangles` is null where there are none. Throws InputError when no solid node is left
-/// to a mineral.
+/// Number of the mineral of each node (row by row, without halo), from 1 in the order of the case. 0 is rock that is no
+/// mineral, and nodes that are not `solid`. Empty when the case has no minerals. `of_label` has the numbers from a
+/// label map and is empty for other geometries; `triangles` is null where there are none. Throws InputError when a
+/// mineral has no solid node.
 std::vector<std::uint8_t> mineral_of_nodes(const Scene& scene, const std::vector<bool>& solid,
                                            std::vector<std::uint8_t> of_label, const TriangleOfNodes* triangles);
 

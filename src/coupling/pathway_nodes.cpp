@@ -1,4 +1,4 @@
-// Which nodes pathways open, and what slits leave of them.
+// The nodes that pathways open, and which part of them slits fill.
 #include "coupling/pathway_widths.hpp"
 #include "coupling/rock_pathways.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -12,7 +12,7 @@ namespace vug {
 
 namespace {
 
-/// Slope of each bond's edge to the axis that it follows more closely.
+/// Slope of the edge of each bond to the axis that it follows more closely.
 std::vector<double> slopes_of(const Assembly& assembly, const BondEdges& bonds) {
   std::vector<double> slopes;
   for (const auto& [p, q] : bonds.vertices) {
@@ -25,7 +25,7 @@ std::vector<double> slopes_of(const Assembly& assembly, const BondEdges& bonds) 
 
 using Point = std::array<double, 2>;
 
-/// Length of what the line from p to q, in cells, has in the cell at (x, y).
+/// Length of the line from p to q, in cells, inside the cell at (x, y).
 double length_in_cell(const Point& p, const Point& q, const Point& cell) {
   double from = 0, to = 1;
   for (int axis = 0; axis < 2; ++axis) {
@@ -38,8 +38,8 @@ double length_in_cell(const Point& p, const Point& q, const Point& cell) {
   return std::max(0.0, to - from) * std::hypot(q[0] - p[0], q[1] - p[1]);
 }
 
-/// Part of each cell (node of the lattice) that pathways narrower than a cell fill: what they have in it, and where
-/// that is more than the cell the others of its strip fill up.
+/// Part of each cell (node of the lattice) that is filled by pathways narrower than a cell: what they have in it. What
+/// exceeds the cell fills the other cells of the strip.
 std::map<int, double> filled_by_slits(const Scene& scene, const Assembly& assembly, const BondEdges& bonds,
                                       const std::vector<std::vector<StripNode>>& strips,
                                       const std::vector<double>& closed, const std::vector<double>& slope) {
@@ -84,7 +84,7 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
   for (std::size_t b = 0; b < strips.size(); ++b)
     if (widths.drags(closed[b], slope[b]))
       for (const StripNode& entry : strips[b]) wanted[entry.node] = true;
-  std::map<int, std::vector<std::pair<int, double>>> of_node;  // bond and aperture, in order of bond
+  std::map<int, std::vector<std::pair<int, double>>> of_node;  // bonds, in ascending order, with the apertures
   for (std::size_t b = 0; b < strips.size(); ++b)
     for (const StripNode& entry : strips[b])
       if (wanted[entry.node]) of_node[entry.node].emplace_back(static_cast<int>(b), entry.aperture);

@@ -1,5 +1,5 @@
 #pragma once
-// The widths of pathways, notches and broken bonds as a case gives them.
+// The widths of pathways, notches and broken bonds, as given by the case.
 #include "coupling/pathways.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/require.hpp"
@@ -9,10 +9,10 @@
 
 namespace vug {
 
-/// The widths that a case gives, in cells.
+/// The widths given by the case, in cells.
 struct PathwayWidths {
-  bool cubic;                              ///< they are those of slots of any width, else rows of nodes
-  double spacing, of_pathways, of_broken;  ///< m; cells: the last of a broken bond at least
+  bool cubic;                              ///< widths are those of slots of any width; otherwise of rows of nodes
+  double spacing, of_pathways, of_broken;  ///< m, cells, cells; of_broken is the least width of a broken bond
 
   explicit PathwayWidths(const Scene& scene)
       : cubic(scene.rock->pathway_width.has_value()), spacing(scene.lattice.spacing) {
@@ -31,7 +31,7 @@ struct PathwayWidths {
     if (!cubic) return notch.aperture;
     return notch.width ? *notch.width / spacing : of_pathways;
   }
-  /// A narrower one would close without a word.
+  /// Throws InputError for a width below narrowest_slit, because such a pathway would never open.
   void require_width(const Scene& scene, const char* key, double width) const {
     constexpr double rounding = 1e-9;
     if (width < narrowest_slit * (1 - rounding))
@@ -40,7 +40,7 @@ struct PathwayWidths {
   }
   /// Aperture of the strip of nodes that a pathway opens.
   double strip(double width) const { return cubic ? strip_of_slot(width) : width; }
-  /// Whether it needs drag to conduct as little as it should.
+  /// Whether the strip needs drag to conduct no more than the pathway.
   bool drags(double width, double slope) const {
     return width > 0 && slit_resistance(cubic ? cubic_law(width) : slot_conductivity(width), slope) > 0;
   }

@@ -6,8 +6,8 @@
 
 namespace vug {
 
-/// What a bond conducts now; counts those where that differs from the last look, and those with slits: narrower than
-/// whole nodes, or than they have been, since a crack that closes leaves its nodes open.
+/// Determines what a bond conducts now. Counts the bonds where that has changed since the last look, and those with
+/// slits, which are narrower than whole nodes or than they have been (a crack that closes leaves its nodes open).
 struct LookAtBonds {
   PathwayNodes nodes;
   Kokkos::View<const double*> d_m, gap;
@@ -33,7 +33,7 @@ struct LookAtBonds {
   }
 };
 
-/// Marks the candidates that the damage of their bond opens now and counts them.
+/// Opens the candidates that their bonds open now, marks them and counts them.
 struct MarkOpening {
   PathwayNodes nodes;
   Kokkos::View<const double*> strip;
@@ -94,7 +94,7 @@ PathwayOpener::Look PathwayOpener::look(const Exec& exec, const ScalarField<doub
   if (rock_)
     find_crack_apertures(exec, rock_->particles(), rock_->bonds(), rock_->parameters().thermal_expansion, residual_,
                          spacing_, gap_);
-  Look found;  // one value: a reduction of two waits twice
+  Look found;  // one value, because a reduction of two waits twice
   Kokkos::parallel_reduce("vug::pathways::look",
                           Kokkos::RangePolicy<Exec>(exec, 0, static_cast<int>(bonds_.strip.extent(0))),
                           LookAtBonds{nodes_, d_m, gap_, bonds_}, found);
@@ -117,7 +117,7 @@ int PathwayOpener::open(const Exec& exec, const Kokkos::View<NodeType*>& type, c
 
 double PathwayOpener::return_solid(const Exec& exec, const Kokkos::View<NodeType*>& type,
                                    const ScalarField<double>& volume, const ScalarField<double>& dissolved) {
-  if (!nodes_.cubic) return 0;  // rows of whole nodes take what they are
+  if (!nodes_.cubic) return 0;  // rows of whole nodes take whole cells
   for_each_node(exec, "vug::pathways::unfilled", static_cast<int>(nodes_.node.extent(0)),
                 MarkUnfilled{nodes_, type, opening_, volume});
   spread_.among_all(exec, type, opening_, volume, dissolved);

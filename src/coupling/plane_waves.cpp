@@ -20,7 +20,7 @@ using Populations = double[Set::Q];
 template <class Set>
 using Matrix = Eigen::Matrix<std::complex<double>, Set::Q, Set::Q>;
 
-/// Of collide(g) at the populations `rest`: quadratic laws, whose central differences are exact.
+/// Jacobian of collide(g) at the populations `rest`, by central differences, which are exact for quadratic laws.
 template <class Set, class Collide>
 Eigen::Matrix<double, Set::Q, Set::Q> jacobian(const Populations<Set>& rest, const Collide& collide) {
   constexpr double shift = 0x1p-7;
@@ -46,7 +46,8 @@ std::vector<std::complex<double>> waves(const Eigen::Matrix<double, Set::Q, Set:
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
 
-/// collision_at(u): the Jacobian at that velocity. A wave and its negative are each other's conjugate.
+/// Largest growth of a wave at a speed. collision_at(u): the Jacobian at that velocity. A wave and its negative are
+/// conjugate, so that one of the two is enough.
 template <class Set, class CollisionAt>
 double growth(double speed, const CollisionAt& collision_at) {
   constexpr int box = 24;

@@ -13,22 +13,22 @@
 
 namespace vug {
 
-/// Looks for new fluid nodes at a fixed small interval, between steps, and tells every module. Writes the geometry.
+/// Finds new fluid nodes between steps, at a small interval, and reports them to every module. Writes the geometry.
 class PoreGrowth {
  public:
-  /// What a dissolving rock loses by rounding off pixels; empty without dissolution.
+  /// Volume that dissolving pixels were overdrawn by and no node took; empty without dissolution.
   struct Losses {
     ScalarField<double> all;
     MineralLosses of_minerals;
-    std::vector<std::string> names;  ///< of the minerals in the ledger, "" of one that is not there
+    std::vector<std::string> names;  ///< of the minerals in the ledger, "" for one that does not occur
   };
   /// `opener` is null and `d_m` empty without damage.
   PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m, Losses lost);
 
-  /// Opens what is due and returns how many nodes turned fluid. Waits for the device.
+  /// Opens the nodes that are due and returns their number. Waits for the device.
   int grow(const Exec& exec, const std::vector<std::unique_ptr<Module>>& modules);
 
-  /// Adds what pathways could not hand on to the balance of solid volume.
+  /// Adds the solid of opened nodes that found no room to the balance of solid volume.
   void ledger(Ledger& ledger, double pixel_volume) const;
   void state(StateList& list);
   void restored(const Exec& exec) {
@@ -37,7 +37,7 @@ class PoreGrowth {
 
   std::int64_t dissolved_nodes() const { return dissolved_nodes_; }
   std::int64_t opened_nodes() const { return opened_nodes_; }
-  /// Nodes of cracks narrower than a cell; -1 where pathways are rows of nodes.
+  /// Number of nodes in cracks narrower than a cell; -1 where pathways are rows of nodes.
   int slit_nodes() const { return below_a_cell() ? geometry_.slits.count : -1; }
 
  private:

@@ -29,7 +29,7 @@ struct FillVolume {
   }
 };
 
-/// The rates of reactant number r on all minerals, rock first.
+/// The rates of reactant number r on all minerals, beginning with rock.
 std::vector<RateLaw> rates_of(const Scene& scene, const RateLaw& of_rock, std::size_t r) {
   std::vector<RateLaw> rates{of_rock};
   for (const MineralSection& mineral : scene.minerals) rates.push_back(mineral.rates[r]);
@@ -129,7 +129,7 @@ void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
   factor_of_walls_ = factor_;
   wall.molar_volume = volume_per_acid(section_.molar_volume, attack.rate);
   const std::vector<RateLaw> rates = has_minerals() ? attack.rates : std::vector<RateLaw>{attack.rate};
-  if (!has_minerals() && attack.rate.order == 1) return;  // then the constants of the wall say all
+  if (!has_minerals() && attack.rate.order == 1) return;  // the constants of the wall are enough
   if (attack.table.extent(0) == 0) attack.table = Kokkos::View<MineralRate*>("vug::minerals::rate", rates.size());
   const auto host = Kokkos::create_mirror_view(attack.table);
   for (std::size_t m = 0; m < rates.size(); ++m)
@@ -158,7 +158,7 @@ void ReactionModule<T, Set>::find_links(const Exec& exec) {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::refresh(const Exec& exec, std::int64_t step) {
-  // At the start all changes with the time gone by.
+  // At the start everything changes in proportion to the time so far.
   const std::int64_t next = std::clamp<std::int64_t>(step / 8, 1, wall_interval_);
   const bool links_are_new = refreshed_ < 0;
   if (!links_are_new && step - refreshed_ < next) return;
@@ -193,7 +193,7 @@ void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, doub
 
 template <class T, class Set>
 void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
-  if (factor_of_walls_ != factor_)  // of a checkpoint
+  if (factor_of_walls_ != factor_)  // after a checkpoint was loaded
     for (Attack<T>& attack : attacks_) set_volumes(attack);
   refresh(exec, clock.step);
   if (clock.every(LongSum::interval))

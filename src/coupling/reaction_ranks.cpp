@@ -8,7 +8,7 @@ namespace vug {
 
 namespace {
 
-/// The numbers of marked blocks; of at least one, as nobody's are all.
+/// Numbers of the marked blocks. The list has at least one entry, because an empty one would mean all.
 IndexList numbers_of(const std::vector<bool>& marked, int& count) {
   count = static_cast<int>(std::count(marked.begin(), marked.end(), true));
   std::vector<int> numbers;
@@ -20,7 +20,7 @@ IndexList numbers_of(const std::vector<bool>& marked, int& count) {
 
 }  // namespace
 
-/// Of the links and of the surface whole blocks, some of which two ranks compute alike.
+/// Links and surface are shared out in whole blocks, some of which two ranks compute alike.
 template <class T, class Set>
 void ReactionModule<T, Set>::share_links() {
   const FluidNodes& fluid = geometry_.fluid;

@@ -1,6 +1,6 @@
 #pragma once
-// From fields on the device to plain arrays over the lattice for output: row by row, without halo, in SI. Where several
-// ranks share a field, the first one gets the values of all (io/field_list.hpp).
+// Reads fields on the device into plain arrays over the lattice for output: row by row, without halo, in SI units.
+// Where several ranks share a field, the first rank gets all values (io/field_list.hpp).
 #include "coupling/geometry.hpp"
 #include "io/field_list.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -11,7 +11,7 @@
 
 namespace vug {
 
-/// How stored values become SI: scale * value + shift, and what stands where nothing is stored.
+/// Conversion of stored values to SI units, scale * value + shift, and the value where nothing is stored.
 struct Conversion {
   double scale = 1;
   double shift = 0;
@@ -20,7 +20,7 @@ struct Conversion {
 
 namespace detail {
 
-/// visit(k, node) of `count` items of a picture from `first` on, and the nodes of the lattice that they are.
+/// Calls visit(k, node) for `count` items of a picture from `first` on, with their nodes of the lattice.
 template <class Visit>
 void visit_items(const Lattice& lattice, std::size_t first, std::size_t count, const Visit& visit) {
   int x = static_cast<int>(first % lattice.nx), y = static_cast<int>(first / lattice.nx);
@@ -32,7 +32,7 @@ void visit_items(const Lattice& lattice, std::size_t first, std::size_t count, c
   }
 }
 
-/// value(node), which all ranks have.
+/// value(node) that all ranks have.
 template <class Value>
 ReadItems read_nodes(const Lattice& lattice, Value value) {
   return [lattice, value = std::move(value)](std::size_t first, std::span<double> out) {
@@ -40,7 +40,7 @@ ReadItems read_nodes(const Lattice& lattice, Value value) {
   };
 }
 
-/// value(node, component), which owner(node) has.
+/// value(node, component) that rank owner(node) has.
 template <class Value, class Owner>
 ReadItems read_shared(const Geometry& geometry, int components, Value value, Owner owner) {
   return [=, &geometry](std::size_t first, std::span<double> out) {
@@ -59,7 +59,7 @@ ReadItems read_shared(const Geometry& geometry, int components, Value value, Own
 
 }  // namespace detail
 
-/// Spreads values of the fluid nodes, one View per component, over the lattice.
+/// Distributes values of the fluid nodes, one View per component, over the lattice.
 template <class ViewType, std::size_t components>
 ReadItems read_fluid(const Geometry& geometry, const std::array<ViewType, components>& values,
                      const Conversion& conversion) {
@@ -94,7 +94,7 @@ inline ReadItems read_type(const Geometry& geometry) {
                             [type = on_host(geometry.type)](int node) { return static_cast<double>(type(node)); });
 }
 
-/// Number of the mineral of every node of rock, from 1; 0 in rock of none, -1 elsewhere.
+/// Number of the mineral of every rock node, from 1; 0 in rock that is no mineral, -1 elsewhere.
 inline ReadItems read_mineral(const Geometry& geometry) {
   return detail::read_nodes(geometry.lattice,
                             [type = on_host(geometry.type), mineral = on_host(geometry.mineral)](int node) {
@@ -109,7 +109,7 @@ inline ReadItems read_solid(const Geometry& geometry) {
   });
 }
 
-/// share(V, dissolved) of every node of rock that can dissolve.
+/// share(V, dissolved) of every rock node that can dissolve.
 template <class Share>
 ReadItems read_solid(const Geometry& geometry, const Share& share) {
   return detail::read_nodes(

@@ -55,7 +55,7 @@ TriangleNeighbours neighbours_of_triangles(const Assembly& assembly) {
   return neighbours;
 }
 
-/// The rock of a mesh file, which must lie in the lattice.
+/// Reads the rock of a mesh file, which must lie inside the lattice.
 Assembly mesh_on_lattice(const LatticeSection& lattice, const std::string& file) {
   Assembly assembly = read_mesh(file);
   const double slack = 1e-9 * (lattice.length_x + lattice.length_y);

@@ -14,7 +14,7 @@ namespace vug {
 void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<std::string>& asked_for) {
   const Particles& particles = rock.particles();
   const Bonds& bonds = rock.bonds();
-  // The host's copies are made when a field is opened; value(item, component) reads them.
+  // The copies on the host are made when a field is opened; value(item, component) reads them.
   const auto add = [](std::vector<Field>& group, std::string name, std::string unit, int components, auto open) {
     group.push_back({std::move(name), std::move(unit), components, [components, open = std::move(open)] {
                        return [components, value = open()](std::size_t first, std::span<double> out) {

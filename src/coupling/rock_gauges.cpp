@@ -22,7 +22,7 @@ Vec2 vec(const Point& p) {
   return {p[0], p[1]};
 }
 
-/// How far a point lies outside of a triangle, over the triangle's size; negative inside.
+/// Distance of a point from a triangle over the triangle's size; negative inside.
 double outside(const Triangle& triangle, Vec2 point) {
   double worst = -std::numeric_limits<double>::infinity();
   for (int c = 0; c < 3; ++c) {
@@ -62,8 +62,8 @@ IndexList triangles_of(const Gauge& gauge, const Assembly& assembly, const std::
   return to_device<IndexList>("vug::rock_gauges::members", members);
 }
 
-/// Particles with an edge of the side whose middle lies between `first` and `last`, those that the side holds along x
-/// and those along y: two halves of a side add up to it, and the sides to the force that holds the rock.
+/// Particles with an edge on the side whose middle is between `first` and `last`: those that the side holds along x and
+/// those along y. Two halves of a side add up to the whole, and the sides to the force that holds the rock.
 std::array<IndexList, 2> held_particles(const Gauge& gauge, const Assembly& assembly, const Mechanics& rock,
                                         const Loads& loads, const std::string& what) {
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ std::array<IndexList, 2> held_particles(const Gauge& gauge, const Assembly& asse
     if (middle < gauge.first.value_or(-far) || middle >= gauge.last.value_or(far)) continue;
     held.push_back(edge.particle);
   }
-  std::sort(held.begin(), held.end());  // a corner's triangle may have two edges on one side
+  std::sort(held.begin(), held.end());  // a triangle in a corner may have two edges on one side
   held.erase(std::unique(held.begin(), held.end()), held.end());
   if (held.empty())
     throw InputError(

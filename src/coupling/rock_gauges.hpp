@@ -9,10 +9,10 @@
 
 namespace vug {
 
-/// What [[output.gauges]] asks for. Without gauges nothing is allocated or launched.
+/// The quantities of [[output.gauges]]. Without gauges nothing is allocated or launched.
 class RockGauges {
  public:
-  /// Throws InputError where a gauge finds no rock.
+  /// Throws InputError where there is no rock at a gauge.
   RockGauges(const Scene& scene, const Assembly& assembly, const Mechanics& rock);
   void history(std::vector<HistoryValue>& row) const;
 

@@ -17,9 +17,9 @@ double cross(const Point& o, const Point& a, const Point& b) {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-/// Whether p lies left of the line a-b. One on the line counts as moved right by less than anything, and up by less
-/// than that: of two triangles that share an edge exactly one holds it, as the interval [low, high) holds its lower
-/// bound.
+/// Whether p is left of the line a-b. A point on the line counts as moved right by an infinitesimal amount, and up by
+/// an even smaller one. Of two triangles that share an edge exactly one then holds it, as the interval [low, high)
+/// holds its lower bound.
 bool lies_left(const Point& a, const Point& b, const Point& p) {
   const Point along{b[0] - a[0], b[1] - a[1]};
   const double offset = cross(a, b, p) / std::hypot(along[0], along[1]);

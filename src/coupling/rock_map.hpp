@@ -1,5 +1,5 @@
 #pragma once
-// Which triangle and which bond a node belongs to. Displacements are micrometres where nodes are tens of micrometres
+// The triangle and the bond to which a node belongs. Displacements are micrometres where nodes are tens of micrometres
 // apart, so the rock is drawn on the lattice once, in its initial position (paper section 3.3).
 #include "dem/assembly.hpp"
 #include "kernels/base/lattice.hpp"
@@ -8,13 +8,14 @@
 
 namespace vug {
 
-/// Nodes of the lattice in groups, as runs of consecutive nodes: group g holds the runs [offset(g), offset(g + 1)). A
-/// triangle of the paper's rock has 250 nodes in 22 runs: 0.7 bytes per node instead of the 4 of a number.
+/// Nodes of the lattice in groups, stored as runs of consecutive nodes: the runs of group g are [offset(g),
+/// offset(g + 1)). A triangle of the paper's rock has 250 nodes in 22 runs, which takes 0.7 bytes per node instead of
+/// the 4 of a number.
 struct NodeGroups {
   IndexList offset;  ///< (group + 1)
-  IndexList first;   ///< (run) dense node
-  IndexList length;  ///< (run) nodes
-  IndexList nodes;   ///< (group) how many
+  IndexList first;   ///< (run) first dense node
+  IndexList length;  ///< (run) number of nodes
+  IndexList nodes;   ///< (group) number of nodes
   int count() const { return static_cast<int>(offset.extent(0)) - 1; }
   /// Calls visit(node) for the nodes of group g in order.
   template <class Visit>
@@ -27,13 +28,13 @@ struct NodeGroups {
 /// (bond, end) sector.
 using SectorPairs = Kokkos::View<int* [2], Kokkos::LayoutLeft>;
 
-/// The rock on the lattice, on the host: per node, row by row without halo.
+/// The rock on the lattice, on the host, for each node row by row without halo.
 struct RockRaster {
   std::vector<int> owner;  ///< triangle, -1 where there is none
   std::vector<int> edge;   ///< 0..2: the edge (vertices edge, edge + 1) whose sub-triangle holds the node
 };
 
-/// Draws the triangles: a node belongs to the triangle that holds its centre (on an edge as in cells.hpp), within it to
+/// Draws the triangles. A node belongs to the triangle that holds its centre (on an edge as in cells.hpp), and in it to
 /// the sub-triangle (centroid, p, q) of the edge whose opposite barycentric coordinate is smallest.
 RockRaster rasterise(const Assembly& assembly, const Lattice& lattice, double spacing);
 

@@ -22,9 +22,9 @@ double distance(const std::array<double, 2>& p, const Notch& notch) {
   return std::hypot(p[0] - notch.from[0] - t * dx, p[1] - notch.from[1] - t * dy);
 }
 
-/// Width of the bonds that are cracks from the start, in cells; 0 for all other bonds. A crack of the generator has
-/// that of the notch nearest to its middle (ends are led up to the hole), one of a mesh that of the notch it lies on or
-/// the pathways'; of notches that lie on each other the widest counts.
+/// Width of the bonds that are cracks from the start, in cells; 0 for all other bonds. A crack of the generator has the
+/// width of the notch nearest to its middle (because ends are extended to the hole). A crack of a mesh has that of the
+/// notch on which it lies, otherwise that of pathways. Where notches lie on each other, the widest counts.
 std::vector<double> crack_widths(const Scene& scene, const Assembly& assembly, const BondEdges& bonds) {
   const RockSection& section = *scene.rock;
   const double slack = 1e-7 * (scene.lattice.length_x + scene.lattice.length_y);
@@ -53,7 +53,7 @@ std::vector<double> crack_widths(const Scene& scene, const Assembly& assembly, c
   return of_bonds;
 }
 
-/// What pathways of `width` (bond, cells) take of the rock, cells^2.
+/// Area that pathways of `width` (bond, cells) take of the rock, cells^2.
 double area_of(const std::vector<bool>& open, const BondEdges& bonds, const std::vector<double>& width,
                double spacing) {
   double area = 0;
@@ -113,7 +113,7 @@ std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattic
 
 namespace {
 
-/// The bonds that carry pathways of `width` (bond, cells), those that are `fixed` among them.
+/// The bonds that carry pathways of `width` (bond, cells), including those that are `fixed`.
 std::vector<bool> pathway_bonds(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
                                 const BondEdges& bonds, const RockRaster& raster, const std::vector<double>& width,
                                 const std::vector<bool>& fixed) {

@@ -18,7 +18,7 @@ inline VertexPair ordered(int a, int b) {
   return a < b ? VertexPair{a, b} : VertexPair{b, a};
 }
 
-/// The shared edges with what a pathway along them needs, in the order of find_edges.
+/// The shared edges, with what a pathway along them needs, in the order of find_edges.
 struct BondEdges {
   std::vector<VertexPair> vertices;  ///< (bond) low, high
   std::vector<double> length;        ///< (bond) m
@@ -27,19 +27,19 @@ struct BondEdges {
 };
 BondEdges bond_edges(const Assembly& assembly);
 
-/// Width that each bond has from the start, in cells: notches, and pathways until the porosity is reached. Of widths in
+/// Width of each bond at the start, in cells: notches, and pathways until the porosity is reached. With widths in
 /// metres the same bonds have pathways on any lattice. Throws InputError for a notch that is not on the mesh, and for
 /// widths too small for the lattice.
 std::vector<double> initial_widths(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
                                    const BondEdges& bonds, const RockRaster& raster);
 
-/// The rock's nodes that a pathway of `width` (bond, cells) along each bond opens.
+/// The nodes of the rock that a pathway of `width` (bond, cells) along each bond opens.
 std::vector<std::vector<StripNode>> bond_strips(const Scene& scene, const Lattice& lattice, const Assembly& assembly,
                                                 const BondEdges& bonds, const RockRaster& raster,
                                                 const std::vector<double>& width);
 
-/// The nodes that the widest pathway of some bond would open, and those of pathways narrower than a cell. `closed`: the
-/// initial widths; `solid`: (node) after those.
+/// The nodes that the widest pathway of any bond would open, and those of pathways narrower than a cell. `closed`: the
+/// initial widths; `solid`: (node) the solid that these leave.
 PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Assembly& assembly, const BondEdges& bonds,
                            const RockRaster& raster, const std::vector<double>& closed, const std::vector<bool>& solid);
 

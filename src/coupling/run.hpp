@@ -1,5 +1,5 @@
 #pragma once
-// A run from its scene to its run directory: steps, guards, snapshots, history, provenance.
+// Runs a scene and writes its run directory: steps, guards, snapshots, history, origin.
 #include "io/scene.hpp"
 #include "ranks/ranks.hpp"
 
@@ -10,22 +10,22 @@
 
 namespace vug {
 
-/// What the command line adds to a scene.
+/// Options of the command line.
 struct RunOptions {
   std::string directory;
-  std::optional<std::int64_t> steps;  ///< stop after this many lattice steps, whatever the case says
+  std::optional<std::int64_t> steps;  ///< stop after this many lattice steps, independent of the case
   bool resume = false;     ///< continue from the newest checkpoint in `directory`, or begin where there is none
-  bool overwrite = false;  ///< replace the run that `directory` holds
-  bool terminal = false;   ///< the progress goes to a terminal
+  bool overwrite = false;  ///< replace the run in `directory`
+  bool terminal = false;   ///< progress is shown on a terminal
   std::ostream* progress = nullptr;  ///< null: quiet
-  std::ostream* warnings = nullptr;  ///< where warnings go of a quiet run; null: nowhere
-  /// What a signal says that comes when the run is done and the process has not ended yet.
+  std::ostream* warnings = nullptr;  ///< for warnings of a quiet run; null: nowhere
+  /// The message of a signal that arrives when the run is done and the process has not ended yet.
   const char* words_when_done = "interrupted when the run was done";
-  Ranks ranks{};  ///< who computes the case together; the first of them writes
+  Ranks ranks{};  ///< the processes that compute the case together; the first one writes
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or
-/// Interrupted (host/interruption.hpp) when the state has been kept in a checkpoint.
+/// Interrupted (host/interruption.hpp) after the state has been saved in a checkpoint.
 void run_case(const Scene& scene, const RunOptions& options);
 
 }  // namespace vug

@@ -1,5 +1,5 @@
 #pragma once
-// What every run directory says of its origin.
+// What every run directory records about its origin.
 #include "io/run_record.hpp"
 #include "io/scene.hpp"
 
@@ -7,14 +7,14 @@
 
 namespace vug {
 
-/// What a program says of itself; written to run.json and printed by `vug info`.
+/// What a program knows about itself; written to run.json and printed by `vug info`.
 struct BuildInfo {
   std::string version, commit, compiler, backend, device;
   int threads = 1;
 };
 BuildInfo build_info();
 
-/// "vug 0.1.0 (commit c924984, OpenMP)"; needs no Kokkos that has been started.
+/// "vug 0.1.0 (commit c924984, OpenMP)"; Kokkos need not have been started.
 std::string version_line();
 
 /// The record of a run of `scene` that begins now; reads the files that the scene names. Throws FileError.

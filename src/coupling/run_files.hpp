@@ -1,5 +1,5 @@
 #pragma once
-// What a run writes as it goes: snapshots and rows of the history.
+// The files that a run writes as it goes: snapshots and rows of the history.
 #include "coupling/simulation.hpp"
 #include "io/history_writer.hpp"
 #include "io/snapshot_writer.hpp"
@@ -10,11 +10,11 @@
 
 namespace vug {
 
-/// Node values at the probes of the case, named for history.csv.
+/// Values at the nodes of the case's probes, named for history.csv.
 class Probes {
  public:
   Probes(const Scene& scene, const FieldList& fields) : scene_(scene), fields_(fields) {}
-  /// Called by all ranks, of which the first gets the values.
+  /// Called by all ranks; the first one gets the values.
   void add(std::vector<HistoryValue>& row) const;
 
  private:
@@ -22,25 +22,25 @@ class Probes {
   const FieldList& fields_;
 };
 
-/// Names in a case begin names of columns, in ways that no reader foresees. Throws InputError where two columns of the
-/// history would have one name. Called by all ranks.
+/// Throws InputError where two columns of the history would have the same name: names in a case begin those of columns,
+/// so that the reader cannot exclude this. Called by all ranks.
 void require_distinct_columns(const Scene& scene, const Simulation& simulation);
 
-/// The open files of a run: the first rank has them, the others take part in what is read for them.
+/// The open files of a run. The first rank has them; the others take part in reading the fields for them.
 class RunFiles {
  public:
-  /// With `resume_step` the files of the run are continued from there.
+  /// With `resume_step` the files of the run are continued from that step.
   RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
            std::optional<std::int64_t> resume_step);
 
-  /// Rows that the history has; 0 where it is another rank's.
+  /// Number of rows in the history; 0 on other ranks than the first.
   std::int64_t rows() const { return history_ ? history_->rows() : 0; }
 
   void write_snapshot();
 
   /// Writes and returns a row of the history.
   std::vector<HistoryValue> write_row();
-  /// Brings the rows to the disk.
+  /// Syncs the rows to the disk.
   void sync_rows() {
     if (history_) history_->sync();
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Sums over the nodes of groups (of a triangle, of a part of it) in a fixed order: same bits on every run.
+// Sums over the nodes of groups (of a triangle, of a part of it) in a fixed order: the same bits in every run.
 #include "coupling/rock_map.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
@@ -11,14 +11,14 @@ namespace vug {
 
 namespace detail {
 
-/// One group, four sums in turn.
+/// Sums one group, with four partial sums in turn.
 template <class T, class Store>
 struct RunSumOnHost {
   NodeGroups groups;
   const int* only;  ///< null: all
   Kokkos::View<const T*> values;
   Store store;
-  /// Every run lies on another row.
+  /// Prefetches: every run is in another row.
   KOKKOS_FORCEINLINE_FUNCTION void announce(int r) const {
     constexpr int ahead = 64;
     if (r + ahead >= static_cast<int>(groups.first.extent(0))) return;
@@ -43,7 +43,7 @@ struct RunSumOnHost {
   }
 };
 
-/// One group by a team: its threads take runs, their lanes the nodes of a run.
+/// Sums one group by a team: its threads take runs, their vector lanes the nodes of a run.
 template <class T, class Store>
 struct RunSumByTeam {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
@@ -71,7 +71,7 @@ struct RunSumByTeam {
 
 }  // namespace detail
 
-/// store(g, sum of `values` (dense node) over the nodes of group g) for every group, or those listed in `only`.
+/// Calls store(g, sum of `values` (dense node) over the nodes of group g) for every group, or those listed in `only`.
 template <class T, class Store>
 void sum_runs(const Exec& exec, const std::string& label, const NodeGroups& groups, const ScalarField<T>& values,
               const Store& store, const std::optional<IndexList>& only = {}) {

@@ -9,7 +9,7 @@ namespace vug::detail {
 
 namespace {
 
-/// visit(first, last) of what lies between ascending runs, up to `end`.
+/// Calls visit(first, last) for the gaps between ascending runs, up to `end`.
 template <class Visit>
 void visit_gaps(const Runs& runs, int end, const Visit& visit) {
   int at = 0;
@@ -20,7 +20,7 @@ void visit_gaps(const Runs& runs, int end, const Visit& visit) {
   if (end > at) visit(at, end);
 }
 
-/// What is not in ascending runs, up to `end`.
+/// The gaps between ascending runs, up to `end`.
 Runs gaps(const Runs& runs, int end) {
   Runs between;
   visit_gaps(runs, end, [&](int first, int last) { between.emplace_back(first, last); });
@@ -31,7 +31,7 @@ int stride_of(const Shares& shares, std::size_t count) {
   return static_cast<int>(count / shares.planes);
 }
 
-/// Those of a rank, in all planes, ascending.
+/// The slots of a rank, in all planes, ascending.
 Runs slots_of_rank(const Shares& shares, int rank, int stride) {
   Runs runs;
   for (int p = 0; p < shares.planes; ++p)
@@ -47,8 +47,8 @@ void add_halos(const Shares& shares, int stride, Runs& runs) {
   std::sort(runs.begin(), runs.end());
 }
 
-/// What a rank takes from a file: its own, what comes to it from others, and on the first rank, which writes it again,
-/// what is nobody's.
+/// The slots that a rank takes from a file: its own, those that come to it from others, and, on the first rank, which
+/// writes them again, those of no rank.
 Runs taken_from_file(const Ranks& ranks, const Shares& shares, std::size_t count) {
   const int stride = stride_of(shares, count);
   Runs taken = slots_of_rank(shares, ranks.rank(), stride);
@@ -65,7 +65,7 @@ Runs taken_from_file(const Ranks& ranks, const Shares& shares, std::size_t count
   return taken;
 }
 
-/// visit(first, last) of pieces that take few MiB each.
+/// Calls visit(first, last) for pieces of a few MiB each.
 template <class Visit>
 void visit_pieces(int count, std::size_t bytes, const Visit& visit) {
   constexpr std::size_t most = 4 << 20;
@@ -99,7 +99,7 @@ void load_shared(const Ranks& ranks, const Shares& shares, const Slots& slots, c
     give(first * slots.bytes, piece);
     slots.check(piece);
     if constexpr (!runs_on_host) {
-      slots.put(first, piece);  // a GPU's memory is there for all
+      slots.put(first, piece);  // a GPU has memory for the whole field
     } else {
       for (auto part = run; part != taken.end() && part->first < last; ++part) {
         const int from = std::max(part->first, first), to = std::min(part->second, last);
@@ -110,7 +110,8 @@ void load_shared(const Ranks& ranks, const Shares& shares, const Slots& slots, c
 }
 
 void let_go(const Ranks& ranks, const Shares& shares, void* values, std::size_t bytes, std::size_t count) {
-  // A node at a side in every row would keep large pages whole; not for less, as each part of another kind counts.
+  // Pages in long gaps are made small, because a node at a side in every row would keep large ones whole. Not in short
+  // gaps, because the system counts each part with pages of another kind.
   constexpr std::size_t large = 4 << 20, small = 16 << 10;
   const auto visit = [&](const Runs& runs, std::size_t shortest, auto what) {
     visit_gaps(runs, static_cast<int>(count), [&](int first, int last) {

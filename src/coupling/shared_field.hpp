@@ -1,6 +1,6 @@
 #pragma once
 // Fields with room for all nodes, of which every rank computes its own (docs/scaling.md): what a rank holds of them,
-// and how they get into a checkpoint and back, piece by piece.
+// and how they are written to a checkpoint and read back, piece by piece.
 #include "coupling/split.hpp"
 #include "io/field_list.hpp"
 
@@ -13,16 +13,16 @@
 
 namespace vug {
 
-/// Who has what of a field: planes of items that have the same owners, one plane after the other.
+/// Which rank has what of a field: planes of items with the same owners, one plane after the other.
 struct Shares {
   Owners owners;
   int planes = 1;
-  std::vector<Halo> halos;      ///< that bring a rank slots of others
-  bool halos_of_plane = false;  ///< they number the items of one plane, and bring those of each
+  std::vector<Halo> halos;      ///< those that bring a rank slots of others
+  bool halos_of_plane = false;  ///< halos number the items of one plane and apply to every plane
 
   Shares(Owners owners_, int planes_, std::vector<Halo> halos_)
       : owners(std::move(owners_)), planes(planes_), halos(std::move(halos_)) {}
-  /// Both components of a vector.
+  /// For both components of a vector.
   static Shares of_vector(Owners owners, std::vector<Halo> halos) {
     Shares shares(std::move(owners), 2, std::move(halos));
     shares.halos_of_plane = true;
@@ -32,8 +32,8 @@ struct Shares {
 
 namespace detail {
 
-/// The slots of a View, as bytes: how many of what size; a look at those from `at` on, in the host's memory (`room`
-/// where they are not there); new ones; a check of those that are to come.
+/// The slots of a View as bytes: their number and size; `look` reads those from `at` on in the host's memory (into
+/// `room` where they are elsewhere), `put` writes new ones, `check` checks those to be written.
 struct Slots {
   std::size_t count, bytes;
   std::function<const std::byte*(std::size_t at, std::size_t count, std::vector<std::byte>& room)> look;
@@ -73,7 +73,7 @@ Slots slots_of(const std::string& name, const ViewType& view, StateRange range) 
 
 }  // namespace detail
 
-/// Adds a field to what a checkpoint must hold. The file gets the bytes of one rank; a rank takes from it what it
+/// Adds a field to a checkpoint. The file gets the same bytes as from a single rank; each rank takes from it what it
 /// holds.
 template <class ViewType>
 void add_shared(StateList& list, const Ranks& ranks, const std::string& name, const ViewType& view,
@@ -88,8 +88,8 @@ void add_shared(StateList& list, const Ranks& ranks, const std::string& name, co
                       [=](const GiveBytes& give) { detail::load_shared(ranks, shares, slots, give); }});
 }
 
-/// What is done with the fields that modules share out, each with its name in checkpoints: they are put into one
-/// (`list`), or else, on a host, the memory of what neither is ours nor comes to us is given back.
+/// Applied to the fields that modules share out, each with its name in checkpoints. With a `list` it adds them to a
+/// checkpoint. Otherwise, on a host, it gives the memory back of items that neither belong to this rank nor come to it.
 class SharedFields {
  public:
   explicit SharedFields(const Ranks& ranks, StateList* list = nullptr) : ranks_(ranks), list_(list) {}

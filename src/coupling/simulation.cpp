@@ -20,7 +20,7 @@ StateRange nodes_of(const Geometry& geometry) {
   return {0, static_cast<double>(geometry.lattice.size()) - 1};
 }
 
-/// With intervals of one lattice step where they are chosen as the run goes.
+/// The scene with intervals of one lattice step, where they are chosen during the run.
 Scene with_first_intervals(Scene scene) {
   AccuracySection& accuracy = scene.accuracy;
   if (accuracy.chooses_intervals())
@@ -50,7 +50,7 @@ void Simulation::begin() {
 }
 
 void Simulation::step() {
-  const double factor = parts_->ageing ? parts_->ageing->factor() : 1;  // it may change in the step, for the next
+  const double factor = parts_->ageing ? parts_->ageing->factor() : 1;  // before a module changes it for the next step
   const Ranks& ranks = parts_->geometry.split.ranks();
   if (chooser_) choose_intervals();
   for (const auto& module : parts_->modules) {
@@ -201,7 +201,7 @@ StateList Simulation::geometry_state() {
   fluid_count_ = parts_->geometry.fluid.count;
   fluid_capacity_ = parts_->geometry.fluid.capacity;
   const StateRange room{static_cast<double>(fluid_count_), 2.0 * static_cast<double>(parts_->geometry.lattice.size())};
-  list.add_value("geometry/count", fluid_count_, room);  // no fluid node is lost
+  list.add_value("geometry/count", fluid_count_, room);  // the number of fluid nodes never falls
   list.add_value("geometry/capacity", fluid_capacity_, room);
   return list;
 }

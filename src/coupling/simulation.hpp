@@ -6,21 +6,22 @@
 
 namespace vug {
 
-/// A scene in motion. Knows nothing of files: `run.hpp` writes what it offers.
+/// A running scene. Knows nothing of files, which `run.hpp` writes.
 class Simulation {
  public:
-  /// The ranks share the work: all of them make one of the same scene and call the same functions of it.
+  /// All ranks, which share the work, construct a Simulation of the same scene and call the same functions of it.
   explicit Simulation(const Scene& scene, const Ranks& ranks = {});
 
   /// Brings all modules to time zero (tectonic preload). Not called when a checkpoint is loaded instead.
   void begin();
-  /// One lattice step; what a module has put off then is done by catch_up().
+  /// Takes one lattice step. Work that a module delays is done by catch_up().
   void step();
-  /// Brings all modules to now: before parts(), or fields listed earlier, are looked at. All that follows here does it.
+  /// Brings all modules to the present. Must be called before parts(), or fields listed earlier, are read; all
+  /// functions below call it.
   void catch_up() const;
-  /// Brings each rank what others hold for it: to be called by all before fields are read.
+  /// Brings each rank what others hold for it. Must be called by all ranks before fields are read.
   void gather() const;
-  /// Throws StabilityError when a module has left its bounds.
+  /// Throws StabilityError when a module is out of bounds.
   void guard();
 
   const Clock& clock() const { return clock_; }
@@ -30,27 +31,27 @@ class Simulation {
   /// Lattice-node updates of one step, all fields together, for MLUPS.
   double updates_per_step() const;
   LimitTable limits() const;
-  /// What a step does, in its order.
+  /// The tasks of a step, in their order.
   std::vector<Task> schedule() const;
   Ledger ledger() const;
-  /// One row of history.csv at this moment: time, step, what the modules say, the balances.
+  /// A row of history.csv for the present: time, step, the numbers of the modules, the balances.
   std::vector<HistoryValue> history() const;
   FieldList fields() const;
 
-  /// Everything a restart needs, after any step. Called by all ranks, which save and load all blocks alike.
+  /// Everything that a restart needs, after any step. Called by all ranks, which all save and load all blocks.
   StateList state();
-  /// Takes a state over, from `load`, which is called with one list of blocks after the other: it makes room for a
-  /// grown list of fluid nodes first. Throws FileError for numbers that no state of this scene can have.
+  /// Restores a state. `load` is called with several lists of blocks, one after the other, because room for a grown
+  /// list of fluid nodes must be made first. Throws FileError for numbers that are impossible in this scene.
   void restore(const std::function<void(StateList&)>& load);
 
  private:
   StateList geometry_state();
-  /// The memory of what other ranks compute, once something has filled it.
+  /// Gives back the memory of what other ranks compute, after something has filled it.
   void give_back();
-  /// Before a step: where a look is due, sees how fast things change, and has the modules go on with the intervals that
-  /// follow from it.
+  /// Called before a step. Where a look is due, it determines how fast things change, and the modules use the intervals
+  /// that follow from it.
   void choose_intervals();
-  /// Those that hold now.
+  /// The present intervals.
   Intervals intervals() const;
   void require_possible(const Kokkos::View<NodeType*>& type, const IndexList& node) const;
 
@@ -60,7 +61,7 @@ class Simulation {
   int update_interval_;
   std::unique_ptr<Parts> parts_;
   std::optional<IntervalChooser> chooser_;
-  mutable bool whole_ = false;                ///< no step since it was gathered
+  mutable bool whole_ = false;                ///< no step since the last gather()
   int fluid_count_ = 0, fluid_capacity_ = 0;  ///< as read from a checkpoint
 };
 

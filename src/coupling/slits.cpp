@@ -6,13 +6,14 @@
 
 namespace vug {
 
-/// What has dissolved of a node and its walls widens the crack by so many cells: across a line of the given slope the
-/// faces of the nodes beside it count 1/sqrt(1 + slope^2).
+/// Width (cells) that dissolution of a node and its walls adds to the crack: for a line of the given slope the faces of
+/// the nodes beside it count 1/sqrt(1 + slope^2).
 KOKKOS_FORCEINLINE_FUNCTION double etched_width(double dissolved, double slope) {
   return dissolved / Kokkos::sqrt(1 + slope * slope);
 }
 
-/// Counts the places where the resistance changes. A node that several bonds open conducts like the widest of them.
+/// Finds resistance and openness of the places and counts changes. A node that several bonds open conducts as in the
+/// widest of them.
 struct FindSlits {
   PathwayNodes nodes;
   BondPathways bonds;
@@ -31,14 +32,14 @@ struct FindSlits {
   }
   KOKKOS_FORCEINLINE_FUNCTION Slit found(int c) const {
     const int n = nodes.node(c);
-    Slit widest;  // no bond's: acid has opened it
+    Slit widest;  // no resistance, where no bond has opened the node but acid
     if (type(n) != NodeType::fluid) return widest;
     const double gone = dissolved_around(n);
     bool any = false;
     for (int k = nodes.offset(c); k < nodes.offset(c + 1); ++k) {
       const int b = nodes.bond(k);
       if (nodes.least(k) > bonds.widest(b)) continue;
-      // what a crack that has closed again leaves beside the narrowest strip hardly conducts
+      // beside the narrowest strip, the nodes that a closed crack leaves open hardly conduct
       double conductivity = nodes.least(k) <= bonds.strip(b) ? bonds.conductivity(b) : cubic_law(narrowest_slit);
       double width = Kokkos::cbrt(12 * conductivity);
       if (gone > 0) conductivity = cubic_law(width += etched_width(gone, nodes.slope(b)));
@@ -57,7 +58,7 @@ struct FindSlits {
   }
 };
 
-/// In the order of places, and with them of triangles.
+/// Lists the slits in the order of places, and thus of triangles.
 struct ListSlits {
   PathwayNodes nodes;
   Kokkos::View<const double*> resistance, openness;

@@ -4,12 +4,12 @@ namespace vug {
 
 namespace {
 
-/// How far, in triangles, solid is handed on at once.
+/// How far solid is moved at most, in triangles.
 constexpr int most_rounds = 16;
 
 }  // namespace
 
-/// Whether a node's solid is handed on together: all, or that of one mineral.
+/// Whether a node belongs to the solid that is moved together: all solid, or one mineral.
 struct AllSolid {
   KOKKOS_FORCEINLINE_FUNCTION bool holds(int) const { return true; }
 };
@@ -19,7 +19,7 @@ struct OneMineral {
   KOKKOS_FORCEINLINE_FUNCTION bool holds(int n) const { return mineral(n) == wanted; }
 };
 
-/// Per triangle: the volume of its opening nodes joins what waits.
+/// For each triangle: adds the volume of its opening nodes to what waits.
 template <class Part>
 struct TakeFreed {
   Part part;
@@ -38,7 +38,8 @@ struct TakeFreed {
   }
 };
 
-/// Per triangle: its solid nodes take what waits, as far as they have room. Counts the triangles where some is left.
+/// For each triangle: its solid nodes take what waits, as far as they have room. Counts the triangles where some is
+/// left.
 template <class Part>
 struct TakeUp {
   Part taken;

@@ -1,4 +1,4 @@
-// The solutes where their intervals are chosen as the run goes (accuracy.tolerance).
+// The solutes with intervals that are chosen during the run (accuracy.tolerance).
 #include "coupling/solute_module.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/solute_totals.hpp"

@@ -1,4 +1,4 @@
-// Where solutes leave what their scheme bears: the limits that vug check prints, and the guard of a run.
+// The limits of the solutes' scheme: those that vug check prints, and the guard of a run.
 #include "coupling/plane_waves.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/base/require.hpp"
@@ -13,9 +13,10 @@ namespace vug {
 
 namespace {
 
-// A concentration this far beyond the largest that was ever put in has nothing to do with the equations any more.
+// A concentration that exceeds the largest given one by this factor is no solution of the equations any more.
 constexpr double runaway_factor = 100;
-// What a flux puts into a closed space has no bound; this is so many times what it keeps up across the lattice.
+// There is no bound for what a flux puts into a closed space; this factor is over what the flux maintains across the
+// lattice.
 constexpr double growth_with_flux = 1000;
 
 }  // namespace
@@ -53,7 +54,7 @@ void SoluteModule<T, Set>::guard(const Exec& exec, const Clock& clock) {
 
 template <class T, class Set>
 void SoluteModule<T, Set>::limits(LimitTable& table) const {
-  // nothing faster was tried (docs/stability.md)
+  // higher speeds were not tried (docs/stability.md)
   if (carrier_)
     table.push_back({"solute", "cells per step at the largest speed", interval_ * fastest_, "1", 0,
                      longest_way_of_solutes, "lower accuracy.solute_interval, lattice.time_step or flow.speed_limit"});
@@ -62,8 +63,8 @@ void SoluteModule<T, Set>::limits(LimitTable& table) const {
                      largest_diffusivity_of_solutes, "change lattice.time_step (docs/stability.md)"});
     table.push_back({"solute", s.section.name + " relaxation time tau_1", s.parameters.tau_1, "1", 0.5003, 3.5,
                      "change lattice.time_step"});
-    // The scheme with Lambda = 1/4 on D2Q5 carries any speed at any diffusivity; all others that were measured hold up
-    // to this at least (docs/stability.md).
+    // With Lambda = 1/4 on D2Q5 the scheme is stable for any speed and diffusivity; all others that were measured are
+    // stable at least up to this number (docs/stability.md).
     if (carrier_ && (Set::Q != D2Q5::Q || section_.relaxation_time)) {
       const char* advice = "use solute.velocity_set = \"d2q5\" without solute.relaxation_time, or lower the pressures";
       table.push_back({"solute", s.section.name + " grid Peclet number at the largest speed",

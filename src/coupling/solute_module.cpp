@@ -42,7 +42,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
       state.watched = ScalarField<T>("vug::solute::watched", geometry.fluid.capacity);
       Kokkos::deep_copy(exec, state.watched, state.fields.C);
     }
-    // outflow is dressed first: it reads populations that the others overwrite
+    // outflows are dressed first, because they read populations that the others overwrite
     std::stable_partition(state.boundaries.begin(), state.boundaries.end(), [](const StretchLinks& boundary) {
       return boundary.stretch.conditions.solute.kind == SoluteBoundaryKind::outflow;
     });
@@ -78,7 +78,7 @@ void SoluteModule<T, Set>::find_boundaries(const Exec& exec) {
         boundary.area = stretch.opening ? link_areas(exec, geometry_.fluid, *stretch.opening, Set::Q)
                                         : link_areas(boundary.links, Set::Q);
       if (stretch.conditions.solute.kind == SoluteBoundaryKind::outflow &&
-          &s == &species_[0])  // all have the same links
+          &s == &species_[0])  // all species have the same links
         narrow_ = narrow_ || is_narrow(exec, geometry_.fluid, boundary.links);
     }
     if (s.watched.extent(0) > 0) Kokkos::resize(exec, s.watched, geometry_.fluid.capacity);
@@ -191,7 +191,7 @@ void SoluteModule<T, Set>::births(const Exec& exec, const Births& births) {
   for (SpeciesState<T>& s : species_) {
     fit_solute_to_capacity<Set>(exec, fluid, births.first, s.fields);
     settle<Set>(exec, fluid, births.first, s.fields);  // the links to new nodes were walls until now
-    if (!split.alone())                                // all ranks fill the new nodes alike
+    if (!split.alone())                                // so that all ranks fill the new nodes alike
       split.make_whole(split.of_neighbours(fluid, births.first, births.last), s.fields.h, Set::Q, fluid.capacity);
     initialise_births<Set>(exec, fluid, births.first, births.last, fill_, s.fields, s.created);
   }

@@ -11,7 +11,7 @@
 
 namespace vug {
 
-/// One species: its state, its boundaries and what its balance needs.
+/// One species: its state, its boundaries and the terms of its balance.
 template <class T>
 struct SpeciesState {
   Species section;
@@ -20,7 +20,7 @@ struct SpeciesState {
   std::vector<StretchLinks> boundaries;
   LongSum correction;           ///< (block) added by the advective form
   ScalarField<double> created;  ///< (block) added by filling newborn nodes
-  ScalarField<T> watched;       ///< (fluid) concentration at the last look; empty where nobody asks for changes
+  ScalarField<T> watched;       ///< (fluid) concentration at the last look; empty where changes are not watched
   double initial = 0;           ///< lattice units
 
   SteppingSolute<T> stepping() { return {parameters, fields, correction.recent()}; }
@@ -30,7 +30,7 @@ struct SpeciesState {
   }
 };
 
-/// Two of the species and the wall that turns one into the other; `product` may be null.
+/// Reactant and product (which may be null), and the wall at which one turns into the other.
 template <class T>
 struct ReactingSpecies {
   const ReactiveWall* wall = nullptr;
@@ -40,12 +40,12 @@ struct ReactingSpecies {
   std::string key{};  ///< of the states of the links
 };
 
-/// The most cells that the fluid may go in a step, nothing faster was tried, and the largest diffusivity
+/// Largest number of cells that the fluid may move in a step (higher ones were not tried), and the largest diffusivity
 /// (docs/stability.md).
 inline constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_solutes = 1;
 
-/// Owns the populations of all species. `flow` may be null: diffusion only. Steps every accuracy.solute_interval
-/// lattice steps, with diffusivity, velocity and rate constant times that number.
+/// Owns the populations of all species. `flow` may be null: diffusion only. A step is taken every
+/// accuracy.solute_interval lattice steps, with diffusivity, velocity and rate constant multiplied by that number.
 template <class T, class Set>
 class SoluteModule final : public Module {
  public:
@@ -70,36 +70,36 @@ class SoluteModule final : public Module {
   void state(StateList& list) override;
 
   bool due(const Clock& clock) const { return clock.every(interval_); }
-  /// Of all ranks' nodes, lattice units.
+  /// Amount on the nodes of all ranks, lattice units.
   double total(const SpeciesState<T>& s) const;
-  /// State of the species of that name.
+  /// State of the species with that name.
   SpeciesState<T>& species(const std::string& name);
-  /// From now on these react at every step, one pair after the other.
+  /// From now on these pairs react in every step, one after the other.
   void react(std::vector<ReactingSpecies<T>> reacting) { reacting_ = std::move(reacting); }
 
  private:
   void find_boundaries(const Exec& exec);
   void find_halos();
-  /// Fluid nodes whose concentrations an outflow looks at.
+  /// The fluid nodes before those at outflows (kernels/scalar/outflow_slope.hpp).
   std::vector<int> nodes_before_outflow() const;
   SoluteParameters parameters_of(const Species& species) const;
-  /// From the streaming that follows on, steps take so many lattice steps.
+  /// Steps take this many lattice steps, from the next streaming on.
   void set_interval(int interval);
-  /// A sweep of which the collision turns the populations over to steps of another length (turning.hpp).
+  /// A sweep whose collision converts the populations to steps of another length (turning.hpp).
   void turn(const Exec& exec);
-  /// What carries the species, each alike.
+  /// The velocity that carries all species alike.
   SoluteCarrier<T> carrier_of_all() const;
-  /// Sweeps of all species, and their reaction.
+  /// Sweeps all species and lets them react.
   void sweep(const Exec& exec);
-  /// All of several pairs, of which species may have part in more than one: they step, then the walls take from each.
+  /// The same for several pairs, which may have species in common: all species step, then the walls take from each.
   void step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier);
-  /// Brings on every rank what has entered, left and been added.
+  /// Brings to all ranks the sums of what has entered, left and been added.
   void gather_sums(const SpeciesState<T>& s) const;
-  /// What links hold back or exchange beyond the sweep, after it.
+  /// After the sweep: applies what links hold back or exchange in addition.
   void act_on_links(const Exec& exec);
-  /// Brings the populations here that the next sweep of a species pulls.
+  /// Brings to this rank the populations that the next sweep of a species pulls.
   void exchange(const Exec& exec, const SoluteFields<T>& fields) const;
-  /// What a boundary of a species says on the mean of some times; gain(link) += what enters.
+  /// The condition of a species at a boundary, averaged over these times; gain(link) += what enters.
   SoluteCondition<T> condition(const SpeciesState<T>& s, const StretchLinks& boundary, const StepTimes& times,
                                const ScalarField<double>& gain) const;
   Crossing<T> crossing() const;
@@ -108,17 +108,17 @@ class SoluteModule final : public Module {
   LatticeUnits units_;
   const Geometry& geometry_;
   FlowModule<T>* flow_;                     ///< null: the fluid is at rest
-  const Carrier<T>* carrier_;               ///< null likewise
+  const Carrier<T>* carrier_;               ///< likewise
   const VectorField<T>* excess_ = nullptr;  ///< what faces exchange (solute/face_exchange.hpp); null: nothing
   int interval_, next_interval_;            ///< lattice steps until the end of the step that follows, and after it
-  int compared_ = 0;                        ///< fluid nodes that were there at the last look
+  int compared_ = 0;                        ///< number of fluid nodes at the last look
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
   std::vector<SpeciesState<T>> species_;
-  std::vector<SoluteCondition<T>> conditions_;  ///< at the boundaries of all species in this step
+  std::vector<SoluteCondition<T>> conditions_;  ///< at the boundaries of all species, in this step
   bool narrow_ = false;                         ///< see is_narrow; of links of an outflow
-  Halo populations_;                            ///< of other ranks' nodes that our sweeps pull
-  Halo before_outflow_;                         ///< other ranks' nodes before those at which something leaves
+  Halo populations_;                            ///< of other ranks' nodes, which our sweeps pull
+  Halo before_outflow_;                         ///< other ranks' nodes before those at outflows
   Halo neighbours_;                             ///< of our nodes, for act_on_links
   std::vector<ReactingSpecies<T>> reacting_;
 };

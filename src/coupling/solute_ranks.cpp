@@ -1,4 +1,4 @@
-// Solutes of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
+// Solutes on one rank among others (docs/scaling.md): what it gets from them, and what all ranks know.
 #include "coupling/shared_field.hpp"
 #include "coupling/solute_module.hpp"
 #include "coupling/sum_state.hpp"
@@ -23,7 +23,7 @@ template <class T, class Set>
 std::vector<int> SoluteModule<T, Set>::nodes_before_outflow() const {
   std::vector<int> nodes;
   const auto source = on_host(geometry_.fluid.source);
-  for (const StretchLinks& boundary : species_[0].boundaries) {  // all have the same links
+  for (const StretchLinks& boundary : species_[0].boundaries) {  // all species have the same links
     if (boundary.stretch.conditions.solute.kind != SoluteBoundaryKind::outflow) continue;
     const auto fluid = on_host(boundary.links.fluid), own = on_host(boundary.links.own);
     const auto direction = on_host(boundary.links.direction);

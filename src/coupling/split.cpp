@@ -14,7 +14,7 @@ void sort_once(std::vector<int>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-/// At least one number, as nobody's are all.
+/// The list has at least one entry, because an empty one would mean all.
 IndexList numbers(const char* label, std::vector<int> list) {
   list.resize(std::max<std::size_t>(list.size(), 1));
   return to_device<IndexList>(label, list);

@@ -1,23 +1,24 @@
 #pragma once
-// When a step that takes several lattice steps looks at tables over time.
+// The times at which a step of several lattice steps evaluates tables over time.
 #include "coupling/clock.hpp"
 
 namespace vug {
 
-/// The beginnings of the lattice steps that a step of heat or solutes takes, s: `count` of them up to `last`. One looks
-/// at its own, and several at as many times, so that a pulse counts once however short it is.
+/// The beginnings (s) of the lattice steps that a step of heat or solutes spans: `count` of them up to `last`. Tables
+/// are evaluated at each of them, so that a pulse counts exactly once however short it is.
 struct StepTimes {
   double last = 0;
   double time_step = 0;
   int count = 1;
 
-  /// Mean of value(time) over them: what as many steps of one lattice step take in by a table of fluxes, one takes in.
+  /// Mean of value(time) over them. One step with the mean of a table of fluxes takes in as much as `count` steps of
+  /// one lattice step each.
   template <class Value>
   double mean(const Value& value) const {
     return mean_up_to(last, value);
   }
-  /// Mean over as many about the last: a value given at a wall acts at the end of the step, not in its middle, so that
-  /// the mean of what lies behind would be late by half a step.
+  /// Mean over as many times around the last one. A value given at a wall acts at the end of the step, not in its
+  /// middle, so that with the mean of the times before it would be late by half a step.
   template <class Value>
   double mean_about_last(const Value& value) const {
     return mean_up_to(last + 0.5 * (count - 1) * time_step, value);
@@ -32,8 +33,8 @@ struct StepTimes {
   }
 };
 
-/// Those of the next step that takes `count` lattice steps: the one that ends when as many are done, as Clock::every
-/// says.
+/// Times of the next step of `count` lattice steps, which ends when the number of lattice steps done is a multiple of
+/// `count` (Clock::every).
 inline StepTimes next_step(const Clock& clock, int count) {
   const std::int64_t steps_to_go = count - 1 - clock.step % count;
   return {clock.time() + static_cast<double>(steps_to_go) * clock.time_step, clock.time_step, count};

@@ -1,5 +1,5 @@
 #pragma once
-// What a checkpoint must hold of a long sum.
+// The state of a long sum in a checkpoint.
 #include "io/field_list.hpp"
 #include "kernels/launch/long_sum.hpp"
 

@@ -1,5 +1,5 @@
-// What crosses the sides of the lattice and the surfaces of openings at the present time, and the force of the fluid on
-// them: what the next step will do there, done and undone.
+// What crosses the sides of the lattice and the surfaces of openings at present, and the force of the fluid on them:
+// the conditions of the next step are applied there, and then undone.
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/solute_module.hpp"
@@ -14,7 +14,7 @@ namespace vug {
 
 namespace {
 
-/// Adds to the value of that name, of which every part of a side has a share.
+/// Adds to the value of that name, because a side may consist of several parts.
 void add_value(std::vector<HistoryValue>& row, const std::string& name, double value) {
   const auto found = std::find_if(row.begin(), row.end(), [&](const HistoryValue& v) { return v.name == name; });
   if (found == row.end())
@@ -23,13 +23,13 @@ void add_value(std::vector<HistoryValue>& row, const std::string& name, double v
     found->value += value;
 }
 
-/// A boundary that has been dressed for a look.
+/// A boundary whose conditions have been applied for this purpose.
 template <class T>
 struct DressedBoundary {
   const StretchLinks& boundary;
-  ScalarField<T> outgoing;    ///< (link) what it had in the populations
+  ScalarField<T> outgoing;    ///< (link) the populations there before
   ScalarField<double> gain;   ///< (link) what enters in a step
-  ScalarField<double> level;  ///< of an outflow of the fluid, what it keeps from step to step
+  ScalarField<double> level;  ///< what an outflow of the fluid keeps from step to step
 };
 
 template <class T>
@@ -41,7 +41,7 @@ DressedBoundary<T> dressing(const Exec& exec, const FluidNodes& fluid, const Str
           Kokkos::create_mirror(typename Exec::memory_space{}, boundary.outflow.level)};
 }
 
-/// The nodes of links, as others than their ranks get them.
+/// The nodes at links, as a halo that brings them to other ranks.
 template <class Boundaries>
 Halo nodes_at(const Split& split, const FluidNodes& fluid, const Boundaries& boundaries) {
   if (split.alone()) return {};
@@ -130,7 +130,7 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
   const double mol_per_s = units_.amount() / (interval_ * units_.time_step);
   const VectorField<T> u = carrier_ ? carrier_->u : VectorField<T>();
   const Split& split = geometry_.split;
-  const Halo others = nodes_at(split, fluid, species_[0].boundaries);  // all have the same links
+  const Halo others = nodes_at(split, fluid, species_[0].boundaries);  // all species have the same links
   if (carrier_) others.template exchange<T, 2>(exec, components(u));
   for (const SpeciesState<T>& s : species_) {
     others.template exchange<T, 1>(exec, {s.fields.C});

@@ -1,5 +1,5 @@
-// What a lattice step does, module by module, in the order in which it is done: the schedule of `vug check --schedule`.
-// tests/meta/schedule_test.cpp holds it against what steps change.
+// The tasks of a lattice step, module by module, in their order: the schedule of `vug check --schedule`.
+// tests/meta/schedule_test.cpp compares it with what steps change.
 #include "coupling/ageing_module.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
@@ -47,7 +47,7 @@ void ReactionModule<T, Set>::tasks(std::vector<Task>& schedule) const {
   if (heat_) reads.push_back("heat/g");
   writes.push_back("reaction/refreshed");
   schedule.push_back({"reaction: rates of the links at walls", wall_interval_, reads, writes,
-                      names({"consumed"})});  // settled into sums of more digits (long_sum.hpp)
+                      names({"consumed"})});  // settled into sums of higher precision (long_sum.hpp)
 }
 
 template <class T, class Set>

@@ -1,5 +1,5 @@
 #pragma once
-// The temperatures that a case names.
+// The range of temperatures that a case names.
 #include "io/scene.hpp"
 
 namespace vug {
@@ -9,8 +9,8 @@ struct TemperatureRange {
   double span() const { return hottest - coldest; }
 };
 
-/// From the temperatures at the start and on all sides and openings; a heat flux adds what it makes in a layer of fluid
-/// as thick as the lattice is long. `scene` has [heat].
+/// From the temperatures at the start and on all sides and openings. A heat flux adds the difference that it maintains
+/// across a layer of fluid as thick as the lattice is long. `scene` has [heat].
 TemperatureRange temperature_range(const Scene& scene);
 
 }  // namespace vug

@@ -21,14 +21,15 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Stands for the rung of a setting that is left as the case has it.
+/// Stands for the rung of a setting that stays as the case has it.
 constexpr std::size_t as_in_case = std::numeric_limits<std::size_t>::max();
 
-/// Rows of a pilot's history lie where every interval of settings_of has just ended.
+/// Rows of a pilot's history are at steps where every interval of settings_of has just ended.
 constexpr std::int64_t steps_of_a_row = 40;
 constexpr std::int64_t rows_of_a_pilot = 20;
 
-/// Neither counts, nor parts of balances, nor what trembling rock has in one moment: its energy and momentum.
+/// Whether a column is an amount. Excluded are counts, parts of balances, and the energy and momentum of the rock,
+/// which vibrate.
 bool is_amount(const std::string& name) {
   if (name.ends_with("_1") || name == "time_s") return false;
   if (name.find("_energy_") != std::string::npos || name.find("_momentum_") != std::string::npos) return false;
@@ -41,7 +42,7 @@ double largest_change(const std::vector<double>& values) {
   return change;
 }
 
-/// Nothing but rounding: a sum of the same terms over and over.
+/// Whether the values differ by rounding only, as sums of the same terms do.
 bool is_still(const std::vector<double>& values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
@@ -84,7 +85,7 @@ double processor_time() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The first `steps` of a scene. Throws StabilityError where it does not hold.
+/// Runs the first `steps` of a scene. Throws StabilityError where they are unstable.
 Pilot fly(const Scene& scene, std::int64_t steps) {
   const std::int64_t rows = std::max<std::int64_t>(1, std::min(rows_of_a_pilot, steps / steps_of_a_row));
   const std::int64_t row = std::max<std::int64_t>(1, steps / rows / steps_of_a_row * steps_of_a_row);
@@ -103,17 +104,17 @@ Pilot fly(const Scene& scene, std::int64_t steps) {
   return pilot;
 }
 
-/// Pilots of one scene, held against that with the first rung of everything.
+/// Pilots of one scene, compared with the one that has the first rung of every setting.
 class Pilots {
  public:
   Pilots(const Scene& scene, const TuningOptions& options)
       : scene_(scene), options_(options), settings_(settings_of(scene)), steps_(steps_of_a_pilot(scene, options)) {
     reference_ = fly(scene_of(std::vector<std::size_t>(settings_.size(), 0)), steps_);
     ++count_;
-    largest_difference(reference_.history, reference_.history, options_.columns);  // the columns are there
+    largest_difference(reference_.history, reference_.history, options_.columns);  // throws for an unknown column
   }
 
-  /// Of the case as it is, or with these rungs.
+  /// The difference for the case as it is, or with these rungs.
   Difference operator()(const std::vector<std::size_t>* rungs, double& cost) {
     ++count_;
     try {
@@ -122,7 +123,7 @@ class Pilots {
       return largest_difference(reference_.history, pilot.history, options_.columns);
     } catch (const StabilityError&) {
       return {infinite, ""};
-    } catch (const InputError&) {  // an interval that this lattice does not bear
+    } catch (const InputError&) {  // an interval that is too long for this lattice
       return {infinite, ""};
     }
   }
@@ -193,7 +194,7 @@ Difference largest_difference(const History& reference, const History& other, co
     const std::vector<double>& truth = reference.values[c];
     if (is_still(truth)) continue;
     const double change = largest_change(truth);
-    const std::vector<double>& found = other.values.at(other.find(reference.names[c]));  // settings add columns
+    const std::vector<double>& found = other.values.at(other.find(reference.names[c]));  // settings may add columns
     for (std::size_t row = 0; row < truth.size(); ++row) {
       const double difference = std::abs(found.at(row) - truth[row]) / change;
       if (difference > largest.value || std::isnan(difference))

@@ -1,6 +1,6 @@
 #pragma once
-// Settings from a tolerance: the beginning of a case is computed again and again with coarser settings, as long as what
-// comes out stays as near as wanted to what the finest settings give.
+// Settings from a tolerance: the beginning of a case is computed repeatedly with coarser settings, as long as the
+// results stay within the tolerance of those with the finest settings.
 #include "io/history_reader.hpp"
 #include "io/scene.hpp"
 
@@ -12,9 +12,9 @@
 namespace vug {
 
 struct TuningOptions {
-  double tolerance = 1e-3;            ///< largest difference, over the largest change of its column since the start
+  double tolerance = 1e-3;            ///< largest difference over the largest change of its column since the start
   std::optional<std::int64_t> steps;  ///< of each pilot; absent: a twentieth of the run, 800 to 8000
-  std::vector<std::string> columns;   ///< of the history to hold to; none: every amount that changes
+  std::vector<std::string> columns;   ///< of the history, to be compared; empty: every amount that changes
   std::ostream* progress = nullptr;   ///< null: quiet
 };
 
@@ -27,12 +27,12 @@ struct Setting {
 /// The settings that matter to a scene: those of the modules that it has.
 std::vector<Setting> settings_of(const Scene& scene);
 
-/// What was found of a setting.
+/// The findings about a setting.
 struct TunedSetting {
   Setting setting;
   std::size_t chosen = 0;
   bool seen = true;               ///< whether a column of the pilot depends on it; else it stays as the case has it
-  std::vector<double> errors{0};  ///< of the rungs climbed, with all other settings at their first
+  std::vector<double> errors{0};  ///< of the rungs accepted, with all other settings at their first rung
   double error() const { return errors[chosen]; }
 };
 
@@ -40,25 +40,26 @@ struct Tuning {
   std::vector<TunedSetting> settings;
   std::int64_t steps = 0;  ///< of a pilot
   int pilots = 0;
-  double error = 0;                   ///< of all chosen together
-  std::string worst;                  ///< the column that it is of; empty where nothing differs
-  double error_of_case = 0;           ///< of the case as it is; infinite where it does not hold
+  double error = 0;                   ///< of all chosen settings together
+  std::string worst;                  ///< the column with that error; empty where nothing differs
+  double error_of_case = 0;           ///< of the case as it is; infinite where it is unstable
   double cost = 0, cost_of_case = 0;  ///< processor time of the pilots over that of the finest settings
 };
 
-/// The largest difference of two histories with the same rows over `columns` (none: every amount), each over the
-/// largest change of that column in `reference` since its first row, and its column. Columns that do not change are
-/// left out, and, unless they are asked for, counts, energies and momenta of the rock, and of balances all but what is
-/// stored. Throws InputError for a column that is not there.
+/// The largest difference of two histories with the same rows over `columns` (empty: every amount), and its column.
+/// Each difference is divided by the largest change of that column in `reference` since its first row. Columns that do
+/// not change are left out. So are, unless they are requested, counts, energies and momenta of the rock, and all of
+/// balances except what is stored. Throws InputError for a column that does not exist.
 struct Difference {
   double value = 0;
   std::string column;
 };
 Difference largest_difference(const History& reference, const History& other, const std::vector<std::string>& columns);
 
-/// Climbs every setting alone until it costs half of the tolerance, takes all together, and steps back, the costliest
-/// first, until they are within it. The first rungs of all settings are the truth that is compared with; nothing is
-/// told of what they have in common, the lattice. Throws what a simulation of the scene throws, Interrupted.
+/// Coarsens every setting alone as long as its error is within half of the tolerance, combines all, and steps back, the
+/// setting with the largest error first, until the error of all is within the tolerance. Errors are differences from
+/// the first rungs of all settings; errors that these have in common, such as that of the lattice, are not included.
+/// Throws what a simulation of the scene throws, and Interrupted.
 Tuning tune(const Scene& scene, const TuningOptions& options);
 
 /// A table, and the lines of a case file that choose these settings.
