@@ -9,8 +9,8 @@ namespace vug {
 
 /// The nodes from which triangles take their temperature.
 struct ThermalNodes {
-  /// The nodes whose centre is in the particle. For a triangle without any: the node at its centroid or, where that is
-  /// in an opening, the nearest node outside all openings.
+  /// (particle) nodes whose centre is in it. For a triangle without any: the node at its centroid or, where that is in
+  /// an opening, the nearest node outside all openings.
   NodeGroups of_particle;
   std::vector<IndexList> in_opening;  ///< (opening) triangles without a node whose centroid is in it
 };

@@ -29,7 +29,7 @@ constexpr std::int64_t steps_of_a_row = 40;
 constexpr std::int64_t rows_of_a_pilot = 20;
 
 /// Whether a column is an amount. Excluded are counts, parts of balances, and the energy and momentum of the rock,
-/// which vibrate.
+/// which oscillate.
 bool is_amount(const std::string& name) {
   if (name.ends_with("_1") || name == "time_s") return false;
   if (name.find("_energy_") != std::string::npos || name.find("_momentum_") != std::string::npos) return false;

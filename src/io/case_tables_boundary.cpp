@@ -12,7 +12,7 @@ namespace {
 
 enum class Place { side, opening };
 
-/// Reads the flow rates, and checks that exactly one of `velocity` (on an opening `speed`) and the two rates is given.
+/// Reads the flow rates, and checks that at most one of `velocity` (on an opening `speed`) and the two rates is given.
 void read_velocity(const TomlCursor& table, FlowBoundary& boundary, Place place) {
   const char* const own = place == Place::side ? "velocity" : "speed";
   table.read("flow_rate", boundary.flow_rate, unit::square_metre_per_second);

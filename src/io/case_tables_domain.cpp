@@ -12,8 +12,8 @@
 namespace vug {
 namespace {
 
-/// Number of cells in a length, which must be whole. The tolerance, in cells, allows for decimal fractions such as 0.07
-/// / 5e-5.
+/// Number of cells in a length. It must be whole within a tolerance, in cells, which allows for decimal fractions such
+/// as 0.07 / 5e-5.
 int cells_along(const TomlCursor& table, double length, double spacing, int axis) {
   constexpr double tolerance = 1e-6, fewest = 3, most = 1 << 28;
   const double cells = length / spacing;

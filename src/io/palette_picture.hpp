@@ -10,8 +10,8 @@ namespace vug {
 
 using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
-/// Throws InputError unless a picture may be written to `path`: a new PNG file, or in place of another PNG that is not
-/// one of `inputs`. Throws FileError.
+/// Throws InputError unless a picture may be written to `path`, which must be a new PNG file, or another PNG that is
+/// not one of `inputs`. Throws FileError.
 void require_place_for_picture(const std::string& path, const std::vector<std::string>& inputs);
 
 /// Writes `path` as a PNG of `width` columns; `pixels` are indices into `palette`, row by row from the bottom. Small

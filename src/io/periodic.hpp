@@ -4,7 +4,7 @@
 
 namespace vug {
 
-/// Whether all of fluid, heat and solutes that the scene has leave through this side and enter at the opposite one.
+/// Whether this side is joined to the opposite one, for all of fluid, heat and solutes that the scene has.
 inline bool is_periodic(const Scene& scene, const BoundarySection& side) {
   return (scene.flow && side.flow.kind == FlowBoundaryKind::periodic) ||
          (scene.heat && side.heat.kind == HeatCondition::periodic) ||

@@ -28,7 +28,7 @@ ReactionSection read_reaction(const TomlCursor& table, const std::optional<Solut
 void read_own_rate(const TomlCursor& table, RateLaw& rate);
 inline constexpr Unit equilibrium_unit{"1", 1e100};
 inline constexpr Range equilibrium_range{.low = 1e-12, .infinity_allowed = true};
-/// Takes values that are absent from the reaction and the heat of the scene.
+/// Where a value is absent, it is that of the reaction or the heat of the scene.
 MineralSection read_mineral(const TomlCursor& table, const Scene& scene);
 /// `fallback` has the values that the case's preset chooses.
 MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection& fallback);

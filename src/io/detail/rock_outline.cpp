@@ -58,7 +58,7 @@ double distance_to_rim(const Polygon& polygon, Point p) {
   return least;
 }
 
-/// The corners of a form; those of a disc are one local element size apart.
+/// The corners of a form; those of a disc are about one local element size apart.
 Polygon polygon_of(const Form& form, const ElementSize& size) {
   const auto* disc = std::get_if<Disc>(&form);
   return {outline_of(form, disc ? size({disc->centre[0] + disc->radius, disc->centre[1]}) : 1)};

@@ -19,8 +19,8 @@ class SnapshotSeries {
   SnapshotSeries(std::string directory, std::string stem, Grid grid);
   /// Begins anew and removes the snapshots that are there; files with other names stay.
   void create();
-  /// Continues the series. Snapshots after `step` are removed. The new index does not name damaged snapshots; they are
-  /// returned, a line each with what is wrong.
+  /// Continues the series. Removes the snapshots after `step`. The new index leaves out missing snapshots and damaged
+  /// ones; the latter are returned, a line each with what is wrong.
   std::vector<std::string> resume(std::int64_t step);
   /// Adds a part without a time.
   void add_part(const std::string& name, const Fill& fill);

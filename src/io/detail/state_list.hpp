@@ -19,8 +19,7 @@ inline void require_size(const std::string& name, std::size_t found, std::size_t
                     std::to_string(expected));
 }
 
-/// The type as which the bytes of a value are read: an integer for bool and enumerations, of which not every byte is a
-/// value.
+/// The type as which a value is read: an integer for bool and enumerations, for which not every byte is valid.
 template <class Value>
 struct NumberOf {
   using Type = Value;

@@ -46,7 +46,7 @@ class TomlCursor {
 
   void read(std::string_view key, double& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::optional<double>& value, Unit unit, Range range = range::any) const;
-  /// Reads a number that is absent where it equals that of a larger whole; `value` then keeps what it already holds.
+  /// Reads a number of a part, such as a material. Where the key is absent, `value` keeps the number of the whole.
   void read_own(std::string_view key, double& value, Unit unit, Range range) const {
     std::optional<double> own;
     read(key, own, unit, range);
@@ -85,8 +85,7 @@ class TomlCursor {
   template <class Value>
   void need_choice(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const;
 
-  /// Refuses `key` where another choice makes it meaningless; `reason` is for instance "is only for type =
-  /// \"pressure\"".
+  /// Refuses `key` where another choice makes it meaningless; `reason` as in "is only for type = \"pressure\"".
   void refuse(std::string_view key, std::string_view reason) const;
   [[noreturn]] void fail(std::string_view key, std::string_view problem) const {
     document_->fail(inside(key), problem);

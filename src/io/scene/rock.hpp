@@ -20,7 +20,7 @@ struct Notch {
   std::optional<double> width{};   ///< m, only with RockSection::pathway_width, which is its default
   int entry = 0;                   ///< index in the case file
 };
-/// A rectangular cavity in a side of the rock, where fluid is injected.
+/// A rectangular cavity at a side of the rock, where fluid is injected, or inside the rock.
 struct InjectionHole {
   std::array<double, 2> from, to;  ///< opposite corners, m
 };
