@@ -1,4 +1,5 @@
 #pragma once
+// The commands that a program knows.
 #include <CLI/CLI.hpp>
 
 #include <vector>

@@ -74,6 +74,10 @@ std::optional<Checkpoint> Checkpoint::latest(const std::string& directory, const
   throw FileError(fmt::format("{}", fmt::join(refused, "; ")));
 }
 
+bool Checkpoint::holds(const std::string& block) const {
+  return std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& own) { return own.name == block; });
+}
+
 void Checkpoint::load(const StateList& state) const {
   for (const auto& wanted : state.blocks) {
     const auto found =

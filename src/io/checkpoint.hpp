@@ -36,6 +36,8 @@ class Checkpoint {
   /// Opens a file. Throws FileError when it is truncated, changed, not a checkpoint, or that of another owner.
   static Checkpoint open(const std::string& path, const CheckpointOwner& owner);
 
+  /// Whether it has a block of that name: earlier versions of vug may not have written it.
+  bool holds(const std::string& block) const;
   /// Loads the blocks that `state` names, in its order. May be called again with further lists, because sizes may be
   /// known only from the blocks of the first. Throws FileError for a block that is not in the file or does not fit.
   void load(const StateList& state) const;

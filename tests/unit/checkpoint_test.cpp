@@ -68,6 +68,8 @@ TEST(Checkpoint, GivesBackTheSameBytes) {
   EXPECT_EQ(checkpoint.time(), 0.1 + 0.2);
   EXPECT_TRUE(checkpoint.refused().empty());
   EXPECT_EQ(read.all_bytes(), written.all_bytes());
+  EXPECT_TRUE(checkpoint.holds(written.list().blocks.front().name));
+  EXPECT_FALSE(checkpoint.holds("of another program"));
 }
 
 TEST(Checkpoint, KeepsTheNewestTwo) {
