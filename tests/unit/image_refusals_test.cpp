@@ -63,6 +63,30 @@ TEST(ImageReader, RefusesValuesThatAreNotWhatTheySeem) {
   }
 }
 
+/// A header of NumPy's may have 65,535 bytes, all of them blanks but for a few.
+TEST(ImageReader, ReadsHeadersFullOfBlanks) {
+  const test::TemporaryFolder folder;
+  const std::string blanks(65000, ' '), path = folder / "a.npy";
+  const auto write = [&](const std::string& header) {
+    const std::size_t size = header.size();
+    test::write_text(path, std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(size % 256) +
+                               static_cast<char>(size / 256) + header + "abcdef");
+  };
+  const std::string order = "'fortran_order': False, ", shape = "'shape': (2, 3)";
+  write("{'descr':" + blanks + "'|u1', " + order + shape + "}\n");
+  EXPECT_EQ(values_of(image(path)), (std::vector<double>{'a', 'b', 'c', 'd', 'e', 'f'}));
+  write("{'descr': '|u1', " + order + "'shape':" + blanks + "(2, 3)}\n");
+  EXPECT_EQ(values_of(image(path))[5], 'f');
+  for (const std::string& damaged :
+       {"{'descr':" + blanks, "{'descr': '" + blanks + "', " + order + shape, "{'descr': '|u1', " + shape,
+        "{'descr': '|u1', " + order + "'shape': (2, " + blanks + "3)", "{'descr': '|u1', " + order + "'shape': (2, x)",
+        "{'descr': '|u1', " + order + "'shape': (2, 1234567890123)",
+        "{'descr': '|u1', " + order + "'shape': (2, -3)"}) {
+    write(damaged);
+    EXPECT_THAT(refusal(image(path), lattice(3, 2)), HasSubstr("its header is damaged")) << damaged.substr(0, 60);
+  }
+}
+
 TEST(ImageReader, NamesBothSizesWhenTheyDiffer) {
   const test::TemporaryFolder folder;
   ASSERT_EQ(make_png(folder / "a.png", "grey8"), 0);

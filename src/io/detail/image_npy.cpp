@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
-#include <regex>
+#include <string_view>
+#include <vector>
 
 namespace vug::detail {
 namespace {
@@ -27,12 +29,35 @@ NpyType type_of(const std::string& path, const std::string& text) {
                fmt::format("has values of the type '{}'; integers, booleans, float32 and float64 are read", text));
 }
 
-std::vector<std::int64_t> numbers_in(const std::string& text) {
+/// What stands after `'key':` and blanks in the header; nothing where it has no such key.
+std::string_view value_of(std::string_view header, const std::string& key) {
+  const std::size_t at = header.find("'" + key + "':");
+  if (at == std::string_view::npos) return {};
+  header.remove_prefix(at + key.size() + 3);
+  header.remove_prefix(std::min(header.find_first_not_of(' '), header.size()));
+  return header;
+}
+
+/// The text between `open`, with which `value` begins, and the next `close`; nothing where it is longer than `most`.
+std::string_view enclosed(std::string_view value, char open, char close, std::size_t most) {
+  if (!value.starts_with(open)) return {};
+  const std::size_t end = value.find(close, 1);
+  return end == std::string_view::npos || end > most + 1 ? std::string_view{} : value.substr(1, end - 1);
+}
+
+/// Numbers of at most 12 digits between commas and blanks; none where there is anything else.
+std::vector<std::int64_t> numbers_in(std::string_view text) {
   std::vector<std::int64_t> numbers;
-  static const std::regex number("[0-9]{1,12}");
-  for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match)
-    numbers.push_back(std::stoll(match->str()));
-  return numbers;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(", "), text.size()));
+    if (text.empty()) return numbers;
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto digits = static_cast<std::size_t>(end - text.data());
+    if (error != std::errc() || digits > 12 || number < 0) return {};
+    numbers.push_back(number);
+    text.remove_prefix(digits);
+  }
 }
 
 }  // namespace
@@ -49,19 +74,18 @@ std::unique_ptr<ImageRows> open_npy(const ImageSection& image) {
   std::string text(std::min<std::size_t>(length, 1 << 16), '\0');
   if (length > text.size() || file.read(begin, text.data(), length) < length)
     refuse_image(image.file, "its header is damaged");
-  static const std::regex described("'descr': *'([^']{1,8})'"), ordered("'fortran_order': *(True|False)"),
-      shaped("'shape': *\\(([0-9, ]{1,60})\\)");
-  std::smatch descr, order, shape;
-  if (!std::regex_search(text, descr, described) || !std::regex_search(text, order, ordered) ||
-      !std::regex_search(text, shape, shaped))
+  // by hand: std::regex goes one call deeper for every blank of a header that may have 65,536
+  const std::string descr(enclosed(value_of(text, "descr"), '\'', '\'', 8));
+  const std::string_view order = value_of(text, "fortran_order");
+  const std::vector<std::int64_t> size = numbers_in(enclosed(value_of(text, "shape"), '(', ')', 60));
+  if (descr.empty() || (!order.starts_with("True") && !order.starts_with("False")) || size.empty())
     refuse_image(image.file, "its header is damaged, or its values are not plain numbers");
-  if (order[1] == "True")
+  if (order.starts_with("True"))
     refuse_image(image.file, "has its columns together (Fortran order); save np.ascontiguousarray of it");
-  const std::vector<std::int64_t> size = numbers_in(shape[1]);
   if (size.size() != 2 && size.size() != 3)
     refuse_image(image.file,
                  fmt::format("has {} dimensions; 2 (rows, columns) or 3 (pages, rows, columns) are read", size.size()));
-  const NpyType type = type_of(image.file, descr[1]);
+  const NpyType type = type_of(image.file, descr);
   const std::int64_t height = size[size.size() - 2], width = size.back(), pages = size.size() == 3 ? size[0] : 1;
   require_page(image, pages);
   ImageHeader header = plain_header(width, height, type.type);
