@@ -106,7 +106,7 @@ CheckReport check_specimen(const Scene& scene) {
   const Assembly specimen = build_specimen(scene);
   Mechanics rock(specimen, scene.mechanics->parameters, Loads{});
   report.bytes = allocated_bytes() - before;
-  require_platens(scene, specimen, rock);
+  require_testable(scene, specimen, rock);
   FieldList fields;
   add_rock_fields(rock, fields, scene.output.fields);
   require_fields(fields, scene.output.fields);

@@ -218,7 +218,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
   const Assembly specimen = build_specimen(scene);
   const Mechanics unloaded(specimen, scene.mechanics->parameters, Loads{});
   require_fields(fields_of_rock(scene, unloaded), scene.output.fields);
-  require_platens(scene, specimen, unloaded);
+  require_testable(scene, specimen, unloaded);
   RunRecord record = first_record(scene);
   const StopsInOrder in_order;
   folder.take();

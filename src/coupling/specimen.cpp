@@ -5,6 +5,7 @@
 #include "dem/extent.hpp"
 #include "dem/materials.hpp"
 #include "dem/require_edges.hpp"
+#include "dem/test_steps.hpp"
 #include "host/free_memory.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
@@ -84,8 +85,12 @@ double longest_test(const Scene& scene, const Assembly& specimen) {
   return laboratory.largest_strain * extent_of(specimen).height() / platen_speed(laboratory);
 }
 
-void require_platens(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
-  if (scene.laboratory->test == LaboratoryTest::quench) return;
+void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
+  const LaboratoryTest test = scene.laboratory->test;
+  const bool timed = test == LaboratoryTest::heating || test == LaboratoryTest::quench;
+  whole_steps(longest_test(scene, specimen) / (scene.mechanics->critical_fraction * rock.critical_step()),
+              fmt::format("{}: laboratory.{}", scene.path, timed ? "duration" : "platen_speed"));
+  if (test == LaboratoryTest::quench) return;
   Loads loads = press(platen_test(scene, specimen));
   for (std::string& name : loads.name) name = scene.path + ": " + name;
   require_edges(specimen, rock.boundary(), loads, rock.particles());

@@ -10,8 +10,9 @@ namespace vug {
 /// The specimen of a case: generated, or read from its mesh.
 Assembly build_specimen(const Scene& scene);
 
-/// Throws InputError where a test's platens find no edge of the specimen to hold, or its confinement none to push.
-void require_platens(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
+/// Throws InputError where a test's platens find no edge of the specimen to hold, or its confinement none to push, and
+/// where it has more steps than can be counted.
+void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
 
 /// How long the mechanics of a test takes at most, s.
 double longest_test(const Scene& scene, const Assembly& specimen);

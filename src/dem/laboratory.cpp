@@ -4,6 +4,7 @@
 #include "dem/materials.hpp"
 #include "dem/soundness.hpp"
 #include "dem/splitting.hpp"
+#include "dem/test_steps.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
@@ -78,8 +79,9 @@ void start_uniform_straining(const Particles& p, double low, double high, double
 }
 
 /// Takes `steps` steps while the specimen warms at its rate, in every one of them a little, until the time `end`.
-void advance_warming(const Exec& exec, Mechanics& rock, double heating_rate, double dt, int steps, double end) {
-  for (int s = 0; s < steps; ++s) {
+void advance_warming(const Exec& exec, Mechanics& rock, double heating_rate, double dt, long steps, double end) {
+  for (long s = 0; s < steps; ++s) {
+    throw_if_stop_requested();
     Kokkos::deep_copy(exec, rock.particles().temperature_change, heating_rate * std::min(rock.time() + dt, end));
     rock.advance(exec, dt, 1);
   }
@@ -163,19 +165,18 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   result.gauged = !block || (axial.has_triangles() && lateral.has_triangles());
   result.preload = rock.ramped();
   result.time_step = test.step_fraction * rock.critical_step();
-  const int stride = std::max(1, static_cast<int>(test.sample_strain / (rate * result.time_step)));
+  const long stride = whole_steps(test.sample_strain / (rate * result.time_step), "laboratory.sample_strain");
   const double warm_at = test.largest_strain / rate;  // s: a heated specimen has then grown by the largest strain
   const double steps_of_heating = std::ceil((1 - 1e-12) * warm_at / result.time_step);
   std::vector<double> axial_strain, lateral_strain;
   while (true) {
-    throw_if_stop_requested();
     if (heated) {
-      const auto left = steps_of_heating - static_cast<double>(result.steps);
-      const int steps = static_cast<int>(std::min<double>(stride, left));
+      const double left = steps_of_heating - static_cast<double>(result.steps);
+      const long steps = static_cast<long>(std::min(static_cast<double>(stride), left));
       advance_warming(exec, rock, test.heating_rate, result.time_step, steps, warm_at);
       result.steps += steps;
     } else {
-      rock.advance(exec, result.time_step, stride);
+      advance_long(exec, rock, result.time_step, stride);
       result.steps += stride;
     }
     require_sound(exec, rock);

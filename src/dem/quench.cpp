@@ -2,7 +2,7 @@
 
 #include "dem/extent.hpp"
 #include "dem/soundness.hpp"
-#include "host/interruption.hpp"
+#include "dem/test_steps.hpp"
 #include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
@@ -76,12 +76,11 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
   const SlabCooling cooling(test.drop, top - bottom, test.biot);
   QuenchResult result;
   result.time_step = test.step_fraction * rock.critical_step();
-  const int stride = std::max(1, static_cast<int>(test.duration / (result.time_step * test.samples)));
+  const long stride = whole_steps(test.duration / (result.time_step * test.samples), "laboratory.duration");
   for (int sample = 1; sample <= test.samples; ++sample) {
     const double length = test.final_length * std::sqrt((sample - 0.5) / test.samples);
     cool(slab, top, cooling, length, rock.particles());
-    throw_if_stop_requested();
-    rock.advance(exec, result.time_step, stride);
+    advance_long(exec, rock, result.time_step, stride);
     require_sound(exec, rock);
     result.steps += stride;
     if (watch) watch(rock, length, sample == test.samples);

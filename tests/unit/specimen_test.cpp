@@ -142,6 +142,34 @@ TEST(SpecimenOfACase, IsADiscWhereItIsSplit) {
   EXPECT_FALSE(limit_of(generated("0.4"), name).inside());
 }
 
+/// The specimen of a case as it is tested.
+void require(const Scene& scene) {
+  const Assembly specimen = build_specimen(scene);
+  require_testable(scene, specimen, Mechanics(specimen, scene.mechanics->parameters, {}));
+}
+
+/// Why a case is refused before its test.
+std::string refusal(const Scene& scene) {
+  try {
+    require(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(SpecimenOfACase, IsRefusedATestWithoutEnd) {
+  EXPECT_EQ(refusal(laboratory("compression", {"laboratory.platen_speed=1e-9"})), "accepted");
+  EXPECT_EQ(refusal(laboratory("compression", {"laboratory.platen_speed=1e-300"})),
+            "a.toml: laboratory.platen_speed: the test needs more than 9e15 steps; make it faster or shorter");
+  const std::string change = "laboratory.temperature_change=50";
+  for (const char* test : {"heating", "quench"}) {
+    EXPECT_EQ(refusal(laboratory(test, {change, "laboratory.duration=1e5"})), "accepted");
+    EXPECT_EQ(refusal(laboratory(test, {change, "laboratory.duration=1e9", "mechanics.critical_fraction=1e-4"})),
+              "a.toml: laboratory.duration: the test needs more than 9e15 steps; make it faster or shorter");
+  }
+}
+
 /// Rows of stress_strain.csv of a test.
 class Curve {
  public:

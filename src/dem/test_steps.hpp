@@ -1,0 +1,33 @@
+#pragma once
+// The steps of a laboratory test, of which a slow one has more than an int counts.
+#include "dem/mechanics.hpp"
+#include "host/interruption.hpp"
+#include "kernels/base/require.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace vug {
+
+/// Most steps that a test may have: up to here a double counts them one by one. They take a thousand years.
+inline constexpr double most_steps_of_test = 9007199254740992.0;  // 2^53
+
+/// A number of steps rounded down, at least one. Throws InputError, which begins with `where`, above the most.
+inline long whole_steps(double steps, const std::string& where) {
+  if (!(steps <= most_steps_of_test))
+    throw InputError(where + ": the test needs more than 9e15 steps; make it faster or shorter");
+  return std::max(1L, static_cast<long>(steps));
+}
+
+/// As rock.advance of that many steps, to the bit, but it looks now and then whether it is to stop. Throws Interrupted.
+inline void advance_long(const Exec& exec, Mechanics& rock, double dt, long steps) {
+  constexpr long piece = 250;
+  const double end = rock.time() + dt * static_cast<double>(steps);
+  for (long taken = 0; taken < steps; taken += piece) {
+    throw_if_stop_requested();
+    rock.advance(exec, dt, static_cast<int>(std::min(piece, steps - taken)));
+  }
+  rock.set_time(end);
+}
+
+}  // namespace vug
