@@ -90,7 +90,7 @@ void require_testable(const Scene& scene, const Assembly& specimen, const Mechan
   const bool timed = test == LaboratoryTest::heating || test == LaboratoryTest::quench;
   whole_steps(longest_test(scene, specimen) / (scene.mechanics->critical_fraction * rock.critical_step()),
               fmt::format("{}: laboratory.{}", scene.path, timed ? "duration" : "platen_speed"));
-  if (test == LaboratoryTest::quench) return;
+  if (test == LaboratoryTest::quench) return require_depth_for_cracks(specimen, scene.path);
   Loads loads = press(platen_test(scene, specimen));
   for (std::string& name : loads.name) name = scene.path + ": " + name;
   require_edges(specimen, rock.boundary(), loads, rock.particles());

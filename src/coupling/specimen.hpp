@@ -10,8 +10,8 @@ namespace vug {
 /// The specimen of a case: generated, or read from its mesh.
 Assembly build_specimen(const Scene& scene);
 
-/// Throws InputError where a test's platens find no edge of the specimen to hold, or its confinement none to push, and
-/// where it has more steps than can be counted.
+/// Throws InputError where a test's platens find no edge of the specimen to hold, or its confinement none to push, where
+/// a quenched slab is too low for cracks to be counted, and where a test has more steps than can be counted.
 void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
 
 /// How long the mechanics of a test takes at most, s.

@@ -13,6 +13,13 @@ namespace vug {
 
 namespace {
 
+/// Edge of an equilateral triangle of the mean area, m.
+double element_of(const Assembly& slab) {
+  const Extent extent = extent_of(slab);
+  // 4 A / sqrt(3) = l^2
+  return std::sqrt(4 / std::sqrt(3.0) * extent.width() * extent.height() / static_cast<double>(slab.triangles.size()));
+}
+
 Loads roller_at_the_mid_plane() {
   Loads loads;
   loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
@@ -67,8 +74,17 @@ int cracks_at(double level, double apart, const std::vector<std::array<std::arra
 
 }  // namespace
 
+void require_depth_for_cracks(const Assembly& slab, const std::string& where) {
+  const double edges = extent_of(slab).height() / element_of(slab);
+  if (edges > 2) return;
+  throw InputError(
+      where + ": the slab is " + std::to_string(edges) +
+      " edges of its triangles high; a quench counts cracks from two edges below the face on: mesh it finer");
+}
+
 QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters parameters, const QuenchTest& test,
                     const QuenchWatch& watch) {
+  require_depth_for_cracks(slab, "laboratory");
   parameters.local_damping = test.local_damping;
   Mechanics rock(slab, parameters, roller_at_the_mid_plane());
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
@@ -86,10 +102,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
     if (watch) watch(rock, length, sample == test.samples);
   }
   const auto edges = broken_edges(slab, top, rock.bonds());
-  // edge of an equilateral triangle of the mean area, 4 A / sqrt(3) = l^2
-  const double element =
-      std::sqrt(4 / std::sqrt(3.0) * (right - left) * (top - bottom) / static_cast<double>(slab.triangles.size()));
-  const double surface = 2 * element;
+  const double element = element_of(slab), surface = 2 * element;
   for (double level = surface; level < top - bottom; level += 0.25 * element) {
     result.depth.push_back(level);
     result.cracks.push_back(cracks_at(level, element, edges));

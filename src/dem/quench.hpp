@@ -3,6 +3,7 @@
 #include "dem/laboratory.hpp"
 #include "dem/slab_cooling.hpp"
 
+#include <string>
 #include <vector>
 
 namespace vug {
@@ -35,10 +36,15 @@ struct QuenchResult {
   long steps = 0;
 };
 
+/// Throws InputError, which begins with `where`, for a slab that is not higher than two edges of its triangles: cracks
+/// are counted from there on.
+void require_depth_for_cracks(const Assembly& slab, const std::string& where);
+
 /// Called after every new temperature with the rock, the diffusion length and whether it is the last time.
 using QuenchWatch = std::function<void(const Mechanics&, double length, bool last)>;
 
-/// Quenches the upper face of a block. Throws StabilityError when the motion is no longer finite.
+/// Quenches the upper face of a block. Throws StabilityError when the motion is no longer finite, and InputError for a
+/// slab that is too low or a test of too many steps.
 QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters parameters, const QuenchTest& test,
                     const QuenchWatch& watch = {});
 

@@ -170,6 +170,29 @@ TEST(SpecimenOfACase, IsRefusedATestWithoutEnd) {
   }
 }
 
+/// Of triangles as high as the slab no row of edges lies two of them deep.
+TEST(SpecimenOfACase, IsHighEnoughToCountCracks) {
+  const test::TemporaryFolder folder;
+  const auto scene = [&](const std::string& mesh) {
+    test::write_text(folder / "slab.msh", mesh);
+    return parse_scene(
+        "[laboratory]\ntest = \"quench\"\ntemperature_change = 200\nduration = \"1 us\"\nsamples = 10\n"
+        "[rock]\nmesh = \"" +
+            (folder / "slab.msh") + "\"\n[mechanics]\n",
+        "a.toml");
+  };
+  const std::vector<std::array<double, 2>> square{{0, 0}, {0.01, 0}, {0.01, 0.01}, {0, 0.01}};
+  const std::vector<std::array<int, 3>> halves{{0, 1, 2}, {0, 2, 3}};
+  const Scene low = scene(test::mesh_text(square, halves));
+  EXPECT_EQ(refusal(low),
+            "a.toml: the slab is 0.930605 edges of its triangles high; a quench counts cracks from two edges below the "
+            "face on: mesh it finer");
+  EXPECT_THROW(quench(Exec(), build_specimen(low), low.mechanics->parameters, quench_test(low)), InputError);
+  const Scene high = scene(mesh_of(0.05, 0.05, 30));
+  EXPECT_EQ(refusal(high), "accepted");
+  EXPECT_FALSE(quench(Exec(), build_specimen(high), high.mechanics->parameters, quench_test(high)).depth.empty());
+}
+
 /// Rows of stress_strain.csv of a test.
 class Curve {
  public:
