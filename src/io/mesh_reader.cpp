@@ -33,7 +33,7 @@ struct RawMesh {
   std::set<std::int64_t> found_groups;                                   // those of them that have a line
   std::map<std::int64_t, std::string> surface_groups;                    // names by physical tags of surfaces
   std::map<std::int64_t, std::set<std::int64_t>> crack_groups_of_curve;  // format 4: of geometric tags of lines
-  std::map<std::int64_t, std::string> surface_group;                     // format 4: of geometric tags of surfaces
+  std::map<std::int64_t, std::set<std::string>> groups_of_surface;       // format 4: names by geometric tags
   std::map<std::string, std::vector<int>> groups;                        // triangles of named surfaces
 };
 
@@ -66,19 +66,15 @@ int read_node_number(MeshText& text, const RawMesh& mesh) {
   return found->second;
 }
 
-std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64_t tag) {
-  const auto found = names.find(tag);
-  return found == names.end() ? "" : found->second;
-}
-
 /// The physical group of a tag: a negative one says that the group runs through the curve or surface backwards.
 std::int64_t group_of(std::int64_t tag) {
   return tag < 0 && tag > std::numeric_limits<std::int64_t>::min() ? -tag : tag;
 }
 
-// The nodes of one element whose type and tags have been read; the groups of a line are those of cracks.
+// The nodes of one element whose type and tags have been read; the groups of a line are those of cracks, those of a
+// triangle the names of its surface.
 void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, const std::set<std::int64_t>& crack_groups,
-                  const std::string& surface) {
+                  const std::set<std::string>& surfaces) {
   if (type == point_element) {
     text.skip(1);
   } else if (type == line_element) {
@@ -88,7 +84,7 @@ void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, const std::s
     mesh.found_groups.insert(crack_groups.begin(), crack_groups.end());
   } else if (type == triangle_element) {
     const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
-    if (!surface.empty()) mesh.groups[surface].push_back(static_cast<int>(mesh.triangles.size()));
+    for (const std::string& name : surfaces) mesh.groups[name].push_back(static_cast<int>(mesh.triangles.size()));
     mesh.triangles.push_back({a, b, read_node_number(text, mesh)});
   } else {
     text.fail(fmt::format("element type {} is not supported; mesh with triangles of first order", type));
@@ -113,7 +109,9 @@ void read_elements_2(MeshText& text, RawMesh& mesh) {
     text.skip(tags - 1);
     std::set<std::int64_t> cracks;
     if (mesh.crack_groups.contains(physical)) cracks.insert(physical);
-    read_element(text, mesh, type, cracks, name_of(mesh.surface_groups, physical));
+    std::set<std::string> surfaces;
+    if (mesh.surface_groups.contains(physical)) surfaces.insert(mesh.surface_groups[physical]);
+    read_element(text, mesh, type, cracks, surfaces);
   }
 }
 
@@ -127,7 +125,8 @@ void read_entities_4(MeshText& text, RawMesh& mesh) {
       for (std::int64_t k = 0; k < groups; ++k) {
         const auto group = group_of(text.integer());
         if (mesh.crack_groups.contains(group) && dimension == 1) mesh.crack_groups_of_curve[tag].insert(group);
-        if (mesh.surface_groups.contains(group) && dimension == 2) mesh.surface_group[tag] = mesh.surface_groups[group];
+        if (mesh.surface_groups.contains(group) && dimension == 2)
+          mesh.groups_of_surface[tag].insert(mesh.surface_groups[group]);
       }
       if (dimension > 0) text.skip(text.count());  // what bounds it
     }
@@ -157,10 +156,12 @@ void read_elements_4(MeshText& text, RawMesh& mesh) {
     const auto groups = mesh.crack_groups_of_curve.find(entity);
     const bool crack = dimension == 1 && groups != mesh.crack_groups_of_curve.end();
     const std::set<std::int64_t> cracks = crack ? groups->second : std::set<std::int64_t>{};
-    const std::string surface = dimension == 2 ? name_of(mesh.surface_group, entity) : "";
+    const auto named = mesh.groups_of_surface.find(entity);
+    const bool surface = dimension == 2 && named != mesh.groups_of_surface.end();
+    const std::set<std::string> surfaces = surface ? named->second : std::set<std::string>{};
     for (std::int64_t i = 0; i < count; ++i) {
       text.skip(1);
-      read_element(text, mesh, type, cracks, surface);
+      read_element(text, mesh, type, cracks, surfaces);
     }
   }
 }

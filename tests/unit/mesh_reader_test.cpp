@@ -144,6 +144,18 @@ TEST(MeshReader, KnowsTheTrianglesOfNamedSurfaces) {
   }
 }
 
+/// A surface of format 4.1 lists all groups that it is in.
+/// surface.
+TEST(MeshReader, KnowsASurfaceInSeveralGroups) {
+  std::string text = with(square_41, "2\n1 7 \"crack\"", "4\n1 7 \"crack\"\n2 9 \"all\"\n2 3 \"left\"");
+  text = with(text, "3 0 0 0 1 1 0 1 8 2 4 5", "3 0 0 0 1 1 0 3 8 -3 9 2 4 5");
+  const Assembly rock = parse_mesh(text, "square.msh");
+  expect_square(rock);
+  ASSERT_EQ(rock.groups.size(), 3u);
+  for (const char* name : {"the rock", "all", "left"})
+    EXPECT_THAT(rock.groups.at(name), ElementsAre(0, 1, 2, 3)) << name;
+}
+
 TEST(MeshReader, ReadsLineEndsOfEverySystem) {
   std::string text;
   for (const char c : square_22) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
