@@ -77,8 +77,7 @@ struct PngReader {
 // Luma of a pixel of red, green, blue and alpha, 16 bits each, most significant byte first, over white.
 double luma_of(const png_byte* pixel) {
   const auto channel = [pixel](int k) { return (256 * pixel[2 * k] + pixel[2 * k + 1]) / 65535.0; };
-  const double luma = 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
-  return channel(3) * luma + 1 - channel(3);
+  return over_white(channel(3) * luma(channel(0), channel(1), channel(2)), channel(3), 1);
 }
 
 class PngRows : public ImageRows {

@@ -37,6 +37,15 @@ std::unique_ptr<ImageRows> open_nrrd(const ImageSection& image);
 std::unique_ptr<ImageRows> open_npy(const ImageSection& image);
 std::unique_ptr<ImageRows> open_raw(const ImageSection& image);
 
+/// Luma of a colour (Rec. 601), in the unit of its parts.
+constexpr double luma(double red, double green, double blue) {
+  return 0.299 * red + 0.587 * green + 0.114 * blue;
+}
+/// What is seen of a pixel before white: `opacity` (0 ... 1) and how much light it sends, times that already.
+constexpr double over_white(double light, double opacity, double white) {
+  return light + white - opacity * white;
+}
+
 /// Throws InputError `path: problem`, on one line.
 [[noreturn]] void refuse_image(const std::string& path, const std::string& problem);
 

@@ -104,16 +104,38 @@ std::optional<double> pixel_size_of(const TiffFile& tiff) {
   return square_pixel(tiff.path(), *metres / across, *metres / up);
 }
 
+/// What the fourth value of a pixel does to its colour: nothing, as there is none; it is still to be multiplied by it;
+/// it is so already.
+enum class Opacity { none, apart, multiplied };
+
 /// What of a page this reader needs to know.
 struct TiffPage {
   ImageHeader header;
   SampleType type;
   int samples;
   bool white_is_zero;
+  Opacity opacity = Opacity::none;
 };
 
+/// Of a page of colours.
+Opacity opacity_of(const TiffFile& tiff, const TiffPage& page) {
+  if (page.samples == 3) return Opacity::none;
+  std::uint16_t count = 0, *kinds = nullptr;
+  TIFFGetField(tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds);
+  const int kind = count == 1 && kinds != nullptr ? kinds[0] : EXTRASAMPLE_UNSPECIFIED;
+  if (page.samples != 4 || kind == EXTRASAMPLE_UNSPECIFIED)
+    refuse_image(tiff.path(), fmt::format("has {} values per pixel and does not say that those after red, green and "
+                                          "blue are one for opacity; save it without them",
+                                          page.samples));
+  if (page.header.white == 0)
+    refuse_image(tiff.path(),
+                 "has transparent pixels of values with a sign, or floating-point ones, whose white is not "
+                 "known; save it without transparency");
+  return kind == EXTRASAMPLE_ASSOCALPHA ? Opacity::multiplied : Opacity::apart;
+}
+
 TiffPage page_of(const TiffFile& tiff, bool labelled) {
-  TiffPage page{{}, type_of(tiff), tiff.get_default(TIFFTAG_SAMPLESPERPIXEL), false};
+  TiffPage page{{}, type_of(tiff), tiff.get_default(TIFFTAG_SAMPLESPERPIXEL), false, Opacity::none};
   const int photometric = tiff.get<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   const bool grey = photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
   if (!(grey && page.samples == 1) && !(photometric == PHOTOMETRIC_RGB && page.samples >= 3) &&
@@ -132,6 +154,7 @@ TiffPage page_of(const TiffFile& tiff, bool labelled) {
   if (page.white_is_zero && page.header.white == 0)
     refuse_image(tiff.path(), "has values with a sign, or floating-point ones, of which 0 is white");
   if (page.samples > 1) {
+    page.opacity = opacity_of(tiff, page);
     page.header.type = std::string("colours of ") + page.header.type;
     page.header.stored = false;
   }
@@ -168,13 +191,17 @@ class TiffRows : public ImageRows {
     }
     samples_.resize(values.size() * page_.samples);
     decode(row_.data(), page_.type, false, samples_);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double* colour = &samples_[i * page_.samples];
-      values[i] = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = seen(&samples_[i * page_.samples]);
   }
 
  private:
+  double seen(const double* pixel) const {
+    const double light = luma(pixel[0], pixel[1], pixel[2]);
+    if (page_.opacity == Opacity::none) return light;
+    const double opacity = pixel[3] / header.white;
+    return over_white(page_.opacity == Opacity::apart ? opacity * light : light, opacity, header.white);
+  }
+
   std::size_t pixel_bytes() const { return bytes_of(page_.type) * page_.samples; }
 
   /// Rows of a compressed strip can be had in order only.
