@@ -135,6 +135,22 @@ TEST(CaseErrors, ContradictionsBetweenTables) {
                 HasSubstr("solute.face_exchange = true belongs to the advective form on d2q5"));
 }
 
+TEST(CaseErrors, WallsThatMoveThroughThemselves) {
+  const auto wall = [](const std::string& place, const char* velocity) {
+    return lattice + time + flow + "[boundary." + place + "flow = { type = \"wall\", velocity = " + velocity + " }\n";
+  };
+  const std::string stretch = "injection]\nside = \"left\"\ncentre = 0.01\nwidth = 4e-3\n";
+  EXPECT_THAT(
+      message(wall("left]\n", "[0.001, 0]")),
+      HasSubstr("boundary.left.flow.velocity = [0.001, 0] moves a wall through itself; its first component must be 0"));
+  EXPECT_THAT(message(wall(stretch, "[0.001, 0]")),
+              HasSubstr("boundary.injection.flow.velocity = [0.001, 0] moves a wall through itself; its first"));
+  EXPECT_NO_THROW(parse_scene(wall(stretch, "[0, 0.001]"), "a.toml"));
+  const std::string below = "injection]\nside = \"bottom\"\ncentre = 0.005\nwidth = 4e-3\n";
+  EXPECT_THAT(message(wall(below, "[0, 0.001]")), HasSubstr("its second component must be 0"));
+  EXPECT_NO_THROW(parse_scene(wall(below, "[0.001, 0]"), "a.toml"));
+}
+
 TEST(CaseErrors, StepsThatLeaveNothingOfTheEquations) {
   EXPECT_EQ(
       message(lattice + time + flow, {"lattice.time_step=1e-300"}),

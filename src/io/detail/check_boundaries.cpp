@@ -182,14 +182,11 @@ void check_traction(const TomlDocument& document, const Scene& scene, const Name
 }
 
 /// A wall only moves along itself.
-void check_wall(const TomlDocument& document, const NamedBoundary& side) {
-  const FlowBoundary& flow = side.section.flow;
-  const std::string_view name = side.name;
-  const int normal = name == "left" || name == "right" ? 0 : 1;
+void check_wall(const TomlDocument& document, const std::string& key, std::string_view side, const FlowBoundary& flow) {
+  const int normal = side == "left" || side == "right" ? 0 : 1;
   if (flow.kind == FlowBoundaryKind::wall && flow.velocity[normal].peak() != 0) {
-    document.fail(
-        fmt::format("boundary.{}.flow.velocity", name),
-        fmt::format("moves a wall through itself; its {} component must be 0", normal == 0 ? "first" : "second"));
+    document.fail(key + ".flow.velocity", fmt::format("moves a wall through itself; its {} component must be 0",
+                                                      normal == 0 ? "first" : "second"));
   }
 }
 
@@ -201,7 +198,7 @@ void check_boundaries(const TomlDocument& document, Scene& scene) {
   for (const NamedBoundary& side : sides(scene)) {
     check_modules_of(document, scene, side.name);
     check_concentrations(document, scene, side.name, side.section.solute);
-    check_wall(document, side);
+    check_wall(document, "boundary." + std::string(side.name), side.name, side.section.flow);
     const bool upright = &side.section == &scene.left || &side.section == &scene.right;
     check_profile(document, "boundary." + std::string(side.name), side.section.flow,
                   upright ? scene.lattice.length_y : scene.lattice.length_x, scene.lattice.spacing);
@@ -214,6 +211,7 @@ void check_boundaries(const TomlDocument& document, Scene& scene) {
     check_modules_of(document, scene, name);
     check_concentrations(document, scene, name, injection.conditions.solute);
     check_injection(document, scene, injection);
+    check_wall(document, injection.key, injection.side, injection.conditions.flow);
     check_profile(document, injection.key, injection.conditions.flow, injection.width, scene.lattice.spacing);
     check_not_periodic(document, name, injection.conditions);
   }
