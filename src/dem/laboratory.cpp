@@ -146,7 +146,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   const double expansion = heated ? mean_expansion(parameters, specimen) : 0;
   require_consistent(test, expansion);
   const Extent extent = extent_of(specimen);
-  Mechanics rock(specimen, parameters, press(test));
+  Mechanics rock(specimen, without_rest(parameters), press(test));
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
   if (test.confinement != 0) rock.preload(exec, test.confining_time, test.confining_damping);
   const double low = held_height(rock, RockSide::bottom), high = held_height(rock, RockSide::top);

@@ -86,7 +86,7 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
                     const QuenchWatch& watch) {
   require_depth_for_cracks(slab, "laboratory");
   parameters.local_damping = test.local_damping;
-  Mechanics rock(slab, parameters, roller_at_the_mid_plane());
+  Mechanics rock(slab, without_rest(parameters), roller_at_the_mid_plane());
   Kokkos::deep_copy(rock.bonds().d_c, test.chemical_damage);
   const auto [left, bottom, right, top] = extent_of(slab);
   const SlabCooling cooling(test.drop, top - bottom, test.biot);

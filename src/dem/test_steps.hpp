@@ -1,5 +1,5 @@
 #pragma once
-// The steps of a laboratory test, of which a slow one has more than an int counts.
+// How the rock of a laboratory test moves: all of it, in as many steps as it takes.
 #include "dem/mechanics.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/require.hpp"
@@ -8,6 +8,12 @@
 #include <string>
 
 namespace vug {
+
+/// No rock sleeps: it would not notice that a platen begins to move, and what is loaded slowly would break later.
+inline MechanicsParameters without_rest(MechanicsParameters parameters) {
+  parameters.rest_tolerance = 0;
+  return parameters;
+}
 
 /// Most steps that a test may have: up to here a double counts them one by one. They take a thousand years.
 inline constexpr double most_steps_of_test = 9007199254740992.0;  // 2^53

@@ -96,5 +96,36 @@ TEST(TestSteps, InPiecesMoveTheRockAsAtOnce) {
   for (std::size_t i = 0; i < u.extent(0); ++i) EXPECT_EQ(u(i, 1), v(i, 1));
 }
 
+/// Rock that is pulled slowly would sleep, and break at another stress.
+TEST(TestSteps, LetNoRockSleep) {
+  const auto curve = [](double rest_tolerance) {
+    MechanicsParameters parameters;
+    parameters.rest_tolerance = rest_tolerance;
+    PlatenTest test;
+    test.speed = -0.02;
+    test.largest_strain = 2e-4;
+    return load_between_platens(Exec(), test::block(0.02, 0.02, 0.002, 0.2), parameters, test).stress;
+  };
+  const std::vector<double> awake = curve(0);
+  EXPECT_GT(awake.size(), 10u);
+  EXPECT_EQ(curve(1), awake);
+}
+
+TEST(TestSteps, LetNoRockSleepInAQuench) {
+  const auto push = [](double rest_tolerance) {
+    MechanicsParameters parameters;
+    parameters.rest_tolerance = rest_tolerance;
+    QuenchTest test;
+    test.drop = 1;
+    test.samples = 10;
+    test.duration = 1e-4;
+    double share = 0;
+    quench(Exec(), test::block(0.02, 0.02, 0.002, 0.2), parameters, test,
+           [&](const Mechanics& rock, double, bool) { share += rock.awake_share() / 10; });
+    return share;
+  };
+  EXPECT_EQ(push(1), push(0));
+}
+
 }  // namespace
 }  // namespace vug

@@ -21,8 +21,9 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (disc)
     for (const char* key : {"rock.grading", "rock.notches", "rock.hole", "rock.holes"})
       if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a block, not of a disc", key));
-  for (const char* key : {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from",
-                          "mechanics.preload", "mechanics.substeps", "mechanics.force_unstable", "mechanics.fragments"})
+  for (const char* key :
+       {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from", "mechanics.preload",
+        "mechanics.substeps", "mechanics.force_unstable", "mechanics.fragments", "mechanics.rest_tolerance"})
     if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a run on a lattice", key));
   for (const char* key : {"mechanics.preload_time", "mechanics.preload_damping"})
     if (laboratory.confinement == 0 && document.find(key) != nullptr)
@@ -44,7 +45,7 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
                   disc ? std::numbers::pi / 4 * laboratory.diameter * laboratory.diameter
                        : laboratory.size[0] * laboratory.size[1]);
   for (const char* key : {"output.interval_steps", "output.history_interval", "output.checkpoint_interval",
-                          "output.probes", "output.gauges"})
+                          "output.probes", "output.gauges", "output.forces", "output.flows"})
     if (document.find(key) != nullptr)
       document.fail_at(key, fmt::format("{} is of a run on a lattice; a test has output.interval in s", key));
 }
