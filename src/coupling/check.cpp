@@ -148,6 +148,9 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   if (parts.rock && (scene.flow || scene.heat || scene.solute))
     if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
       report.warnings.push_back(*remark);
+  if (parts.rock)
+    for (const std::string& warning : remarks_on_notches_of_mesh(scene, parts.rock->assembly))
+      report.warnings.push_back(warning);
   for (const std::string& warning : find_flow_paths(scene, parts.geometry, parts.units).warnings)
     report.warnings.push_back(warning);
   report.choices = choice_notes(scene);

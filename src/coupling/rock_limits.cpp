@@ -1,6 +1,8 @@
 #include "coupling/rock_limits.hpp"
 
 #include "dem/toughness.hpp"
+#include "io/assembly_quality.hpp"
+#include "io/notch_remarks.hpp"
 #include "kernels/base/host_and_device.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +56,11 @@ Limit limit_of_edges(const Mechanics& rock, double spacing) {
               "cracks dissipate more than their fracture energy; to avoid this lower rock.element_size to {:.2g} m{}",
               rounded_down(longest),
               spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "")};
+}
+
+std::vector<std::string> remarks_on_notches_of_mesh(const Scene& scene, const Assembly& rock) {
+  if (!scene.damage || !scene.rock->mesh || scene.rock->notches.empty()) return {};
+  return remarks_on_notches(scene, assembly_quality(rock).mean_edge);
 }
 
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {

@@ -118,6 +118,9 @@ class Run {
     if (parts.rock && (scene_.flow || scene_.heat || scene_.solute))
       if (const auto remark = remark_on_triangles(parts.rock->assembly, scene_.lattice.spacing))
         progress.note("warning: " + *remark);
+    if (parts.rock)
+      for (const std::string& warning : remarks_on_notches_of_mesh(scene_, parts.rock->assembly))
+        progress.note("warning: " + warning);
     for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)
       progress.note("warning: " + warning);
     for (const Limit& limit : simulation_.limits())

@@ -202,6 +202,36 @@ TEST(Check, RemarksOnTrianglesTooSmallForTheLattice) {
   EXPECT_THAT(remarks("rock.element_size=10"), testing::Not(remark));
 }
 
+/// Four triangles around the middle of a square, mean edge 17.1 cells: at a pathway factor of 1 broken bonds are 9.86
+/// cells wide, whatever the least width.
+TEST(Check, RemarksOnNotchesOfAMeshByItsOwnTriangles) {
+  const test::TemporaryFolder folder;
+  std::string mesh =
+      test::mesh_text({{10, 5}, {30, 5}, {30, 25}, {10, 25}, {20, 15}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    mesh.replace(mesh.find(from), from.size(), to);
+  };
+  replace("$Nodes", "$PhysicalNames\n1\n1 7 \"crack\"\n$EndPhysicalNames\n$Nodes");
+  replace("$Elements\n4\n", "$Elements\n5\n5 1 2 7 1 1 5\n");
+  test::write_text(folder / "rock.msh", mesh);
+  const auto remarks = [&](const std::string& set) {
+    return check_case(parse_scene("[lattice]\nsize = [40, 30]\nspacing = 1\ntime_step = 1e-6\n[time]\nsteps = 10\n"
+                                  "[geometry]\ntype = \"rock\"\n[rock]\nmesh = \"" +
+                                      (folder / "rock.msh") +
+                                      "\"\n[[rock.notches]]\nfrom = [10, 5]\nto = [20, 15]\naperture = 5\n"
+                                      "[mechanics]\n[damage]\n[flow]\nviscosity = 1e3\n",
+                                  "a.toml", {set}))
+        .warnings;
+  };
+  const auto widened = HasSubstr("only until the first update");
+  EXPECT_THAT(
+      remarks("damage.pathway_factor=1"),
+      testing::Contains(HasSubstr("rock.notches.0 is 5 cells wide only until the first update, and about 9.86 "
+                                  "wide from then on, like every broken bond: lower damage.pathway_factor to")));
+  EXPECT_THAT(remarks("damage.pathway_factor=0.2"), testing::Not(testing::Contains(widened)));
+  EXPECT_THAT(remarks("damage.minimum_aperture=6"), testing::Contains(HasSubstr("about 6 wide from then on")));
+}
+
 /// What is advised of coarse triangles can be done, and is enough for triangles and lattice.
 TEST(Check, AdvisesWhatCanBeDoneAboutCoarseTriangles) {
   const std::string rock = VUG_SOURCE_DIR "/cases/tutorial/rock.toml";

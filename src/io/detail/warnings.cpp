@@ -1,6 +1,7 @@
 // Remarks on what a case may say but probably does not mean, of its rock: those of what fills the pores are in
 // warnings_of_pores.cpp.
 #include "io/detail/case_checks.hpp"
+#include "io/notch_remarks.hpp"
 #include "io/periodic.hpp"
 
 #include <fmt/format.h>
@@ -44,36 +45,6 @@ void warn_about_small_cavities(Scene& scene) {
     length[notch.entry] += std::hypot(notch.to[0] - notch.from[0], notch.to[1] - notch.from[1]);
   for (const auto& [entry, metres] : length)
     if (metres < cell) scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", entry));
-}
-
-/// The keys by which broken bonds are wider than `width`.
-std::string what_widens(double width, double least, double by_distance, bool metres) {
-  std::string own = metres ? "damage.minimum_width" : "damage.minimum_aperture";
-  if (width >= by_distance) return own;
-  return width < least ? own + " and damage.pathway_factor" : "damage.pathway_factor";
-}
-
-/// A notch is of broken bonds, which [damage] widens to c_d times the distance of their centroids, or to a least width
-/// of its own.
-void warn_about_narrow_notches(Scene& scene) {
-  const RockSection& rock = *scene.rock;
-  const DamageSection& damage = *scene.damage;
-  if (damage.aperture == ApertureLaw::opening) return;
-  const bool metres = rock.pathway_width.has_value();
-  const double cell = metres ? 1 : scene.lattice.spacing;  // in the unit of widths
-  const double least = metres ? damage.minimum_width.value_or(*rock.pathway_width) : damage.minimum_aperture;
-  const double by_distance = damage.pathway_factor * rock.element_size / std::sqrt(3.0) / cell;  // of the mean triangle
-  std::map<int, double> narrow;  // width of notches that may be rows of lines
-  for (const Notch& notch : rock.notches) {
-    const double width = metres ? notch.width.value_or(*rock.pathway_width) : notch.aperture;
-    if (width > 0 && width < std::max(least, by_distance)) narrow[notch.entry] = width;
-  }
-  for (const auto& [entry, width] : narrow)
-    scene.warnings.push_back(
-        fmt::format("rock.notches.{} is {:g} {} wide only until the first update, and about {:.3g} wide from then on, "
-                    "like every broken bond: lower {} to keep it narrower",
-                    entry, width, metres ? "m" : "cells", std::max(least, by_distance),
-                    what_widens(width, least, by_distance, metres)));
 }
 
 /// Rock that nothing holds drifts away under the thrust of the injection.
@@ -131,7 +102,9 @@ void collect_warnings(Scene& scene) {
   warn_about_pores(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
-  if (scene.rock && scene.damage) warn_about_narrow_notches(scene);
+  if (scene.rock && scene.damage && !scene.rock->mesh)  // the triangles of a mesh are seen when it is read
+    for (std::string& remark : remarks_on_notches(scene, scene.rock->element_size))
+      scene.warnings.push_back(std::move(remark));
   if (scene.mechanics) warn_about_support(scene);
   if (scene.mechanics) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);

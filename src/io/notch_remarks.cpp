@@ -1,0 +1,46 @@
+#include "io/notch_remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace vug {
+namespace {
+
+/// The keys by which broken bonds are wider than `width`.
+std::string what_widens(double width, double least, double by_distance, bool metres) {
+  std::string own = metres ? "damage.minimum_width" : "damage.minimum_aperture";
+  if (width >= by_distance) return own;
+  return width < least ? own + " and damage.pathway_factor" : "damage.pathway_factor";
+}
+
+}  // namespace
+
+/// A notch is of broken bonds, which [damage] widens to c_d times the distance of their centroids, or to a least width
+/// of its own.
+std::vector<std::string> remarks_on_notches(const Scene& scene, double element_size) {
+  const RockSection& rock = *scene.rock;
+  const DamageSection& damage = *scene.damage;
+  if (damage.aperture == ApertureLaw::opening) return {};
+  const bool metres = rock.pathway_width.has_value();
+  const double cell = metres ? 1 : scene.lattice.spacing;  // in the unit of widths
+  const double least = metres ? damage.minimum_width.value_or(*rock.pathway_width) : damage.minimum_aperture;
+  const double by_distance = damage.pathway_factor * element_size / std::sqrt(3.0) / cell;  // of the mean triangle
+  std::map<int, double> narrow;  // width of notches that may be rows of lines
+  for (const Notch& notch : rock.notches) {
+    const double width = metres ? notch.width.value_or(*rock.pathway_width) : notch.aperture;
+    if (width > 0 && width < std::max(least, by_distance)) narrow[notch.entry] = width;
+  }
+  std::vector<std::string> remarks;
+  for (const auto& [entry, width] : narrow)
+    remarks.push_back(
+        fmt::format("rock.notches.{} is {:g} {} wide only until the first update, and about {:.3g} wide from then on, "
+                    "like every broken bond: lower {} to keep it narrower",
+                    entry, width, metres ? "m" : "cells", std::max(least, by_distance),
+                    what_widens(width, least, by_distance, metres)));
+  return remarks;
+}
+
+}  // namespace vug
