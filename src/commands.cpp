@@ -89,10 +89,11 @@ int lab_command(const CommandLine& line, std::ostream& log) {
 }
 
 int check_command(const CommandLine& line) {
-  const CheckReport report = check_case(scene_of(line), line.preview);
-  print(line.json ? to_json(report) : to_text(report));
-  if ((line.schedule || line.explain) && report.nx == 0)
+  const Scene scene = scene_of(line);
+  if ((line.schedule || line.explain) && scene.laboratory)
     throw InputError("--schedule and --explain are of a lattice, and a laboratory test has none");
+  const CheckReport report = check_case(scene, line.preview);
+  print(line.json ? to_json(report) : to_text(report));
   if (line.schedule) print('\n' + to_text(report.schedule));
   if (line.explain) print('\n' + report.explanation);
   return done;

@@ -88,8 +88,17 @@ TEST(Laboratory, SaysInTheRecordWhyNoCohesionWasFound) {
                                         " --set laboratory.largest_strain=3e-4 --fit-cohesion 700"));
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("a specimen did not pass a peak of stress, so that it has no strength to fit"));
-  EXPECT_THAT(test::contents(folder / "out/run.json"), HasSubstr("\"status\": \"failed\""));
+  EXPECT_THAT(test::contents(folder / "out/run.json"),
+              testing::AllOf(HasSubstr("\"status\": \"failed\""), HasSubstr("\"exit_code\": 2")));
   EXPECT_THAT(run_vug("watch " + (folder / "out")).output, HasSubstr("failed, step 0"));
+}
+
+TEST(Laboratory, HasNoScheduleAndNoExplanation) {
+  for (const char* option : {" --schedule", " --explain"}) {
+    const Outcome outcome = run_vug(std::string("check " VUG_SOURCE_DIR "/cases/laboratory/compression.toml") + option);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.output, "vug: --schedule and --explain are of a lattice, and a laboratory test has none\n");
+  }
 }
 
 /// What the platens have done by the curve itself: stress over the strain of what lies between them, its height being
