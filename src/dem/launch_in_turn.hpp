@@ -29,6 +29,11 @@ struct Groups {
   }
 };
 
+/// Where one of equal shares of `count` items begins; the product of the two may exceed the range of an int.
+KOKKOS_FORCEINLINE_FUNCTION int begin_of_share(int count, int share, int shares) {
+  return static_cast<int>(std::int64_t{count} * share / shares);
+}
+
 /// What a launch runs: blocks of a list on a host, its items on a GPU. Bodies are moved into it, because a copy counts
 /// the references of all Views of the body, which took a sixth of a step on a small lattice.
 template <class Body>
@@ -110,8 +115,8 @@ struct SideBySide {
   int ones, others, shares;
   KOKKOS_FUNCTION void operator()(int i) const {
     if constexpr (runs_on_host) {
-      for (int b = ones * i / shares; b < ones * (i + 1) / shares; ++b) one(b);
-      for (int b = others * i / shares; b < others * (i + 1) / shares; ++b) other(b);
+      for (int b = begin_of_share(ones, i, shares); b < begin_of_share(ones, i + 1, shares); ++b) one(b);
+      for (int b = begin_of_share(others, i, shares); b < begin_of_share(others, i + 1, shares); ++b) other(b);
     } else {
       if (i < ones)
         one(i);

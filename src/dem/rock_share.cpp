@@ -27,7 +27,8 @@ void set_marks(const Kokkos::View<std::uint8_t*>& view, const Marks& marks) {
 std::vector<int> owners_of_groups(const Ranks& ranks, int groups) {
   std::vector<int> owner(groups);
   for (int r = 0; r < ranks.size(); ++r)
-    for (int g = groups * r / ranks.size(); g < groups * (r + 1) / ranks.size(); ++g) owner[g] = r;
+    for (int g = begin_of_share(groups, r, ranks.size()); g < begin_of_share(groups, r + 1, ranks.size()); ++g)
+      owner[g] = r;
   return owner;
 }
 

@@ -133,6 +133,22 @@ void unpack(const char* from, const Runs& runs, int first, int last, std::size_t
 
 constexpr int tag_of_pieces = 1;  // halos use another
 
+/// So many bytes as one: an int counts items, of whose bytes there may be more.
+class ItemType {
+ public:
+  explicit ItemType(std::size_t bytes) {
+    MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &type_);
+    MPI_Type_commit(&type_);
+  }
+  ItemType(const ItemType&) = delete;
+  ItemType& operator=(const ItemType&) = delete;
+  ~ItemType() { MPI_Type_free(&type_); }
+  MPI_Datatype get() const { return type_; }
+
+ private:
+  MPI_Datatype type_;
+};
+
 }  // namespace
 
 void Ranks::complete_on_host(const Owners& owners, char* bytes, std::size_t item) const {
@@ -145,28 +161,29 @@ void Ranks::complete_on_host(const Owners& owners, char* bytes, std::size_t item
   const std::vector<char> own = packed(owners[rank_], 0, end, item, bytes);
   std::vector<char> whole(at[size_] * item);
   const Exchange counted = Exchange::of_all((at[size_] - count[rank_]) * item);
-  MPI_Datatype type;
-  MPI_Type_contiguous(static_cast<int>(item), MPI_BYTE, &type);
-  MPI_Type_commit(&type);
-  MPI_Allgatherv(own.data(), count[rank_], type, whole.data(), count.data(), at.data(), type, MPI_COMM_WORLD);
-  MPI_Type_free(&type);
+  const ItemType type(item);
+  MPI_Allgatherv(own.data(), count[rank_], type.get(), whole.data(), count.data(), at.data(), type.get(),
+                 MPI_COMM_WORLD);
   for (int r = 0; r < size_; ++r)
     if (r != rank_) unpack(whole.data() + at[r] * item, owners[r], 0, end, item, bytes);
 }
 
 void Ranks::bring(const Owners& owners, int first, int last, std::size_t item, const void* own, void* whole) const {
   if (alone()) return;
+  const ItemType type(item);
   if (rank_ > 0) {
     const std::vector<char> sent = packed(owners[rank_], first, last, item, static_cast<const char*>(own));
     const Exchange counted = Exchange::of_neighbours(0, 0);
-    if (!sent.empty()) MPI_Send(sent.data(), static_cast<int>(sent.size()), MPI_BYTE, 0, tag_of_pieces, MPI_COMM_WORLD);
+    const int items = static_cast<int>(sent.size() / item);
+    if (items > 0) MPI_Send(sent.data(), items, type.get(), 0, tag_of_pieces, MPI_COMM_WORLD);
     return;
   }
   for (int r = 1; r < size_; ++r) {
-    std::vector<char> got(count_within(owners[r], first, last) * item);
-    if (got.empty()) continue;
+    const int items = count_within(owners[r], first, last);
+    if (items == 0) continue;
+    std::vector<char> got(items * item);
     const Exchange counted = Exchange::of_neighbours(1, static_cast<std::int64_t>(got.size()));
-    MPI_Recv(got.data(), static_cast<int>(got.size()), MPI_BYTE, r, tag_of_pieces, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    MPI_Recv(got.data(), items, type.get(), r, tag_of_pieces, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     unpack(got.data(), owners[r], first, last, item, static_cast<char*>(whole));
   }
 }

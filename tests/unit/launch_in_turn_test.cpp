@@ -79,6 +79,19 @@ TEST(GroupsInTurn, VisitEveryItemBesideAnotherList) {
       }
 }
 
+/// Shares of so many blocks that their number times that of the share is beyond an int, as of 30 million bonds.
+TEST(Shares, OfLongListsAreEachPartOnce) {
+  for (const auto& [count, shares] : {std::pair{60000, 60000}, {50000, 60000}, {2000000000, 16}, {7, 3}}) {
+    EXPECT_EQ(begin_of_share(count, 0, shares), 0);
+    EXPECT_EQ(begin_of_share(count, shares, shares), count);
+    for (int share = 0; share < shares; ++share) {
+      const int parts = begin_of_share(count, share + 1, shares) - begin_of_share(count, share, shares);
+      ASSERT_GE(parts, count / shares) << share;
+      ASSERT_LE(parts, count / shares + 1) << share;
+    }
+  }
+}
+
 TEST(GroupsInTurn, LeaveToOthersWhatIsNotOurs) {
   Groups groups = groups_of(5000, [](int g) { return g % 3 != 0; });
   groups.ours = groups_of(5000, [](int g) { return g % 2 == 0; }).runs;
