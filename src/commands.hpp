@@ -1,14 +1,13 @@
 #pragma once
 // The commands of vug, each with the options that it takes from the command line.
 #include "command_line.hpp"
+#include "host/exit_code.hpp"
 #include "ranks/ranks.hpp"
 
 #include <iosfwd>
 #include <optional>
 
 namespace vug {
-
-enum ExitCode { done = 0, invalid_input = 2, diverged = 3, file_failed = 4, out_of_memory = 5, interrupted = 130 };
 
 /// Carries out a command that computes nothing and needs no threads, and returns its exit code; nothing where it is
 /// none of these.

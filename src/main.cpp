@@ -1,13 +1,11 @@
 // vug: parse the command line, start what a command needs, turn exceptions into exit codes.
 #include "commands.hpp"
 #include "front/short_waits.hpp"
-#include "host/free_memory.hpp"
-#include "host/interruption.hpp"
+#include "host/exit_code.hpp"
 #include "host/memory.hpp"
 #include "host/subnormals.hpp"
 #include "host/threads.hpp"
 #include "io/message.hpp"
-#include "io/run_record.hpp"
 #include "kernels/base/base.hpp"
 #include "kernels/base/require.hpp"
 #include "process.hpp"
@@ -18,14 +16,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <exception>
 #include <iostream>
-#include <new>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace {
 
@@ -91,23 +86,10 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     const Kokkos::ScopeGuard kokkos(settings);
     vug::flush_subnormals();
     return vug::computing_command(line, ranks, std::cerr);
-  } catch (const vug::InputError& error) {
-    return fail(ranks, invalid_input, error.what());
-  } catch (const vug::StabilityError& error) {
-    return agree(ranks, diverged, error.what());
-  } catch (const vug::FileError& error) {
-    return fail(ranks, file_failed, error.what());
-  } catch (const vug::Interrupted& error) {
-    return agree(ranks, interrupted, error.what());
-  } catch (const vug::MemoryError& error) {
-    return fail(ranks, out_of_memory, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(ranks, out_of_memory, "out of memory: " + vug::memory_taken());
-  } catch (const std::filesystem::filesystem_error& error) {
-    return fail(ranks, file_failed, vug::reason_of(error));
-  } catch (const std::runtime_error& error) {  // Kokkos has no type of its own for this
-    if (std::string_view(error.what()).find("failed to allocate") == std::string_view::npos) throw;
-    return fail(ranks, out_of_memory, fmt::format("out of memory: {}; {}", error.what(), vug::memory_taken()));
+  } catch (const std::exception& error) {
+    const ExitCode code = vug::exit_code_of(error);
+    const bool all_know = code == diverged || code == interrupted;
+    return all_know ? agree(ranks, code, vug::reason_of(error)) : fail(ranks, code, vug::reason_of(error));
   }
 }
 
@@ -123,13 +105,7 @@ int help(const CLI::App& app, const CLI::ParseError& asked) {
   return done;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  vug::wait_briefly(argv);
-  vug::occupy_standard_streams();
-  vug::listen_to_signals();
-  vug::end_with_parent();
+int start(int argc, char** argv) {
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
   CommandLine line;
   vug::describe(app, line);
@@ -140,4 +116,18 @@ int main(int argc, char** argv) {
     return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
   }
   return dispatch(app, line);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  vug::wait_briefly(argv);
+  vug::occupy_standard_streams();
+  vug::listen_to_signals();
+  vug::end_with_parent();
+  try {
+    return start(argc, argv);
+  } catch (const std::exception& error) {  // before MPI has started, or while it ends
+    return fail(vug::exit_code_of(error), vug::reason_of(error));
+  }
 }

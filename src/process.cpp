@@ -1,5 +1,6 @@
 #include "process.hpp"
 
+#include "host/exit_code.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/require.hpp"
 
@@ -33,7 +34,7 @@ extern "C" void on_stop_signal(int signal) {
   if (StopsInOrder::now()) return request_stop(signal);
   if (!silent)
     for (const char* part : {"vug: ", words_when_ended(), "\n"}) write_all(STDERR_FILENO, part);
-  ::_exit(130);
+  ::_exit(interrupted);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "coupling/rock_fields.hpp"
 #include "coupling/run_directory.hpp"
 #include "coupling/specimen.hpp"
+#include "host/exit_code.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
@@ -229,7 +230,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_run_record(directory, record);
   };
-  const auto finish_as = [&](const char* status, const std::string& reason, int code) {
+  const auto finish_as = [&](const char* status, const std::string& reason, ExitCode code) {
     record.status = status;
     record.exit_reason = reason;
     record.exit_code = code;
@@ -246,14 +247,14 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
                               : scene.laboratory->test == LaboratoryTest::quench
                                   ? quench_specimen(scene, options, specimen, directory, record.results)
                                   : load_all(scene, options, specimen, directory, record);
-    finish_as("done", "the test has ended", 0);
+    finish_as("done", "the test has ended", done);
     return fmt::format("{:<22}{}, {} triangles\n{}{:<22}{}\n", "test", name_of(scene.laboratory->test),
                        specimen.triangles.size(), found, "files", directory);
   } catch (const StabilityError& error) {
-    finish_as("diverged", error.what(), 3);
+    finish_as("diverged", error.what(), exit_code_of(error));
     throw;
   } catch (const Interrupted& stop) {
-    finish_as("interrupted", stop.what(), 130);
+    finish_as("interrupted", stop.what(), exit_code_of(stop));
     throw;
   } catch (const std::exception& error) {  // a search that has found nothing among them
     try {

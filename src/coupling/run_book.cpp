@@ -150,7 +150,7 @@ void RunBook::close_failed(const Clock& clock, const Progress& progress, const s
 }
 
 void RunBook::close(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
-                    int code) {
+                    ExitCode code) {
   record_.status = status;
   record_.exit_reason = reason;
   record_.exit_code = code;

@@ -2,6 +2,7 @@
 // What a run keeps of itself in its folder: the record and the checkpoints, and which of these it goes on from.
 #include "coupling/run.hpp"
 #include "coupling/simulation.hpp"
+#include "host/exit_code.hpp"
 #include "io/checkpoint.hpp"
 #include "io/progress.hpp"
 #include "io/run_folder.hpp"
@@ -47,7 +48,7 @@ class RunBook {
   void save(Simulation& simulation, std::int64_t rows, const Progress& progress);
   /// The last record: how the run has ended, why, and with which exit code.
   void close(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
-             int code);
+             ExitCode code);
   /// The last record of a run that failed, also where memory did not suffice or the disk is full.
   void close_failed(const Clock& clock, const Progress& progress, const std::exception& error);
 

@@ -30,7 +30,8 @@ std::string man_page(const CLI::App& app, const std::string& version) {
     text += ".El\n";
   }
   return text +
-         ".Sh EXIT STATUS\n0 done, 2 invalid case or command line, 3 the run diverged, 4 reading or writing failed, 5 "
+         ".Sh EXIT STATUS\n0 done, 1 an error of vug itself, 2 invalid case or command line, 3 the run diverged, 4 "
+         "reading or writing failed, 5 "
          "the memory does not suffice, 130 interrupted.\n.Sh SEE ALSO\nThe keys of the case file: docs/case-file.md of "
          "the project, and\n.Nm\n.Cm schema .\n";
 }

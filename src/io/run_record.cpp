@@ -1,11 +1,11 @@
 #include "io/run_record.hpp"
 
+#include "host/exit_code.hpp"
 #include "host/this_process.hpp"
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/json_text.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -52,20 +52,8 @@ std::string utc_now() {
 
 void note_failure(RunRecord& record, const std::exception& error) {
   record.status = "failed";
-  record.exit_reason = error.what();
-  record.exit_code = 5;
-  if (dynamic_cast<const InputError*>(&error) != nullptr) record.exit_code = 2;
-  if (dynamic_cast<const FileError*>(&error) != nullptr) record.exit_code = 4;
-  if (const auto* refused = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
-    record.exit_reason = reason_of(*refused);
-    record.exit_code = 4;
-  }
-}
-
-std::string reason_of(const std::filesystem::filesystem_error& error) {
-  const std::string path = error.path1().string(), to = error.path2().string();
-  if (!to.empty()) return fmt::format("{}: cannot copy to {}: {}", path, to, error.code().message());
-  return fmt::format("{}: {}", path.empty() ? "the current folder" : path, error.code().message());
+  record.exit_reason = reason_of(error);
+  record.exit_code = exit_code_of(error);
 }
 
 void write_run_record(const std::string& directory, const RunRecord& r) {

@@ -2,7 +2,6 @@
 // run.json: where the results of a run come from.
 #include <cstdint>
 #include <exception>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,12 +45,8 @@ struct RunRecord {
   std::vector<std::pair<std::string, double>> results;
 };
 
-/// Says in the record that the run has failed, why and with which exit code (main.cpp). What is none of vug's own
-/// errors is memory that did not suffice.
+/// Says in the record that the run has failed, why and with which exit code (host/exit_code.hpp).
 void note_failure(RunRecord& record, const std::exception& error);
-
-/// What the system would not do with a file or a folder, as one line: `path: reason`, of a copy both paths.
-std::string reason_of(const std::filesystem::filesystem_error& error);
 
 /// Writes `directory`/run.json: the record, the hash of the case and the peak memory of the process so far. The file is
 /// replaced in one stroke. Throws FileError.

@@ -208,6 +208,7 @@ TEST(ExitCodes, MemoryThatDoesNotSufficeGivesFiveAndNumbers) {
     const std::string record = folder / (std::to_string(mebibytes) + "/run.json");
     if (std::filesystem::exists(record)) {
       EXPECT_THAT(test::contents(record), HasSubstr("\"status\": \"failed\""));
+      EXPECT_THAT(test::contents(record), HasSubstr("\"exit_code\": 5"));
     }
   }
 }
@@ -234,7 +235,8 @@ TEST(ExitCodes, DivergingRunGivesThreeAndNamesTheLastGoodState) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("diverged at step"));
   EXPECT_THAT(outcome.output, HasSubstr("the last good state is the checkpoint of step"));
-  EXPECT_THAT(test::contents((folder / "out") + "/run.json"), HasSubstr("diverged"));
+  EXPECT_THAT(test::contents((folder / "out") + "/run.json"),
+              testing::AllOf(HasSubstr("\"status\": \"diverged\""), HasSubstr("\"exit_code\": 3")));
 }
 
 TEST(Events, AreToldInTheLogAndInTheRecord) {

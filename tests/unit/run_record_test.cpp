@@ -50,6 +50,20 @@ TEST(RunRecord, IsJsonWhateverTheNamesOfFilesAre) {
   EXPECT_EQ(read_run_origin(folder.path()).case_path, record.case_path);
 }
 
+/// As the process that the error ends: host/exit_code.hpp.
+TEST(RunRecord, KeepsTheExitCodeOfTheErrorThatEndedTheRun) {
+  RunRecord failed;
+  note_failure(failed, std::logic_error("vector::at"));
+  EXPECT_EQ(failed.status, "failed");
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_EQ(failed.exit_reason, "an error of vug itself: vector::at");
+  note_failure(failed, FileError("a: disk full"));
+  EXPECT_EQ(failed.exit_code, 4);
+  EXPECT_EQ(failed.exit_reason, "a: disk full");
+  note_failure(failed, std::bad_alloc());
+  EXPECT_EQ(failed.exit_code, 5);
+}
+
 TEST(RunRecord, ReplacesTheOneBefore) {
   const test::TemporaryFolder folder;
   RunRecord record;

@@ -1,5 +1,5 @@
 #pragma once
-// The three ways a run can fail, each with its own exit code in main.cpp. Programming errors are asserts.
+// The three ways a run can fail, each with its own exit code (host/exit_code.hpp). Programming errors are asserts.
 #include <stdexcept>
 #include <string>
 
