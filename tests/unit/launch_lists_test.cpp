@@ -1,6 +1,7 @@
 // Several lists in one launch have the bits of one launch each.
 #include "kernels/launch/launch_lists.hpp"
 
+#include "kernels/nodes/opening.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 
@@ -116,6 +117,76 @@ bool dress_between_outflows(int gap) {
 TEST(OutflowsFaceToFace, AreDressedOneAfterTheOtherWhereOneReadsWhatTheOtherWrites) {
   EXPECT_TRUE(dress_between_outflows(1));
   EXPECT_FALSE(dress_between_outflows(2));
+}
+
+/// The links in another order.
+BoundaryLinks backwards(const BoundaryLinks& links) {
+  BoundaryLinks turned = links;
+  turned.fluid = IndexList("fluid", links.count);
+  turned.direction = Kokkos::View<std::uint8_t*>("direction", links.count);
+  const auto fluid = on_host(links.fluid);
+  const auto direction = on_host(links.direction);
+  const auto fluid_turned = Kokkos::create_mirror_view(turned.fluid);
+  const auto direction_turned = Kokkos::create_mirror_view(turned.direction);
+  for (int l = 0; l < links.count; ++l) {
+    fluid_turned(l) = fluid(links.count - 1 - l);
+    direction_turned(l) = direction(links.count - 1 - l);
+  }
+  Kokkos::deep_copy(turned.fluid, fluid_turned);
+  Kokkos::deep_copy(turned.direction, direction_turned);
+  return turned;
+}
+
+/// Where an opening lies on both sides of a slot one node wide, its own links meet: each reads what the other writes.
+/// Whichever comes first in the list, what leads down or left is dressed first.
+TEST(OutflowAroundASlot, HasTheSameBitsInWhateverOrderItsLinksRun) {
+  const Exec exec;
+  const Lattice lattice(60, 60);
+  // columns of slots at x = 10, 14, ..., rows of them below
+  const auto is_slot = [](int x, int y) { return y >= 30 ? x % 4 == 2 : y % 4 == 2; };
+  const Kokkos::View<NodeType*> type("type", lattice.size());
+  const auto host_type = Kokkos::create_mirror_view(type);
+  Kokkos::deep_copy(host_type, NodeType::solid);
+  std::vector<int> inside;
+  for (int y = 5; y < 55; ++y)
+    for (int x = 5; x < 55; ++x) {
+      const int n = lattice.node(x, y);
+      host_type(n) = is_slot(x, y) ? NodeType::fluid : NodeType::opening;
+      if (!is_slot(x, y)) inside.push_back(n);
+    }
+  Kokkos::deep_copy(type, host_type);
+  const FluidNodes nodes = make_fluid_nodes(exec, lattice, type);
+  const Opening opening = make_opening(lattice, inside, [](const auto&, const auto& out) { return out; });
+  const auto dress_links = [&](auto set, bool in_order) {
+    using Set = decltype(set);
+    const SoluteFields<double> s = make_solute_fields<double, Set>(exec, nodes, 1);
+    const auto h = Kokkos::create_mirror_view(s.h);
+    for (std::size_t i = 0; i < h.extent(0); ++i) h(i) = std::sin(1.0 + static_cast<double>(i));
+    Kokkos::deep_copy(s.h, h);
+    const BoundaryLinks found = find_opening_links(exec, nodes, opening, Set::Q);
+    const BoundaryLinks links = in_order ? found : backwards(found);
+    EXPECT_GT(links.count, 512);  // several blocks
+    EXPECT_TRUE(is_narrow(exec, nodes, links));
+    const ScalarField<double> gain("gain", links.count);
+    const SoluteCondition<double> outflow = outflow_condition(links, solute_parameters(0.2), s, gain);
+    dress<Set, double>(exec, nodes, {&outflow, 1}, true);
+    return std::pair{s.h, h};
+  };
+  const auto compare = [&](auto set) {
+    using Set = decltype(set);
+    const auto [once, before] = dress_links(set, true);
+    const auto [again, same] = dress_links(set, false);
+    expect_same(once, again, 0);
+    const auto dressed = test::host_copy(once);
+    const auto index = on_host(nodes.index);
+    const auto slot = [&](int q, int x, int y) { return q * nodes.capacity + index(lattice.node(x, y)); };
+    for (const auto& [down, x, y] : {std::tuple{3, 18, 40}, {4, 20, 10}})  // uniform C: what comes in is what is there
+      EXPECT_EQ(dressed(slot(down, x, y)), before(slot(Set::opposite(down), x, y)));
+    for (const auto& [up, x, y] : {std::tuple{1, 18, 40}, {2, 20, 10}})
+      EXPECT_EQ(dressed(slot(up, x, y)), before(slot(up, x, y)));
+  };
+  compare(D2Q5{});
+  compare(D2Q9{});
 }
 
 }  // namespace

@@ -40,6 +40,13 @@ struct SoluteOutflowRule {
   }
 };
 
+/// The links of an outflow.
+template <class T, class Set>
+KOKKOS_FORCEINLINE_FUNCTION DressLinks<T, SoluteOutflowRule<T, Set>> dress_outflow(
+    const SoluteCondition<T>& c, const Kokkos::View<const int*>& source, int capacity) {
+  return {c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}};
+}
+
 /// Each stretch by its rule.
 template <class T, class Set>
 struct DressSolutes {
@@ -53,11 +60,38 @@ struct DressSolutes {
   KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
     using Kind = typename Entry::Kind;
     if (c.kind == Kind::outflow)
-      run(DressLinks<T, SoluteOutflowRule<T, Set>>{c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}});
+      run(dress_outflow<T, Set>(c, source, capacity));
     else if (c.kind == Kind::concentration)
       run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing}});
     else
       run(DressLinks<T, FluxRule<T>>{c, c.h, capacity, {c.part, c.value}});
+  }
+};
+
+/// Of the links that a body dresses those that lead down or left, or the others.
+template <class Dress>
+struct DressOneWay {
+  Dress dress;
+  bool down;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int q = dress.links.direction[dress.links.link(item)];
+    if ((q > D2Q9::opposite(q)) == down) dress(item);
+  }
+};
+
+/// Half the links of an outflow: where both links of a node lead into one opening, each reads the slot that the other
+/// writes, and only one of them may run at a time.
+template <class T, class Set>
+struct DressOutflowOneWay {
+  using Entry = SoluteCondition<T>;
+  Kokkos::View<const int*> source;
+  int capacity;
+  bool down;
+
+  static int count(const Entry& c) { return c.own_count; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
+    run(DressOneWay<DressLinks<T, SoluteOutflowRule<T, Set>>>{dress_outflow<T, Set>(c, source, capacity), down});
   }
 };
 
@@ -95,10 +129,17 @@ SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SolutePar
 template <class Set, class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions, bool narrow,
            const std::type_identity_t<Crossing<T>>& crossing) {
+  const char* label = "vug::solute_boundary::dress";
   const DressSolutes<T, Set> law{nodes.source, nodes.capacity, crossing};
-  const std::size_t together = narrow ? 1 : conditions.size();
-  for (std::size_t first = 0; first < conditions.size(); first += together)
-    for_each_of_lists(exec, "vug::solute_boundary::dress", conditions.subspan(first, together), law);
+  if (!narrow) return for_each_of_lists(exec, label, conditions, law);
+  for (const SoluteCondition<T>& condition : conditions) {
+    const std::span one(&condition, 1);
+    if (condition.kind == SoluteCondition<T>::Kind::outflow)
+      for (const bool down : {true, false})
+        for_each_of_lists(exec, label, one, DressOutflowOneWay<T, Set>{nodes.source, nodes.capacity, down});
+    else
+      for_each_of_lists(exec, label, one, law);
+  }
 }
 
 struct IsNarrow {

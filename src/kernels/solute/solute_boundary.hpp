@@ -44,8 +44,8 @@ SoluteCondition<T> outflow_condition(const BoundaryLinks& links, const SolutePar
                                      const SoluteFields<T>& s, const ScalarField<double>& gain);
 
 /// Dresses the links of all stretches of any number of species. No link may be in two stretches. One launch; where
-/// fluid is `narrow` (is_narrow), one for each stretch, in their order. `crossing` is that of the flow that carries the
-/// species, if any.
+/// fluid is `narrow` (is_narrow), one for each stretch, in their order, and two for an outflow: first the links that lead
+/// down or left, then those that lead up or right. `crossing` is that of the flow that carries the species, if any.
 template <class Set, class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions,
            bool narrow = false, const std::type_identity_t<Crossing<T>>& crossing = {});
