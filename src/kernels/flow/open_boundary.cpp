@@ -1,10 +1,12 @@
 #include "kernels/flow/open_boundary.hpp"
 
+#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/outflow.hpp"
 #include "kernels/launch/launch_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vug {
 
@@ -167,22 +169,54 @@ FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mir
   made.total = state.speed.data();
   made.level = state.level.data();
   made.along = state.along.data();
-  made.next = state.next.data();
-  made.previous = state.previous.data();
+  made.pieces = state.pieces;
+  made.longest = state.longest;
+  made.order = state.order.data();
+  made.piece = state.piece.data();
   made.face = state.face.data();
+  made.room = state.room.data();
   return made;
 }
+
+namespace {
+
+/// The pieces of an outflow, from the faces beside each face.
+void list_pieces(const IndexList& next_face, const IndexList& previous_face, OutflowState& state) {
+  const auto next = on_host(next_face), previous = on_host(previous_face), face = on_host(state.face);
+  std::vector<int> order, piece{0};
+  state.longest = 0;
+  for (int link = 0; link < static_cast<int>(face.extent(0)); ++link) {
+    if (face(link) != link || previous(link) >= 0) continue;
+    for (int f = link; f >= 0; f = next(f)) order.push_back(f);
+    piece.push_back(static_cast<int>(order.size()));
+    state.longest = std::max(state.longest, piece.back() - piece[piece.size() - 2]);
+  }
+  state.pieces = static_cast<int>(piece.size()) - 1;
+  state.order = to_device<IndexList>("vug::open_boundary::order", order);
+  state.piece = to_device<IndexList>("vug::open_boundary::piece", piece);
+}
+
+/// Of a GPU: whole warps for the longest piece.
+int threads_of_pieces(std::span<const FlowCondition> conditions) {
+  int longest = 0;
+  for (const FlowCondition& c : conditions) longest = std::max(longest, c.longest);
+  return std::clamp((longest + 31) / 32 * 32, 32, threads_per_sum);
+}
+
+}  // namespace
 
 void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, OutflowState& state) {
   state.speed = ScalarField<double>("vug::open_boundary::speed", block_count(links.count));
   Kokkos::resize(exec, state.level, 2);
   state.along = ScalarField<double>("vug::open_boundary::along", links.count);
-  for (IndexList* list : {&state.next, &state.previous, &state.face})
-    *list = IndexList("vug::open_boundary::pieces", links.count);
+  if constexpr (!runs_on_host) state.room = ScalarField<double>("vug::open_boundary::room", 3 * links.count);
+  IndexList next, previous;
+  for (IndexList* list : {&next, &previous, &state.face}) *list = IndexList("vug::open_boundary::pieces", links.count);
   int faces = 0;
   Kokkos::parallel_reduce("vug::open_boundary::faces", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
-                          FindPieces{links, Upstream(nodes), state.next, state.previous, state.face}, faces);
+                          FindPieces{links, Upstream(nodes), next, previous, state.face}, faces);
   state.faces = faces;
+  list_pieces(next, previous, state);
 }
 
 template <class T>
@@ -191,8 +225,12 @@ void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondit
   const double crossing = std::max(nodes.lattice.nx, nodes.lattice.ny) / std::sqrt(c_s2);
   add_per_block_of_lists(exec, "vug::open_boundary::outward_speed", conditions, OutwardSpeeds<T>{fields.u});
   for_each_of_lists(exec, "vug::open_boundary::outflow_level", conditions, SetOutflowLevels{1 / (4 * crossing)});
-  for_each_of_lists(exec, "vug::open_boundary::pressure_along", conditions,
-                    PressuresAlong<T>{fields.u, Upstream(nodes)});
+  const PressuresAlong<T> pressures{fields.u, Upstream(nodes)};
+  if constexpr (runs_on_host)
+    for_each_of_lists(exec, "vug::open_boundary::pressure_along", conditions, pressures);
+  else
+    for_each_team_of_lists(exec, "vug::open_boundary::pressure_along", conditions, threads_of_pieces(conditions),
+                           pressures);
   for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
 }
 

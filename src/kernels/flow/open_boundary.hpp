@@ -17,7 +17,9 @@ struct FlowCondition : DressedLinks {
   const double* part = nullptr;  ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
   double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< those of an OutflowState
-  const int *next = nullptr, *previous = nullptr, *face = nullptr;         ///< likewise
+  int pieces = 0, longest = 0;                                             ///< likewise
+  const int *order = nullptr, *piece = nullptr, *face = nullptr;           ///< likewise
+  double* room = nullptr;                                                  ///< likewise
 
   /// Number of links that this process must know: all links of an outflow of which it dresses some, because the
   /// condition follows from their mean.
@@ -53,9 +55,11 @@ struct OutflowState {
   /// Entry 0: mean outward speed, remembered over the time in which sound crosses the lattice four times. Entry 1: rho'
   /// at the surface in this step. Zeros at rest.
   ScalarField<double> level;
-  ScalarField<double> along;  ///< (link) work space; of straight links: rho' there less that of `level`
-  IndexList next, previous;   ///< (link) of straight links, those beside it on the same straight piece; -1: its ends
-  IndexList face;             ///< (link) straight link of its node, for a straight link itself; -1: none
+  ScalarField<double> along;    ///< (link) work space; of straight links: rho' there less that of `level`
+  int pieces = 0, longest = 0;  ///< number of straight pieces, and of faces of the longest one
+  IndexList order;              ///< (face) the straight links piece by piece, along each towards higher coordinates
+  IndexList piece;              ///< (piece + 1) where each piece begins in `order`, and the end of the last one
+  IndexList face;               ///< (link) straight link of its node, for a straight link itself; -1: none
 };
 
 /// Allocates for `links` and sets next, previous and face; keeps the level that is there.

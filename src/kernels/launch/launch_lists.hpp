@@ -85,6 +85,15 @@ struct RunItem {
     body(item);
   }
 };
+struct RunByTeam {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  const Team& team;
+  int item;
+  template <class Body>
+  KOKKOS_FUNCTION void operator()(const Body& body) const {
+    body(team, item);
+  }
+};
 struct SumBlock {
   int begin, end;
   double* total;
@@ -118,6 +127,16 @@ struct RunLists {
 };
 
 template <class Law>
+struct TeamsOfLists {
+  Law law;
+  Lists<typename Law::Entry> lists;
+  KOKKOS_FUNCTION void operator()(const RunByTeam::Team& team) const {
+    const auto part = lists.part(team.league_rank());
+    law(lists.entry[part.list], RunByTeam{team, part.begin});
+  }
+};
+
+template <class Law>
 struct SumLists {
   Law law;
   Lists<typename Law::Entry> lists;
@@ -145,6 +164,17 @@ void for_each_of_lists(const Exec& exec, const std::string& label, std::span<con
     else
       Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, lists.blocks()), body);
   });
+}
+
+/// On a GPU: runs body(team, i) for the items i of all lists, each by a team of `threads` (for_each_team).
+template <class Law, class Item>
+void for_each_team_of_lists(const Exec& exec, const std::string& label, std::span<const Item> all, int threads,
+                            const Law& law) {
+  detail::for_lists(
+      all, law, [](int) { return 1; },
+      [&](const auto& lists) {
+        for_each_team(exec, label, lists.blocks(), threads, detail::TeamsOfLists<Law>{law, lists});
+      });
 }
 
 /// entry.total[block] += sum of body(i) over the items i of a block, for all lists, as add_per_block does for one.
