@@ -159,16 +159,18 @@ struct RebuildPairs {
 
   KOKKOS_FUNCTION void sort_into_cells(const Team& team) const {
     const int cells = grid.nx * grid.ny;
-    each(team, cells, [&](int c) { grid.start(c) = 0; });
+    each(team, cells + 1, [&](int c) { grid.start(c) = 0; });
     each(team, p.count, [&](int i) { Kokkos::atomic_inc(&grid.start(cell_of(i))); });
-    accumulate(team, cells, grid.start);
-    // filling from the front moves each start to the next one's place; one step back restores it
-    each(team, p.count, [&](int i) { grid.item(Kokkos::atomic_fetch_add(&grid.start(cell_of(i)), 1)) = i; });
-    Kokkos::single(Kokkos::PerTeam(team), [&] {
-      for (int c = cells; c > 0; --c) grid.start(c) = grid.start(c - 1);
-      grid.start(0) = 0;
+    Kokkos::parallel_scan(Kokkos::TeamThreadRange(team, cells + 1), [&](int c, int& sum, bool last) {
+      sum += grid.start(c);
+      if (last) grid.start(c) = sum;  // the end of the cell
     });
     team.team_barrier();
+    // filling from the end, the last first, moves each end to the start
+    each(team, p.count, [&](int item) {
+      const int i = p.count - 1 - item;
+      grid.item(Kokkos::atomic_fetch_sub(&grid.start(cell_of(i)), 1) - 1) = i;
+    });
   }
 
   KOKKOS_FUNCTION int find_pair(int low, int high, int generation) const {

@@ -266,5 +266,27 @@ TEST(AdvectiveDefect, IsThriceThatOfOneStepWhereAScalarTakesThree) {
   for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(thrice[i], 3 * once[i], 1e-15);
 }
 
+TEST(OpenLinks, AreThoseThatWereMarkedHoweverManyOfANode) {
+  const Exec exec;
+  const Lattice lattice(33, 3);  // several links of a node, and nodes side by side
+  const FluidNodes nodes = make_fluid_nodes(exec, lattice, node_types(lattice, std::vector(3, std::string(33, '.'))));
+  const auto expect_marked = [&](const auto& is_marked) {
+    const auto open = test::host_copy(nodes.open_links), beyond = test::host_copy(nodes.side_links);
+    const auto node = test::host_copy(nodes.node);
+    for (int i = 0; i < nodes.count; ++i)
+      for (int q = 0; q < 9; ++q)
+        EXPECT_EQ(open(i) >> q & 1, is_marked(lattice.y(node(i)), q) ? beyond(i) >> q & 1 : 0) << i << " " << q;
+  };
+  constexpr SideOrder order{Side::bottom, Side::top, Side::left, Side::right};
+  const auto mark = [&](Side side) {
+    mark_open(exec, nodes, find_boundary_links(exec, nodes, side, 0, side_length(lattice, side) - 1, D2Q9::Q, order));
+  };
+  expect_marked([](int, int) { return false; });
+  mark(Side::bottom);  // which has the diagonal links of its corners
+  expect_marked([](int y, int q) { return y == 0 && D2Q9::c(q, 1) < 0; });
+  for (const Side side : all_sides) mark(side);  // some for the second time
+  expect_marked([](int, int) { return true; });
+}
+
 }  // namespace
 }  // namespace vug

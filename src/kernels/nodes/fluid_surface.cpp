@@ -4,6 +4,8 @@
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
 
+#include <bit>
+
 namespace vug {
 
 namespace {
@@ -133,8 +135,8 @@ ScalarField<double> link_areas(const BoundaryLinks& links, int directions,
   return area;
 }
 
-/// One thread: two links may share a node, and there are few.
-struct MarkOpen {
+/// On a host by one thread: two links may share a node, and there are few.
+struct MarkOpenInTurn {
   int count;
   IndexList fluid;
   Kokkos::View<std::uint8_t*> direction;
@@ -145,9 +147,28 @@ struct MarkOpen {
   }
 };
 
+/// On a GPU by a thread per link, which sets its bit in the word that holds the masks of two nodes.
+struct MarkOpenAtOnce {
+  static_assert(std::endian::native == std::endian::little);
+  IndexList fluid;
+  Kokkos::View<std::uint8_t*> direction;
+  unsigned* masks;
+  KOKKOS_FUNCTION void operator()(int link) const {
+    const int i = fluid(link);
+    Kokkos::atomic_or(masks + i / 2, 1u << (direction(link) + 16 * (i % 2)));
+  }
+};
+
 void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links) {
-  Kokkos::parallel_for("vug::fluid_nodes::mark_open", Kokkos::RangePolicy<Exec>(exec, 0, 1),
-                       MarkOpen{links.count, links.fluid, links.direction, nodes.open_links});
+  const char* label = "vug::fluid_nodes::mark_open";
+  if constexpr (runs_on_host) {
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, 1),
+                         MarkOpenInTurn{links.count, links.fluid, links.direction, nodes.open_links});
+  } else {
+    KOKKOS_ASSERT(nodes.open_links.extent(0) % 2 == 0);
+    for_each_node(exec, label, links.count,
+                  MarkOpenAtOnce{links.fluid, links.direction, reinterpret_cast<unsigned*>(nodes.open_links.data())});
+  }
 }
 
 }  // namespace vug
