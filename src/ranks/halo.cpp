@@ -89,17 +89,24 @@ struct Channel {
     make(to, direct ? in.data() : received.data(), MPI_Recv_init);
     make(from, direct ? out.data() : sent.data(), MPI_Send_init);
   }
+  /// The one wait of an exchange: MPI reads what the kernel and the copy write, and receives into what the exchange
+  /// before has unpacked and copied from.
+  void make_ready(const Exec& exec) {
+    if (!direct) Kokkos::deep_copy(exec, sent, out);
+    exec.fence("vug::halo::packed");
+  }
   void trade() {
     const int count = static_cast<int>(requests.size());
-    if (count == 0) return;
-    if (!direct) Kokkos::deep_copy(sent, out);
     MPI_Startall(count, requests.data());
     MPI_Waitall(count, requests.data(), MPI_STATUSES_IGNORE);
-    if (!direct) Kokkos::deep_copy(in, received);
+  }
+  void take(const Exec& exec) {
+    if (!direct) Kokkos::deep_copy(exec, in, received);
   }
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
   ~Channel() {
+    if (!direct) Kokkos::fence("vug::halo::received");  // may still be copied from
     for (MPI_Request& request : requests) MPI_Request_free(&request);
   }
 };
@@ -119,13 +126,13 @@ struct Halo::Lists {
     UnpackHalo<T, n> unpack{to.slot, {}, reinterpret_cast<const T*>(channel->in.data())};
     for (std::size_t c = 0; c < n; ++c) pack.field[c] = unpack.field[c] = fields[c];
     for_each_scattered(exec, "vug::halo::pack", from.count(), pack);
-    exec.fence("vug::halo::packed");  // MPI reads what the kernel writes
     if (!channel->requests.empty()) {
+      channel->make_ready(exec);
       const Exchange counted = Exchange::of_neighbours(to.rank.size(), to.count() * n * sizeof(T));
       channel->trade();
+      channel->take(exec);
     }
     for_each_scattered(exec, "vug::halo::unpack", to.count(), unpack);
-    exec.fence("vug::halo::unpacked");  // the next exchange receives into what the kernel reads
   }
 };
 
