@@ -2,12 +2,21 @@
 #include "kernels/launch/long_sum.hpp"
 
 #include "kernels/launch/launch.hpp"
+#include "support/host_copy.hpp"
+#include "support/overheard.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace vug {
+struct FillWithInverse {
+  ScalarField<double> values;
+  KOKKOS_FUNCTION void operator()(int i) const { values(i) = 1.0 / (1 + i); }
+};
+
 namespace {
 
 struct Add {
@@ -47,6 +56,32 @@ TEST(LongSum, GrowsWithoutForgetting) {
   sum.resize(Exec{}, 3);
   Kokkos::deep_copy(sum.recent(), 0.5);
   EXPECT_EQ(sum.total(), 3.5);
+}
+
+/// Bytes that the largest copy had since it was set to 0.
+std::uint64_t largest_copy = 0;
+const test::Overheard* overheard = nullptr;
+
+TEST(SumInOrder, OfADenseFieldIsTakenWhereTheFieldIs) {
+  constexpr int n = 200001;
+  const ScalarField<double> values("values", n);
+  for_each_node(Exec{}, "fill", n, FillWithInverse{values});
+  const auto host = test::host_copy(values);
+  long double expected = 0;
+  for (int i = 0; i < n; ++i) expected += host(i);
+  const test::Overheard others;
+  overheard = &others;
+  largest_copy = 0;
+  Kokkos::Tools::Experimental::set_begin_deep_copy_callback(
+      [](Kokkos::Profiling::SpaceHandle there, const char* to, const void* target, Kokkos::Profiling::SpaceHandle here,
+         const char* from, const void* source, std::uint64_t size) {
+        largest_copy = std::max(largest_copy, size);
+        overheard->copied(there, to, target, here, from, source, size);
+      });
+  const double sum = sum_in_order(values);
+  EXPECT_NEAR(sum, static_cast<double>(expected), 1e-13 * sum);
+  EXPECT_LE(largest_copy, block_count(n) * sizeof(double));
+  EXPECT_EQ(sum_in_order(values), sum);
 }
 
 }  // namespace

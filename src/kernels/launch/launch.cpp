@@ -4,7 +4,24 @@
 
 namespace vug {
 
+namespace {
+
+constexpr int most_copied = 1 << 16;
+
+}  // namespace
+
+struct ValueOf {
+  ScalarField<double> values;
+  KOKKOS_FUNCTION double operator()(int i) const { return values(i); }
+};
+
 double sum_in_order(const ScalarField<double>& values) {
+  if constexpr (!runs_on_host)
+    if (const int n = static_cast<int>(values.extent(0)); n > most_copied) {
+      const ScalarField<double> partial("vug::sum_in_order", block_count(n));
+      add_per_block(Exec{}, "vug::sum_in_order", n, ValueOf{values}, partial);
+      return sum_in_order(partial);
+    }
   const auto host = on_host(values);
   double sum = 0;
   for (std::size_t i = 0; i < host.extent(0); ++i) sum += host(i);
