@@ -5,7 +5,8 @@
 namespace vug {
 
 inline constexpr int particles_per_group = 64;
-inline constexpr int bonds_per_group = runs_on_host ? 8 : 32;  ///< what a processor does at once
+/// What a processor does at once. A checkpoint has a switch per group: one of a processor goes on on a GPU and back.
+inline constexpr int bonds_per_group = 8;
 
 /// Groups of particles, and of bonds.
 ///

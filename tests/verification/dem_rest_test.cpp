@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <map>
 #include <string>
 #include <type_traits>
 
@@ -244,6 +245,19 @@ TEST(RestingRock, IsNoOtherRockWhileItIsAwake) {
   EXPECT_EQ(watched.awake_share(), 1);
   const auto a = host_copy(watched.particles().u), b = host_copy(plain.particles().u);
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.span() * sizeof(double)), 0);
+}
+
+/// Switches are those of groups, whose size must not depend on what computes them: a processor's checkpoint goes on on
+/// a GPU, and the other way.
+TEST(RestingRock, HasAsManySwitchesInACheckpointWhateverBackEndWritesIt) {
+  const Mechanics rock = square(tolerance);
+  const std::size_t bonds = rock.bonds().count, particles = rock.particles().count;
+  ASSERT_GT(bonds, 64u);
+  std::map<std::string, std::size_t> switches;
+  rock.visit_state([&](const std::string& name, const auto& view, auto...) { switches[name] = view.size(); });
+  EXPECT_EQ(switches.at("awake"), (particles + 63) / 64);
+  EXPECT_EQ(switches.at("bonds_awake"), (bonds + 7) / 8);
+  EXPECT_EQ(switches.at("bonds_due"), (bonds + 7) / 8);
 }
 
 TEST(RestingRock, NeverSleepsUnderAServoOrALedger) {
