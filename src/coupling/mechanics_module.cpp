@@ -140,10 +140,10 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
 /// All that it owes in one go: rock that moves in every lattice step finds the caches full of the lattice.
 template <class T>
 void MechanicsModule<T>::catch_up(const Exec& exec) {
-  for (; owed_ > 0; --owed_) {
-    mechanics_.advance(exec, units_.time_step / substeps_, substeps_, rock_);
-    rock_ = RockIs::the_same;
-  }
+  if (owed_ == 0) return;
+  mechanics_.advance(exec, units_.time_step / substeps_, substeps_, rock_, owed_);
+  rock_ = RockIs::the_same;
+  owed_ = 0;
 }
 
 template <class T>

@@ -128,24 +128,27 @@ void Mechanics::follow_temperature(const Exec& exec) {
                 FollowTemperature{relative_expansion_, particles_});
 }
 
-void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock) {
+void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock, int times) {
   if (rock == RockIs::changed) {
     follow_temperature(exec);
     if (rest_) rest_->all_due = true;
   }
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
-  if (share_) share_->follow_pairs(exec);
-  for (int s = 0; s < substeps;) {
-    if (const int count = alike(substeps - s); count > 1) {
-      replay(exec, control, count);
-      s += count;
-      continue;
+  const int together = share_ || timed_ ? 1 : times;
+  for (int done = 0; done < times; done += together) {
+    if (share_) share_->follow_pairs(exec);
+    for (int s = 0; s < together * substeps;) {
+      if (const int count = alike(together * substeps - s); count > 1) {
+        replay(exec, control, count);
+        s += count;
+        continue;
+      }
+      if (timed_) follow_loads(exec, *timed_, time_ + s * dt, dt, loads_, particles_);
+      step(exec, control, rest_ ? &*rest_ : nullptr, share_ ? &*share_ : nullptr);
+      ++s;
     }
-    if (timed_) follow_loads(exec, *timed_, time_ + s * dt, dt, loads_, particles_);
-    step(exec, control, rest_ ? &*rest_ : nullptr, share_ ? &*share_ : nullptr);
-    ++s;
+    for (int t = 0; t < together; ++t) time_ += dt * substeps;
   }
-  time_ += dt * substeps;
 }
 
 /// What contacts store at the present outlines, and have lost to friction so far.

@@ -60,7 +60,8 @@ class Mechanics {
   /// on a host while all rock sleeps. `rock` says whether temperatures, solid and damage are those of the previous
   /// call; a check then need not evaluate what sleeps. On a GPU the sub-steps between searches and checks are one
   /// launch, unless loads change in time, a servo moves platens, ranks share the rock or there is a ledger.
-  void advance(const Exec& exec, double dt, int substeps, RockIs rock = RockIs::changed);
+  /// `times` stands for so many such calls, between which nothing changes.
+  void advance(const Exec& exec, double dt, int substeps, RockIs rock = RockIs::changed, int times = 1);
 
   /// Sets what is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what
   /// is lost are booked. Call it between steps of dt.

@@ -236,6 +236,25 @@ TEST(RestingRock, LaunchesNothingBetweenLooks) {
   EXPECT_EQ(rock.awake_share(), 0);
 }
 
+TEST(RestingRock, MovesAlikeHoweverManyLatticeStepsItIsOwedAtOnce) {
+  Mechanics at_once = square(tolerance), in_turn = square(tolerance);
+  const double dt = 0.5 * at_once.critical_step();
+  for (Mechanics* rock : {&at_once, &in_turn}) Kokkos::deep_copy(rock->particles().temperature_change, 20);
+  for (const int times : {1, 16, 3, 7}) {
+    at_once.advance(Exec(), dt, 5, RockIs::changed, times);
+    for (int t = 0; t < times; ++t) in_turn.advance(Exec(), dt, 5, t == 0 ? RockIs::changed : RockIs::the_same);
+  }
+  EXPECT_EQ(at_once.steps(), in_turn.steps());
+  EXPECT_EQ(at_once.time(), in_turn.time());
+  const auto u = host_copy(at_once.particles().u), other_u = host_copy(in_turn.particles().u);
+  const auto v = host_copy(at_once.particles().v), other_v = host_copy(in_turn.particles().v);
+  for (int i = 0; i < at_once.particles().count; ++i)
+    for (int axis = 0; axis < 2; ++axis) {
+      ASSERT_EQ(u(i, axis), other_u(i, axis)) << i;
+      ASSERT_EQ(v(i, axis), other_v(i, axis)) << i;
+    }
+}
+
 TEST(RestingRock, IsNoOtherRockWhileItIsAwake) {
   Mechanics watched = square(1e-14), plain = square(0);
   for (Mechanics* rock : {&watched, &plain}) {

@@ -60,9 +60,10 @@ struct OutflowState {
   IndexList order;              ///< (face) the straight links piece by piece, along each towards higher coordinates
   IndexList piece;              ///< (piece + 1) where each piece begins in `order`, and the end of the last one
   IndexList face;               ///< (link) straight link of its node, for a straight link itself; -1: none
+  ScalarField<double> room;     ///< (3 link) work space for sums, on a GPU
 };
 
-/// Allocates for `links` and sets next, previous and face; keeps the level that is there.
+/// Allocates for `links` and lists the straight pieces; keeps the level that is there.
 void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, OutflowState& state);
 
 /// Outflow: the pressure rule with the velocity along the surface that the nodes have (no gradient) and two terms added
