@@ -168,7 +168,10 @@ void FlowModule<T>::add_slit_drag(const Exec& exec, const VectorField<double>& c
                                   const ScalarField<double>& torque) const {
   if (geometry_.slits.count == 0) return;
   const Split& split = geometry_.split;
-  if (!split.alone()) split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
+  if (!split.alone()) {  // every rank sums up the slits of all triangles
+    split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
+    if (step_.spread.extent(0) > 0) split.make_whole(split.of_fluid(geometry_.fluid), step_.spread);
+  }
   vug::add_slit_drag(exec, geometry_.fluid, geometry_.slits, viscosity(), step_, fields_, centre, geometry_.spacing,
                      units_.force(), units_.force() * geometry_.spacing, force, torque);
 }

@@ -34,6 +34,10 @@ CASES = {  # case, steps, keys, output at every tenth step
     "tolerance": (COUPLED + "small_rock.toml", 300, FINE + ["accuracy.tolerance=0.1"], ROCK_OFTEN),
     "slits": (COUPLED + "small_rock.toml", 120,
               FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5"], ROCK_OFTEN),
+    "thick_slits": (COUPLED + "small_rock.toml", 120,
+                    FINE + ["damage.aperture=opening", "damage.residual_aperture=4e-5",
+                            "flow.viscosity_activation_energy=15000", "flow.reference_temperature=400"],
+                    ROCK_OFTEN),  # what drags at triangles depends on the temperature of other ranks' nodes
     "faces": (COUPLED + "small_rock.toml", 120, FINE + SURFACES + ["solute.face_exchange=true"], ROCK_OFTEN),
     "d2q9": (COUPLED + "small_rock.toml", 120,
              FINE + SURFACES + ["heat.velocity_set=d2q9", "solute.velocity_set=d2q9"], ROCK_OFTEN),
