@@ -71,7 +71,7 @@ double FlowModule<T>::given_speed(const StretchLinks& boundary, double time) con
   const FlowBoundary& flow = boundary.stretch.conditions.flow;
   if (!flow.has_rate()) return flow.risen(time) * flow.speed.at(time) / units_.velocity();
   const double rate = flow.risen(time) * flow.rate(section_.density, time) / units_.diffusivity();
-  return boundary.inflow > 0 ? rate / boundary.inflow : 0;
+  return boundary.inflow != 0 ? rate / boundary.inflow : 0;
 }
 
 template <class T>

@@ -85,8 +85,8 @@ double FlowModule<T>::prescribed_speed() const {
   for (const StretchLinks& boundary : boundaries_) {
     const FlowBoundary& flow = boundary.stretch.conditions.flow;
     double speed = flow.peak_speed() / units_.velocity();
-    if (flow.has_rate() && boundary.inflow > 0)
-      speed = std::abs(flow.peak_rate(section_.density)) / (units_.diffusivity() * boundary.inflow);
+    if (flow.has_rate() && boundary.inflow != 0)
+      speed = std::abs(flow.peak_rate(section_.density) / (units_.diffusivity() * boundary.inflow));
     prescribed = std::max(prescribed, largest_share(flow) * speed);
   }
   return prescribed;

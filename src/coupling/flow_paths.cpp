@@ -1,7 +1,6 @@
 #include "coupling/flow_paths.hpp"
 
 #include "coupling/mouths.hpp"
-#include "coupling/velocity_profile.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -38,20 +37,23 @@ std::size_t narrowest_passage(const FluidPicture& picture, const Mouth& mouth, c
 }
 
 /// Nothing moves by more than the scheme can follow.
-void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths, const LatticeUnits& units) {
+void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths) {
   for (const Mouth& mouth : mouths) {
     const FlowBoundary& flow = mouth.conditions->flow;
-    const double given = flow.has_rate() ? std::abs(mouth.inflow) : flow.peak_speed() / units.velocity();
-    const double speed = largest_share(flow) * given;
-    if (speed <= speed_bound) continue;
+    if (mouth.peak_speed <= speed_bound) continue;
     const char* const key = flow.flow_rate             ? "flow_rate"
                             : flow.mass_flow_rate      ? "mass_flow_rate"
                             : flow.speed.peak() != 0.0 ? "speed"
                                                        : "velocity";
+    if (std::isinf(mouth.peak_speed))
+      throw InputError(
+          fmt::format("{}: the shares of {}.flow.profile_table beside fluid have no positive sum, and {} is spread by "
+                      "them",
+                      scene.path, mouth.key, key));
     throw InputError(
         fmt::format("{}: {}.flow.{} is {:.3g} cells in a time step, and above {:g} no run is stable; lower it "
                     "or lattice.time_step",
-                    scene.path, mouth.key, key, speed, speed_bound));
+                    scene.path, mouth.key, key, mouth.peak_speed, speed_bound));
   }
 }
 
@@ -149,7 +151,7 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
                                  scene.flow ? "[flow]" : "[solute]"));
   const bool rock_opens = scene.damage || rock_dissolves(scene);
   const std::vector<Mouth> mouths = mouths_of(scene, geometry, units, picture);
-  if (scene.flow) look_for_speeds(scene, mouths, units);
+  if (scene.flow) look_for_speeds(scene, mouths);
   look_for_dry_mouths(scene, mouths, rock_opens, found);
   if (!scene.flow) return found;
   const std::vector<int> piece = pieces_of(picture);

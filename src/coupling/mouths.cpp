@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -56,6 +58,26 @@ double inward(Side side, const std::array<TimeTable, 2>& velocity) {
   }
 }
 
+/// Volume, cells, that it takes in per step and unit of speed, over its fluid nodes.
+double volume_per_speed(const Stretch& stretch, const Mouth& mouth, const FluidPicture& picture, double spacing) {
+  if (stretch.opening) return mouth.total_length();
+  double sum = 0;
+  for (const std::size_t n : mouth.nodes) {
+    const auto at = static_cast<int>(is_upright(stretch.side) ? n / picture.nx : n % picture.nx);
+    sum += share_of_cell(mouth.conditions->flow, at - stretch.first, stretch.last + 1 - stretch.first, spacing);
+  }
+  return sum;
+}
+
+double peak_speed_of(const FlowBoundary& flow, const Stretch& stretch, const Mouth& mouth, const FluidPicture& picture,
+                     double density, const LatticeUnits& units) {
+  if (!flow.has_rate()) return largest_share(flow) * flow.peak_speed() / units.velocity();
+  if (mouth.nodes.empty()) return 0;
+  const double volume = volume_per_speed(stretch, mouth, picture, units.spacing);
+  if (volume <= 0) return std::numeric_limits<double>::infinity();
+  return largest_share(flow) * std::abs(flow.peak_rate(density)) / units.diffusivity() / volume;
+}
+
 /// Volume that each of so many cells of a boundary takes in per step at most, cells.
 double inflow_of(const FlowBoundary& flow, const Stretch& stretch, double cells, double density,
                  const LatticeUnits& units) {
@@ -89,8 +111,11 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
       look_beside_opening(*stretch.opening, geometry, picture, mouth);
     else
       look_beside_side(stretch, picture, mouth);
-    if (scene.flow)
-      mouth.inflow = inflow_of(mouth.conditions->flow, stretch, mouth.total_length(), scene.flow->density, units);
+    if (scene.flow) {
+      const FlowBoundary& flow = mouth.conditions->flow;
+      mouth.inflow = inflow_of(flow, stretch, mouth.total_length(), scene.flow->density, units);
+      mouth.peak_speed = peak_speed_of(flow, stretch, mouth, picture, scene.flow->density, units);
+    }
     mouths.push_back(std::move(mouth));
   }
   return mouths;

@@ -18,6 +18,8 @@ struct Mouth {
   std::vector<std::size_t> nodes{};
   std::vector<double> length{};  ///< (node) of the boundary that it lies at, cells
   double inflow = 0;             ///< volume that it takes in per step and cell of length; of prescribed velocities only
+  /// Largest speed that it gives the fluid at one point, lattice units; infinite where the shares of a rate cancel.
+  double peak_speed = 0;
 
   double total_length() const { return std::accumulate(length.begin(), length.end(), 0.0); }
 

@@ -34,6 +34,11 @@ double share_of_velocity(const FlowBoundary& flow, double at, double length) {
   return 1;
 }
 
+double share_of_cell(const FlowBoundary& flow, int cell, int cells, double spacing) {
+  const auto share = [&](double at) { return share_of_velocity(flow, at * spacing, cells * spacing); };
+  return (share(cell) + 4 * share(cell + 0.5) + share(cell + 1)) / 6;
+}
+
 double largest_share(const FlowBoundary& flow) {
   if (flow.profile == VelocityShape::table) return std::abs(curve(flow).peak());
   return flow.profile == VelocityShape::parabolic ? 1.5 : 1.0;

@@ -6,6 +6,8 @@ namespace vug {
 
 /// Share of its velocity that a side or injection of `length` (m) has `at` m from its lower or left end.
 double share_of_velocity(const FlowBoundary& flow, double at, double length);
+/// The mean over one cell of a stretch of so many, by Simpson's rule: as much as the links of its node.
+double share_of_cell(const FlowBoundary& flow, int cell, int cells, double spacing);
 /// The largest of these shares, and their mean.
 double largest_share(const FlowBoundary& flow);
 double mean_share(const FlowBoundary& flow, double length);

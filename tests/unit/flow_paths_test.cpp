@@ -137,6 +137,35 @@ TEST(FlowPaths, NothingMovesFasterThanTheSchemeFollows) {
   EXPECT_EQ(refusal(channel("", "[boundary.top]\nflow = { type = \"wall\", velocity = [0.4, 0] }\n")), "");
 }
 
+/// A rate is spread by the ratio of a share to the mean over the fluid: 12 cells of it, or the lower 6 beside a block.
+TEST(FlowPaths, SpeedOfARateFollowsTheFormOfItsProfile) {
+  const auto rate = [](const char* value, const char* table) {
+    return std::string("[boundary.left]\nflow = { type = \"velocity\", flow_rate = ") + value +
+           ", profile = \"table\", profile_table = " + table + " }\n" + outlet;
+  };
+  EXPECT_EQ(refusal(channel("", rate("2.4", "[[0, 3], [12, 3]]"))), "");
+  EXPECT_THAT(refusal(channel("", rate("12", "[[0, 0.1], [12, 0.1]]"))),
+              HasSubstr("boundary.left.flow.flow_rate is 1 cells in a time step"));
+  EXPECT_THAT(refusal(channel("", rate("-4.8", "[[0, 0], [12, 2]]"))),
+              HasSubstr("boundary.left.flow.flow_rate is 0.8 cells in a time step"));
+  const std::string block = rectangle("[0, 6]", "[5, 12]");
+  EXPECT_EQ(refusal(channel(block, rate("2.4", "[[0, 3], [12, 3]]"))), "");
+  EXPECT_THAT(refusal(channel(block, rate("4.8", "[[0, 3], [12, 3]]"))), HasSubstr("is 0.8 cells in a time step"));
+  EXPECT_EQ(
+      refusal(channel(block, rate("2.4", "[[0, -1], [6, -1], [6.001, 2], [12, 2]]"))),
+      "a.toml: the shares of boundary.left.flow.profile_table beside fluid have no positive sum, and flow_rate is "
+      "spread by them");
+}
+
+TEST(FlowPaths, SpeedOfAParabolicRateIsThatOfItsMiddle) {
+  const auto rate = [](const char* value) {
+    return std::string("[boundary.left]\nflow = { type = \"velocity\", profile = \"parabolic\", flow_rate = ") + value +
+           " }\n" + outlet;
+  };
+  EXPECT_EQ(refusal(channel("", rate("3.9"))), "");
+  EXPECT_THAT(refusal(channel("", rate("4.8"))), HasSubstr("flow_rate is 0.6 cells in a time step"));
+}
+
 /// By continuity: 12 cells of inflow go through what is left open.
 TEST(FlowPaths, SpeedInTheNarrowestPassageIsThatOfContinuity) {
   EXPECT_DOUBLE_EQ(passage_speed(channel("", inflow + outlet)), 0.02);

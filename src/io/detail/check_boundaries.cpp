@@ -87,7 +87,19 @@ void check_periodic(const TomlDocument& document, const Scene& scene, const char
   }
 }
 
-/// Positions of a profile lie on its stretch.
+/// Mean over a stretch of `length` (m) of shares between whose positions it is linear, and constant beyond.
+double mean_of(const std::vector<std::array<double, 2>>& shares, double length) {
+  double before = 0, share = shares.front()[1], sum = 0;
+  for (const auto& [position, next] : shares) {
+    const double at = std::clamp(position, 0.0, length);
+    sum += (share + next) / 2 * (at - before);
+    before = at;
+    share = next;
+  }
+  return (sum + share * (length - before)) / length;
+}
+
+/// Positions of a profile lie on its stretch; a rate is spread by shares whose sum has its sign.
 void check_profile(const TomlDocument& document, const std::string& key, const FlowBoundary& flow, double length,
                    double spacing) {
   const double slack = 1e-6 * spacing;
@@ -95,6 +107,16 @@ void check_profile(const TomlDocument& document, const std::string& key, const F
     if (at < -slack || at > length + slack)
       document.fail(key + ".flow.profile_table",
                     fmt::format("has the position {:g} m beyond its stretch, 0 ... {:g} m", at, length));
+  if (!flow.has_rate() || flow.profile_table.empty()) return;
+  const double mean = mean_of(flow.profile_table, length);
+  double largest = 0;
+  for (const auto& [at, share] : flow.profile_table) largest = std::max(largest, std::abs(share));
+  constexpr double rounding = 1e-9;
+  if (mean <= rounding * largest)
+    document.fail(key + ".flow.profile_table",
+                  fmt::format("has shares of the mean {:.3g}, and a rate is spread by the ratio of share to mean: it "
+                              "must be positive; the rate's sign says whether fluid enters",
+                              mean));
 }
 
 void check_injection(const TomlDocument& document, const Scene& scene, const InjectionSection& injection) {
