@@ -51,7 +51,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
                                      start.velocity);
   }
   KOKKOS_ASSERT(mechanics_.bonds().count == rock.bonds);
-  const bool dissolves = geometry.volume.extent(0) > 0;
+  const bool dissolves = rock_dissolves(scene);
   if (flow_ || dissolves) wet_.emplace(geometry.lattice, rock.nodes_of_sector);
   if (dissolves) dissolved_.emplace(exec, rock.nodes_of_sector, rock.sectors_of_bond, geometry.volume);
   if (section_.lets_fragments_go) dissolved_->follow_fragments();

@@ -14,7 +14,7 @@
 
 namespace vug {
 
-/// Owns particles and bonds. `flow` and `heat` may be null; dissolution acts when the geometry has a solid volume.
+/// Owns particles and bonds. `flow` and `heat` may be null; dissolution acts where rock_dissolves.
 template <class T>
 class MechanicsModule final : public Module {
  public:

@@ -36,10 +36,10 @@ void require_room_for(double fields, double of_host, const std::string& what) {
 double bytes_of_lattice(const Scene& scene) {
   const double nodes = static_cast<double>(scene.lattice.nx) * scene.lattice.ny, number = number_of(scene);
   double per_node = sizeof(NodeType);
-  if (scene.flow || scene.solute) per_node += sizeof(int);    // fluid index
-  if (rock_dissolves(scene)) per_node += 2 * sizeof(double);  // volume, dissolved
-  if (!scene.minerals.empty()) per_node += 1;                 // number
-  if (!scene.minerals.empty() && scene.reaction)              // what each reactant has taken
+  if (scene.flow || scene.solute) per_node += sizeof(int);  // fluid index
+  if (scene.reaction) per_node += 2 * sizeof(double);       // volume, dissolved
+  if (!scene.minerals.empty()) per_node += 1;               // number
+  if (!scene.minerals.empty() && scene.reaction)            // what each reactant has taken
     per_node += sizeof(double) * (1 + static_cast<double>(scene.reaction->further.size()));
   const double watched = scene.accuracy.chooses_intervals() ? 1 : 0;  // of each scalar, at the last look
   if (scene.heat) per_node += number * (directions(scene.heat->velocity_set) * heat_lattices + watched);  // populations

@@ -34,7 +34,7 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
 }
 
 void PoreGrowth::ledger(Ledger& ledger, double pixel_volume) const {
-  if (!opener_ || geometry_.volume.extent(0) == 0) return;
+  if (!opener_ || lost_.all.extent(0) == 0) return;
   double all = 0;
   for (int m = 0; m < opener_->parts(); ++m) {
     const double waiting = sum_in_order(opener_->waiting(m));

@@ -57,8 +57,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   const Preset preset = accuracy.given() ? read_preset(accuracy) : Preset::careful;
   if (const auto table = root.table("mechanics"); table.given()) {
     scene.mechanics = read_mechanics(table, mechanics_of(preset));
-    if (scene.mechanics->lets_fragments_go && !scene.reaction)
-      table.refuse("fragments", "is for rock that dissolves: it needs the table [reaction]");
+    if (scene.mechanics->lets_fragments_go && !rock_dissolves(scene))
+      table.refuse("fragments", "is for rock that dissolves: it needs the table [reaction] with a molar_volume");
   }
   if (scene.rock && scene.mechanics)
     for (const RockRegion& region : scene.mechanics->regions)

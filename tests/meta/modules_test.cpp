@@ -125,6 +125,16 @@ TEST(AbsentKeys, AllocateNothingAndLaunchNothing) {
     EXPECT_FALSE(watch.saw(label)) << label;
 }
 
+TEST(AbsentDissolution, OfRockThatOnlyReactsAllocatesNothingAndBooksNoSolid) {
+  const Watch watch;
+  Simulation simulation(parse_scene(small_rock_text(), "small_rock.toml", {"reaction.molar_volume=0"}));
+  simulation.begin();
+  for (int step = 0; step < 20; ++step) simulation.step();
+  EXPECT_FALSE(watch.saw("vug::chemical_damage"));
+  for (const Balance& balance : simulation.ledger().balances) EXPECT_NE(balance.quantity, "solid_volume");
+  for (const HistoryValue& value : simulation.history()) EXPECT_NE(value.name, "triangles_dissolved_1");
+}
+
 TEST(AbsentMinerals, AllocateNothingAndLaunchNothing) {
   const Watch watch;
   live(scene_without({}));
