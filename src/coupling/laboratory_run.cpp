@@ -230,11 +230,12 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_run_record(directory, record);
   };
-  const auto finish_as = [&](const char* status, const std::string& reason, ExitCode code) {
-    record.status = status;
-    record.exit_reason = reason;
-    record.exit_code = code;
-    finish();
+  const auto try_to_finish = [&] {
+    try {
+      finish();
+    } catch (const FileError&) {
+      // a disk that refuses results refuses the record as well; the first error is the one to report
+    }
   };
   if (std::ostream* log = options.progress ? options.progress : options.warnings) {
     if (!folder.warning().empty()) *log << "warning: " << folder.warning() << '\n';
@@ -247,22 +248,21 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
                               : scene.laboratory->test == LaboratoryTest::quench
                                   ? quench_specimen(scene, options, specimen, directory, record.results)
                                   : load_all(scene, options, specimen, directory, record);
-    finish_as("done", "the test has ended", done);
+    note_end(record, "done", "the test has ended", done);
+    finish();
     return fmt::format("{:<22}{}, {} triangles\n{}{:<22}{}\n", "test", name_of(scene.laboratory->test),
                        specimen.triangles.size(), found, "files", directory);
   } catch (const StabilityError& error) {
-    finish_as("diverged", error.what(), exit_code_of(error));
+    note_end(record, "diverged", error.what(), exit_code_of(error));
+    try_to_finish();
     throw;
   } catch (const Interrupted& stop) {
-    finish_as("interrupted", stop.what(), exit_code_of(stop));
+    note_end(record, "interrupted", stop.what(), exit_code_of(stop));
+    try_to_finish();
     throw;
   } catch (const std::exception& error) {  // a search that has found nothing among them
-    try {
-      note_failure(record, error);
-      finish();
-    } catch (const FileError&) {
-      // the disk that refused the results refuses the record as well
-    }
+    note_failure(record, error);
+    try_to_finish();
     throw;
   }
 }

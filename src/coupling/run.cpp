@@ -55,16 +55,16 @@ class Run {
       warn(progress);
       advance(progress);
       progress.finish("done");
-      book_.close(simulation_.clock(), progress, "done", "reached the last step", done);
+      book_.close_done(simulation_.clock(), progress);
       say_when_ended(options_.words_when_done);
     } catch (const Interrupted& stop) {
       progress.finish("interrupted");
       const std::string reason = fmt::format("{}; {}", stop.what(), book_.last_good());
-      book_.close(simulation_.clock(), progress, "interrupted", reason, exit_code_of(stop));
+      book_.close_early(simulation_.clock(), progress, "interrupted", reason, exit_code_of(stop));
       throw Interrupted(reason);
     } catch (const StabilityError& error) {
       const std::string reason = fmt::format("{}; {}", error.what(), book_.last_good());
-      book_.close(simulation_.clock(), progress, "diverged", reason, exit_code_of(error));
+      book_.close_early(simulation_.clock(), progress, "diverged", reason, exit_code_of(error));
       throw StabilityError(reason);
     } catch (const std::exception& error) {
       book_.close_failed(simulation_.clock(), progress, error);

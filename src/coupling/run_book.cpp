@@ -139,25 +139,32 @@ std::string RunBook::last_good() const {
   return fmt::format("the last good state is the checkpoint of step {} in {}", *record_.last_checkpoint, checkpoints());
 }
 
+void RunBook::close_done(const Clock& clock, const Progress& progress) {
+  note_end(record_, "done", "reached the last step", done);
+  write_end(clock, progress);
+}
+
+void RunBook::close_early(const Clock& clock, const Progress& progress, const std::string& status,
+                          const std::string& reason, ExitCode code) {
+  note_end(record_, status, reason, code);
+  try_to_write_end(clock, progress);
+}
+
 void RunBook::close_failed(const Clock& clock, const Progress& progress, const std::exception& error) {
   reserve_.reset();
+  note_failure(record_, error);
+  try_to_write_end(clock, progress);
+}
+
+void RunBook::try_to_write_end(const Clock& clock, const Progress& progress) {
   try {
-    note_failure(record_, error);
-    close(clock, progress);
+    write_end(clock, progress);
   } catch (const FileError&) {
-    // the disk that refused the results refuses the record as well; the first error is the one to report
+    // a disk that refuses results refuses the record as well; the first error is the one to report
   }
 }
 
-void RunBook::close(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
-                    ExitCode code) {
-  record_.status = status;
-  record_.exit_reason = reason;
-  record_.exit_code = code;
-  close(clock, progress);
-}
-
-void RunBook::close(const Clock& clock, const Progress& progress) {
+void RunBook::write_end(const Clock& clock, const Progress& progress) {
   if (!folder_ || !folder_->is_ours()) return;
   record_.ended = utc_now();
   write(clock, progress);

@@ -46,10 +46,13 @@ class RunBook {
   void require_ours() const;
   /// Writes a checkpoint of what the ranks have computed and of how many rows the history has; before it, the record.
   void save(Simulation& simulation, std::int64_t rows, const Progress& progress);
-  /// The last record: how the run has ended, why, and with which exit code.
-  void close(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
-             ExitCode code);
-  /// The last record of a run that failed, also where memory did not suffice or the disk is full.
+  /// The last record of a run that has reached its end. Throws FileError.
+  void close_done(const Clock& clock, const Progress& progress);
+  /// The last record of one that has ended before: how, why, and with which exit code. Why it ended is what is to be
+  /// reported: where the record cannot be written, nothing is thrown.
+  void close_early(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
+                   ExitCode code);
+  /// The same of a run that failed, also where memory did not suffice or the disk is full.
   void close_failed(const Clock& clock, const Progress& progress, const std::exception& error);
 
   /// Says where the newest checkpoint is.
@@ -60,7 +63,8 @@ class RunBook {
   CheckpointOwner owner();
   StateList own_state();
   void write(const Clock& clock, const Progress& progress);
-  void close(const Clock& clock, const Progress& progress);
+  void write_end(const Clock& clock, const Progress& progress);
+  void try_to_write_end(const Clock& clock, const Progress& progress);
 
   const RunOptions& options_;
   std::string path_;

@@ -50,10 +50,14 @@ std::string utc_now() {
   return text;
 }
 
+void note_end(RunRecord& record, const std::string& status, const std::string& reason, ExitCode code) {
+  record.status = status;
+  record.exit_reason = reason;
+  record.exit_code = code;
+}
+
 void note_failure(RunRecord& record, const std::exception& error) {
-  record.status = "failed";
-  record.exit_reason = reason_of(error);
-  record.exit_code = exit_code_of(error);
+  note_end(record, "failed", reason_of(error), exit_code_of(error));
 }
 
 void write_run_record(const std::string& directory, const RunRecord& r) {

@@ -1,5 +1,7 @@
 #pragma once
 // run.json: where the results of a run come from.
+#include "host/exit_code.hpp"
+
 #include <cstdint>
 #include <exception>
 #include <optional>
@@ -44,6 +46,9 @@ struct RunRecord {
   /// What a laboratory test found, names with their units; absent from the file when empty.
   std::vector<std::pair<std::string, double>> results;
 };
+
+/// Says in the record how the run has ended, why and with which exit code.
+void note_end(RunRecord& record, const std::string& status, const std::string& reason, ExitCode code);
 
 /// Says in the record that the run has failed, why and with which exit code (host/exit_code.hpp).
 void note_failure(RunRecord& record, const std::exception& error);
