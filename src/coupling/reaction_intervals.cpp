@@ -2,6 +2,7 @@
 #include "coupling/reaction_module.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vug {
 
@@ -15,12 +16,13 @@ void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) 
   gather_links();
   for (Attack<T>& attack : attacks_) {  // acid that a step of the solutes turns over is booked at its beginning
     const double reacted = consumed(attack);
-    changes.solute = std::max(changes.solute, share_of(reacted - attack.watched, solutes_.total(*attack.reactant)));
+    changes.solute =
+        std::max(changes.solute, share_of(std::abs(reacted - attack.watched), solutes_.total(*attack.reactant)));
     attack.watched = reacted;
   }
   if (!dissolves_) return;
   const double paid = this->paid();
-  changes.solid = share_of(paid - watched_, paid);
+  changes.solid = share_of(std::abs(paid - watched_), std::abs(paid));
   watched_ = paid;
 }
 

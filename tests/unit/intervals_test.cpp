@@ -3,7 +3,11 @@
 #include "coupling/simulation.hpp"
 #include "kernels/base/require.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <map>
+#include <string>
 
 namespace vug {
 namespace {
@@ -80,6 +84,57 @@ TEST(Tolerance, ChoosesTheIntervalsOrHowFastTheRockAges) {
   EXPECT_TRUE(accuracy(dissolving + "[time]\nend = 1600\n[accuracy]\ntolerance = 1e-3\ndissolution_factor = 10\n")
                   .chooses_intervals());
   EXPECT_THROW(accuracy(warm_slab + "[accuracy]\ntolerance = 0.5\n"), InputError);
+}
+
+/// Beside a wall that acid dissolves, or where acid and product have exchanged their roles: as much rock grows then.
+Scene wall_of_both_ways(const std::string& acid, const std::string& product) {
+  const auto species = [](const char* name, const std::string& initial) {
+    return fmt::format("[[solute.species]]\nname = \"{}\"\ndiffusivity = 0.1\ninitial = {}\n", name, initial);
+  };
+  return parse_scene(
+      "[lattice]\nsize = [24, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 3000\n"
+      "[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [16, 0]\n"
+      "to = [24, 4]\n[reaction]\nreactant = \"A\"\nproduct = \"B\"\nrate_constant = 0.05\n"
+      "equilibrium_constant = 1\nmolar_volume = 1e-5\n[accuracy]\ntolerance = 0.01\n" +
+          species("A", acid) + species("B", product) +
+          "[boundary.left]\nsolute = { type = \"concentration\", concentration = { A = " + acid + ", B = " + product +
+          " } }\n",
+      "a.toml");
+}
+
+TEST(Tolerance, HoldsGrowingRockAsLongAsDissolvingRock) {
+  const auto intervals = [](const Scene& scene) {
+    Simulation simulation(scene);
+    simulation.begin();
+    for (int step = 0; step < 3000; ++step) simulation.step();
+    std::map<std::string, double> found;
+    for (const HistoryValue& value : simulation.history()) found[value.name] = value.value;
+    return found;
+  };
+  const auto dissolving_rock = intervals(wall_of_both_ways("1", "0"));
+  const auto growing_rock = intervals(wall_of_both_ways("0", "1"));
+  const double dissolved = dissolving_rock.at("dissolved_volume_m3_per_m");
+  EXPECT_NEAR(growing_rock.at("dissolved_volume_m3_per_m"), -dissolved, 1e-3 * dissolved);
+  for (const char* name : {"solute_interval_1", "wall_interval_1", "update_interval_1"}) {
+    EXPECT_GE(2 * growing_rock.at(name), dissolving_rock.at(name)) << name;
+    EXPECT_LE(growing_rock.at(name), dissolving_rock.at(name)) << name << ": acid that is given back changes by more";
+  }
+  EXPECT_GT(dissolving_rock.at("update_interval_1"), 8);
+}
+
+TEST(Tolerance, SeesAcidThatIsGivenBack) {
+  Simulation simulation(wall_of_both_ways("0", "1"));
+  simulation.begin();
+  for (int step = 0; step < 10; ++step) simulation.step();
+  for (const auto& module : simulation.parts().modules) {
+    if (module->name() != "reaction") continue;
+    Changes changes;
+    module->watch(Exec{}, simulation.clock(), changes);
+    EXPECT_GT(changes.solute, 0.5) << "of what there is of it";
+    EXPECT_EQ(changes.solid, 1) << "all that there is has come since the start";
+    return;
+  }
+  FAIL() << "no reaction";
 }
 
 }  // namespace
