@@ -34,7 +34,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   for (const Attack<T>& attack : attacks_) {
     const std::string of = attack.key.empty() ? "" : attack.key + ", ";
     if (!has_minerals()) limits_of(attack, attack.rate, of, table);
-    if (!has_minerals()) most = std::max(most, attack.wall.molar_volume);
+    if (!has_minerals()) most = std::max(most, volume_per_acid(section_.molar_volume, attack.rate));
     for (std::size_t m = 0; m < solids_.size(); ++m) {
       if (solids_[m].name.empty() || attack.rates[m].rate_constant == 0) continue;
       limits_of(attack, attack.rates[m], of + solids_[m].name + ", ", table);
@@ -46,7 +46,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
   table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
   table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
-  if (factor_ > 1)
+  if (factor_ > 1 && !varies_)  // what the run chooses is held within its tolerance
     table.push_back({"reaction", "volume dissolved per volume of the strongest acid", most, "1", 0, 0.1 + 1e-9,
                      "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
   if (section_.wall == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)

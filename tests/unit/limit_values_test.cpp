@@ -124,6 +124,22 @@ TEST(LimitValues, OfAReactionAreItsDamkohlerNumbersAndWhatAcidDissolves) {
   EXPECT_NEAR(of(limits, "reaction", "volume dissolved per volume").value, 50 * 4e-5 * 1000 / 2, 1e-9);
 }
 
+/// As a resumed run asks for them: the factor is then that of the checkpoint.
+TEST(LimitValues, OfAReactionHoldNoFactorThatTheRunChooses) {
+  Simulation simulation(
+      parse_scene("[lattice]\nsize = [8, 3]\nspacing = 1\ntime_step = 1\n[time]\nend = 1e6\n[geometry]\n"
+                  "type = \"shapes\"\n[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [4, 0]\nto = [8, 3]\n"
+                  "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n[reaction]\nreactant = \"A\"\n"
+                  "rate_constant = 0.05\nmolar_volume = 1e-5\n[boundary.left]\n"
+                  "solute = { type = \"concentration\", concentration = { A = 1 } }\n"
+                  "[accuracy]\ndissolution_tolerance = 0.05\n",
+                  "a.toml"));
+  simulation.begin();
+  while (simulation.parts().ageing->factor() == 1 && simulation.clock().step < 10000) simulation.step();
+  EXPECT_GT(simulation.parts().ageing->factor(), 1);
+  EXPECT_THROW(of(simulation.limits(), "reaction", "volume dissolved per volume"), std::invalid_argument);
+}
+
 TEST(LimitValues, OfRockAreThoseOfItsMostBrittleMaterial) {
   const auto longest = [](const Overrides& overrides) {
     return of(limits_of(overrides,
