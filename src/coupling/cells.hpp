@@ -1,5 +1,5 @@
 #pragma once
-// Which cells an interval holds. A cell belongs to what holds its centre; a centre on a bound belongs to the lower one,
+// Which cells an interval holds, and in which a point lies. A cell belongs to what holds its centre; a centre on a bound belongs to the lower one,
 // so that n cells between two bounds are n cells wherever the bounds lie.
 #include <array>
 #include <cmath>
@@ -18,6 +18,11 @@ inline double snapped(double at) {
 /// A point in cells.
 inline std::array<double, 2> point_in_cells(const std::array<double, 2>& at, double spacing) {
   return {snapped(at[0] / spacing), snapped(at[1] / spacing)};
+}
+
+/// The cell that a point lies in, in cells: on the boundary between two the higher one.
+inline int cell_of(double at) {
+  return static_cast<int>(std::floor(snapped(at)));
 }
 
 /// The first cell with its centre at or beyond `at` (cells): [low, high) holds the cells first_cell(low) to

@@ -1,5 +1,6 @@
 #include "coupling/run_files.hpp"
 
+#include "coupling/cells.hpp"
 #include "coupling/rock_fields.hpp"
 #include "kernels/base/require.hpp"
 
@@ -30,8 +31,8 @@ void Probes::add(std::vector<HistoryValue>& row) const {
   for (const Field& field : fields_.lattice) {
     const ReadItems read = field.open();
     for (const Probe& probe : scene_.output.probes) {
-      const int x = std::clamp(static_cast<int>(probe.at[0] / scene_.lattice.spacing), 0, nx - 1);
-      const int y = std::clamp(static_cast<int>(probe.at[1] / scene_.lattice.spacing), 0, ny - 1);
+      const int x = std::clamp(cell_of(probe.at[0] / scene_.lattice.spacing), 0, nx - 1);
+      const int y = std::clamp(cell_of(probe.at[1] / scene_.lattice.spacing), 0, ny - 1);
       std::vector<double> values(field.components);
       read(static_cast<std::size_t>(y) * nx + x, values);
       for (int c = 0; c < field.components; ++c) {

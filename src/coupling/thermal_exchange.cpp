@@ -1,5 +1,6 @@
 #include "coupling/thermal_exchange.hpp"
 
+#include "coupling/cells.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/run_sum.hpp"
 #include "kernels/base/host_and_device.hpp"
@@ -17,8 +18,8 @@ std::vector<int> nodes_of_centroids(const Assembly& assembly, const Lattice& lat
     double centroid[2] = {0, 0};
     for (const int vertex : triangle)
       for (int axis = 0; axis < 2; ++axis) centroid[axis] += assembly.vertices[vertex][axis] / 3 / spacing;
-    const int x = std::clamp(static_cast<int>(centroid[0]), 0, lattice.nx - 1);
-    nodes.push_back(std::clamp(static_cast<int>(centroid[1]), 0, lattice.ny - 1) * lattice.nx + x);
+    const int x = std::clamp(cell_of(centroid[0]), 0, lattice.nx - 1);
+    nodes.push_back(std::clamp(cell_of(centroid[1]), 0, lattice.ny - 1) * lattice.nx + x);
   }
   return nodes;
 }

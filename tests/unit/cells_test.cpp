@@ -27,6 +27,16 @@ TEST(FirstCell, BelongsToWhatHoldsItsCentre) {
   EXPECT_EQ(first_cell(3.5 + 1e-6), 4);
 }
 
+TEST(CellOf, IsTheHigherOneOnABoundaryWhateverItsLastDigit) {
+  EXPECT_EQ(cell_of(2.5), 2);
+  EXPECT_EQ(cell_of(3), 3);
+  EXPECT_EQ(cell_of(3 - 1e-6), 2);
+  for (const double spacing : {1e-4, 5e-5, 1e-3 / 3})
+    for (int cell = 0; cell < 100; ++cell) EXPECT_EQ(cell_of(cell * spacing / spacing), cell) << spacing;
+  EXPECT_LT(3e-4 / 1e-4, 3);
+  EXPECT_EQ(cell_of(3e-4 / 1e-4), 3);
+}
+
 /// A case of 40 x 30 cells.
 std::string case_of(double spacing, const std::string& rest) {
   return fmt::format(

@@ -43,6 +43,20 @@ TEST(Probes, ReadTheNodeInWhichTheyLie) {
     EXPECT_EQ(values.at(outside + std::string("_node_type_1")), 0) << outside;
 }
 
+/// 3e-4/1e-4 is less than 3: the point on the boundary lies in the cell above it all the same.
+TEST(Probes, OnBoundariesOfCellsReadTheNodeBeyond) {
+  const auto values =
+      probed(parse_scene("[lattice]\nsize = [1e-3, 4e-4]\nspacing = 1e-4\ntime_step = 1e-4\n[time]\nsteps = 1\n"
+                         "[flow]\nviscosity = 1e-5\n[geometry]\ntype = \"shapes\"\n" +
+                             test::rectangle(3e-4, 3e-4, 4e-4, 4e-4) + probe("on", 3e-4, 3e-4) +
+                             probe("left", 2e-4, 3e-4) + probe("below", 3e-4, 2e-4) + probe("right", 4e-4, 3e-4),
+                         "a.toml"),
+             0);
+  EXPECT_EQ(values.at("on_node_type_1"), 1);
+  for (const char* outside : {"left", "below", "right"})
+    EXPECT_EQ(values.at(outside + std::string("_node_type_1")), 0) << outside;
+}
+
 /// A fluid that nothing holds falls: u = a t in both directions.
 TEST(Probes, WriteBothComponentsOfTheVelocity) {
   std::string periodic;
