@@ -57,19 +57,6 @@ Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<boo
   return type;
 }
 
-/// What a step costs in every row: the populations that it moves.
-std::vector<double> row_weights(const Scene& scene, const Geometry& geometry) {
-  const auto directions = [](ScalarVelocitySet set) { return set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q; };
-  const double dense = scene.heat ? directions(scene.heat->velocity_set) : 0;
-  double fluid = scene.flow ? D2Q9::Q : 0;
-  if (scene.solute) fluid += static_cast<double>(scene.solute->species.size()) * directions(scene.solute->velocity_set);
-  const Lattice& lattice = geometry.lattice;
-  std::vector<double> weights(lattice.ny, dense * lattice.nx);
-  const auto node = on_host(geometry.fluid.node);
-  for (int i = 0; i < geometry.fluid.count; ++i) weights[lattice.y(node(i))] += fluid;
-  return weights;
-}
-
 std::int64_t count_fluid(const Geometry& geometry) {
   const auto type = on_host(geometry.type);
   return std::count(type.data(), type.data() + type.size(), NodeType::fluid);
@@ -120,6 +107,23 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
 }
 
 }  // namespace
+
+std::vector<double> row_weights(const Scene& scene, const Geometry& geometry) {
+  const auto moved = [](ScalarVelocitySet set, int interval) {
+    return static_cast<double>(set == ScalarVelocitySet::d2q9 ? D2Q9::Q : D2Q5::Q) / interval;
+  };
+  const AccuracySection& accuracy = scene.accuracy;
+  const double dense = scene.heat ? moved(scene.heat->velocity_set, accuracy.heat_interval) : 0;
+  double fluid = scene.flow ? D2Q9::Q : 0;
+  if (scene.solute)
+    fluid +=
+        static_cast<double>(scene.solute->species.size()) * moved(scene.solute->velocity_set, accuracy.solute_interval);
+  const Lattice& lattice = geometry.lattice;
+  std::vector<double> weights(lattice.ny, dense * lattice.nx);
+  const auto node = on_host(geometry.fluid.node);
+  for (int i = 0; i < geometry.fluid.count; ++i) weights[lattice.y(node(i))] += fluid;
+  return weights;
+}
 
 std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const Ranks& ranks) {
   require_memory_of_lattice(scene);

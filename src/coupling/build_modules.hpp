@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace vug {
 
@@ -33,6 +34,9 @@ struct Parts {
 /// SI to lattice units for a scene: temperatures count from the initial one of the rock, concentrations in the largest
 /// that the case names.
 LatticeUnits units_of(const Scene& scene);
+
+/// (row) What a lattice step costs there in the mean: the populations that it moves.
+std::vector<double> row_weights(const Scene& scene, const Geometry& geometry);
 
 /// Builds what the tables of the scene ask for: table present, module present; table absent, not a byte. The ranks
 /// share the work.

@@ -175,7 +175,8 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   };
   measure_steps(take_steps, report);
   report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
-  report.at_most = scene.accuracy.dissolution_tolerance > 0 || scene.accuracy.flow_tolerance > 0;
+  const AccuracySection& accuracy = scene.accuracy;  // the first steps are measured, at the shortest intervals
+  report.at_most = accuracy.dissolution_tolerance > 0 || accuracy.flow_tolerance > 0 || accuracy.chooses_intervals();
   report.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
   report.preset = scene.accuracy.preset;
   return report;

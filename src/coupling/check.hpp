@@ -31,7 +31,8 @@ struct CheckReport {
   double seconds_per_step = 0;  ///< of the fastest ten: processor time over threads; on a GPU what the clock says
   double slowed_by = 1;         ///< how much longer all took in the mean by the clock: far above 1 the machine is busy
   double seconds = 0;           ///< steps x seconds_per_step
-  /// Steps may turn out fewer or cheaper: specimens break earlier, rock ages faster than the fluid, the flow is held.
+  /// Steps may turn out fewer or cheaper: specimens break earlier, rock ages faster than the fluid, the flow is held,
+  /// intervals grow.
   bool at_most = false;
   std::string precision, preset;
 };

@@ -139,14 +139,36 @@ TEST(Check, SaysWhatItMeasured) {
   EXPECT_THAT(text, testing::Not(HasSubstr("Bernoulli")));
 }
 
-/// A flow that may be held costs no more than its first steps do.
+/// A flow that may be held, and intervals that may grow, cost no more than the first steps do.
 TEST(Check, SaysAtMostWhereStepsMayTurnOutCheaper) {
-  for (const bool held : {false, true}) {
-    const CheckReport report = check_case(
-        parse_scene(obstacle, "a.toml", {held ? "accuracy.flow_tolerance=1e-3" : "accuracy.flow_tolerance=0"}));
-    EXPECT_EQ(to_text(report).find("at most 1000 steps") != std::string::npos, held);
-    EXPECT_EQ(to_json(report).find("\"at_most\": true") != std::string::npos, held);
+  for (const auto& [key, cheaper] : {std::pair{"accuracy.flow_tolerance=0", false},
+                                     {"accuracy.flow_tolerance=1e-3", true},
+                                     {"accuracy.tolerance=1e-3", true}}) {
+    const CheckReport report = check_case(parse_scene(obstacle, "a.toml", {key}));
+    EXPECT_EQ(to_text(report).find("at most 1000 steps") != std::string::npos, cheaper) << key;
+    EXPECT_EQ(to_json(report).find("\"at_most\": true") != std::string::npos, cheaper) << key;
   }
+}
+
+/// Populations per lattice step: heat's of all nodes, those of flow and species of fluid; a longer interval has less.
+TEST(RowWeights, CountPopulationsOverTheirIntervals) {
+  const auto weights = [](const std::string& intervals) {
+    const Scene scene = parse_scene(
+        "[lattice]\nsize = [10, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 1\n[flow]\nviscosity = 0.1\n"
+        "[heat]\nfluid_diffusivity = 0.01\nsolid_diffusivity = 0.01\n[[solute.species]]\nname = \"A\"\n"
+        "diffusivity = 0.01\n[[solute.species]]\nname = \"B\"\ndiffusivity = 0.01\n[geometry]\ntype = \"shapes\"\n"
+        "[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [4, 0]\nto = [10, 2]\n[accuracy]\n" +
+            intervals,
+        "a.toml");
+    const Simulation simulation(scene);
+    return row_weights(scene, simulation.parts().geometry);
+  };
+  const auto expected = [](double heat, double solutes) {
+    const double rock = 10 * heat + 4 * (9 + solutes), open = 10 * heat + 10 * (9 + solutes);
+    return std::vector<double>{rock, rock, open, open};
+  };
+  EXPECT_EQ(weights(""), expected(5, 10));
+  EXPECT_EQ(weights("heat_interval = 8\nsolute_interval = 4\n"), expected(5.0 / 8, 10.0 / 4));
 }
 
 TEST(Check, KnowsTheSpecimenOfALaboratoryTest) {
