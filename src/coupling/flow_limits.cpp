@@ -41,15 +41,32 @@ double lowest_relaxation_time(Collision collision, double pressure) {
 }  // namespace
 
 template <class T>
-void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
-  const Split& split = geometry_.split;
-  if (steady_.on() && !split.alone()) split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
-  const FlowExtremes extremes = this->extremes(exec);
+void FlowModule<T>::look(const Exec& exec, const Clock& clock, const FlowExtremes& extremes) {
   // a velocity is a difference of populations that hold the pressure: so much of it is rounding (measured)
   constexpr double rounding = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
   constexpr double most = 1e-3;  // of a flow that has hardly begun it would be all
   const double noise = extremes.speed > 0 ? std::min(rounding * extremes.density / extremes.speed, most) : 0;
-  if (!fills_slowly_ || geometry_.slits.count == 0) steady_.look(exec, clock, geometry_.fluid, fields_.u, noise);
+  gather_sums();
+  Crossed crossed;
+  for (StretchLinks& boundary : boundaries_) {
+    const double gain = boundary.total() - boundary.looked;
+    boundary.looked += gain;
+    crossed.net += gain;
+    crossed.all += std::abs(gain);
+  }
+  const double steps = steady_.interval();
+  // of a pore with one mouth nothing leaves in the end: what flows past a cell's face in it is the measure
+  crossed.all = std::max(crossed.all, steps * extremes.speed);
+  crossed.rounding = rounding * extremes.density * std::sqrt(static_cast<double>(geometry_.fluid.count)) * steps;
+  steady_.look(exec, clock, geometry_.fluid, fields_.u, noise, crossed);
+}
+
+template <class T>
+void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
+  const Split& split = geometry_.split;
+  if (steady_.on() && !split.alone()) split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
+  const FlowExtremes extremes = this->extremes(exec);
+  if (steady_.due(clock) && !(fills_slowly_ && geometry_.slits.count > 0)) look(exec, clock, extremes);
   if (extremes.bad < 0) return;
   int node = 0;
   Kokkos::deep_copy(node, Kokkos::subview(geometry_.fluid.node, extremes.bad));

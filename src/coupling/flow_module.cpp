@@ -254,6 +254,7 @@ void FlowModule<T>::state(StateList& list) {
     const std::string key = "flow/" + boundary.stretch.name + "/" + std::to_string(boundary.stretch.first);
     add_state(list, key + "/gain", boundary.gain);
     list.add_value(key + "/entered", boundary.entered);
+    if (steady_.on()) list.add_value(key + "/looked", boundary.looked);
     if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::outflow)
       list.add(key + "/level", boundary.outflow.level);
   }

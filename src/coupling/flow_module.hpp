@@ -77,6 +77,8 @@ class FlowModule final : public Module {
   double sum_mass() const;
   double viscosity() const { return section_.viscosity / units_.diffusivity(); }  ///< lattice units
   FlowExtremes extremes(const Exec& exec) const;
+  /// Whether the flow is steady.
+  void look(const Exec& exec, const Clock& clock, const FlowExtremes& extremes);
   /// What a velocity, or a flow rate over the surface that it has, gives at a time (s), lattice units.
   double given_speed(const StretchLinks& boundary, double time) const;
   std::array<double, 2> given_velocity(const StretchLinks& boundary, double time) const;

@@ -4,22 +4,37 @@
 #include "io/field_list.hpp"
 #include "kernels/flow/guards.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vug {
+
+/// What has come in through sides and openings between two looks, lattice units.
+struct Crossed {
+  double net = 0;       ///< what the pores have gained
+  double all = 0;       ///< sum of the gains of all, each without its sign
+  double rounding = 0;  ///< of net
+};
 
 /// Looks every so many lattice steps whether the velocity still changes. Costs nothing at tolerance 0.
 template <class T>
 class SteadyFlow {
  public:
   SteadyFlow() = default;
-  /// Holds when the largest change of velocity between two looks, over the largest velocity, is at most `tolerance`,
-  /// and not before `earliest` (s), when the last pressure has been raised. Looks every `interval` lattice steps.
+  /// Holds when three shares are at most `tolerance`: the largest change of velocity between two looks, over the
+  /// largest velocity; what is still to come of it when changes go on to shrink as the last two did,
+  /// c_k^2/(c_(k-1) - c_k); and what the pores gain of what crosses their boundaries. Not before `earliest` (s), when
+  /// the last pressure has been raised. Looks every `interval` lattice steps.
   SteadyFlow(double tolerance, double earliest, int interval)
       : tolerance_(tolerance), earliest_(earliest), interval_(interval) {}
 
   bool on() const { return tolerance_ > 0; }
+  int interval() const { return interval_; }  ///< lattice steps from look to look
   bool held() const { return held_; }
   /// Whether it has stopped changing as far as is asked for, new pores or not.
-  bool settled() const { return held_ || change_ <= tolerance_; }
+  bool settled() const { return held_ || (change_ <= tolerance_ && left_ <= tolerance_ && balanced_); }
+  /// Whether this is a step at which to look.
+  bool due(const Clock& clock) const { return on() && !held_ && clock.step % interval_ == 0; }
   /// Lattice steps for which the flow has been held so far.
   std::int64_t held_steps() const { return held_steps_; }
   /// Lattice steps since it was held last.
@@ -33,35 +48,49 @@ class SteadyFlow {
   /// The pores have changed; `capacity` is that of the fluid nodes now.
   void wake(const Exec& exec, int capacity) {
     if (!on()) return;
-    held_ = comparable_ = false;
+    held_ = false;
+    looks_ = 0;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
-  /// Waits for the device at every look. `noise` is the share of the velocity that is rounding: what changes by no more
-  /// does not change, whatever the tolerance.
-  void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise) {
-    if (!on() || held_ || clock.step % interval_ != 0) return;
+  /// Waits for the device; only when due. `noise` is the share of the velocity that is rounding: what changes by no
+  /// more does not change, whatever the tolerance.
+  void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
+            const Crossed& crossed) {
+    const double before = change_;
     change_ = velocity_change(exec, nodes, u, previous_);
     if (change_ <= noise) change_ = 0;
-    held_ = change_ <= tolerance_ && comparable_ && clock.time() >= earliest_;
-    comparable_ = true;
+    if (change_ == 0)
+      left_ = 0;
+    else
+      left_ = looks_ == most_looks && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
+    balanced_ = std::abs(crossed.net) <= tolerance_ * crossed.all + crossed.rounding;
+    held_ = looks_ > 0 && settled() && clock.time() >= earliest_;
+    looks_ = std::min(looks_ + 1, most_looks);
     age_ = 0;
   }
   void state(StateList& list) {
     if (!on()) return;
     list.add("flow/steady/previous", previous_);
-    list.add_value("flow/steady/comparable", comparable_);
+    list.add_value("flow/steady/looks", looks_, {0, most_looks});
     list.add_value("flow/steady/change", change_);
+    list.add_value("flow/steady/left", left_, {0, all});
+    list.add_value("flow/steady/balanced", balanced_);
     list.add_value("flow/steady/held", held_);
     list.add_value("flow/steady/age", age_, {0, most_steps});
     list.add_value("flow/steady/held_steps", held_steps_, {0, most_steps});
   }
 
  private:
+  static constexpr int most_looks = 2;
+  static constexpr double all = 2;  ///< more than any tolerance
+
   double tolerance_ = 0, earliest_ = 0;
   int interval_ = 1;
   bool held_ = false;
-  double change_ = 1;        ///< at the last look
-  bool comparable_ = false;  ///< previous_ is of these pores
+  double change_ = 1;      ///< at the last look
+  double left_ = all;      ///< of the change, then
+  bool balanced_ = false;  ///< as much left as entered, then
+  int looks_ = 0;          ///< of these pores: with one, previous_ is of them, with two, change_ as well
   std::int64_t age_ = 0, held_steps_ = 0;
   VectorField<T> previous_{"vug::flow::steady::previous", 0};  ///< (fluid, axis) velocity at the last look
 };
