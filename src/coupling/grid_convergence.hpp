@@ -24,12 +24,14 @@ struct ErrorBar {
 /// (Roache 1994, grid convergence index), p held between 1/2 and the 2 of the schemes. Where the numbers oscillate
 /// (d/D < 0) the bar is the larger of 3 |d| and |D|; where the first two agree (d = 0) it is |D|; where they do
 /// not converge (|d| >= |D|), and without `coarser`, that of first order with Roache's factor of 3 for two lattices:
-/// 3 |d| / (ratio - 1).
+/// 3 |d| / (ratio - 1). Numbers that agree to twelve digits differ by rounding: 3 max(|d|, |D|) / (ratio - 1).
 inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coarser, double ratio) {
   const double d = std::abs(coarse - fine);
   if (!coarser) return {3 * d / (ratio - 1), std::nullopt, Convergence::unknown};
   const double D = std::abs(*coarser - coarse);
-  if (d == 0 && D == 0) return {0, std::nullopt, Convergence::monotone};
+  constexpr double rounding = 1e-12;
+  if (const double largest = std::max(d, D); largest <= rounding * std::abs(fine))
+    return {3 * largest / (ratio - 1), std::nullopt, Convergence::monotone};
   if (d >= D) return {3 * d / (ratio - 1), std::nullopt, Convergence::none};
   if ((coarse - fine) * (*coarser - coarse) < 0) return {std::max(3 * d, D), std::nullopt, Convergence::oscillating};
   if (d == 0) return {D, std::nullopt, Convergence::unknown};

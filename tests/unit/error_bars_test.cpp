@@ -41,6 +41,14 @@ TEST(ErrorBar, GrowsWhereTheLatticesAgreeOnNoOrder) {
   EXPECT_EQ(error_bar(1, 1, 1, 2).bar, 0);
 }
 
+/// What a balance fixes is the same on every lattice but for the last digits.
+TEST(ErrorBar, OfRoundingIsNoLackOfConvergence) {
+  const ErrorBar found = error_bar(2e-3, 2e-3 + 2e-18, 2e-3 + 1e-18, 2);
+  EXPECT_EQ(found.convergence, Convergence::monotone);
+  EXPECT_FALSE(found.order);
+  EXPECT_LE(found.bar, 1e-17);
+}
+
 /// Two lattices that agree by chance do not make a number exact: the third says how far it may be off.
 TEST(ErrorBar, IsNotZeroWhereTwoOfThreeLatticesAgree) {
   for (const double coarser : {1.4, 0.6}) {
