@@ -6,31 +6,31 @@ namespace vug {
 
 namespace {
 
-std::int64_t steps_in(double seconds, const Scene& scene) {
-  return std::max<std::int64_t>(1, std::llround(seconds / scene.lattice.time_step));
+double steps_in(double seconds, const Scene& scene) {
+  return std::max(1.0, seconds / scene.lattice.time_step);
 }
 
 /// Of what comes every so many steps or, in a time that is not that of the steps, every so many seconds.
-Schedule schedule(const Scene& scene, std::int64_t steps, std::optional<double> seconds) {
+Schedule schedule(const Scene& scene, double steps, std::optional<double> seconds) {
   return {steps, scene.accuracy.dissolution_tolerance > 0 ? seconds.value_or(0) : 0};
 }
 
 /// Lattice steps between two outputs.
-std::int64_t output_interval(const Scene& scene) {
-  if (scene.output.interval_steps) return *scene.output.interval_steps;
+double output_interval(const Scene& scene) {
+  if (scene.output.interval_steps) return static_cast<double>(*scene.output.interval_steps);
   if (scene.output.interval) return steps_in(*scene.output.interval, scene);
-  return std::max<std::int64_t>(1, last_step(scene));
+  return static_cast<double>(std::max<std::int64_t>(1, last_step(scene)));
 }
 
 /// Lattice steps between two rows of the history: by default about 400 in all, where they cost nothing that counts.
-std::int64_t history_interval(const Scene& scene) {
+double history_interval(const Scene& scene) {
   constexpr std::int64_t rows = 400, fewest_steps = 100;
   if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
-  return std::max(fewest_steps, last_step(scene) / rows);
+  return static_cast<double>(std::max(fewest_steps, last_step(scene) / rows));
 }
 
 /// Lattice steps between two checkpoints.
-std::int64_t checkpoint_interval(const Scene& scene) {
+double checkpoint_interval(const Scene& scene) {
   return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
 }
 

@@ -7,20 +7,21 @@
 
 namespace vug {
 
-/// Every so many lattice steps; or, with seconds, whenever the time passes a multiple of these.
+/// Every so many lattice steps, which need not be a whole number: after the step nearest to each multiple. Or, with
+/// seconds, whenever the time passes a multiple of these.
 class Schedule {
  public:
-  Schedule(std::int64_t steps, double seconds) : steps_(steps), seconds_(seconds) {}
+  Schedule(double steps, double seconds) : steps_(steps), seconds_(seconds) {}
 
   /// Whether it is after the step from `before` to `now`.
   bool due(const Clock& before, const Clock& now) const {
-    if (seconds_ == 0) return now.step % steps_ == 0;
+    if (seconds_ == 0) return now.step == std::llround(std::round(static_cast<double>(now.step) / steps_) * steps_);
     return std::floor(now.time() / seconds_ + rounding) > std::floor(before.time() / seconds_ + rounding);
   }
 
  private:
   static constexpr double rounding = 1e-9;
-  std::int64_t steps_;
+  double steps_;  ///< at least 1
   double seconds_;
 };
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -46,6 +47,18 @@ TEST(ScheduleOfAgeingRock, IsDueWhenTheTimePassesAMultiple) {
   EXPECT_TRUE(by_time.due({4, 0.1, 0}, {5, 0.1, 0}));  // 0.1 5 is not quite 0.5
   EXPECT_TRUE(by_time.due({4, 0.1, 0}, {5, 0.1, 7}));
   EXPECT_FALSE(by_time.due({5, 0.1, 0}, {6, 0.1, 0}));
+}
+
+/// Multiples of an interval that is no whole number of steps do not drift.
+TEST(ScheduleOfOutput, IsDueAfterTheStepNearestToEachMultiple) {
+  const Schedule often(2.5e-3 / 3e-4, 0), closely(4.6e-4 / 3e-4, 0);
+  std::vector<int> found, close;
+  for (int step = 1; step <= 34; ++step) {
+    if (often.due({step - 1, 3e-4}, {step, 3e-4})) found.push_back(step);
+    if (step <= 9 && closely.due({step - 1, 3e-4}, {step, 3e-4})) close.push_back(step);
+  }
+  EXPECT_EQ(found, (std::vector<int>{8, 17, 25, 33}));     // 8.33, 16.67, 25, 33.33
+  EXPECT_EQ(close, (std::vector<int>{2, 3, 5, 6, 8, 9}));  // 1.53, 3.07, 4.6, 6.13, 7.67, 9.2
 }
 
 /// With looks of our own making.
