@@ -41,6 +41,18 @@ DressedBoundary<T> dressing(const Exec& exec, const FluidNodes& fluid, const Str
           Kokkos::create_mirror(typename Exec::memory_space{}, boundary.outflow.level)};
 }
 
+/// Whether a link out of a node goes across a stretch of a side as well as across its own: out of a corner.
+bool crosses(const Stretch& side, const Lattice& lattice, int node, int direction) {
+  const int outward = static_cast<int>(side.side);
+  const int across = D2Q9::c(direction, 0) * D2Q9::c(outward, 0) + D2Q9::c(direction, 1) * D2Q9::c(outward, 1);
+  const int x = lattice.x(node), y = lattice.y(node), along = is_upright(side.side) ? y : x;
+  const bool beside = side.side == Side::left     ? x == 0
+                      : side.side == Side::right  ? x == lattice.nx - 1
+                      : side.side == Side::bottom ? y == 0
+                                                  : y == lattice.ny - 1;
+  return !side.opening && across > 0 && beside && along >= side.first && along <= side.last;
+}
+
 /// The nodes at links, as a halo that brings them to other ranks.
 template <class Boundaries>
 Halo nodes_at(const Split& split, const FluidNodes& fluid, const Boundaries& boundaries) {
@@ -71,6 +83,7 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     conditions.back().take_all();
   }
   dress<T>(exec, fluid, conditions, fields_);
+  const double kg_per_s = units_.fluid_density * units_.diffusivity();
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& stretch = d.boundary.stretch;
     const FlowBoundary& flow = stretch.conditions.flow;
@@ -81,8 +94,21 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
       add_value(row, stretch.name + "_torque_N", units_.force() * units_.spacing * force.torque);
     }
     if (wanted.flows && is_open(flow))
-      add_value(row, stretch.name + "_mass_flow_kg_per_m_s",
-                units_.fluid_density * units_.diffusivity() * sum_in_order(d.gain));
+      add_value(row, stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * sum_in_order(d.gain));
+  }
+  for (const DressedBoundary<T>& d : dressed) {
+    const Stretch& wall = d.boundary.stretch;
+    const FlowBoundary& flow = wall.conditions.flow;
+    if (!wanted.flows || wall.opening || flow.kind != FlowBoundaryKind::wall || flow.peak_speed() == 0) continue;
+    // a sliding wall has the links out of its corners; what they carry crosses the open side there
+    const auto at = on_host(d.boundary.links.fluid), node = on_host(fluid.node);
+    const auto direction = on_host(d.boundary.links.direction);
+    const auto gain = on_host(d.gain);
+    for (int link = 0; link < d.boundary.links.count; ++link)
+      for (const StretchLinks& open : boundaries_)
+        if (is_open(open.stretch.conditions.flow) && is_upright(open.stretch.side) != is_upright(wall.side) &&
+            crosses(open.stretch, geometry_.lattice, node(at(link)), direction(link)))
+          add_value(row, open.stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * gain(link));
   }
   for (const DressedBoundary<T>& d : dressed) {
     restore_outgoing(exec, fluid, d.boundary.links, d.outgoing, fields_.f);

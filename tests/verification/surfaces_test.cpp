@@ -90,6 +90,27 @@ TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
               1e-9 * run.now("left_mass_flow_kg_per_m_s"));
 }
 
+/// Couette's flow between two open sides: the links out of the corners have the wall's rule, and what they carry, U/6
+/// of a cell each, crosses the open side.
+TEST(SurfaceFlows, BesideASlidingWallAreAllOfTheFlow) {
+  constexpr int nx = 12, ny = 4;
+  const double speed = 0.02 * dx / dt;
+  for (const bool upright : {false, true})
+    for (const char* kind : {"pressure", "outflow"}) {
+      const std::string open = std::string("type = \"") + kind + "\"\n" + (kind[0] == 'p' ? "pressure = 3e5\n" : "");
+      const std::string from = upright ? "bottom" : "left", to = upright ? "top" : "right";
+      const std::string along = upright ? fmt::format("[0, {}]", speed) : fmt::format("[{}, 0]", speed);
+      test::CoupledRun run(lattice(upright ? ny : nx, upright ? nx : ny) + flow + told + "[boundary." + from +
+                           ".flow]\ntype = \"pressure\"\npressure = 3e5\n[boundary." + to + ".flow]\n" + open +
+                           "[boundary." + (upright ? "right" : "top") + ".flow]\ntype = \"wall\"\nvelocity = " + along +
+                           "\n");
+      run.steps(4000);
+      const double exact = density * speed * ny * dx / 2;
+      EXPECT_NEAR(run.now(from + "_mass_flow_kg_per_m_s"), exact, 1e-3 * exact) << from << kind;
+      EXPECT_NEAR(run.now(to + "_mass_flow_kg_per_m_s"), -exact, 1e-3 * exact) << to << kind;
+    }
+}
+
 /// Each has the rate that is given to it, drawn or pressed, and the rest leaves.
 TEST(SurfaceFlows, OfSeveralInjectionsAreEachItsOwn) {
   const std::string stretch =
