@@ -151,7 +151,6 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const
     require_memory_of_fluid(scene, count_fluid(geometry));
     geometry.fluid = make_fluid_nodes(exec, geometry.lattice, geometry.type, periodic_sides(scene));
     find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
-    require_fluid_at_openings(exec, scene, geometry);
     find_flow_paths(scene, geometry, parts->units);  // throws at mistakes
   }
   if (!ranks.alone()) {

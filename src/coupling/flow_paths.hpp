@@ -24,8 +24,8 @@ struct FlowPaths {
 };
 
 /// Follows the fluid from every stretch that lets some through. Throws InputError for what can only be a mistake: no
-/// fluid at all, a velocity above speed_bound, an injection that touches no fluid, fluid that is pressed into a piece
-/// without an outlet; the last two are warnings where rock may open later.
+/// fluid at all, a velocity above speed_bound, an injection or a shape that touches no fluid, fluid that is pressed
+/// into a piece without an outlet; the last two are warnings where rock may open later.
 FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const LatticeUnits& units);
 
 }  // namespace vug

@@ -59,9 +59,6 @@ std::vector<int> opening_of_nodes(const Scene& scene);
 /// Throws InputError when an opening has no node.
 std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& lattice);
 
-/// Throws InputError when no fluid node touches an opening that has conditions on the fluid and never will.
-void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geometry& geometry);
-
 /// Joined pairs of sides {left-right, bottom-top} according to the flow or scalar boundaries.
 std::array<bool, 2> periodic_sides(const Scene& scene);
 

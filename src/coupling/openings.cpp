@@ -153,16 +153,4 @@ std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& latti
   return openings;
 }
 
-void require_fluid_at_openings(const Exec& exec, const Scene& scene, const Geometry& geometry) {
-  if (scene.reaction || scene.damage) return;  // fluid may reach it later
-  for (const InnerOpening& opening : geometry.openings) {
-    const bool flows = scene.flow && opening.conditions.flow.kind != FlowBoundaryKind::wall;
-    const bool dissolves = scene.solute && opening.conditions.solute.kind != SoluteBoundaryKind::no_flux;
-    if (!flows && !dissolves) continue;
-    if (find_opening_links(exec, geometry.fluid, opening.nodes, D2Q9::Q).count > 0) continue;
-    throw InputError(fmt::format("{}: boundary.shape.{}.{} has no effect: no fluid touches the shape", scene.path,
-                                 opening.name.substr(opening.name.find('_') + 1), flows ? "flow" : "solute"));
-  }
-}
-
 }  // namespace vug

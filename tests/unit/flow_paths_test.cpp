@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -129,6 +130,18 @@ TEST(FlowPaths, InjectionIntoRockIsRefusedUnlessRockOpens) {
               Contains("boundary.injection.flow has no effect until rock opens: no fluid touches it"));
   EXPECT_THAT(remarks(channel(rectangle("[0, 0]", "[5, 12]"), pressures)),
               Contains("boundary.left.flow has no effect: no fluid touches it"));
+}
+
+TEST(FlowPaths, ShapeThatNoFluidTouchesIsRefusedUnlessRockOpens) {
+  const std::string sides = pressures + "[boundary.shape.well]\nflow = { type = \"pressure\", pressure = 0.01 }\n";
+  const std::string well = rectangle("[15, 3]", "[25, 9]") +
+                           "[[geometry.shapes]]\ntype = \"disc\"\nname = \"well\"\ncentre = [20, 6]\nradius = 1.5\n";
+  const std::string message = "a.toml: boundary.shape.well.flow has no effect: no fluid touches it";
+  EXPECT_EQ(refusal(channel(well, sides)), message);
+  EXPECT_THAT(remarks(channel(well, sides + dissolving)),
+              Contains("boundary.shape.well.flow has no effect until rock opens: no fluid touches it"));
+  const std::string reacting = std::regex_replace(dissolving, std::regex("molar_volume = 1e-3"), "molar_volume = 0");
+  EXPECT_EQ(refusal(channel(well, sides + reacting)), message) << "rock that only reacts never opens";
 }
 
 TEST(FlowPaths, NothingMovesFasterThanTheSchemeFollows) {
