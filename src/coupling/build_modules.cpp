@@ -2,7 +2,6 @@
 
 #include "coupling/ageing_module.hpp"
 #include "coupling/flow_module.hpp"
-#include "coupling/flow_paths.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/mechanics_module.hpp"
 #include "coupling/memory_need.hpp"
@@ -78,7 +77,8 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
         geometry.lattice, parts.rock->pathways,
         SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours,
                     MineralNodes{geometry.mineral, static_cast<int>(scene.minerals.size()) + 1}));
-  if (scene.flow) flow = add(std::make_unique<FlowModule<T>>(exec, scene, parts.units, geometry));
+  if (scene.flow)
+    flow = add(std::make_unique<FlowModule<T>>(exec, scene, parts.units, geometry, parts.paths.passage_speed));
   if (scene.heat) heat = add(std::make_unique<HeatModule<T>>(exec, scene, parts.units, geometry, flow));
   std::unique_ptr<SoluteModule<T, Set>> solutes;
   if (scene.solute) solutes = std::make_unique<SoluteModule<T, Set>>(exec, scene, parts.units, geometry, flow);
@@ -151,7 +151,7 @@ std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const
     require_memory_of_fluid(scene, count_fluid(geometry));
     geometry.fluid = make_fluid_nodes(exec, geometry.lattice, geometry.type, periodic_sides(scene));
     find_surface(exec, geometry.fluid, geometry.type, geometry.surface);
-    find_flow_paths(scene, geometry, parts->units);  // throws at mistakes
+    parts->paths = find_flow_paths(scene, geometry, parts->units);
   }
   if (!ranks.alone()) {
     geometry.split = Split(ranks, row_weights(scene, geometry));

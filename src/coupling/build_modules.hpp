@@ -1,6 +1,7 @@
 #pragma once
 // From a scene to the modules that it needs, and no others.
 #include "coupling/ageing.hpp"
+#include "coupling/flow_paths.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/module.hpp"
 #include "coupling/pore_growth.hpp"
@@ -20,6 +21,7 @@ struct Parts {
   Geometry geometry;
   std::optional<Rock> rock;
   std::string warning;  ///< of the picture that the rock was read from; empty without
+  FlowPaths paths;      ///< of the fluid at the start
   /// In the order of a step: a module sees what those above did in this step and those below in the last.
   std::vector<std::unique_ptr<Module>> modules;
   std::unique_ptr<PoreGrowth> growth;    ///< null where no node can turn fluid

@@ -1,12 +1,11 @@
 #include "coupling/check.hpp"
 
+#include "coupling/case_warnings.hpp"
 #include "coupling/choices.hpp"
 #include "coupling/explain.hpp"
-#include "coupling/flow_paths.hpp"
 #include "coupling/fluid_picture.hpp"
 #include "coupling/limit_text.hpp"
 #include "coupling/rock_fields.hpp"
-#include "coupling/rock_limits.hpp"
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
@@ -143,16 +142,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   report.limits = simulation.limits();
   require_fields(simulation.fields(), scene.output.fields);
   require_distinct_columns(scene, simulation);
-  report.warnings = scene.warnings;
-  if (!parts.warning.empty()) report.warnings.push_back(parts.warning);
-  if (parts.rock && (scene.flow || scene.heat || scene.solute))
-    if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
-      report.warnings.push_back(*remark);
-  if (parts.rock)
-    for (const std::string& warning : remarks_on_notches_of_mesh(scene, parts.rock->assembly))
-      report.warnings.push_back(warning);
-  for (const std::string& warning : find_flow_paths(scene, parts.geometry, parts.units).warnings)
-    report.warnings.push_back(warning);
+  report.warnings = warnings_of(scene, parts, parts.paths);
   report.choices = choice_notes(scene);
   report.schedule = simulation.schedule();
   report.explanation = explain(scene, parts.units);

@@ -1,6 +1,5 @@
 #include "coupling/flow_module.hpp"
 
-#include "coupling/flow_paths.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
@@ -23,11 +22,12 @@
 namespace vug {
 
 template <class T>
-FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry)
+FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
+                          double passage_speed)
     : section_(*scene.flow),
       units_(units),
       geometry_(geometry),
-      passage_speed_(find_flow_paths(scene, geometry, units).passage_speed),
+      passage_speed_(passage_speed),
       varies_(scene.accuracy.chooses_intervals()),
       fills_slowly_(has_cracks_below_a_cell(scene)) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();

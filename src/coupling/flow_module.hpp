@@ -14,11 +14,14 @@
 
 namespace vug {
 
-/// Owns the flow populations, velocity and pressure; writes nothing else.
+/// Owns the flow populations, velocity and pressure. Beside these it writes only which links of the fluid nodes its
+/// sides and openings leave open (mark_open).
 template <class T>
 class FlowModule final : public Module {
  public:
-  FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry);
+  /// `passage_speed`: of FlowPaths.
+  FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
+             double passage_speed);
 
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;

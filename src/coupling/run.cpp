@@ -1,9 +1,8 @@
 #include "coupling/run.hpp"
 
+#include "coupling/case_warnings.hpp"
 #include "coupling/events.hpp"
-#include "coupling/flow_paths.hpp"
 #include "coupling/limit_text.hpp"
-#include "coupling/rock_limits.hpp"
 #include "coupling/run_book.hpp"
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
@@ -113,17 +112,9 @@ class Run {
     if (!ranks_.alone()) progress.note(shares());
     for (const std::string& note : notes_) progress.note(note);
     if (scene_.mechanics && scene_.mechanics->scaling_chosen) progress.note("note: " + mass_scaling_note(scene_));
-    for (const std::string& warning : scene_.warnings) progress.note("warning: " + warning);
-    const Parts& parts = simulation_.parts();
-    if (!parts.warning.empty()) progress.note("warning: " + parts.warning);
-    if (parts.rock && (scene_.flow || scene_.heat || scene_.solute))
-      if (const auto remark = remark_on_triangles(parts.rock->assembly, scene_.lattice.spacing))
-        progress.note("warning: " + *remark);
-    if (parts.rock)
-      for (const std::string& warning : remarks_on_notches_of_mesh(scene_, parts.rock->assembly))
-        progress.note("warning: " + warning);
-    for (const std::string& warning : find_flow_paths(scene_, parts.geometry, parts.units).warnings)
-      progress.note("warning: " + warning);
+    const Parts& parts = simulation_.parts();  // in a resumed run rock may have opened since the start
+    const FlowPaths paths = resumed_at_ ? find_flow_paths(scene_, parts.geometry, parts.units) : parts.paths;
+    for (const std::string& warning : warnings_of(scene_, parts, paths)) progress.note("warning: " + warning);
     for (const Limit& limit : simulation_.limits())
       if (!limit.inside()) progress.note("warning: " + warning_of(limit));
   }

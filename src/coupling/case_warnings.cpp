@@ -1,0 +1,20 @@
+#include "coupling/case_warnings.hpp"
+
+#include "coupling/rock_limits.hpp"
+
+namespace vug {
+
+std::vector<std::string> warnings_of(const Scene& scene, const Parts& parts, const FlowPaths& paths) {
+  std::vector<std::string> warnings = scene.warnings;
+  if (!parts.warning.empty()) warnings.push_back(parts.warning);
+  if (parts.rock && (scene.flow || scene.heat || scene.solute))
+    if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
+      warnings.push_back(*remark);
+  if (parts.rock)
+    for (std::string& remark : remarks_on_notches_of_mesh(scene, parts.rock->assembly))
+      warnings.push_back(std::move(remark));
+  warnings.insert(warnings.end(), paths.warnings.begin(), paths.warnings.end());
+  return warnings;
+}
+
+}  // namespace vug
