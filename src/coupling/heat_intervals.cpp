@@ -11,14 +11,9 @@ template <class T>
 void HeatModule<T>::set_interval(int interval) {
   interval_ = interval;
   if (carrier_) flow_->set_interval(*carrier_, interval);
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    sides_[s].value = value_of(stretches_[s].conditions.heat, 0);
-    sides_[s].transfer = transfer_of(stretches_[s].conditions.heat);
-  }
-  for (std::size_t o = 0; o < openings_.size(); ++o) {
-    openings_[o].value = value_of(geometry_.openings[o].conditions.heat, 0);
+  for (std::size_t s = 0; s < sides_.size(); ++s) sides_[s].transfer = transfer_of(stretches_[s].conditions.heat);
+  for (std::size_t o = 0; o < openings_.size(); ++o)
     openings_[o].transfer = transfer_of(geometry_.openings[o].conditions.heat);
-  }
 }
 
 template <class T>

@@ -37,7 +37,6 @@ class MechanicsModule final : public Module {
   void state(StateList& list) override;
 
   const Mechanics& mechanics() const { return mechanics_; }
-  int substeps() const { return substeps_; }
 
  private:
   void choose_substeps();

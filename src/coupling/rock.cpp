@@ -92,7 +92,6 @@ Rock build_rock(const Scene& scene, const Lattice& lattice) {
   rock.porosity = rock_nodes > 0 ? static_cast<double>(fluid) / static_cast<double>(rock_nodes) : 0;
   const TriangleOfNodes triangles{rock.assembly, raster.owner};
   rock.mineral = mineral_of_nodes(scene, rock.solid, {}, &triangles);
-  rock.open_bonds = static_cast<int>(std::count_if(closed.begin(), closed.end(), [](double w) { return w > 0; }));
   rock.nodes_of_particle = group_nodes(raster.owner, static_cast<int>(rock.assembly.triangles.size()), lattice);
   rock.nodes_of_sector = group_nodes(sector_of_nodes(raster), 3 * rock.nodes_of_particle.count(), lattice);
   rock.sectors_of_bond = sectors_of_bonds(rock.assembly, bonds);

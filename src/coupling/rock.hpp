@@ -21,7 +21,6 @@ struct Rock {
   TriangleNeighbours neighbours;      ///< across the shared edges
   PathwayNodes pathways;              ///< nodes that damage may open; empty without [damage]
   double porosity = 0;                ///< share of the triangles' nodes that are fluid at the start
-  int open_bonds = 0;                 ///< bonds with a pathway from the start
 };
 
 /// Generates or reads the triangles of `scene.rock`, draws them on the lattice, and opens initial pathways and notches.

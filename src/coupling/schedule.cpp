@@ -29,11 +29,6 @@ double history_interval(const Scene& scene) {
   return static_cast<double>(std::max(fewest_steps, last_step(scene) / rows));
 }
 
-/// Lattice steps between two checkpoints.
-double checkpoint_interval(const Scene& scene) {
-  return scene.output.checkpoint_interval ? steps_in(*scene.output.checkpoint_interval, scene) : output_interval(scene);
-}
-
 }  // namespace
 
 std::int64_t last_step(const Scene& scene) {
@@ -55,8 +50,8 @@ Schedule row_schedule(const Scene& scene) {
 }
 
 Schedule checkpoint_schedule(const Scene& scene) {
-  if (!scene.output.checkpoint_interval) return output_schedule(scene);
-  return schedule(scene, checkpoint_interval(scene), scene.output.checkpoint_interval);
+  const std::optional<double>& seconds = scene.output.checkpoint_interval;
+  return seconds ? schedule(scene, steps_in(*seconds, scene), seconds) : output_schedule(scene);
 }
 
 }  // namespace vug
