@@ -1,5 +1,5 @@
 #pragma once
-// `vug check`: what a case amounts to, before a single step.
+// `vug check`: what a case amounts to and what it will cost, before it is run.
 #include "coupling/limits.hpp"
 #include "coupling/task.hpp"
 #include "io/image_reader.hpp"

@@ -41,7 +41,8 @@ struct Pace {
 std::string why_it_waits(const Ageing& ageing) {
   if (std::isinf(ageing.residual())) return "nothing dissolves";
   if (ageing.residual() <= ageing.tolerance())
-    return "the acid is steady, but not the flow (accuracy.flow_tolerance), or a table over time has a point ahead";
+    return "the acid is steady; the flow is not (accuracy.flow_tolerance), walls recede too fast, the rock is still "
+           "young, or a table over time has a point ahead";
   return fmt::format("the acid is off its steady state by {:.2g}, accuracy.dissolution_tolerance = {:g}",
                      ageing.residual(), ageing.tolerance());
 }

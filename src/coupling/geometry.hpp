@@ -30,7 +30,7 @@ struct Geometry {
   std::vector<InnerOpening> openings;
   Kokkos::View<std::uint8_t*>
       mineral;                    ///< (dense node) number of its mineral from 1, 0 rock of none; empty: none at all
-  ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty unless the rock can dissolve
+  ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty without [reaction]
   ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
   SlitNodes slits;                ///< of pathways narrower than a cell, in groups by triangle; slits.hpp
   std::int64_t slit_changes = 0;  ///< how often they have changed since the start or the restart

@@ -17,7 +17,7 @@ struct StretchLinks {
   LongSum gain;                 ///< (link)
   double entered = 0;           ///< sum over links of former times, lattice units
   double looked = 0;            ///< total() when it was last looked whether the flow is steady
-  ScalarField<double> area{};   ///< (link) surface it stands for, cells; of openings with a given speed only
+  ScalarField<double> area{};   ///< (link) surface it stands for, cells; of given speeds and fluxes only
   ScalarField<double> share{};  ///< (link) of a given velocity (velocity_profile.hpp); empty: all of it
   double inflow = 0;            ///< cells per unit of speed; of given flow rates only
   IndexList mirror{};           ///< (link) see mirror_links.hpp; of pressures and outflows only
