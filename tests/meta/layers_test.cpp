@@ -109,6 +109,21 @@ TEST(Sources, OfTheHostReachNoKokkos) {
   EXPECT_GT(checked, 60);
 }
 
+/// In backticks, as `flow_module`.
+TEST(Readme, OfTheCouplingNamesEveryFile) {
+  std::ostringstream readme;
+  readme << std::ifstream(VUG_SOURCE_DIR "/src/coupling/README.md").rdbuf();
+  const std::string text = readme.str();
+  int files = 0;
+  for (const auto& [file, source] : sources()) {
+    const std::filesystem::path path(file);
+    if (path.parent_path() != "coupling") continue;
+    EXPECT_NE(text.find('`' + path.stem().string() + '`'), std::string::npos) << file;
+    ++files;
+  }
+  EXPECT_GT(files, 100);
+}
+
 TEST(Sources, NeitherExitNorPrintNorAskForTheBackEnd) {
   // whether Kokkos has Serial beside its back end is no question for the back end
   const std::regex forbidden(
