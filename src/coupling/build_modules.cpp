@@ -77,8 +77,7 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
         geometry.lattice, parts.rock->pathways,
         SolidSpread(parts.rock->nodes_of_particle, parts.rock->neighbours,
                     MineralNodes{geometry.mineral, static_cast<int>(scene.minerals.size()) + 1}));
-  if (scene.flow)
-    flow = add(std::make_unique<FlowModule<T>>(exec, scene, parts.units, geometry, parts.paths.passage_speed));
+  if (scene.flow) flow = add(std::make_unique<FlowModule<T>>(exec, scene, parts.units, geometry, parts.paths));
   if (scene.heat) heat = add(std::make_unique<HeatModule<T>>(exec, scene, parts.units, geometry, flow));
   std::unique_ptr<SoluteModule<T, Set>> solutes;
   if (scene.solute) solutes = std::make_unique<SoluteModule<T, Set>>(exec, scene, parts.units, geometry, flow);

@@ -79,7 +79,7 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
 
 template <class T>
 std::string FlowModule<T>::advice_on_divergence() const {
-  const double pressure = largest_pressure(), speed = std::max(prescribed_speed(), passage_speed_);
+  const double pressure = largest_pressure(), speed = std::max(prescribed_speed(), paths_.passage_speed);
   if (pressure > 0 && std::sqrt(2 * pressure) >= speed)
     return "lower the pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)";
   return speed > 0 ? "lower the prescribed velocity or the time step" : "lower what drives the flow or the time step";
@@ -111,7 +111,7 @@ double FlowModule<T>::prescribed_speed() const {
 
 template <class T>
 double FlowModule<T>::largest_speed() const {
-  const double prescribed = std::max(prescribed_speed(), passage_speed_);
+  const double prescribed = std::max(prescribed_speed(), paths_.passage_speed);
   const double limit = section_.speed_limit > 0 ? section_.speed_limit : speed_bound;
   const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
   return driven ? limit : std::min(limit, prescribed + buoyant_speed_ + std::sqrt(2 * largest_pressure()));
@@ -146,9 +146,16 @@ void FlowModule<T>::limits(LimitTable& table) const {
                        "lower the velocity or lattice.time_step (docs/stability.md)"});
   };
   prescribed("Mach number of the prescribed velocities", prescribed_speed());
-  prescribed("Mach number in the narrowest passage", passage_speed_);
+  prescribed("Mach number in the narrowest passage", paths_.passage_speed);
+  if (paths_.passage_pressure > 0)
+    table.push_back({"flow", "pressure that the prescribed velocities need", paths_.passage_pressure, "lattice", 0,
+                     0.125, "lower the velocity or lattice.time_step: 12 nu u L/n^2 along a channel of n cells"});
+  if (steady_.on() && paths_.settling_steps > 0)
+    table.push_back({"flow", "steps in which a change of the flow falls to 1/e", paths_.settling_steps, "1", 0,
+                     std::numeric_limits<double>::infinity(),
+                     "use a coarser lattice or a lower viscosity in lattice units"});
   // What a pressure drives is known only when it flows.
-  const double speed = std::max(prescribed_speed(), passage_speed_);
+  const double speed = std::max(prescribed_speed(), paths_.passage_speed);
   if (speed > 0)
     table.push_back({"flow", "growth per step of a plane wave at that speed",
                      flow_wave_growth(section_.collision, 0.5 + 3 * nu, speed), "1", 0, neutral_growth,

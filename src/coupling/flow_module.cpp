@@ -23,11 +23,11 @@ namespace vug {
 
 template <class T>
 FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
-                          double passage_speed)
+                          const FlowPaths& paths)
     : section_(*scene.flow),
       units_(units),
       geometry_(geometry),
-      passage_speed_(passage_speed),
+      paths_(paths),
       varies_(scene.accuracy.chooses_intervals()),
       fills_slowly_(has_cracks_below_a_cell(scene)) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();

@@ -1,6 +1,7 @@
 #pragma once
 // Flow through the pores (paper section 2.1).
 #include "coupling/carrier.hpp"
+#include "coupling/flow_paths.hpp"
 #include "coupling/module.hpp"
 #include "coupling/steady_flow.hpp"
 #include "coupling/stretch_links.hpp"
@@ -19,9 +20,9 @@ namespace vug {
 template <class T>
 class FlowModule final : public Module {
  public:
-  /// `passage_speed`: of FlowPaths.
+  /// `paths`: those of the fluid at the start.
   FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
-             double passage_speed);
+             const FlowPaths& paths);
 
   std::string_view name() const override { return "flow"; }
   void step(const Exec& exec, const Clock& clock) override;
@@ -97,7 +98,7 @@ class FlowModule final : public Module {
   double buoyant_speed_ = 0;  ///< lattice units, of free convection
   ViscosityLaw viscosity_;
   const ScalarField<T>* theta_ = nullptr;
-  double passage_speed_;  ///< lattice units, that prescribed velocities drive at the start (flow_paths.hpp)
+  FlowPaths paths_;  ///< at the start
   std::vector<StretchLinks> boundaries_;
   std::vector<FlowCondition> conditions_;  ///< those of boundaries_ in this step
   FlowFields<T> fields_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -14,16 +15,47 @@ namespace vug {
 
 namespace {
 
-/// The least number of nodes at one distance from `mouth`, up to the first that lies at another that lets fluid out:
-/// all that comes in crosses each of them. 0 where there is no way out.
-std::size_t narrowest_passage(const FluidPicture& picture, const Mouth& mouth, const std::vector<bool>& outlet) {
+/// What all that comes in at a mouth crosses before it reaches a way out.
+struct Passage {
+  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: there is no way out
+  double drag = 0;        ///< pressure over viscosity and volume per step, lattice units
+  double delay = 0;       ///< steps times viscosity in which pressure spreads along it
+};
+
+/// Whether walls hold fluid at a node back: rock, or a side that is a wall and does not slide.
+bool is_held_back(const FluidPicture& picture, const Scene& scene, std::size_t n) {
+  const int x = static_cast<int>(n % picture.nx), y = static_cast<int>(n / picture.nx);
+  const auto holds = [](const BoundarySection& side) {
+    return side.flow.kind == FlowBoundaryKind::wall && side.flow.peak_speed() == 0;
+  };
+  if ((x == 0 && holds(scene.left)) || (x == picture.nx - 1 && holds(scene.right)) || (y == 0 && holds(scene.bottom)) ||
+      (y == picture.ny - 1 && holds(scene.top)))
+    return true;
+  bool rock = false;
+  picture.for_each_neighbour(n, [&](std::size_t m) { rock = rock || !picture.is_fluid(m); });
+  return rock;
+}
+
+/// Nodes at one distance after the other from `mouth`, up to the first that lies at another that lets fluid out: all
+/// that comes in crosses each of them. n of them have the drag of a slit of n cells, 12/n^3 each, of one between a wall
+/// and one that slides along where a single node is held back, 3/n^3, and none without: never too much, as they may lie
+/// in several passages. Each stores 1/c_s^2 of the pressure.
+Passage passage(const Scene& scene, const FluidPicture& picture, const Mouth& mouth, const std::vector<bool>& outlet) {
   std::vector<bool> seen(picture.size(), false);
   std::vector<std::size_t> front = mouth.nodes;
   for (const std::size_t n : front) seen[n] = true;
-  std::size_t least = front.size();
+  Passage passed{front.size()};
+  double stored = 0;
   while (!front.empty()) {
-    least = std::min(least, front.size());
-    if (std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; })) return least;
+    const auto nodes = static_cast<double>(front.size());
+    const auto held =
+        std::count_if(front.begin(), front.end(), [&](std::size_t n) { return is_held_back(picture, scene, n); });
+    const double drag = (held > 1 ? 12 : 3 * static_cast<double>(held)) / std::pow(nodes, 3);
+    stored += 3 * nodes;
+    passed.least = std::min(passed.least, front.size());
+    passed.drag += drag;
+    passed.delay += drag * stored;
+    if (std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; })) return passed;
     std::vector<std::size_t> next;
     for (const std::size_t n : front)
       picture.for_each_neighbour(n, [&](std::size_t m) {
@@ -33,7 +65,7 @@ std::size_t narrowest_passage(const FluidPicture& picture, const Mouth& mouth, c
       });
     front = std::move(next);
   }
-  return 0;
+  return {};
 }
 
 /// Nothing moves by more than the scheme can follow.
@@ -126,17 +158,42 @@ void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& pi
                     rock_opens ? " until rock opens" : ""));
 }
 
-void look_for_passages(const FluidPicture& picture, const std::vector<Mouth>& mouths, FlowPaths& found) {
+/// A parabola spans its whole side or injection, rock included.
+void look_for_cut_profiles(const Scene& scene, const Geometry& geometry, const std::vector<Mouth>& mouths,
+                           FlowPaths& found) {
+  const std::vector<Stretch> stretches = boundary_stretches(scene, geometry);
+  for (std::size_t m = 0; m < mouths.size(); ++m) {
+    const Stretch& stretch = stretches[m];
+    const std::size_t cells = stretch.last + 1 - stretch.first, wet = mouths[m].nodes.size();
+    const FlowBoundary& flow = stretch.conditions.flow;
+    if (stretch.opening || flow.kind != FlowBoundaryKind::velocity || flow.profile != VelocityShape::parabolic)
+      continue;
+    if (wet == 0 || wet == cells) continue;
+    found.warnings.push_back(fmt::format(
+        "{}.flow.profile: the parabola spans all {} nodes there, {} of which are rock, so that it is not 0 beside the "
+        "rock and a given velocity is not the mean of the fluid; give a [boundary.injection] as wide as the fluid",
+        mouths[m].key, cells, cells - wet));
+  }
+}
+
+void look_for_passages(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
+                       const LatticeUnits& units, FlowPaths& found) {
+  // slowest modes of a channel with one end open to a pressure, and with both, over its delay
+  constexpr double one_end = 8 / (std::numbers::pi * std::numbers::pi), both_ends = one_end / 4;
+  const double viscosity = scene.flow->viscosity / units.diffusivity();
   for (const Mouth& mouth : mouths) {
-    if (mouth.inflow == 0 || mouth.nodes.empty()) continue;
+    const bool presses = mouth.conditions->flow.kind == FlowBoundaryKind::pressure;
+    if ((mouth.inflow == 0 && !presses) || mouth.nodes.empty()) continue;
     std::vector<bool> outlet(picture.size(), false);
     for (const Mouth& other : mouths)
       if (other.lets_fluid_through() && other.key != mouth.key)
         for (const std::size_t n : other.nodes) outlet[n] = true;
-    const std::size_t least = narrowest_passage(picture, mouth, outlet);
-    if (least > 0)
-      found.passage_speed =
-          std::max(found.passage_speed, std::abs(mouth.inflow) * mouth.total_length() / static_cast<double>(least));
+    const Passage passed = passage(scene, picture, mouth, outlet);
+    if (passed.least == 0) continue;
+    found.settling_steps = std::max(found.settling_steps, (presses ? both_ends : one_end) * viscosity * passed.delay);
+    const double volume = std::abs(mouth.inflow) * mouth.total_length();
+    found.passage_speed = std::max(found.passage_speed, volume / static_cast<double>(passed.least));
+    found.passage_pressure = std::max(found.passage_pressure, viscosity * passed.drag * volume);
   }
 }
 
@@ -157,7 +214,8 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   const std::vector<int> piece = pieces_of(picture);
   look_for_ways_out(scene, mouths, piece, rock_opens, found);
   look_for_paths(mouths, piece, rock_opens, found);
-  look_for_passages(picture, mouths, found);
+  look_for_passages(scene, picture, mouths, units, found);
+  look_for_cut_profiles(scene, geometry, mouths, found);
   return found;
 }
 

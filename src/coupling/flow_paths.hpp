@@ -20,6 +20,12 @@ struct FlowPaths {
   /// that a piece of fluid takes in over the least number of nodes at one distance from where it does, before an
   /// outlet.
   double passage_speed = 0;
+  /// Pressure, lattice units, that prescribed velocities need to overcome the drag on the way to an outlet, sum of
+  /// 12 nu q/n^3 over distances at which n nodes are crossed; never too much.
+  double passage_pressure = 0;
+  /// Lattice steps in which what the flow lacks of its steady state falls to 1/e, likewise: of a channel of L x n cells
+  /// 36 nu L^2/(pi n)^2 between two pressures, four times that between a velocity and a pressure.
+  double settling_steps = 0;
   std::vector<std::string> warnings;  ///< one line each: allowed, but probably not meant
 };
 

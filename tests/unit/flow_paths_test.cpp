@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <regex>
 #include <string>
 #include <vector>
@@ -61,6 +63,44 @@ std::string refusal(const std::string& text) {
 
 double passage_speed(const std::string& text) {
   return paths(text).passage_speed;
+}
+
+/// 12 nu q/n^3 per cell between two walls, a quarter of that beside one that slides, none without walls.
+TEST(FlowPaths, KnowThePressureThatAVelocityNeeds) {
+  const double needed = 12 * 0.1 * (0.02 * 12) * 40 / (12.0 * 12 * 12);
+  const auto pressure = [](const std::string& sides) { return paths(channel("", sides)).passage_pressure; };
+  EXPECT_NEAR(pressure(inflow + outlet), needed, 1e-12);
+  const std::string slides = "[boundary.top]\nflow = { type = \"wall\", velocity = [0.02, 0] }\n";
+  EXPECT_NEAR(pressure(inflow + outlet + slides), needed / 4, 1e-12);
+  const std::string joined =
+      "[boundary.top]\nflow = { type = \"periodic\" }\n[boundary.bottom]\nflow = { type = \"periodic\" }\n";
+  EXPECT_EQ(pressure(inflow + outlet + joined), 0);
+  EXPECT_EQ(pressure(pressures), 0);
+  // half of its length, between slabs of two cells on either side, is as narrow as 8 cells
+  const std::string slabs = rectangle("[20, 0]", "[40, 2]") + rectangle("[20, 10]", "[40, 12]");
+  EXPECT_NEAR(paths(channel(slabs, inflow + outlet)).passage_pressure, needed / 2 * (1 + std::pow(12 / 8.0, 3)),
+              0.1 * needed);
+}
+
+/// The slowest mode of a channel, 36 nu L^2/(pi n)^2 between pressures, four times that behind a velocity.
+TEST(FlowPaths, KnowHowLongTheFlowNeedsToSettle) {
+  const double time = 36 * 0.1 * 40 * 40 / (12 * 12 * std::numbers::pi * std::numbers::pi);
+  EXPECT_NEAR(paths(channel("", pressures)).settling_steps, time, 0.03 * time);
+  EXPECT_NEAR(paths(channel("", inflow + outlet)).settling_steps, 4 * time, 0.03 * 4 * time);
+}
+
+TEST(FlowPaths, AParabolaOverRockIsRemarkedOn) {
+  const std::string slabs = rectangle("[0, 0]", "[40, 2]") + rectangle("[0, 10]", "[40, 12]");
+  const std::string parabola =
+      "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0], profile = \"parabolic\" }\n";
+  EXPECT_THAT(remarks(channel(slabs, parabola + outlet)),
+              Contains(HasSubstr("boundary.left.flow.profile: the parabola spans all 12 nodes there, 4 of which are")));
+  EXPECT_THAT(remarks(channel("", parabola + outlet)), IsEmpty());
+  EXPECT_THAT(remarks(channel(slabs, inflow + outlet)), IsEmpty());
+  const std::string injection =
+      "[boundary.injection]\nside = \"left\"\ncentre = 6\nwidth = 8\n"
+      "flow = { type = \"velocity\", velocity = [0.02, 0], profile = \"parabolic\" }\n";
+  EXPECT_THAT(remarks(channel(slabs, injection + outlet)), IsEmpty());
 }
 
 TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
