@@ -1,8 +1,11 @@
 #include "coupling/rock_loads.hpp"
 
+#include "coupling/temperature_range.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace vug {
@@ -50,6 +53,30 @@ SidePart side_part(const TractionLoad& load, RockSide side, double from, double 
   return part;
 }
 
+double largest(const TractionLoad& load) {
+  return std::max(std::abs(load.normal_stress.peak()), std::abs(load.shear_stress.peak()));
+}
+
+double largest(const BoundarySection& side, const Scene& scene) {
+  double stress = largest(side.traction.load);
+  for (const TractionPart& part : side.traction.parts) stress = std::max(stress, largest(part.load));
+  if (!scene.flow || side.flow.kind != FlowBoundaryKind::pressure) return stress;
+  const double start = scene.flow->initial_pressure;
+  return std::max({stress, side.flow.pressure.highest() - start, start - side.flow.pressure.lowest()});
+}
+
+/// Of what is in the rock all over; warming in K.
+double largest(double density, double expansion, const BondParameters& bond, const Scene& scene, double warming) {
+  const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
+  const auto& gravity = scene.mechanics->gravity;
+  double stress =
+      std::max(bond.normal_modulus * expansion * warming, density * std::hypot(gravity[0], gravity[1]) * length);
+  for (const InitialVelocity& start : scene.mechanics->initial_velocities)
+    stress =
+        std::max(stress, std::sqrt(bond.normal_modulus * density) * std::hypot(start.velocity[0], start.velocity[1]));
+  return stress;
+}
+
 }  // namespace
 
 RockSide rock_side(std::string_view name) {
@@ -62,6 +89,7 @@ RockSide rock_side(std::string_view name) {
 Loads boundary_loads(const Scene& scene) {
   Loads loads;
   loads.gravity = scene.mechanics->gravity;
+  loads.largest = largest_load(scene);
   const auto add = [&](RockSide which, const char* side, const TractionBoundary& boundary, double length) {
     const auto s = static_cast<std::size_t>(which);
     loads.name[s] = fmt::format("{}: boundary.{}.traction", scene.path, side);
@@ -84,6 +112,23 @@ Loads boundary_loads(const Scene& scene) {
   add(RockSide::left, "left", scene.left.traction, scene.lattice.length_y);
   add(RockSide::bottom, "bottom", scene.bottom.traction, scene.lattice.length_x);
   return loads;
+}
+
+double largest_load(const Scene& scene) {
+  const MechanicsParameters& rock = scene.mechanics->parameters;
+  const double warming = scene.heat ? temperature_range(scene).span() : 0;
+  double stress = largest(rock.density, rock.thermal_expansion, rock.bond, scene, warming);
+  for (const RockMaterial& material : rock.materials)
+    stress = std::max(stress, largest(material.density, material.thermal_expansion, material.bond, scene, warming));
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top})
+    stress = std::max(stress, largest(*side, scene));
+  for (const InjectionSection& injection : scene.injections)
+    stress = std::max(stress, largest(injection.conditions, scene));
+  for (const OpeningSection& opening : scene.openings) stress = std::max(stress, largest(opening.conditions, scene));
+  if (!scene.flow) return stress;
+  const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
+  return std::max(stress,
+                  scene.flow->density * length * std::hypot(scene.flow->body_force[0], scene.flow->body_force[1]));
 }
 
 }  // namespace vug

@@ -46,6 +46,9 @@ struct Loads {
   std::array<double, 2> gravity{};  ///< m/s2
   std::vector<SidePart> parts;      ///< later ones count where they overlap
   std::array<std::string, 4> name{"right side", "top side", "left side", "bottom side"};  ///< in messages
+  /// Pa, the largest stress that loads the rock at any time, these or others: what sleeps is measured by it; 0:
+  /// unknown.
+  double largest = 0;
 };
 
 /// An edge of the rock's boundary.

@@ -59,7 +59,8 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
   // a ledger wants every step's losses, a servo every step's reaction, and a platen that starts wakes nothing
   const bool driven = !servos_.empty() || (timed_ && timed_->moves());
   if (parameters_.rest_tolerance > 0 && !accounts_ && !driven)
-    rest_ = make_rest(particles_, bonds_, least_normal_strength(parameters_), parameters_.rest_tolerance);
+    rest_ =
+        make_rest(particles_, bonds_, least_normal_strength(parameters_), loads.largest, parameters_.rest_tolerance);
 }
 
 void Mechanics::share(const Ranks& ranks) {

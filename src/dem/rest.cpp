@@ -36,7 +36,7 @@ namespace vug {
 namespace {
 
 constexpr double asleep_below = 0.25;  // of the unrest that wakes: what has come to rest stays there for a while
-constexpr double least_borne = 0.1;    // of the force that breaks a bond: rock without a load must come to rest too
+constexpr double least_borne = 0.1;    // of the force that breaks a bond: rock before its load must come to rest too
 
 Groups make_groups(const char* label, int count, int size) {
   Groups groups{count, size, Kokkos::View<std::uint8_t*>(label, (count + size - 1) / size), {}};
@@ -47,7 +47,7 @@ Groups make_groups(const char* label, int count, int size) {
 /// One group by one team: its unrest, then whether it is awake.
 struct LookAtRest {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  double tolerance, strength, mass_scaling, per_step;  ///< 1, N, 1, 1/s
+  double tolerance, least, strength, mass_scaling, per_step;  ///< 1, N, N, 1, 1/s
   GatherContacts gather;
   ParticlePush push;
   Groups groups;
@@ -87,7 +87,7 @@ struct LookAtRest {
         },
         Kokkos::Sum<Unrest>(all));
     const bool was_awake = groups.runs(g) != 0;
-    const double wake_at = tolerance * Kokkos::clamp(all.borne, least_borne * strength, strength);
+    const double wake_at = tolerance * Kokkos::clamp(all.borne, least, strength);
     const bool wakes = !all.is_below((was_awake ? asleep_below : 1) * wake_at);
     team.team_barrier();
     Kokkos::single(Kokkos::PerTeam(team), [&] { groups.runs(g) = wakes ? 1 : 0; });
@@ -116,10 +116,15 @@ struct CountAwake {
 
 }  // namespace
 
-Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double tolerance) {
+Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double largest_load,
+               double tolerance) {
   Rest rest;
   rest.tolerance = tolerance;
   rest.strength = bonds.count == 0 ? 0 : normal_strength * sum_in_order(bonds.length) / bonds.count;
+  rest.least = least_borne * rest.strength;
+  // rock far stronger than its loads would never feel them
+  if (largest_load > 0 && largest_load < least_borne * normal_strength)
+    rest.least = rest.strength * (largest_load / normal_strength);
   rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);
   rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
   rest.due = make_groups("vug::dem::rest_due", bonds.count, bonds_per_group);
@@ -137,6 +142,7 @@ double awake_share(const Rest& rest) {
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                   const BoundaryLoads& loads, const Particles& particles, const Rest& rest) {
   const LookAtRest look{rest.tolerance,
+                        rest.least,
                         rest.strength,
                         control.mass_scaling,
                         1 / control.dt,

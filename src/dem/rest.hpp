@@ -13,12 +13,13 @@ inline constexpr int bonds_per_group = 8;
 /// The unrest of a particle is the largest of the forces that would move it along an axis it is free to move along, of
 /// the forces that would stop it within a sub-step, and of the same torques over its radius of gyration. A group wakes
 /// when the unrest of one of its particles, or the sum of the forces on all of them, passes `tolerance` times the
-/// largest force of its bonds, which counts as a tenth of `strength` at least and as `strength` at most; it sleeps,
+/// largest force of its bonds, which counts as `least` at least and as `strength` at most; it sleeps,
 /// without its velocities, below a quarter of that. The sum keeps what many particles lack together from adding up.
 /// Bonds are asleep with both of their ends: nothing of them is read.
 struct Rest {
   double tolerance = 0;
   double strength = 0;  ///< of a bond of mean strength and mean length, N
+  double least = 0;     ///< a tenth of that, or what the largest load puts on such a bond where that is less, N
   Groups particles;
   Groups bonds;
   /// Bonds that a look needs anew: of those that sleep what fell asleep at the last one, with velocities then.
@@ -29,8 +30,9 @@ struct Rest {
   int awake = 0;
 };
 
-/// All awake; `normal_strength` is the bonds' mean, Pa.
-Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double tolerance);
+/// All awake; `normal_strength` is the bonds' mean, `largest_load` the largest stress that loads them, Pa (0: unknown).
+Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double largest_load,
+               double tolerance);
 
 /// Share of the groups of particles that are awake; for the history, not inside a step.
 double awake_share(const Rest& rest);

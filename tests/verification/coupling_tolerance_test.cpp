@@ -130,6 +130,30 @@ TEST(Tolerance, LetsRockSleepUnderASmallLoad) {
   }
 }
 
+/// A block that nothing breaks, and one far stronger than its load, bear all of what presses on them.
+TEST(Tolerance, LetsNoRockSleepThroughItsLoad) {
+  const std::string block =
+      "[lattice]\nsize = [0.04, 0.04]\nspacing = 1e-3\ntime_step = 1e-6\n[time]\nsteps = 1500\n"
+      "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 4e-3\n"
+      "[mechanics]\nyoung_modulus = 30e9\npoisson_ratio = 0.2\nlocal_damping = 0.5\n"
+      "[boundary.bottom]\ntraction = { support = \"roller\" }\n[boundary.left]\ntraction = { support = \"roller\" }\n"
+      "[[output.gauges]]\nname = \"base\"\ntype = \"reaction\"\nside = \"bottom\"\n";
+  const std::string unbreakable =
+      "mechanics.bond={ weibull_shape = 0, normal_strength = 1e10, cohesion = 1e10, fracture_energy_I = 1e6, "
+      "fracture_energy_II = 1e6 }";
+  for (const auto& [load, bond] : {std::pair{1e6, unbreakable}, {3e4, std::string("mechanics.bond.weibull_shape=0")}})
+    for (const std::string accuracy : {"preset=\"fast\"", "preset=\"balanced\"", "tolerance=1e-3"}) {
+      const History found = test::rows_of(
+          parse_scene(block, "case.toml",
+                      {bond, "accuracy." + accuracy,
+                       "boundary.top.traction.normal_stress=[[0, 0], [1e-3, " + std::to_string(load) + "]]"}),
+          1500, 1500);
+      const double borne = column(found, "base_y_N_per_m").back() / (load * 0.04);
+      std::printf("    %s, %g Pa: bears %.4f of its load\n", accuracy.c_str(), load, borne);
+      EXPECT_NEAR(borne, 1, 6e-3) << accuracy << load;
+    }
+}
+
 /// 16 and 64 times as heavy it follows as closely as rock_inertia.hpp says, and not much more closely.
 TEST(Tolerance, MakesRockNoHeavierThanItsLoadsBear) {
   for (const double tolerance : {5e-3, 1e-2}) {
