@@ -40,7 +40,7 @@ LatticeUnits units_of(const Scene& scene) {
 
 namespace {
 
-/// Node types from masks row by row without halo; the halo is solid. `opening` is empty or as from opening_of_nodes.
+/// Node types from masks (row by row without halo); the halo is solid. `opening` is empty or from opening_of_nodes.
 Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<bool>& solid,
                                    const std::vector<int>& opening) {
   Kokkos::View<NodeType*> type("vug::geometry::type", lattice.size());

@@ -1,5 +1,5 @@
 #pragma once
-// From a scene to the modules that it needs, and no others.
+// Builds the modules that a scene needs, and no others.
 #include "coupling/ageing.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/geometry.hpp"
@@ -15,16 +15,17 @@
 
 namespace vug {
 
-/// Everything a simulation is made of. Modules hold references into it, so it stays where it is.
+/// All parts of a simulation. Modules hold references into it, so it must not be moved.
 struct Parts {
   LatticeUnits units;
   Geometry geometry;
   std::optional<Rock> rock;
-  std::string warning;  ///< of the picture that the rock was read from; empty without
+  std::string warning;  ///< of the picture that the rock was read from; otherwise empty
   FlowPaths paths;      ///< of the fluid at the start
-  /// In the order of a step: a module sees what those above did in this step and those below in the last.
+  /// In the order of a step: a module sees this step's results of the modules before it and the previous step's of
+  /// those after it.
   std::vector<std::unique_ptr<Module>> modules;
-  std::unique_ptr<PoreGrowth> growth;    ///< null where no node can turn fluid
+  std::unique_ptr<PoreGrowth> growth;    ///< null where no node can become fluid
   const Mechanics* mechanics = nullptr;  ///< null without [mechanics]
   const Ageing* ageing = nullptr;        ///< null without accuracy.dissolution_tolerance
 
@@ -33,15 +34,14 @@ struct Parts {
   Parts& operator=(const Parts&) = delete;
 };
 
-/// SI to lattice units for a scene: temperatures count from the initial one of the rock, concentrations in the largest
-/// that the case names.
+/// Conversion from SI to lattice units for a scene. Temperatures are relative to the initial one of the rock; the unit
+/// of concentration is the largest value in the case.
 LatticeUnits units_of(const Scene& scene);
 
-/// (row) What a lattice step costs there in the mean: the populations that it moves.
+/// (row) Mean cost of a lattice step in each row of the lattice: the number of populations that are moved.
 std::vector<double> row_weights(const Scene& scene, const Geometry& geometry);
 
-/// Builds what the tables of the scene ask for: table present, module present; table absent, not a byte. The ranks
-/// share the work.
+/// Builds a module for each table of the scene; an absent table takes no memory. The ranks share the work.
 std::unique_ptr<Parts> build_modules(const Exec& exec, const Scene& scene, const Ranks& ranks = {});
 
 }  // namespace vug

@@ -1,5 +1,5 @@
 #pragma once
-// What a case allows although it is probably not meant, as far as the lattice and the rock tell.
+// Warnings of what is allowed in a case but probably not intended, as far as the lattice and the rock show it.
 #include "coupling/build_modules.hpp"
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace vug {
 
-/// One line each: of the reader, of the picture, of the triangles, and of `paths`, those of the fluid now.
+/// Warnings, one line each, of the reader, of the picture, of the triangles, and of `paths`, the present flow paths.
 std::vector<std::string> warnings_of(const Scene& scene, const Parts& parts, const FlowPaths& paths);
 
 }  // namespace vug

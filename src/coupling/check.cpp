@@ -30,19 +30,19 @@ namespace {
 
 constexpr int warm_up_steps = 3;
 constexpr int batch = 10, most_steps = 200;
-constexpr double enough = 0.2;  // s of measuring
-constexpr double busy = 2;      // times what the fastest steps took, by the clock
+constexpr double enough = 0.2;  // s, duration of the measurement
+constexpr double busy = 2;      // mean wall time of the steps over that of the fastest, above which to warn
 
-/// s that all threads together have computed.
+/// Processor time of all threads together, s.
 double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A few steps that are then forgotten. Other work on the machine stretches the time by the clock, and with several
-/// threads, which wait for each other, also that of the processors: what the fastest batch took is what a step takes on
-/// a free machine. A GPU's time is seen by the clock only. `take_steps` takes as many as it is told.
+/// Measures a few steps. Other work on the machine increases the wall time and, with several threads that wait for each
+/// other, the processor time as well. The time of the fastest batch is therefore taken as that on a free machine. The
+/// time of a GPU can only be measured as wall time. `take_steps(count)` takes `count` steps.
 template <class Steps>
 void measure_steps(const Steps& take_steps, CheckReport& report) {
   take_steps(warm_up_steps);
@@ -64,7 +64,7 @@ void measure_steps(const Steps& take_steps, CheckReport& report) {
   report.slowed_by = clock.seconds() / report.measured_steps / report.seconds_per_step;
 }
 
-/// Shares of joined pores, and the picture.
+/// Computes the shares of joined pores and writes the picture.
 void look_at_pores(const Scene& scene, const Geometry& geometry, const std::string& preview, CheckReport& report) {
   const FluidPicture picture(scene, geometry);
   const JoinedPores joined = joined_pores(picture);
@@ -98,7 +98,7 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600);
 }
 
-/// Of a laboratory test: its specimen, before it is loaded.
+/// The report of a laboratory test: of its specimen, before it is loaded.
 CheckReport check_specimen(const Scene& scene) {
   CheckReport report;
   const double before = allocated_bytes();
@@ -165,7 +165,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   };
   measure_steps(take_steps, report);
   report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
-  const AccuracySection& accuracy = scene.accuracy;  // the first steps are measured, at the shortest intervals
+  const AccuracySection& accuracy = scene.accuracy;  // steps are measured at the start, where intervals are shortest
   report.at_most = accuracy.dissolution_tolerance > 0 || accuracy.flow_tolerance > 0 || accuracy.chooses_intervals();
   report.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
   report.preset = scene.accuracy.preset;

@@ -1,6 +1,6 @@
 #pragma once
-// What is rock and what is pore on the lattice, shared by all modules. Written by `build` and when pores grow; `volume`
-// and `dissolved` by the reaction as well (book_turnover).
+// Rock and pores on the lattice, shared by all modules. Written by build_modules and when pores grow; the reaction also
+// writes `volume` and `dissolved` (book_turnover).
 #include "coupling/split.hpp"
 #include "io/scene.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
@@ -17,10 +17,10 @@ struct InnerOpening {
   std::string name;  ///< for columns and states: "shape_" and the name of the shape
   Opening nodes;
   BoundarySection conditions;
-  std::array<double, 2> centre{0, 0};  ///< of its outline, cells
+  std::array<double, 2> centre{0, 0};  ///< of the area in its outline, cells
 };
 
-/// The pixels: node types, the list of fluid nodes with its link tables, the wet surface of the rock.
+/// The lattice: node types, the list of fluid nodes with its link tables, the wet surface of the rock.
 struct Geometry {
   Lattice lattice;
   double spacing = 1;            ///< m
@@ -28,48 +28,47 @@ struct Geometry {
   FluidNodes fluid;              ///< empty where the scene has neither flow nor solute
   Surface surface;
   std::vector<InnerOpening> openings;
-  Kokkos::View<std::uint8_t*>
-      mineral;                    ///< (dense node) number of its mineral from 1, 0 rock of none; empty: none at all
-  ScalarField<double> volume;     ///< (dense node) solid volume V, pixels; empty without [reaction]
-  ScalarField<double> dissolved;  ///< (dense node) volume dissolved so far, pixels; empty likewise
-  SlitNodes slits;                ///< of pathways narrower than a cell, in groups by triangle; slits.hpp
-  std::int64_t slit_changes = 0;  ///< how often they have changed since the start or the restart
-  Split split;                    ///< what of all this the ranks compute
+  Kokkos::View<std::uint8_t*> mineral;  ///< (dense node) number of its mineral from 1; 0: none; empty without minerals
+  ScalarField<double> volume;           ///< (dense node) solid volume V, pixels; empty without [reaction]
+  ScalarField<double> dissolved;        ///< (dense node) volume dissolved so far, pixels; empty without [reaction]
+  SlitNodes slits;                      ///< of pathways narrower than a cell, grouped by triangle (slits.hpp)
+  std::int64_t slit_changes = 0;        ///< how often the slits have changed
+  Split split;                          ///< how the ranks share this work
 };
 
 /// Part of a side of the lattice, or the surface of an opening, with one set of boundary conditions.
 struct Stretch {
   std::string name;  ///< "left", "injection", ... as in the case file, or that of the opening
   Side side;
-  int first, last;  ///< node coordinates along the side, inclusive
+  int first, last;  ///< node coordinates along the side, both included
   BoundarySection conditions;
   const Opening* opening = nullptr;    ///< of the geometry; then side, first and last mean nothing
   std::array<double, 2> centre{0, 0};  ///< of the whole side, the injection or the opening, cells
 };
 
-/// The four sides, cut where injections lie.
+/// The four sides, divided where injections are.
 std::vector<Stretch> boundary_stretches(const Scene& scene);
-/// The same and after them the openings.
+/// The same, followed by the openings.
 std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geometry);
 
-/// The opening that each node lies in, as an index into scene.openings (row by row, without halo); -1 where there is
-/// none. Empty when the case has no openings.
+/// The opening that contains each node (row by row, without halo), as an index into scene.openings; -1: none. Empty
+/// when the case has no openings.
 std::vector<int> opening_of_nodes(const Scene& scene);
 
 /// Throws InputError when an opening has no node.
 std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& lattice);
 
-/// Joined pairs of sides {left-right, bottom-top} according to the flow or scalar boundaries.
+/// Whether left and right, and bottom and top, are periodic according to the boundaries of flow and scalars.
 std::array<bool, 2> periodic_sides(const Scene& scene);
 
-/// Calls visit(node) for every node (row by row, without halo) whose centre lies in the form.
+/// Calls visit(node) for every node (row by row, without halo) whose centre is in the form.
 void for_each_node_in(const Form& form, const LatticeSection& lattice, const std::function<void(std::size_t)>& visit);
 
-/// Where an open, drawn or photographed geometry is solid, row by row without halo.
+/// Solid nodes (row by row, without halo) of a geometry that is open, drawn or read from an image.
 struct DrawnRock {
   std::vector<bool> solid;
   std::vector<std::uint8_t> of_label;  ///< the mineral that a label map gives each node; empty without
-  std::string warning;                 ///< of a picture that shows no rock at all; empty otherwise
+  std::string warning;                 ///< for a picture that shows no rock at all; otherwise empty
 };
 DrawnRock drawn_rock(const Scene& scene);
 inline std::vector<bool> solid_mask(const Scene& scene) {

@@ -26,7 +26,8 @@ namespace vug {
 
 namespace {
 
-constexpr double fit_tolerance = 0.01;  // of the mean strength: below the scatter of the mean over five seeds
+constexpr double fit_tolerance =
+    0.01;  // relative, of the mean strength: less than the scatter of the mean over five seeds
 
 FieldList fields_of_rock(const Scene& scene, const Mechanics& rock) {
   FieldList fields;
@@ -34,7 +35,7 @@ FieldList fields_of_rock(const Scene& scene, const Mechanics& rock) {
   return fields;
 }
 
-/// particles.h5 of the first specimen: every interval, and the end.
+/// Writes particles.h5 of the first specimen: at every interval and at the end.
 class SpecimenPictures {
  public:
   SpecimenPictures(const Scene& scene, const Assembly& specimen, std::string directory)
@@ -60,8 +61,8 @@ class SpecimenPictures {
   double next_ = 0;
 };
 
-/// Share of the bonds that the load has broken, notches not among them, whose edges lie within 30 degrees of the load:
-/// a third where directions are random, more where the rock splits.
+/// Of the bonds that the load has broken (without notches), the share whose edges are within 30 degrees of the
+/// direction of the load: 1/3 for random directions, more where the rock splits.
 double share_along_load(const Bonds& bonds) {
   const auto state = on_host(bonds.state);
   const auto normal = on_host(bonds.normal);
@@ -124,8 +125,8 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
   return loaded;
 }
 
-/// Says, and keeps in the record, that a confinement has been put on without the rock coming to rest, or has broken
-/// bonds before the test.
+/// Reports and records a warning when the rock did not come to rest under the confinement, or when the confinement
+/// broke bonds before the test.
 void note_preload(const std::optional<PreloadReport>& preload, const LaboratoryOptions& options, RunRecord& record) {
   const auto note = [&](const std::string& what) {
     record.events.push_back("warning: " + what);
@@ -139,7 +140,7 @@ void note_preload(const std::optional<PreloadReport>& preload, const LaboratoryO
                      failed == 1 ? "1 bond" : fmt::format("{} bonds", failed)));
 }
 
-/// To be done where a specimen passed no peak.
+/// Advice for a specimen whose stress passed no peak.
 const char* what_breaks_more(LaboratoryTest test) {
   return test == LaboratoryTest::heating ? "raise laboratory.temperature_change" : "raise laboratory.largest_strain";
 }
@@ -234,7 +235,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     try {
       finish();
     } catch (const FileError&) {
-      // a disk that refuses results refuses the record as well; the first error is the one to report
+      // where results cannot be written, the record cannot either; the first error is the one to report
     }
   };
   if (std::ostream* log = options.progress ? options.progress : options.warnings) {
@@ -260,7 +261,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     note_end(record, "interrupted", stop.what(), exit_code_of(stop));
     try_to_finish();
     throw;
-  } catch (const std::exception& error) {  // a search that has found nothing among them
+  } catch (const std::exception& error) {  // for instance a fit that found nothing
     note_failure(record, error);
     try_to_finish();
     throw;

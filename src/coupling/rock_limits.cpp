@@ -15,18 +15,20 @@ namespace vug {
 
 namespace {
 
-/// Up to this share of the bonds' E G_I / sigma_n^2, half of the rock's, the size of the triangles adds less than 5 %
-/// to the load of a cracked plate (docs/validation.md, toughness).
+/// Largest mean edge over E G_I / sigma_n^2 of the bonds (half of that of the rock). Up to here the size of the
+/// triangles adds less than 5 % to the load of a cracked plate (docs/validation.md, toughness).
 constexpr double largest_edge = 0.6;
 
-constexpr double cells_of_an_edge = 4;  // at least
+constexpr double cells_of_an_edge = 4;  // smallest allowed
 
-/// The edge of a triangle as large as the smallest of generated rock over the mean edge: 0.69 to 0.8 were found.
+/// Edge of an equilateral triangle with the area of the smallest triangle of generated rock, over the mean edge of the
+/// rock. From 0.69 to 0.8 were found.
 constexpr double smallest_over_mean = 0.65;
 
-/// Two digits that are no more than the number, as what is advised must be enough.
+/// The number rounded down to two digits, so that it is enough to follow the advice.
 double rounded_down(double number) {
-  if (number == 0 || std::isinf(number)) return number;  // of bonds without energy, or without strength
+  if (number == 0 || std::isinf(number))
+    return number;  // 0 for bonds without fracture energy, infinite for bonds without strength
   const double last = std::pow(10, std::floor(std::log10(number)) - 1);
   return std::floor(number / last * (1 + 1e-9)) * last;
 }

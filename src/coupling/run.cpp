@@ -42,8 +42,8 @@ class Run {
   void operator()() {
     resume();
     if (!resumed_at_) require_distinct_columns(scene_, simulation_);
-    const StopsInOrder in_order;  // from here on there is something to bring to an end
-    // where the rock ages, nobody knows how many steps there will be
+    const StopsInOrder in_order;  // from here on, a stop has to end the run properly
+    // with an ageing factor, the number of steps is not known in advance
     book_.open(simulation_.parts().ageing ? std::nullopt : std::optional(last_));
     std::ostream silent(nullptr);
     std::ostream* const log = options_.progress ? options_.progress : options_.warnings;
@@ -92,13 +92,13 @@ class Run {
     resumed_at_ = checkpoint->step();
   }
 
-  /// On any of the ranks.
+  /// Whether a stop is requested on any of the ranks.
   bool someone_is_to_stop() const {
     const Phase phase(ranks_, "agreement");
     return ranks_.most(stop_requested() ? 1 : 0) > 0;
   }
 
-  /// How the ranks share the lattice.
+  /// A line on how the ranks share the lattice.
   std::string shares() const {
     const Partition& rows = simulation_.parts().geometry.split.rows();
     std::string text = fmt::format("ranks: {}, rows of the lattice from", ranks_.size());
@@ -112,14 +112,14 @@ class Run {
     if (!ranks_.alone()) progress.note(shares());
     for (const std::string& note : notes_) progress.note(note);
     if (scene_.mechanics && scene_.mechanics->scaling_chosen) progress.note("note: " + mass_scaling_note(scene_));
-    const Parts& parts = simulation_.parts();  // in a resumed run rock may have opened since the start
+    const Parts& parts = simulation_.parts();  // in a resumed run, pores may have opened since the start
     const FlowPaths paths = resumed_at_ ? find_flow_paths(scene_, parts.geometry, parts.units) : parts.paths;
     for (const std::string& warning : warnings_of(scene_, parts, paths)) progress.note("warning: " + warning);
     for (const Limit& limit : simulation_.limits())
       if (!limit.inside()) progress.note("warning: " + warning_of(limit));
   }
 
-  /// Steps until the end. Throws Interrupted, with the state in a checkpoint where there is one.
+  /// Takes steps until the end. Throws Interrupted on a requested stop, after writing a checkpoint.
   void advance(Progress& progress) {
     RunFiles files(scene_, simulation_, book_.path(), resumed_at_);
     for (const std::string& lost : files.passed_over()) progress.note("warning: passed over: " + lost);
@@ -172,7 +172,7 @@ class Run {
         progress.note(line);
   }
 
-  /// Whether the last step is done, or the rock as old as it was to get.
+  /// Whether the last step is done, or the rock has reached its final age.
   bool ended() const {
     const Clock& clock = simulation_.clock();
     return clock.step >= last_ || (clock.ahead > 0 && scene_.time.end && clock.time() >= *scene_.time.end);
@@ -184,7 +184,7 @@ class Run {
   RunBook book_;
   std::int64_t last_;
   Simulation simulation_;
-  std::vector<std::string> notes_;  ///< of what happened before there was a log
+  std::vector<std::string> notes_;  ///< to be shown when the log is open
   std::optional<std::int64_t> resumed_at_;
 };
 

@@ -26,7 +26,7 @@ std::optional<RunFolder> folder_of_the_writer(const RunOptions& options, const s
                                   "--resume continues it, --overwrite replaces it, -o DIR leaves it alone");
 }
 
-/// Says which of the files that a case names are not those of the run that `held` describes.
+/// Text on what differs between the case and the run that `held` describes: an input file, else the case itself.
 std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
   for (const InputFile& input : record.inputs)
     if (held.inputs.find(input.hash) == std::string::npos) return input.path + " has changed since";
@@ -50,7 +50,8 @@ RunBook::RunBook(const Scene& scene, const RunOptions& options)
   record_.ranks = options.ranks.size();
 }
 
-/// This run, or that which it continues: of the same case, or nothing is touched.
+/// The case and this run, or the run that it continues. Throws InputError where that run is of another case; nothing is
+/// changed then.
 CheckpointOwner RunBook::owner() {
   const std::string hash = case_hash(record_.case_text, record_.overrides, record_.inputs);
   if (!options_.resume) return {hash, record_.run};
@@ -90,7 +91,7 @@ std::string RunBook::go_on_from(const Checkpoint& checkpoint) {
   return record_.events.back();
 }
 
-/// What a run remembers beside the state of the simulation.
+/// What a checkpoint contains beside the state of the simulation.
 StateList RunBook::own_state() {
   StateList list;
   list.add_value(history_rows, rows_, {0, most_steps});
@@ -115,7 +116,7 @@ void RunBook::require_ours() const {
     throw FileError(path_ + ": was removed or replaced while the run wrote there; nothing more is written to it");
 }
 
-/// All ranks hand on what the first one writes.
+/// The first rank writes the checkpoint; the others take part because saving a block may need all ranks.
 void RunBook::save(Simulation& simulation, std::int64_t rows, const Progress& progress) {
   const Ranks& ranks = options_.ranks;
   const Phase phase(ranks, "files");
@@ -123,15 +124,15 @@ void RunBook::save(Simulation& simulation, std::int64_t rows, const Progress& pr
   StateList state = simulation.state();
   for (const StateBlock& block : own_state().blocks) state.add(block);
   const Clock& clock = simulation.clock();
-  if (folder_) write(clock, progress);  // first, that what goes on from the checkpoint finds what happened until then
+  if (folder_) write(clock, progress);  // first, so that a run that continues from here finds the events until then
   if (ranks.first())
     write_checkpoint(checkpoints(), state, clock.step, clock.time(), owner_);
   else
     for (const StateBlock& block : state.blocks) block.save([](std::span<const std::byte>) {});
   const bool first = !record_.last_checkpoint;
   record_.last_checkpoint = clock.step;
-  if (folder_ && first) write_run_record(path_, record_);  // that there has been one, should it get lost
-  ranks.most(0);                                           // nobody ends while it is written
+  if (folder_ && first) write_run_record(path_, record_);  // records that there was one, in case it is lost
+  ranks.most(0);                                           // no rank ends before it is written
 }
 
 std::string RunBook::last_good() const {
@@ -160,7 +161,7 @@ void RunBook::try_to_write_end(const Clock& clock, const Progress& progress) {
   try {
     write_end(clock, progress);
   } catch (const FileError&) {
-    // a disk that refuses results refuses the record as well; the first error is the one to report
+    // where results cannot be written, the record cannot either; the first error is the one to report
   }
 }
 
@@ -170,7 +171,7 @@ void RunBook::write_end(const Clock& clock, const Progress& progress) {
   write(clock, progress);
 }
 
-/// With how far the run is now.
+/// Writes the record with the present step and times.
 void RunBook::write(const Clock& clock, const Progress& progress) {
   record_.steps = clock.step;
   record_.simulated_time = clock.time();

@@ -1,5 +1,5 @@
 #pragma once
-// What a run keeps of itself in its folder: the record and the checkpoints, and which of these it goes on from.
+// The record and the checkpoints of a run in its folder, and the checkpoint from which it continues.
 #include "coupling/run.hpp"
 #include "coupling/simulation.hpp"
 #include "host/exit_code.hpp"
@@ -16,46 +16,47 @@
 
 namespace vug {
 
-/// The folder, the record and the checkpoints of one run. The first of its ranks writes them; the others know the
-/// record. A folder belongs to a run once that has taken it: until then nothing there is touched.
+/// The folder, the record and the checkpoints of one run. The first of its ranks writes them; the others have a copy of
+/// the record. A folder belongs to a run from open() on; before, nothing in it is changed.
 class RunBook {
  public:
-  /// Throws InputError where the folder holds a run that this one may neither continue nor replace, or one of another
-  /// case.
+  /// Throws InputError where the folder contains a run that this one may neither continue nor replace, or one of
+  /// another case that this run should continue.
   RunBook(const Scene& scene, const RunOptions& options);
 
   const std::string& path() const { return path_; }
   RunRecord& record() { return record_; }
-  /// Why the folder is not locked, where it could not be; else empty.
+  /// Why the folder could not be locked; otherwise empty.
   std::string warning() const;
 
-  /// The newest checkpoint of the run that is there, the same for all ranks; none where there is none.
+  /// The newest checkpoint of the run in the folder, the same on all ranks; nothing where there is none.
   std::optional<Checkpoint> latest_checkpoint() const;
-  /// Makes this run the one that the checkpoint is of: what happened until then belongs to it, and the time it took.
-  /// Returns, and keeps as an event, that another program has computed it, where one has; else an empty line.
+  /// Makes this run a continuation of the one that wrote the checkpoint, with its events and wall time until then.
+  /// Where another build of vug has written it, returns a line that says so and keeps this as an event; otherwise
+  /// returns an empty line.
   std::string go_on_from(const Checkpoint& checkpoint);
-  /// Rows that the history had at the newest checkpoint.
+  /// Number of rows in the history at the newest checkpoint.
   std::int64_t rows() const { return rows_; }
-  /// Makes this run a new one. Throws InputError where one would be lost that could be continued.
+  /// Makes this run a new one. Throws InputError where this would destroy a run that could be continued.
   void begin_anew();
 
-  /// Takes the folder, clears it of what is not continued and writes the record, with the step at which the run will
-  /// be done where that is known.
+  /// Takes the folder, removes what is not continued and writes the record, with the last step of the run where it is
+  /// known.
   void open(std::optional<std::int64_t> last_step);
-  /// Throws FileError where the folder is no longer this run's: another one may have begun in it.
+  /// Throws FileError where the folder no longer belongs to this run: another one may have started in it.
   void require_ours() const;
-  /// Writes a checkpoint of what the ranks have computed and of how many rows the history has; before it, the record.
+  /// Writes the record, then a checkpoint with the state of all ranks and the number of rows in the history.
   void save(Simulation& simulation, std::int64_t rows, const Progress& progress);
-  /// The last record of a run that has reached its end. Throws FileError.
+  /// Writes the last record of a run that has reached its end. Throws FileError.
   void close_done(const Clock& clock, const Progress& progress);
-  /// The last record of one that has ended before: how, why, and with which exit code. Why it ended is what is to be
-  /// reported: where the record cannot be written, nothing is thrown.
+  /// Writes the last record of a run that has ended early: status, reason and exit code. Throws nothing where the
+  /// record cannot be written, because the reason is the error to report.
   void close_early(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
                    ExitCode code);
-  /// The same of a run that failed, also where memory did not suffice or the disk is full.
+  /// The same for a run that failed, also when memory was insufficient or the disk is full.
   void close_failed(const Clock& clock, const Progress& progress, const std::exception& error);
 
-  /// Says where the newest checkpoint is.
+  /// A text that says where the newest checkpoint is.
   std::string last_good() const;
 
  private:
@@ -68,12 +69,12 @@ class RunBook {
 
   const RunOptions& options_;
   std::string path_;
-  std::optional<RunFolder> folder_;  ///< of the rank that writes
+  std::optional<RunFolder> folder_;  ///< only on the rank that writes
   RunRecord record_;
   CheckpointOwner owner_;
   std::int64_t rows_ = 0;
-  double earlier_time_ = 0;                                              ///< s that earlier parts of the run have taken
-  std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< to say so when the memory does not suffice
+  double earlier_time_ = 0;                                              ///< s, of earlier parts of the run
+  std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< freed to record a lack of memory
 };
 
 }  // namespace vug

@@ -22,8 +22,9 @@ namespace vug {
 
 namespace {
 
-/// Throws InputError unless a mesh has the height and the area of a disc, with flats as wide as the generator makes
-/// them at most: of 0.6 of the diameter they leave 0.8 of the height and 0.90 of the area, polygons a little less.
+/// Throws InputError unless a mesh has the height and the area of a disc, with flats no wider than those of the
+/// generator. The widest, 0.6 of the diameter, leave 0.8 of the height and 0.90 of the area; polygons have a little
+/// less.
 void require_disc(const Scene& scene, const Assembly& mesh) {
   double area = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_of(mesh, static_cast<int>(t)).area();
@@ -61,8 +62,9 @@ Assembly build_specimen(const Scene& scene) {
 
 namespace {
 
-/// How fast heat strains a specimen over its height, as if it had its own mass. In heating 0.3, 1 and 3 m/s gave
-/// strengths of 98, 99 and 106 MPa, in a quench 0.02, 0.08, 0.2 and 0.8 m/s cracks 20, 20, 10 and 7 mm apart.
+/// Limits the speed of the thermal strain over the height of the specimen, converted to a specimen without mass
+/// scaling. In heating, 0.3, 1 and 3 m/s gave strengths of 98, 99 and 106 MPa. In a quench, 0.02, 0.08, 0.2 and 0.8 m/s
+/// gave crack spacings of 20, 20, 10 and 7 mm.
 Limit limit_of_heat(const Scene& scene, const Assembly& specimen) {
   const MechanicsParameters& rock = scene.mechanics->parameters;
   const double growth =

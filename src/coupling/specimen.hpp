@@ -1,5 +1,5 @@
 #pragma once
-// What a case with a [laboratory] tests, and how.
+// The specimen and the test of a case with a [laboratory].
 #include "coupling/limits.hpp"
 #include "dem/laboratory.hpp"
 #include "dem/quench.hpp"
@@ -10,14 +10,15 @@ namespace vug {
 /// The specimen of a case: generated, or read from its mesh.
 Assembly build_specimen(const Scene& scene);
 
-/// Throws InputError where a test's platens find no edge of the specimen to hold, or its confinement none to push, where
-/// a quenched slab is too low for cracks to be counted, and where a test has more steps than can be counted.
+/// Throws InputError where the specimen has no edge for the platens to hold or for the confinement to act on, where a
+/// quenched slab is too low for counting cracks, and where a test has more steps than a double can count.
 void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
 
-/// How long the mechanics of a test takes at most, s.
+/// Longest simulated time of a test, s.
 double longest_test(const Scene& scene, const Assembly& specimen);
 
-/// The time step of a test, how many it takes at most, and whether its triangles resolve what breaks.
+/// Limits of a test: its time step, its number of steps, the mean edge of its triangles and, where they apply, the
+/// speed of thermal strain and the width of the flats.
 LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, const Mechanics& rock);
 
 /// The loading test of a case; not for a quench.
