@@ -1,4 +1,4 @@
-// What the sides and openings of the flow say, on which links and at which time.
+// The boundary conditions of the flow at sides and openings: their links and their values over time.
 #include "coupling/flow_module.hpp"
 #include "coupling/velocity_profile.hpp"
 #include "kernels/flow/open_boundary.hpp"
@@ -10,8 +10,8 @@ namespace vug {
 
 namespace {
 
-/// Who has the link out of a corner: what has a given velocity, so that all of its fluid enters; then a wall, which may
-/// slide; a pressure and an outflow last.
+/// Priority of a boundary for the link out of a corner, 0 first: a given velocity, so that all of its fluid enters;
+/// then a wall, which may slide; then a pressure or an outflow.
 int corner_rank(const FlowBoundary& flow) {
   return flow.kind == FlowBoundaryKind::velocity ? 0 : is_open(flow) ? 2 : 1;
 }
@@ -23,8 +23,8 @@ bool reaches(const Stretch& stretch, Side other, const Lattice& lattice) {
   return lower ? stretch.first == 0 : stretch.last == side_length(lattice, stretch.side) - 1;
 }
 
-/// The order in which sides have the links out of the corners of one stretch: before its own those whose stretch at the
-/// corner, be it the side's or an injection's, comes first there; of equals the left or right side.
+/// The order in which sides take the links out of the corners of one stretch. Before its own side come those whose
+/// stretch at the corner (of the side or of an injection) has priority; of equals, the left or right side has it.
 SideOrder corner_order(const Stretch& stretch, const std::vector<StretchLinks>& boundaries, const Lattice& lattice) {
   const int rank = corner_rank(stretch.conditions.flow);
   const auto comes_first = [&](Side other) {
@@ -51,7 +51,7 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
   for (StretchLinks& boundary : boundaries_) {
     const FlowBoundary& flow = boundary.stretch.conditions.flow;
     boundary.find(exec, fluid, D2Q9::Q);
-    if (is_open(flow)) mark_open(exec, fluid, boundary.links);  // in the order of the solutes
+    if (is_open(flow)) mark_open(exec, fluid, boundary.links);  // with the order of sides that the solutes use
     if (!boundary.stretch.opening)
       boundary.find(exec, fluid, D2Q9::Q, corner_order(boundary.stretch, boundaries_, geometry_.lattice));
     const bool outflow = flow.kind == FlowBoundaryKind::outflow;

@@ -1,4 +1,4 @@
-// How fast the flow of a case may become, and whether its numbers are safe.
+// Bounds of the flow's speed, its limits, and the guard against divergence.
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/plane_waves.hpp"
@@ -16,12 +16,12 @@ namespace vug {
 
 namespace {
 
-/// A disc that leaves two thirds of a channel open holds at 0.26 in the passage and is lost at 0.39
-/// (docs/stability.md).
+/// Flow past a disc that leaves two thirds of a channel open is stable at a Mach number of 0.26 in the passage and
+/// diverges at 0.39 (docs/stability.md).
 constexpr double largest_prescribed_mach = 0.35;
 
-/// The lowest relaxation time that survived a stair-step geometry at a pressure difference in lattice units
-/// (docs/stability.md).
+/// The lowest relaxation time at which the flow in a stair-step geometry was stable, for a pressure difference in
+/// lattice units (docs/stability.md).
 double lowest_relaxation_time(Collision collision, double pressure) {
   if (pressure > 0.04) return 0.764;
   if (pressure > 0.01) return 0.60;
@@ -42,9 +42,9 @@ double lowest_relaxation_time(Collision collision, double pressure) {
 
 template <class T>
 void FlowModule<T>::look(const Exec& exec, const Clock& clock, const FlowExtremes& extremes) {
-  // a velocity is a difference of populations that hold the pressure: so much of it is rounding (measured)
+  // share of the velocity that is rounding (measured): it is a difference of populations that contain the pressure
   constexpr double rounding = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  constexpr double most = 1e-3;  // of a flow that has hardly begun it would be all
+  constexpr double most = 1e-3;  // otherwise all of a flow that has hardly started would be rounding
   const double noise = extremes.speed > 0 ? std::min(rounding * extremes.density / extremes.speed, most) : 0;
   gather_sums();
   Crossed crossed;
@@ -55,7 +55,7 @@ void FlowModule<T>::look(const Exec& exec, const Clock& clock, const FlowExtreme
     crossed.all += std::abs(gain);
   }
   const double steps = steady_.interval();
-  // of a pore with one mouth nothing leaves in the end: what flows past a cell's face in it is the measure
+  // a pore with one opening gains and loses nothing in the end: the flow through a cell face in it is then the scale
   crossed.all = std::max(crossed.all, steps * extremes.speed);
   crossed.rounding = rounding * extremes.density * std::sqrt(static_cast<double>(geometry_.fluid.count)) * steps;
   steady_.look(exec, clock, geometry_.fluid, fields_.u, noise, crossed);
@@ -154,7 +154,7 @@ void FlowModule<T>::limits(LimitTable& table) const {
     table.push_back({"flow", "steps in which a change of the flow falls to 1/e", paths_.settling_steps, "1", 0,
                      std::numeric_limits<double>::infinity(),
                      "use a coarser lattice or a lower viscosity in lattice units"});
-  // What a pressure drives is known only when it flows.
+  // The speed that a pressure causes is not known in advance.
   const double speed = std::max(prescribed_speed(), paths_.passage_speed);
   if (speed > 0)
     table.push_back({"flow", "growth per step of a plane wave at that speed",

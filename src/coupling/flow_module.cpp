@@ -125,7 +125,7 @@ void FlowModule<T>::fit_carrier(const Exec& exec, Carrier<T>& carrier) {
 template <class T>
 void FlowModule<T>::step(const Exec& exec, const Clock& clock) {
   const FluidNodes& fluid = geometry_.fluid;
-  // The velocity that scalars were collided with in the step before is about to be overwritten.
+  // The velocity with which scalars collided in the step before is about to be overwritten.
   for (Carrier<T>& carrier : carriers_) {
     const bool known = steady_.held() && steady_.age() > carrier.interval && !carrier.renewed;
     if (!carrier.due(clock.step - 1) || known) continue;
@@ -168,7 +168,7 @@ void FlowModule<T>::add_slit_drag(const Exec& exec, const VectorField<double>& c
                                   const ScalarField<double>& torque) const {
   if (geometry_.slits.count == 0) return;
   const Split& split = geometry_.split;
-  if (!split.alone()) {  // every rank sums up the slits of all triangles
+  if (!split.alone()) {  // every rank sums over the slits of all triangles
     split.make_whole(split.of_fluid(geometry_.fluid), fields_.u);
     if (step_.spread.extent(0) > 0) split.make_whole(split.of_fluid(geometry_.fluid), step_.spread);
   }
@@ -181,11 +181,11 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   const Split& split = geometry_.split;
   const FluidNodes& fluid = geometry_.fluid;
   return_populations(exec);
-  gather_sums();  // which links are ours may change
+  gather_sums();  // links may get another owner
   fit_to_capacity(exec, fluid, births.first, fields_);
   const double before = sum_mass();
   settle(exec, fluid, births.first, fields_);  // the links to new nodes were walls until now
-  if (!split.alone())                          // all ranks fill the new nodes alike
+  if (!split.alone())                          // all ranks fill the new nodes in the same way
     split.make_whole(split.of_neighbours(fluid, births.first, births.last), fields_.f, D2Q9::Q, fluid.capacity);
   initialise_births(exec, fluid, births.first, births.last, fields_);
   born_mass_ += mass() - before;
@@ -212,7 +212,7 @@ void FlowModule<T>::ledger(Ledger& ledger) const {
   for (const StretchLinks& boundary : boundaries_)
     if (boundary.stretch.opening) balance.gains.push_back({boundary.stretch.name, kg * boundary.total()});
   balance.gains.push_back({"births", kg * born_mass_});
-  // in a closed box nothing else is left
+  // in a closed box, rounding is the only contribution
   constexpr double roundings = 16 * std::numeric_limits<T>::epsilon();
   balance.negligible = roundings * kg * geometry_.fluid.count;
 }

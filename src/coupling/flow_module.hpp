@@ -15,12 +15,12 @@
 
 namespace vug {
 
-/// Owns the flow populations, velocity and pressure. Beside these it writes only which links of the fluid nodes its
-/// sides and openings leave open (mark_open).
+/// Owns the flow populations, velocity and pressure. Of other data it writes only which links of the fluid nodes are
+/// open at its sides and openings (mark_open).
 template <class T>
 class FlowModule final : public Module {
  public:
-  /// `paths`: those of the fluid at the start.
+  /// `paths`: the flow paths at the start.
   FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
              const FlowPaths& paths);
 
@@ -40,27 +40,30 @@ class FlowModule final : public Module {
   void state(StateList& list) override;
 
   const FlowFields<T>& flow() const { return fields_; }
-  /// force and torque of triangles += the drag of the fluid in slits (slit_drag.hpp), of triangles about `centre`.
+  /// Adds the drag of the fluid in slits (slit_drag.hpp) to force and torque (about `centre`) of triangles.
   void add_slit_drag(const Exec& exec, const VectorField<double>& centre, const VectorField<double>& force,
                      const ScalarField<double>& torque) const;
-  /// Whether its forces depend on the temperature.
+  /// Whether the forces on the fluid depend on the temperature.
   bool buoyant() const { return section_.buoyant(); }
-  /// Whether its forces or its viscosity do.
+  /// Whether the forces on the fluid or its viscosity depend on the temperature.
   bool needs_temperature() const { return buoyant() || section_.viscosity_varies(); }
-  /// Where the temperature of the fluid nodes is found (fluid), brought up to date after every step of the heat.
+  /// Sets the field with the temperature of the fluid nodes (fluid), which the heat module updates after its steps.
   void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }
-  /// Whether it changes by no more than accuracy.flow_tolerance.
+  /// Whether the flow changes by no more than accuracy.flow_tolerance.
   bool settled() const { return steady_.settled(); }
-  /// Largest speed that the case can drive, lattice units: what the sides prescribe, in the narrowest passage as well,
-  /// and Bernoulli's bound of their pressures, at most the speed limit; that limit where a body force drives.
+  /// Largest speed that the case can drive, lattice units: the largest prescribed speed (also in the narrowest passage)
+  /// plus that of free convection and Bernoulli's bound of the pressures, at most the speed limit. With a body force it
+  /// is the speed limit.
   double largest_speed() const;
-  /// What carries a scalar that steps every `interval` lattice steps with a set of `directions` velocities, the even
-  /// part of the defect weighed (advective_form.hpp). Asked for at set-up; the reference stays valid.
+  /// The carrier of a scalar that takes a step every `interval` lattice steps, on a set of `directions` velocities.
+  /// `even_weight` weights the even part of the defect (advective_form.hpp). Called at set-up; the reference stays
+  /// valid.
   const Carrier<T>& carrier(const Exec& exec, int interval, int directions, T even_weight = 1);
-  /// Has a carrier go by another number of lattice steps. Where these change as the run goes, no two scalars share one.
+  /// Changes the interval of a carrier. Where intervals change during the run, no two scalars share a carrier.
   void set_interval(const Carrier<T>& carrier, int interval);
-  /// (fluid, axis) How much less flows through faces than mean velocities say (flow/face_flow.hpp), after the last of
-  /// every `interval` lattice steps. Asked for at set-up, by one; the reference stays valid.
+  /// (fluid, axis) By how much the flow through a face is less than the mean velocity of its nodes
+  /// (flow/face_flow.hpp), after the last of every `interval` lattice steps. Called at set-up, by one module only; the
+  /// reference stays valid.
   const VectorField<T>& face_excess(const Exec& exec, int interval);
 
  private:
@@ -70,23 +73,24 @@ class FlowModule final : public Module {
   void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);
   void find_halos();
-  /// What only its rank has booked at sides and openings, and the levels of outflows, on all of them.
+  /// Makes the gains of all links of sides and openings, and the levels of outflows, known on all ranks.
   void gather_sums() const;
-  /// Has every rank know what leaves through all sides and openings, the velocities that these ask for, and the levels.
+  /// Makes known on all ranks, for all sides and openings: the populations that leave, the velocities at links, and
+  /// what gather_sums() does.
   void bring_to_all_links(const Exec& exec) const;
-  /// Gives back what our last sweep left in slots of other ranks' nodes, and the other way round.
+  /// Sends back the populations that our last sweep left in slots of other ranks' nodes, and receives our own.
   void return_populations(const Exec& exec) const;
-  /// That of all ranks' nodes; of populations that have been given back.
+  /// Mass in the nodes of all ranks; sum_mass needs populations that have been returned.
   double mass() const;
   double sum_mass() const;
   double viscosity() const { return section_.viscosity / units_.diffusivity(); }  ///< lattice units
   FlowExtremes extremes(const Exec& exec) const;
-  /// Whether the flow is steady.
+  /// Checks whether the flow is steady.
   void look(const Exec& exec, const Clock& clock, const FlowExtremes& extremes);
-  /// What a velocity, or a flow rate over the surface that it has, gives at a time (s), lattice units.
+  /// Speed (or velocity) at a boundary with a given velocity or flow rate at a time (s), lattice units.
   double given_speed(const StretchLinks& boundary, double time) const;
   std::array<double, 2> given_velocity(const StretchLinks& boundary, double time) const;
-  /// What a boundary says at a time (s); gain(link) += what enters.
+  /// The condition of a boundary at a time (s), which adds what enters to gain (link).
   FlowCondition condition(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
   void find_excess(const Exec& exec) const;
@@ -100,22 +104,23 @@ class FlowModule final : public Module {
   const ScalarField<T>* theta_ = nullptr;
   FlowPaths paths_;  ///< at the start
   std::vector<StretchLinks> boundaries_;
-  std::vector<FlowCondition> conditions_;  ///< those of boundaries_ in this step
+  std::vector<FlowCondition> conditions_;  ///< of boundaries_ in this step
   FlowFields<T> fields_;
   FlowStep<T> step_;
-  VectorField<T> excess_;  ///< empty: nobody has asked for it
+  VectorField<T> excess_;  ///< empty where no module uses it
   int excess_interval_ = 1;
   std::deque<Carrier<T>> carriers_;
-  bool varies_;        ///< their intervals do (accuracy.tolerance)
-  bool fills_slowly_;  ///< cracks may be far narrower than a cell: no look tells that their pressure still changes
-  double raised_ = 0;  ///< s, when all conditions have their last values
+  bool varies_;        ///< whether intervals of carriers change (accuracy.tolerance)
+  bool fills_slowly_;  ///< cracks may be far narrower than a cell: velocities do not show that their pressure changes
+  double raised_ = 0;  ///< s, from when on all conditions have their final values
   SteadyFlow<T> steady_;
-  /// What other ranks compute: populations that our sweep pulls; those that leave through the images of our links of
-  /// sides and openings; velocities that carry, or that our links need; those of nodes in our rows.
+  /// Values that other ranks compute: populations that our sweep pulls; populations that leave through links that we
+  /// dress; velocities that carry scalars or that our links need; values of fluid nodes in our rows; all populations of
+  /// the neighbours of our nodes (for face_excess).
   Halo populations_, dressed_, velocities_, in_rows_, around_;
   double initial_mass_ = 0;  ///< lattice units, as are all sums below
   double born_mass_ = 0;
-  std::int64_t slit_changes_ = 0;  ///< those of the geometry that this flow has seen
+  std::int64_t slit_changes_ = 0;  ///< of the geometry, up to which this flow has adapted
 };
 
 }  // namespace vug

@@ -15,14 +15,14 @@ namespace vug {
 
 namespace {
 
-/// What all that comes in at a mouth crosses before it reaches a way out.
+/// The passage that all fluid from a mouth crosses before it reaches an outlet.
 struct Passage {
-  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: there is no way out
-  double drag = 0;        ///< pressure over viscosity and volume per step, lattice units
-  double delay = 0;       ///< steps times viscosity in which pressure spreads along it
+  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: there is no outlet
+  double drag = 0;        ///< pressure over (viscosity * volume per step), lattice units
+  double delay = 0;       ///< steps in which pressure spreads along it, over viscosity
 };
 
-/// Whether walls hold fluid at a node back: rock, or a side that is a wall and does not slide.
+/// Whether fluid at a node is beside a no-slip wall: rock, or a side that is a wall and does not slide.
 bool is_held_back(const FluidPicture& picture, const Scene& scene, std::size_t n) {
   const int x = static_cast<int>(n % picture.nx), y = static_cast<int>(n / picture.nx);
   const auto holds = [](const BoundarySection& side) {
@@ -36,10 +36,11 @@ bool is_held_back(const FluidPicture& picture, const Scene& scene, std::size_t n
   return rock;
 }
 
-/// Nodes at one distance after the other from `mouth`, up to the first that lies at another that lets fluid out: all
-/// that comes in crosses each of them. n of them have the drag of a slit of n cells, 12/n^3 each, of one between a wall
-/// and one that slides along where a single node is held back, 3/n^3, and none without: never too much, as they may lie
-/// in several passages. Each stores 1/c_s^2 of the pressure.
+/// Goes through the fronts of nodes at one distance after the other from `mouth`, up to the first that contains a node
+/// of `outlet`: all fluid that enters crosses every front. A front of n nodes has the drag of a slit of n cells,
+/// 12/n^3; where only one of its nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3; without such
+/// nodes, none. The drag is a lower bound, because the nodes may be in several passages. Each node stores 1/c_s^2 of
+/// the pressure.
 Passage passage(const Scene& scene, const FluidPicture& picture, const Mouth& mouth, const std::vector<bool>& outlet) {
   std::vector<bool> seen(picture.size(), false);
   std::vector<std::size_t> front = mouth.nodes;
@@ -68,7 +69,7 @@ Passage passage(const Scene& scene, const FluidPicture& picture, const Mouth& mo
   return {};
 }
 
-/// Nothing moves by more than the scheme can follow.
+/// Throws InputError where a given velocity is above speed_bound.
 void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths) {
   for (const Mouth& mouth : mouths) {
     const FlowBoundary& flow = mouth.conditions->flow;
@@ -89,7 +90,8 @@ void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths) {
   }
 }
 
-/// All mouths of one name reach no fluid: of a side a remark, of what stands in the case for this alone a mistake.
+/// Reports conditions whose stretches touch no fluid at all: a warning for a side; an error for an injection or a
+/// shape, which have no other purpose, unless rock may open later.
 void look_for_dry_mouths(const Scene& scene, const std::vector<Mouth>& mouths, bool rock_opens, FlowPaths& found) {
   for (const Mouth& mouth : mouths) {
     const bool flows = scene.flow && mouth.lets_fluid_through(), carries = scene.solute && mouth.lets_solute_through();
@@ -105,7 +107,7 @@ void look_for_dry_mouths(const Scene& scene, const std::vector<Mouth>& mouths, b
   }
 }
 
-/// What is pressed into a piece of fluid must find a way out of it.
+/// Reports pieces of fluid without an outlet for the fluid that is pressed into them or drawn out of them.
 void look_for_ways_out(const Scene& scene, const std::vector<Mouth>& mouths, const std::vector<int>& piece,
                        bool rock_opens, FlowPaths& found) {
   const int pieces = 1 + *std::max_element(piece.begin(), piece.end());
@@ -121,7 +123,7 @@ void look_for_ways_out(const Scene& scene, const std::vector<Mouth>& mouths, con
       if (flow != 0) driven_by[p] = mouth.key;
       if (mouth.yields()) yields[p] = true;
     }
-  constexpr double balanced = 1e-3;  // velocities given to three digits may leave as much
+  constexpr double balanced = 1e-3;  // possible net flow of velocities that are given to three digits
   for (int p = 0; p < pieces; ++p) {
     if (yields[p] || std::abs(net[p]) <= balanced * gross[p]) continue;
     const std::string line = fmt::format("{}.flow {} fluid {} a space that has no other opening", driven_by[p],
@@ -132,7 +134,7 @@ void look_for_ways_out(const Scene& scene, const std::vector<Mouth>& mouths, con
   }
 }
 
-/// The highest pressure should reach another mouth.
+/// Warns where no path of fluid leads from the mouth with the highest pressure to another mouth.
 void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& piece, bool rock_opens,
                     FlowPaths& found) {
   const Mouth* inlet = nullptr;
@@ -158,7 +160,7 @@ void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& pi
                     rock_opens ? " until rock opens" : ""));
 }
 
-/// A parabola spans its whole side or injection, rock included.
+/// Warns where a parabolic profile, which spans its whole side or injection, also covers rock.
 void look_for_cut_profiles(const Scene& scene, const Geometry& geometry, const std::vector<Mouth>& mouths,
                            FlowPaths& found) {
   const std::vector<Stretch> stretches = boundary_stretches(scene, geometry);
@@ -178,7 +180,7 @@ void look_for_cut_profiles(const Scene& scene, const Geometry& geometry, const s
 
 void look_for_passages(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
                        const LatticeUnits& units, FlowPaths& found) {
-  // slowest modes of a channel with one end open to a pressure, and with both, over its delay
+  // decay time of the slowest mode of a channel over viscosity * delay, with a pressure at one end or at both
   constexpr double one_end = 8 / (std::numbers::pi * std::numbers::pi), both_ends = one_end / 4;
   const double viscosity = scene.flow->viscosity / units.diffusivity();
   for (const Mouth& mouth : mouths) {

@@ -1,4 +1,4 @@
-// The flow of one rank among others (docs/scaling.md): what it gets from them, and what all know together.
+// The flow on several ranks (docs/scaling.md): what they exchange, and what all of them know.
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/shared_field.hpp"
@@ -12,12 +12,12 @@ namespace vug {
 
 namespace {
 
-/// Whether something other than bounce-back or the opposite side brings in what leaves.
+/// Whether the populations that enter come from a condition, not from bounce-back or the opposite side.
 bool is_dressed(const FlowBoundary& flow) {
   return flow.kind != FlowBoundaryKind::periodic && (flow.kind != FlowBoundaryKind::wall || flow.peak_speed() != 0);
 }
 
-/// Adds the nodes at links, and those behind them that are not rock: the velocities that all of an outflow depends on.
+/// Adds the nodes at links and the nodes behind them that are not rock: an outflow depends on the velocities of all.
 void add_nodes_at(const FluidNodes& fluid, const BoundaryLinks& links, std::vector<int>& nodes) {
   const auto source = on_host(fluid.source), node = on_host(links.fluid);
   const auto direction = on_host(links.direction);
@@ -78,7 +78,7 @@ void FlowModule<T>::visit_shares(const SharedFields& visit) const {
   const Owners nodes = geometry_.split.of_fluid(geometry_.fluid);
   visit("flow/f", fields_.f, Shares(nodes, D2Q9::Q, {populations_, dressed_, around_}));
   visit("flow/u", fields_.u, Shares::of_vector(nodes, {velocities_}));
-  for (std::size_t c = 0; c < carriers_.size(); ++c)  // in the order in which the modules asked for them
+  for (std::size_t c = 0; c < carriers_.size(); ++c)  // in the order in which the modules requested them
     visit("flow/carrier" + std::to_string(c) + "/e", carriers_[c].e, Shares(nodes, 1, {in_rows_}));
 }
 
@@ -98,7 +98,7 @@ void FlowModule<T>::gather_sums() const {
     split.make_whole(split.of_links(links), boundary.gain);
     const ScalarField<double>& level = boundary.outflow.level;
     if (level.extent(0) == 0 || links.count == 0) continue;
-    Owners owners(split.ranks().size());  // the rank that has the first link has dressed some, and knows the level
+    Owners owners(split.ranks().size());  // the owner of the first link has dressed links, so that it knows the level
     const int first = on_host(Kokkos::subview(links.fluid, std::pair(0, 1)))(0);
     owners[split.owner_of(first)] = {{0, static_cast<int>(level.extent(0))}};
     split.make_whole(owners, level);

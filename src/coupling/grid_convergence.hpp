@@ -1,30 +1,31 @@
 #pragma once
-// How wrong a number is, from the same number on coarser lattices (Richardson 1911; the index of Roache 1994).
+// Error of a number, estimated from the same number on coarser lattices (Richardson 1911; the index of Roache 1994).
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace vug {
 
-/// What three lattices say of how a number converges.
+/// How a number converges over three lattices.
 enum class Convergence { monotone, oscillating, none, unknown };
 
 struct ErrorBar {
-  double bar = 0;               ///< half its length, in units of the number
-  std::optional<double> order;  ///< observed, where the three lattices show one
+  double bar = 0;               ///< half its length, in the unit of the number
+  std::optional<double> order;  ///< observed; only for monotone convergence
   Convergence convergence = Convergence::unknown;
 };
 
-/// Error bar of `fine` from `coarse`, of `ratio` times the spacing, and `coarser`, of ratio² times.
+/// Error bar of `fine` from `coarse`, on `ratio` times the spacing, and `coarser`, on ratio² times the spacing.
 ///
 /// With d = coarse - fine and D = coarser - coarse the observed order is p = ln(D/d) / ln(ratio), and
 ///
 ///     bar = 1.25 |d| / (ratio^p - 1)
 ///
-/// (Roache 1994, grid convergence index), p held between 1/2 and the 2 of the schemes. Where the numbers oscillate
-/// (d/D < 0) the bar is the larger of 3 |d| and |D|; where the first two agree (d = 0) it is |D|; where they do
-/// not converge (|d| >= |D|), and without `coarser`, that of first order with Roache's factor of 3 for two lattices:
-/// 3 |d| / (ratio - 1). Numbers that agree to twelve digits differ by rounding: 3 max(|d|, |D|) / (ratio - 1).
+/// (Roache 1994, grid convergence index), with p limited to 1/2 ... 2, the order of the schemes. Without `coarser`, and
+/// where the numbers do not converge (|d| >= |D|), the bar is that of first order with Roache's factor of 3 for two
+/// lattices: 3 |d| / (ratio - 1). Otherwise, where they oscillate (d/D < 0), it is the larger of 3 |d| and |D|; where
+/// the first two agree (d = 0), it is |D|. Numbers that agree to twelve digits differ by rounding: 3 max(|d|, |D|) /
+/// (ratio - 1).
 inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coarser, double ratio) {
   const double d = std::abs(coarse - fine);
   if (!coarser) return {3 * d / (ratio - 1), std::nullopt, Convergence::unknown};

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
 constexpr int most_owed =
-    16;  // lattice steps: caches gain no more from a longer debt, and who stops a run need not wait
+    16;  // lattice steps; more would not use the caches better, and a stop would have to wait longer
 
 }  // namespace
 
@@ -104,7 +104,7 @@ void MechanicsModule<T>::warm(const Exec& exec, double time) {
   geometry_.split.make_whole(of_warmed_, change);
   for (std::size_t o = 0; o < thermal_.in_opening.size(); ++o) {
     const HeatBoundary& heat = geometry_.openings[o].conditions.heat;
-    if (heat.kind == HeatCondition::temperature)  // of now, as a resumed run knows it too
+    if (heat.kind == HeatCondition::temperature)  // the given one, which a resumed run knows as well
       warm_particles_to(exec, thermal_.in_opening[o],
                         units_.lattice_temperature(heat.temperature.at(time)) - heat_->initial_theta(), change);
   }
@@ -137,7 +137,8 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
   if (looked_at) mechanics_.make_positions_whole(exec);
 }
 
-/// All that it owes in one go: rock that moves in every lattice step finds the caches full of the lattice.
+/// Takes all owed sub-steps together: if the rock moved in every lattice step, it would find lattice data in the
+/// caches.
 template <class T>
 void MechanicsModule<T>::catch_up(const Exec& exec) {
   if (owed_ == 0) return;
@@ -155,10 +156,10 @@ void MechanicsModule<T>::births(const Exec& exec, const Births& births) {
 
 template <class T>
 void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
-  mechanics_.make_whole(exec);  // rows, too, are written after a look at the guards
+  mechanics_.make_whole(exec);  // rows of the history are written after the guard, too
   if (const std::string wrong = what_is_unsound(exec, mechanics_); !wrong.empty())
     throw StabilityError(fmt::format("mechanics diverged at step {}: {}", clock.step, wrong));
-  // Dissolving particles grow lighter. At fixed steps, not whenever somebody looks: a checkpoint changes nothing.
+  // Dissolving particles become lighter. Done only at fixed steps, so that a checkpoint does not change results.
   if (!section_.substeps && clock.step % guard_interval_ == 0) choose_substeps();
 }
 
@@ -225,7 +226,7 @@ void MechanicsModule<T>::state(StateList& list) {
     dissolved_->visit_state(
         [&](const std::string& name, const auto& view) { list.add("mechanics/dissolved_shares/" + name, view); });
   if (watched_.extent(0) > 0) list.add("mechanics/watched", watched_);
-  if (holds_forces_) {  // held in the first steps of a resumed run
+  if (holds_forces_) {  // a resumed run needs them until the next exchange
     list.add("mechanics/force", mechanics_.particles().force);
     list.add("mechanics/torque", mechanics_.particles().torque);
   }
@@ -251,7 +252,7 @@ void MechanicsModule<T>::state(StateList& list) {
                         mechanics_.set_steps(progress.steps);
                         mechanics_.set_all_due(progress.all_due != 0);
                       }});
-  // the lightest particles want 2.2 times as many as intact ones
+  // the lightest particles need 2.2 times as many as intact ones
   list.add_value("mechanics/substeps", substeps_, {1, 10.0 * substeps_});
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The rock's mechanics, moved by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
+// The rock's mechanics, driven by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
 #include "coupling/chemical_damage.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
@@ -43,7 +43,7 @@ class MechanicsModule final : public Module {
   void find_links(const Exec& exec);
   void share_links();
   void share_temperatures();
-  /// Triangles have the temperature of their nodes, or that of the opening they lie in.
+  /// Gives triangles the mean temperature of their nodes, or the given temperature of the opening that contains them.
   void warm(const Exec& exec, double time);
 
   MechanicsSection section_;
@@ -52,22 +52,23 @@ class MechanicsModule final : public Module {
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
   int update_interval_, exchange_interval_, guard_interval_;
-  bool holds_forces_;            ///< of the fluid, for more than a step
-  VectorField<double> watched_;  ///< (triangle, axis) force of the fluid at the last look; empty where nobody asks
-  ThermalNodes thermal_;         ///< with heat only
+  bool holds_forces_;            ///< forces of the fluid are held for more than a step
+  VectorField<double> watched_;  ///< (triangle, axis) force of the fluid at the last look; empty where unused
+  ThermalNodes thermal_;         ///< only with heat
   Mechanics mechanics_;
   std::vector<std::pair<std::vector<int>, std::array<double, 2>>> initial_velocities_;  ///< triangles, m/s
   RockGauges gauges_;
   std::vector<std::string> fields_asked_for_;  ///< output.fields
-  std::optional<WetNodes> wet_;                ///< with flow or dissolution only
-  std::optional<IndexList> our_triangles_;     ///< on whose force we sum up what the fluid gives; several ranks only
-  std::optional<IndexList> our_warmed_;        ///< whose temperature we take the mean of; several ranks only
-  Owners of_warmed_;                           ///< (particle)
-  Halo temperatures_;                          ///< of other ranks' nodes in these
-  Halo walls_;                                 ///< populations of other ranks' nodes that push them
-  Halo forces_;                                ///< on the triangles of others
-  WallLinks links_;                            ///< of each particle about its centroid; with flow only
-  std::optional<DissolvedShares> dissolved_;   ///< with dissolution only
+  std::optional<WetNodes> wet_;                ///< only with flow or dissolution
+  std::optional<IndexList>
+      our_triangles_;                    ///< for which this rank sums the force of the fluid; only with several ranks
+  std::optional<IndexList> our_warmed_;  ///< whose mean temperature this rank computes; only with several ranks
+  Owners of_warmed_;                     ///< (particle)
+  Halo temperatures_;                    ///< of other ranks' nodes in our_warmed_
+  Halo walls_;                           ///< populations of other ranks' nodes that push our_triangles_
+  Halo forces_;                          ///< on triangles of other ranks
+  WallLinks links_;                      ///< of each particle, about its centroid; only with flow
+  std::optional<DissolvedShares> dissolved_;  ///< only with dissolution
   int substeps_ = 1;
   int owed_ = 0;  ///< lattice steps whose sub-steps are still to be taken
   RockIs rock_ = RockIs::the_same;

@@ -11,7 +11,7 @@ namespace vug {
 
 namespace {
 
-constexpr double bytes_per_triangle = 500;  // of the triangle, its bonds and the search for its neighbours, at least
+constexpr double bytes_per_triangle = 500;  // at least: the triangle, its bonds and the search for its neighbours
 
 double number_of(const Scene& scene) {
   return scene.accuracy.precision == Precision::single_precision ? sizeof(float) : sizeof(double);
@@ -21,7 +21,7 @@ double directions(ScalarVelocitySet set) {
   return set == ScalarVelocitySet::d2q9 ? 9 : 5;
 }
 
-/// Throws MemoryError unless there are `fields` bytes for kernels and `of_host` for what only the host reads.
+/// Throws MemoryError unless there are `fields` bytes for kernels and `of_host` bytes for data that only the host uses.
 void require_room_for(double fields, double of_host, const std::string& what) {
   if constexpr (shares_host_memory) {
     require_memory(fields + of_host, what);

@@ -65,7 +65,7 @@ double largest(const BoundarySection& side, const Scene& scene) {
   return std::max({stress, side.flow.pressure.highest() - start, start - side.flow.pressure.lowest()});
 }
 
-/// Of what is in the rock all over; warming in K.
+/// Largest stress of loads on the whole volume of a material; warming in K.
 double largest(double density, double expansion, const BondParameters& bond, const Scene& scene, double warming) {
   const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
   const auto& gravity = scene.mechanics->gravity;
@@ -98,7 +98,7 @@ Loads boundary_loads(const Scene& scene) {
     loads.traction[s] = traction_at(boundary.load, which, 0);
     if (changes(boundary.load) || moves(boundary.load))
       loads.parts.push_back(side_part(boundary.load, which, -1, length + 1, loads.name[s]));
-    const double last = length * (1 - 1e-12);  // of a point at the end of the side
+    const double last = length * (1 - 1e-12);  // for a point at the end of the side
     for (std::size_t n = 0; n < boundary.parts.size(); ++n) {
       const TractionPart& part = boundary.parts[n];
       const std::string name = fmt::format("{}.parts.{}", loads.name[s], n);

@@ -1,5 +1,5 @@
 #pragma once
-// What a case does to the sides of the rock, as its mechanics wants to be told.
+// The loads of a case on the sides of the rock, in the form that its mechanics takes.
 #include "dem/loads.hpp"
 #include "io/scene.hpp"
 
@@ -10,13 +10,14 @@ namespace vug {
 /// "left", "right", "bottom" or "top".
 RockSide rock_side(std::string_view name);
 
-/// Outer stress and supports of the four sides and their parts, and gravity. A side whose loads change in time, or
-/// whose platen moves, is a part as long as the side.
+/// Stresses and supports of the four sides and their parts, and gravity. A side whose loads change in time, or whose
+/// platen moves, is stored as a part as long as the side.
 Loads boundary_loads(const Scene& scene);
 
-/// The largest stress (Pa) that a case is known to put on its rock at any time: tractions, pressures above or below the
-/// initial one, held-back expansion M_n alpha dT, weight over the longest side of rock and driven fluid, the waves of
-/// initial velocities. 0 where it names none; what a given flow needs of pressure is not known.
+/// The largest stress (Pa) on the rock at any time that is known from the case. It is the largest of: tractions;
+/// deviations of given pressures from the initial one; prevented thermal expansion M_n alpha dT; weight of the rock,
+/// and body force on the fluid, over the longest side; the waves of initial velocities. 0 where the case has none of
+/// these. The pressure that a given flow needs is unknown.
 double largest_load(const Scene& scene);
 
 }  // namespace vug

@@ -10,7 +10,8 @@ double steps_in(double seconds, const Scene& scene) {
   return std::max(1.0, seconds / scene.lattice.time_step);
 }
 
-/// Of what comes every so many steps or, in a time that is not that of the steps, every so many seconds.
+/// The schedule for an interval in steps or, where the rock ages by more than the steps
+/// (accuracy.dissolution_tolerance), in seconds.
 Schedule schedule(const Scene& scene, double steps, std::optional<double> seconds) {
   return {steps, scene.accuracy.dissolution_tolerance > 0 ? seconds.value_or(0) : 0};
 }
@@ -22,7 +23,7 @@ double output_interval(const Scene& scene) {
   return static_cast<double>(std::max<std::int64_t>(1, last_step(scene)));
 }
 
-/// Lattice steps between two rows of the history: by default about 400 in all, where they cost nothing that counts.
+/// Lattice steps between two rows of the history: by default for about 400 rows, which cost very little.
 double history_interval(const Scene& scene) {
   constexpr std::int64_t rows = 400, fewest_steps = 100;
   if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);

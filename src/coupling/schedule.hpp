@@ -1,5 +1,5 @@
 #pragma once
-// When something is due again.
+// When snapshots, rows of the history and checkpoints are due.
 #include "coupling/clock.hpp"
 #include "io/scene.hpp"
 
@@ -7,13 +7,13 @@
 
 namespace vug {
 
-/// Every so many lattice steps, which need not be a whole number: after the step nearest to each multiple. Or, with
-/// seconds, whenever the time passes a multiple of these.
+/// Due after the lattice step nearest to each multiple of `steps`, which need not be a whole number. With `seconds` >
+/// 0: due whenever the time passes a multiple of `seconds` instead.
 class Schedule {
  public:
   Schedule(double steps, double seconds) : steps_(steps), seconds_(seconds) {}
 
-  /// Whether it is after the step from `before` to `now`.
+  /// Whether it is due after the step from `before` to `now`.
   bool due(const Clock& before, const Clock& now) const {
     if (seconds_ == 0) return now.step == std::llround(std::round(static_cast<double>(now.step) / steps_) * steps_);
     return std::floor(now.time() / seconds_ + rounding) > std::floor(before.time() / seconds_ + rounding);
@@ -25,10 +25,10 @@ class Schedule {
   double seconds_;
 };
 
-/// Lattice steps that the case asks for.
+/// Number of lattice steps of the case.
 std::int64_t last_step(const Scene& scene);
 
-/// When snapshots, rows of the history and checkpoints are due.
+/// Schedules of snapshots, rows of the history and checkpoints.
 Schedule output_schedule(const Scene& scene);
 Schedule row_schedule(const Scene& scene);
 Schedule checkpoint_schedule(const Scene& scene);

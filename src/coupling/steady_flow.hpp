@@ -1,5 +1,5 @@
 #pragma once
-// When the flow is steady it is held: not computed again until the pores change.
+// A steady flow is held: it is not computed again until the pores change.
 #include "coupling/clock.hpp"
 #include "io/field_list.hpp"
 #include "kernels/flow/guards.hpp"
@@ -9,35 +9,35 @@
 
 namespace vug {
 
-/// What has come in through sides and openings between two looks, lattice units.
+/// What has entered through sides and openings between two looks, lattice units.
 struct Crossed {
-  double net = 0;       ///< what the pores have gained
-  double all = 0;       ///< sum of the gains of all, each without its sign
+  double net = 0;       ///< gain of the pores
+  double all = 0;       ///< sum of the absolute gains of all sides and openings
   double rounding = 0;  ///< of net
 };
 
-/// Looks every so many lattice steps whether the velocity still changes. Costs nothing at tolerance 0.
+/// Checks at intervals ("looks") whether the velocity still changes. Costs nothing at tolerance 0.
 template <class T>
 class SteadyFlow {
  public:
   SteadyFlow() = default;
-  /// Holds when three shares are at most `tolerance`: the largest change of velocity between two looks, over the
-  /// largest velocity; what is still to come of it when changes go on to shrink as the last two did,
-  /// c_k^2/(c_(k-1) - c_k); and what the pores gain of what crosses their boundaries. Not before `earliest` (s), when
-  /// the last pressure has been raised. Looks every `interval` lattice steps.
+  /// The flow is held when three shares are at most `tolerance`: the largest change c_k of velocity between two looks,
+  /// over the largest velocity; the sum of the changes to come when they continue to shrink like the last two,
+  /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held before
+  /// `earliest` (s), when all boundaries have their final values. Looks every `interval` lattice steps.
   SteadyFlow(double tolerance, double earliest, int interval)
       : tolerance_(tolerance), earliest_(earliest), interval_(interval) {}
 
   bool on() const { return tolerance_ > 0; }
-  int interval() const { return interval_; }  ///< lattice steps from look to look
+  int interval() const { return interval_; }  ///< lattice steps between looks
   bool held() const { return held_; }
-  /// Whether it has stopped changing as far as is asked for, new pores or not.
+  /// Whether the flow has stopped changing to within the tolerance, whether or not the pores are new.
   bool settled() const { return held_ || (change_ <= tolerance_ && left_ <= tolerance_ && balanced_); }
-  /// Whether this is a step at which to look.
+  /// Whether to look after this step.
   bool due(const Clock& clock) const { return on() && !held_ && clock.step % interval_ == 0; }
   /// Lattice steps for which the flow has been held so far.
   std::int64_t held_steps() const { return held_steps_; }
-  /// Lattice steps since it was held last.
+  /// Lattice steps since the last look.
   std::int64_t age() const { return age_; }
 
   /// Called for every lattice step in which the flow is held.
@@ -45,15 +45,15 @@ class SteadyFlow {
     ++held_steps_;
     ++age_;
   }
-  /// The pores have changed; `capacity` is that of the fluid nodes now.
+  /// To be called when the pores have changed; `capacity` is the present one of the fluid nodes.
   void wake(const Exec& exec, int capacity) {
     if (!on()) return;
     held_ = false;
     looks_ = 0;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
-  /// Waits for the device; only when due. `noise` is the share of the velocity that is rounding: what changes by no
-  /// more does not change, whatever the tolerance.
+  /// Looks; to be called only when due. Waits for the device. `noise` is the share of the velocity that is rounding: a
+  /// change of at most this size counts as none, whatever the tolerance.
   void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
             const Crossed& crossed) {
     const double before = change_;
@@ -88,9 +88,9 @@ class SteadyFlow {
   int interval_ = 1;
   bool held_ = false;
   double change_ = 1;      ///< at the last look
-  double left_ = all;      ///< of the change, then
-  bool balanced_ = false;  ///< as much left as entered, then
-  int looks_ = 0;          ///< of these pores: with one, previous_ is of them, with two, change_ as well
+  double left_ = all;      ///< sum of changes to come, at the last look
+  bool balanced_ = false;  ///< as much left as entered, at the last look
+  int looks_ = 0;          ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
   std::int64_t age_ = 0, held_steps_ = 0;
   VectorField<T> previous_{"vug::flow::steady::previous", 0};  ///< (fluid, axis) velocity at the last look
 };
