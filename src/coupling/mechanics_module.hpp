@@ -60,15 +60,14 @@ class MechanicsModule final : public Module {
   RockGauges gauges_;
   std::vector<std::string> fields_asked_for_;  ///< output.fields
   std::optional<WetNodes> wet_;                ///< only with flow or dissolution
-  std::optional<IndexList>
-      our_triangles_;                    ///< for which this rank sums the force of the fluid; only with several ranks
-  std::optional<IndexList> our_warmed_;  ///< whose mean temperature this rank computes; only with several ranks
-  Owners of_warmed_;                     ///< (particle)
-  Halo temperatures_;                    ///< of other ranks' nodes in our_warmed_
-  Halo walls_;                           ///< populations of other ranks' nodes that push our_triangles_
-  Halo forces_;                          ///< on triangles of other ranks
-  WallLinks links_;                      ///< of each particle, about its centroid; only with flow
-  std::optional<DissolvedShares> dissolved_;  ///< only with dissolution
+  std::optional<IndexList> our_triangles_;     ///< whose force of the fluid this rank sums; only with several ranks
+  std::optional<IndexList> our_warmed_;        ///< whose mean temperature this rank computes; only with several ranks
+  Owners of_warmed_;                           ///< (particle)
+  Halo temperatures_;                          ///< of other ranks' nodes in our_warmed_
+  Halo walls_;                                 ///< populations of other ranks' nodes that push our_triangles_
+  Halo forces_;                                ///< on triangles of other ranks
+  WallLinks links_;                            ///< of each particle, about its centroid; only with flow
+  std::optional<DissolvedShares> dissolved_;   ///< only with dissolution
   int substeps_ = 1;
   int owed_ = 0;  ///< lattice steps whose sub-steps are still to be taken
   RockIs rock_ = RockIs::the_same;

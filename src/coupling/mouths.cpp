@@ -14,7 +14,7 @@ namespace vug {
 
 namespace {
 
-/// Fills in the fluid nodes beside a part of a side.
+/// Adds the fluid nodes beside a part of a side.
 void look_beside_side(const Stretch& stretch, const FluidPicture& picture, Mouth& mouth) {
   for (int i = stretch.first; i <= stretch.last; ++i) {
     const std::size_t n = stretch.side == Side::left     ? picture.number(0, i)
@@ -27,7 +27,7 @@ void look_beside_side(const Stretch& stretch, const FluidPicture& picture, Mouth
   }
 }
 
-/// Fills in the fluid nodes beside an opening, which share its outline as their links do.
+/// Adds the fluid nodes beside an opening; the length of each is the sum of the areas of its links.
 void look_beside_opening(const Opening& opening, const Geometry& geometry, const FluidPicture& picture, Mouth& mouth) {
   const Exec exec;
   const BoundaryLinks links = find_opening_links(exec, geometry.fluid, opening, D2Q9::Q);
@@ -58,7 +58,7 @@ double inward(Side side, const std::array<TimeTable, 2>& velocity) {
   }
 }
 
-/// Volume, cells, that it takes in per step and unit of speed, over its fluid nodes.
+/// Volume, cells, that enters through the fluid nodes of a mouth per step and unit of speed.
 double volume_per_speed(const Stretch& stretch, const Mouth& mouth, const FluidPicture& picture, double spacing) {
   if (stretch.opening) return mouth.total_length();
   double sum = 0;
@@ -78,7 +78,7 @@ double peak_speed_of(const FlowBoundary& flow, const Stretch& stretch, const Mou
   return largest_share(flow) * std::abs(flow.peak_rate(density)) / units.diffusivity() / volume;
 }
 
-/// Volume that each of so many cells of a boundary takes in per step at most, cells.
+/// Largest volume that enters per step through each of the `cells` of a boundary, cells.
 double inflow_of(const FlowBoundary& flow, const Stretch& stretch, double cells, double density,
                  const LatticeUnits& units) {
   if (flow.kind != FlowBoundaryKind::velocity || cells <= 0) return 0;

@@ -1,5 +1,6 @@
 #pragma once
-// Where fluid or solutes may get in and out: the sides and openings with the fluid nodes beside them, on the host.
+// Mouths, through which fluid or solutes may enter and leave: sides and openings with the fluid nodes beside them, on
+// the host.
 #include "coupling/fluid_picture.hpp"
 #include "io/scene.hpp"
 #include "kernels/base/units.hpp"
@@ -16,9 +17,9 @@ struct Mouth {
   std::string key;  ///< "boundary.left", "boundary.shape.well"
   const BoundarySection* conditions;
   std::vector<std::size_t> nodes{};
-  std::vector<double> length{};  ///< (node) of the boundary that it lies at, cells
-  double inflow = 0;             ///< volume that it takes in per step and cell of length; of prescribed velocities only
-  /// Largest speed that it gives the fluid at one point, lattice units; infinite where the shares of a rate cancel.
+  std::vector<double> length{};  ///< (node) of its boundary, cells
+  double inflow = 0;             ///< volume that enters per step and cell of length; only for prescribed velocities
+  /// Largest prescribed speed at one point, lattice units; infinite where the shares of a rate have no positive sum.
   double peak_speed = 0;
 
   double total_length() const { return std::accumulate(length.begin(), length.end(), 0.0); }
@@ -32,11 +33,12 @@ struct Mouth {
     const SoluteBoundaryKind kind = conditions->solute.kind;
     return kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic;
   }
-  /// Takes in or gives away whatever the pressure asks for.
+  /// Whether the flow through it follows from the pressure, in either direction.
   bool yields() const { return lets_fluid_through() && conditions->flow.kind != FlowBoundaryKind::velocity; }
 };
 
-/// Those of a scene, in the order of boundary_stretches. They point into scene and geometry, which must outlive them.
+/// The mouths of a scene, in the order of boundary_stretches. They point into scene and geometry, which must outlive
+/// them.
 std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const LatticeUnits& units,
                              const FluidPicture& picture);
 

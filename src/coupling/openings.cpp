@@ -1,4 +1,4 @@
-// Openings as the lattice has them: their nodes, their surface, their middle.
+// Openings on the lattice: their nodes, surface and centre.
 #include "coupling/cells.hpp"
 #include "coupling/geometry.hpp"
 #include "io/form.hpp"
@@ -21,7 +21,7 @@ Point unit_vector(const Point& v) {
   return length > 0 ? Point{v[0] / length, v[1] / length} : Point{1, 0};
 }
 
-/// 1 where the corners go round counterclockwise, else -1.
+/// 1 where the corners are in counterclockwise order, otherwise -1.
 double orientation(const Polygon& polygon) {
   const auto& v = polygon.points;
   double twice = 0;  // the area, by the shoelace formula
@@ -29,15 +29,15 @@ double orientation(const Polygon& polygon) {
   return twice < 0 ? -1 : 1;
 }
 
-/// Unit normal of the outline at the point of it that is nearest to p.
+/// Unit normal of the outline at its point nearest to p.
 Point normal_at(const Disc& disc, const Point& p, const Point&) {
   return unit_vector({p[0] - disc.centre[0], p[1] - disc.centre[1]});
 }
 
-/// Of the edges that look along `out` the nearest: at a corner the other one may be nearer, which a line along `out`
-/// does not cross.
+/// Normal of the nearest edge among those that face `out`. At a corner another edge may be nearer, but a line along
+/// `out` does not cross it.
 Point normal_at(const Polygon& polygon, const Point& p, const Point& out) {
-  constexpr double aside = 1e-9;  // cosine of what lies along an edge
+  constexpr double aside = 1e-9;  // smallest cosine; with less, `out` is along the edge
   const auto& v = polygon.points;
   const double round = orientation(polygon);
   Point found = unit_vector(out);
@@ -68,7 +68,7 @@ Point centre_of(const Rectangle& r) {
   return {(r.from[0] + r.to[0]) / 2, (r.from[1] + r.to[1]) / 2};
 }
 
-/// Of the area, by the shoelace formula with the first corner as origin; where there is no area, the first corner.
+/// Centroid of the area, by the shoelace formula with the first corner as origin; the first corner if the area is 0.
 Point centre_of(const Polygon& polygon) {
   const Point& o = polygon.points[0];
   double twice_area = 0, x = 0, y = 0;
@@ -82,8 +82,9 @@ Point centre_of(const Polygon& polygon) {
   return twice_area == 0 ? o : Point{o[0] + x / twice_area, o[1] + y / twice_area};
 }
 
-/// How much longer the outline of a form is than the faces of its nodes that look at others, each by how far it faces
-/// along the normal: 1 within some per cent where it is many cells large, and taken as 1 where the lattice cuts it.
+/// Length of the outline of a form over the sum of the outer faces of its nodes, each multiplied by the cosine between
+/// the face and the outline. It is 1 to within some per cent for a form of many cells, and taken as 1 for one that is
+/// partly outside the lattice.
 double outline_over_faces(const Form& form, const LatticeSection& section, const OutlineNormal& normal) {
   const Box box = box_of(form);
   if (box.x0 < 0 || box.y0 < 0 || box.x1 > section.length_x || box.y1 > section.length_y) return 1;

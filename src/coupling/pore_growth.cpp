@@ -28,7 +28,7 @@ int PoreGrowth::grow(const Exec& exec, const std::vector<std::unique_ptr<Module>
     dissolved_nodes_ += dissolved;
     opened_nodes_ += opened;
   }
-  // while there are any: acid widens them
+  // also without a change of the pathways, because acid widens the slits
   if (look.narrow > 0 || geometry_.slits.count > 0) slits_->update(exec, opener_->bonds(), geometry_);
   return dissolved + opened;
 }

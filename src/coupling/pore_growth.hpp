@@ -1,5 +1,5 @@
 #pragma once
-// Solid that turns into fluid: pixels that have dissolved, pathways that damage opens.
+// Solid nodes that become fluid: pixels that have dissolved, pathways that damage opens.
 #include "coupling/geometry.hpp"
 #include "coupling/module.hpp"
 #include "coupling/pathways.hpp"
@@ -20,7 +20,7 @@ class PoreGrowth {
   struct Losses {
     ScalarField<double> all;
     MineralLosses of_minerals;
-    std::vector<std::string> names;  ///< of the minerals in the ledger, "" for one that does not occur
+    std::vector<std::string> names;  ///< names of the minerals in the ledger; "" for one that does not occur
   };
   /// `opener` is null and `d_m` empty without damage.
   PoreGrowth(Geometry& geometry, std::unique_ptr<PathwayOpener> opener, ScalarField<double> d_m, Losses lost);

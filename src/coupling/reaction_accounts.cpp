@@ -1,4 +1,4 @@
-// What the reactions tell: limits, balances of acid, product and rock, all of it and mineral by mineral.
+// Reports of the reactions: limits, and balances of acid, product and rock, in total and for each mineral.
 #include "coupling/reaction_module.hpp"
 #include "kernels/base/gas_constant.hpp"
 #include "kernels/launch/launch.hpp"
@@ -30,7 +30,7 @@ void ReactionModule<T, Set>::limits_of(const Attack<T>& attack, const RateLaw& r
 
 template <class T, class Set>
 void ReactionModule<T, Set>::limits(LimitTable& table) const {
-  double most = 0;  // dissolved per volume of acid
+  double most = 0;  // volume dissolved per volume of acid
   for (const Attack<T>& attack : attacks_) {
     const std::string of = attack.key.empty() ? "" : attack.key + ", ";
     if (!has_minerals()) limits_of(attack, attack.rate, of, table);
@@ -46,7 +46,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
   table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
   table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});
-  if (factor_ > 1 && !varies_)  // what the run chooses is held within its tolerance
+  if (factor_ > 1 && !varies_)  // a factor that the run chooses is limited by its tolerance
     table.push_back({"reaction", "volume dissolved per volume of the strongest acid", most, "1", 0, 0.1 + 1e-9,
                      "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
   if (section_.wall == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)

@@ -1,4 +1,4 @@
-// The reactions where intervals are chosen as the run goes (accuracy.tolerance).
+// The reactions where intervals are chosen during the run (accuracy.tolerance).
 #include "coupling/reaction_module.hpp"
 
 #include <algorithm>
@@ -8,13 +8,13 @@ namespace vug {
 
 template <class T, class Set>
 void ReactionModule<T, Set>::bound(std::optional<double>, Intervals& most) const {
-  if (section_.wall != ReactiveWallLaw::kinetic) most.solute = 1;  // the paper's law knows one diffusivity
+  if (section_.wall != ReactiveWallLaw::kinetic) most.solute = 1;  // the paper's law is for one fixed diffusivity
 }
 
 template <class T, class Set>
 void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) {
   gather_links();
-  for (Attack<T>& attack : attacks_) {  // acid that a step of the solutes turns over is booked at its beginning
+  for (Attack<T>& attack : attacks_) {  // acid that reacts in a step of the solutes is booked at its beginning
     const double reacted = consumed(attack);
     changes.solute =
         std::max(changes.solute, share_of(std::abs(reacted - attack.watched), solutes_.total(*attack.reactant)));
@@ -28,7 +28,7 @@ void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) 
 
 template <class T, class Set>
 void ReactionModule<T, Set>::take(const Exec& exec, const Intervals& intervals) {
-  if (intervals.solute != solute_interval_) refreshed_ = -1;  // a trend of rates over another interval is none
+  if (intervals.solute != solute_interval_) refreshed_ = -1;  // rates must not be extrapolated from another interval
   resume(exec, intervals);
 }
 
@@ -36,7 +36,7 @@ template <class T, class Set>
 void ReactionModule<T, Set>::resume(const Exec&, const Intervals& intervals) {
   wall_interval_ = intervals.wall;
   solute_interval_ = intervals.solute;
-  for (Attack<T>& attack : attacks_) set_volumes(attack);  // with the rates of minerals
+  for (Attack<T>& attack : attacks_) set_volumes(attack);  // including the rates of minerals
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                         \

@@ -1,5 +1,5 @@
 #pragma once
-// The files that a run writes as it goes: snapshots and rows of the history.
+// The files that a run writes during its steps: snapshots and rows of the history.
 #include "coupling/simulation.hpp"
 #include "io/history_writer.hpp"
 #include "io/snapshot_writer.hpp"
@@ -22,14 +22,14 @@ class Probes {
   const FieldList& fields_;
 };
 
-/// Throws InputError where two columns of the history would have the same name: names in a case begin those of columns,
-/// so that the reader cannot exclude this. Called by all ranks.
+/// Throws InputError where two columns of the history would have the same name. The reader of the case cannot exclude
+/// this, because names of columns begin with names from the case. Called by all ranks.
 void require_distinct_columns(const Scene& scene, const Simulation& simulation);
 
-/// The open files of a run. The first rank has them; the others take part in reading the fields for them.
+/// The open files of a run. Only the first rank has them; the others take part in reading the fields.
 class RunFiles {
  public:
-  /// With `resume_step` the files of the run are continued from that step.
+  /// With `resume_step`, continues the files of the run from that step.
   RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
            std::optional<std::int64_t> resume_step);
 
@@ -44,7 +44,7 @@ class RunFiles {
   void sync_rows() {
     if (history_) history_->sync();
   }
-  /// What could not be continued, a line each.
+  /// Damaged snapshots of the continued run, one line each.
   std::vector<std::string> passed_over() const {
     return snapshots_ ? snapshots_->passed_over() : std::vector<std::string>{};
   }

@@ -33,11 +33,11 @@ class SteadyFlow {
   bool held() const { return held_; }
   /// Whether the flow has stopped changing to within the tolerance, whether or not the pores are new.
   bool settled() const { return held_ || (change_ <= tolerance_ && left_ <= tolerance_ && balanced_); }
-  /// Whether to look after this step.
+  /// Whether to look now.
   bool due(const Clock& clock) const { return on() && !held_ && clock.step % interval_ == 0; }
   /// Lattice steps for which the flow has been held so far.
   std::int64_t held_steps() const { return held_steps_; }
-  /// Lattice steps since the last look.
+  /// Lattice steps for which the flow has been held since the last look.
   std::int64_t age() const { return age_; }
 
   /// Called for every lattice step in which the flow is held.

@@ -11,7 +11,7 @@ namespace vug {
 
 namespace {
 
-/// The node (row by row without halo) that holds the centroid of each triangle.
+/// The node (row by row without halo) that contains the centroid of each triangle.
 std::vector<int> nodes_of_centroids(const Assembly& assembly, const Lattice& lattice, double spacing) {
   std::vector<int> nodes;
   for (const auto& triangle : assembly.triangles) {
@@ -24,7 +24,7 @@ std::vector<int> nodes_of_centroids(const Assembly& assembly, const Lattice& lat
   return nodes;
 }
 
-/// The node outside of openings that is the fewest steps along rows and columns away from each node, -1 without any.
+/// For each node the nearest node outside all openings, by steps along rows and columns; -1 without such a node.
 std::vector<int> nearest_outside(const std::vector<int>& opening, const Lattice& lattice) {
   std::vector<int> nearest(opening.size(), -1), reached;
   for (int n = 0; n < static_cast<int>(opening.size()); ++n)
