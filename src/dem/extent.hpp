@@ -1,5 +1,5 @@
 #pragma once
-// The rectangle that a rock fills.
+// Bounding box of a rock.
 #include "dem/assembly.hpp"
 
 #include <algorithm>

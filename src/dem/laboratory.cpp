@@ -17,7 +17,7 @@ namespace vug {
 
 namespace {
 
-/// Two groups of particles whose mean distance along an axis is watched.
+/// Measures the strain between two groups of particles from their mean distance along an axis.
 struct Gauge {
   std::vector<int> group[2];
   int axis;
@@ -34,7 +34,7 @@ struct Gauge {
   }
 };
 
-/// Gauges across heights 20 and 80 %, and across the flanks of the middle.
+/// Gauge along y, between 20 and 80 % of the height.
 Gauge axial_gauge(const Particles& p, const Extent& e) {
   Gauge gauge{{}, 1};
   const auto x0 = on_host(p.x0);
@@ -46,6 +46,7 @@ Gauge axial_gauge(const Particles& p, const Extent& e) {
   return gauge;
 }
 
+/// Gauge along x, between the flanks in the middle 60 % of the height.
 Gauge lateral_gauge(const Particles& p, const Extent& e) {
   Gauge gauge{{}, 0};
   const auto x0 = on_host(p.x0);
@@ -70,7 +71,7 @@ double held_height(const Mechanics& rock, RockSide side) {
   return sum / n;
 }
 
-/// Starts with the velocities of uniform straining, so that no shock runs from the platen.
+/// Sets the velocities of uniform straining, so that no shock starts at the platen.
 void start_uniform_straining(const Particles& p, double low, double high, double speed) {
   const auto x0 = on_host(p.x0);
   const auto v = Kokkos::create_mirror_view(p.v);
@@ -78,7 +79,7 @@ void start_uniform_straining(const Particles& p, double low, double high, double
   Kokkos::deep_copy(p.v, v);
 }
 
-/// Takes `steps` steps while the specimen warms at its rate, in every one of them a little, until the time `end`.
+/// Takes `steps` steps, in each of which the specimen warms at its rate, but not beyond the time `end`.
 void advance_warming(const Exec& exec, Mechanics& rock, double heating_rate, double dt, long steps, double end) {
   for (long s = 0; s < steps; ++s) {
     throw_if_stop_requested();
@@ -100,8 +101,8 @@ void require_consistent(const PlatenTest& test, double expansion) {
     throw InputError("laboratory: servo platens need a confinement to hold");
 }
 
-/// Slope of y over x by least squares on samples whose stress lies between 20 and 50 % of the peak before it. NaN where
-/// there are too few to tell.
+/// Slope of y over x by least squares, for the samples before the peak whose stress is 20 to 50 % of it. NaN where
+/// there are too few of them.
 double chord(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& stress,
              double strength) {
   const auto peak = static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());
@@ -166,7 +167,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   result.preload = rock.ramped();
   result.time_step = test.step_fraction * rock.critical_step();
   const long stride = whole_steps(test.sample_strain / (rate * result.time_step), "laboratory.sample_strain");
-  const double warm_at = test.largest_strain / rate;  // s: a heated specimen has then grown by the largest strain
+  const double warm_at = test.largest_strain / rate;  // s: when a heated specimen has grown by the largest strain
   const double steps_of_heating = std::ceil((1 - 1e-12) * warm_at / result.time_step);
   std::vector<double> axial_strain, lateral_strain;
   while (true) {

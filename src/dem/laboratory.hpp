@@ -25,12 +25,12 @@ struct PlatenTest {
   /// Support::free: the pressure is the dead load of a membrane, constant to the bit; Support::servo: it is that of
   /// rigid frictionless platens that follow it (servo.hpp).
   Support flanks = Support::free;
-  double confining_time = 150e-6;                      ///< s in which it is raised
-  double confining_damping = default_preload_damping;  ///< Cundall's alpha meanwhile
+  double confining_time = 150e-6;                      ///< s, of the ramp to that pressure
+  double confining_damping = default_preload_damping;  ///< Cundall's alpha during it
   double largest_strain = 0.02;  ///< strain at which the test ends at the latest; when heated, exactly there
-  double stop_below = 0.6;       ///< ends when the stress has fallen to this share of its peak
+  double stop_below = 0.6;       ///< the test ends when the stress has fallen to this share of its peak
   double step_fraction = 0.3;    ///< time step over the critical one
-  double sample_strain = 1e-5;   ///< between two points of the curve
+  double sample_strain = 1e-5;   ///< strain between two points of the curve
   double chemical_damage = 0;    ///< d_c of all bonds, as after soaking in acid
 };
 
@@ -69,7 +69,7 @@ struct PlatenResult {
   long steps = 0;
 
   /// Whether bonds have failed and the stress has fallen from its largest value. Where it still rises at the end, the
-  /// rock would have borne more, even if bonds have failed.
+  /// rock could have carried more, even if bonds have failed.
   bool passed_a_peak() const { return broken(bonds_at_end) > 0 && stress.back() < 0.95 * strength; }
 };
 

@@ -29,13 +29,13 @@ struct Groups {
   }
 };
 
-/// Where one of equal shares of `count` items begins; the product of the two may exceed the range of an int.
+/// Begin of one of equal shares of `count` items; count times share may exceed the range of an int.
 KOKKOS_FORCEINLINE_FUNCTION int begin_of_share(int count, int share, int shares) {
   return static_cast<int>(std::int64_t{count} * share / shares);
 }
 
-/// What a launch runs: blocks of a list on a host, its items on a GPU. Bodies are moved into it, because a copy counts
-/// the references of all Views of the body, which took a sixth of a step on a small lattice.
+/// Work for a launch: blocks of a list on a host, its items on a GPU. Bodies are moved into it, because a copy
+/// increments the reference counts of all Views of the body, which took a sixth of a step on a small lattice.
 template <class Body>
 struct Work {
   Body body;
@@ -65,8 +65,8 @@ struct NodesInTurn {
   }
 };
 
-/// Runs one of equal shares of the groups that run, in their order. A thread has the same groups in every launch until
-/// other groups run, so that they stay in its caches.
+/// Runs one of equal shares of the groups that run, in their order. A thread has the same groups in every launch while
+/// the same groups run, so that they stay in its caches.
 template <class First, class Second>
 struct GroupLoops {
   First first;
@@ -144,7 +144,8 @@ auto each(int n, Body body) {
 }
 
 /// Work that calls first(i), then second(i), for i in [0, n). Iterations of each body must be independent; second(i)
-/// may read what first(i) wrote, but not what other iterations wrote. The bits are those of two calls of for_each_node.
+/// may read what first(i) wrote, but not what other iterations wrote. Results are the same to the bit as those of two
+/// calls of for_each_node.
 template <class First, class Second>
 auto in_turn(int n, First first, Second second) {
   if constexpr (runs_on_host) {

@@ -24,7 +24,7 @@ inline double value_at(const OverTime& number, double time) {
 /// A part of a side with its own load and support; there the loads of the side itself do not apply.
 struct SidePart {
   RockSide side = RockSide::right;
-  double from = 0, to = 0;  ///< m along the side; if equal: the one edge there
+  double from = 0, to = 0;  ///< m along the side; if equal: the edge at that place
   Support support = Support::free;
   std::array<OverTime, 2> traction;  ///< force on the rock per area along x and y, Pa; of a part that is not held
   double stiffness = 0;              ///< of the rock beyond, Pa/m
@@ -36,18 +36,18 @@ struct SidePart {
 
 /// Loads of the four sides in the order of RockSide.
 struct Loads {
-  /// Force on the rock per area, Pa: {-5e6, 0} on the right presses. Of a servo side the normal part is the one wanted.
+  /// Force on the rock per area, Pa: {-5e6, 0} on the right presses. On a servo side the normal part is the target.
   std::array<std::array<double, 2>, 4> traction{};
   std::array<Support, 4> support{Support::free, Support::free, Support::free, Support::free};
   std::array<std::array<double, 2>, 4> velocity{};  ///< of the platen of a held side, m/s
-  /// Of the rock beyond a free side: stress that it adds per distance that the side moves outwards after the preload,
-  /// Pa/m; about its Young's modulus over the size of the specimen. 0: a dead load, whatever the rock does.
+  /// Stiffness of the rock beyond a free side: stress that it adds per distance that the side moves outwards after the
+  /// preload, Pa/m; about its Young's modulus over the size of the specimen. 0: a dead load, whatever the rock does.
   std::array<double, 4> stiffness{};
   std::array<double, 2> gravity{};  ///< m/s2
-  std::vector<SidePart> parts;      ///< later ones count where they overlap
+  std::vector<SidePart> parts;      ///< where they overlap, the later one counts
   std::array<std::string, 4> name{"right side", "top side", "left side", "bottom side"};  ///< in messages
-  /// Pa, the largest stress that loads the rock at any time, these or others: what sleeps is measured by it; 0:
-  /// unknown.
+  /// Largest stress that loads the rock at any time, from these or other loads, Pa; limits how much unrest sleeping
+  /// rock may have (rest.hpp). 0: unknown.
   double largest = 0;
 };
 
@@ -81,15 +81,15 @@ struct LoadedPiece {
   int side = 0;  ///< RockSide
   int particle = 0;
   double length = 0;    ///< m
-  Vec2 arm;             ///< its middle from the particle's centroid, m
+  Vec2 arm;             ///< from the particle's centroid to the middle of the piece, m
   bool decides = true;  ///< whether it decides how the particle is held
 };
 
 /// Support of a piece.
 Support support_of(const LoadedPiece& piece, const Loads& loads);
 
-/// All edges of the four sides in pieces, in the order of the boundary. A support holds an edge if it has more than
-/// half of it.
+/// All edges of the four sides, cut into pieces, in the order of the boundary. A support holds an edge if its pieces
+/// are more than half of it.
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles);
 

@@ -14,14 +14,15 @@ namespace vug {
 
 namespace {
 
-/// Checked; the expansions of all materials are counted on the largest.
+/// Checks the parameters, and sets thermal_expansion to the largest of all materials: those of particles are relative
+/// to it.
 MechanicsParameters checked(MechanicsParameters parameters) {
   require_parameters(parameters);
   parameters.thermal_expansion = largest_expansion(parameters);
   return parameters;
 }
 
-/// Of each particle over that of the parameters; nothing where the rock is of one material.
+/// (particle) Thermal expansion over the `largest` of all materials; empty where the rock is of one material.
 ScalarField<double> relative_expansions(const Assembly& assembly, const MechanicsParameters& given, double largest) {
   if (assembly.region.empty()) return {};
   const ScalarField<double> relative("vug::dem::relative_expansion", assembly.triangles.size());
@@ -56,7 +57,8 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       loss_(make_mass_loss(particles_, bonds_)),
       sound_crossing_(vug::sound_crossing(parameters, assembly)) {
   if (parameters_.energy_ledger) accounts_ = make_accounts(particles_, bonds_, contacts_);
-  // a ledger wants every step's losses, a servo every step's reaction, and a platen that starts wakes nothing
+  // a ledger needs the losses of every step, a servo the reaction in every step, and a platen that starts to move wakes
+  // no rock
   const bool driven = !servos_.empty() || (timed_ && timed_->moves());
   if (parameters_.rest_tolerance > 0 && !accounts_ && !driven)
     rest_ =
@@ -83,7 +85,8 @@ double Mechanics::critical_step() const {
   return vug::critical_step(Exec(), parameters_, particles_, bonds_, loads_);
 }
 
-/// Before a look at what rests bonds that sleep are evaluated, too, where what they are made of has changed meanwhile.
+/// Takes one step. For a check of what rests, all bonds are evaluated if the rock has changed since the last one, else
+/// those that are due (Rest); otherwise only those that are awake.
 template <class Keeper>
 void Mechanics::step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest,
                      RockShare* share) {
@@ -152,7 +155,7 @@ void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock, 
   }
 }
 
-/// What contacts store at the present outlines, and have lost to friction so far.
+/// Energy that contacts store at the present outlines, plus what they have lost to friction so far.
 double Mechanics::contact_energy(const Exec& exec) const {
   compute_contact_forces(exec, parameters_, 0, particles_, bonds_, contacts_, *accounts_);
   exec.fence("vug::dem::contact_energy");

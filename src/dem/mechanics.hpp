@@ -60,7 +60,7 @@ class Mechanics {
   /// on a host while all rock sleeps. `rock` says whether temperatures, solid and damage are those of the previous
   /// call; a check then need not evaluate what sleeps. On a GPU the sub-steps between searches and checks are one
   /// launch, unless loads change in time, a servo moves platens, ranks share the rock or there is a ledger.
-  /// `times` stands for so many such calls, between which nothing changes.
+  /// `times` > 1 does the same as that many calls between which nothing changes.
   void advance(const Exec& exec, double dt, int substeps, RockIs rock = RockIs::changed, int times = 1);
 
   /// Sets what is left of the solid from now on: solid_fraction (particle) and d_c (bond). Momentum and energy of what
@@ -72,13 +72,13 @@ class Mechanics {
   /// Interrupted.
   PreloadReport preload(const Exec& exec, double ramp_time, double damping = default_preload_damping);
 
-  /// Solves for the state that the preload leads to, where the loads balance, instead of computing the way to it.
+  /// Solves for the state at the end of the preload, where the loads balance, instead of computing the path to it.
   /// Returns false and restores the state (visit_state) where this does not find that state (see
-  /// find_static_equilibrium), where platens move by themselves, or where it would damage a bond: how far damage goes
-  /// then depends on the way.
+  /// find_static_equilibrium), where servos move platens, or where it would damage a bond: how far damage goes then
+  /// depends on the path.
   bool preload_statically(const Exec& exec);
 
-  /// Report of the last ramped preload; none where there was none, or where its state was solved for.
+  /// Report of the last ramped preload; empty where there was none, as after preload_statically.
   const std::optional<PreloadReport>& ramped() const { return ramped_; }
 
   /// Sets the velocity of the platen of a held side from now on, m/s.
@@ -122,19 +122,19 @@ class Mechanics {
   /// Steps taken, preload included. Contacts are searched at every fiftieth, so a resumed run must continue the count.
   long steps() const { return steps_; }
   void set_steps(long steps) { steps_ = steps; }
-  /// Whether the next check of what rests evaluates all bonds; a resumed run must do as the run that it continues.
+  /// Whether the next check of what rests evaluates all bonds; a resumed run must do the same as the run it continues.
   bool all_due() const { return !rest_ || rest_->all_due; }
   void set_all_due(bool all_due) {
     if (rest_) rest_->all_due = all_due;
   }
 
  private:
-  /// `rest` says what sleeps, `share` what other ranks move; null: nothing, as in a preload.
+  /// `rest` says what sleeps, `share` what other ranks move; null: no rock, as in a preload.
   void step(const Exec& exec, const StepControl& control, Rest* rest = nullptr, RockShare* share = nullptr);
   template <class Keeper>
   void step(const Exec& exec, const StepControl& control, const Keeper& accounts, Rest* rest, RockShare* share);
   void search_contacts(const Exec& exec, RockShare* share);
-  /// Number of the next sub-steps, at most `most`, that are the same two kernels; 0 or 1 where nothing is recorded.
+  /// How many of the next sub-steps, at most `most`, consist of the same two kernels; 0 or 1 where nothing is recorded.
   int alike(int most) const;
   /// Takes `count` sub-steps in one launch, which is recorded first if that has not been done for this `count` and dt.
   void replay(const Exec& exec, const StepControl& control, int count);

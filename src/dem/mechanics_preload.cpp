@@ -15,7 +15,7 @@ namespace {
 
 constexpr double at_rest =
     1e-9;  // kinetic over elastic energy: the relative oscillation of the stress is its square root
-constexpr long shortest_look = 16;  // steps: a look at the energies costs as much as two
+constexpr long shortest_look = 16;  // steps: checking the energies costs as much as two
 constexpr int looks_at_rest = 3;  // in a row, a fifth of the ramp apart: this excludes turning points of an oscillation
 constexpr int longest_settling = 50;       // times the ramp, or
 constexpr double longest_crossings = 500;  // of sound through the rock, if that is longer

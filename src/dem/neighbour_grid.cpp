@@ -49,8 +49,8 @@ struct WatchMotion {
   }
 };
 
-/// The whole rebuild in one team, phases separated by barriers: one launch that returns at once when the list is good.
-/// Pairs come out ordered by particle numbers, whatever the order in which cells were filled.
+/// The whole rebuild by one team, in phases separated by barriers: one launch, which returns at once when the list is
+/// up to date. Pairs come out ordered by particle numbers, whatever the order in which cells were filled.
 struct RebuildPairs {
   using Team = Kokkos::TeamPolicy<Exec>::member_type;
   NeighbourGrid grid;
@@ -71,7 +71,7 @@ struct RebuildPairs {
     return t;
   }
 
-  /// A bond, or the crack that it left, already lets the two feel each other.
+  /// Whether a bond, or the crack that it left, already transmits the forces between the two.
   KOKKOS_FUNCTION bool joined(int i, int j) const {
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
       const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
@@ -93,8 +93,8 @@ struct RebuildPairs {
     return false;
   }
 
-  /// Neighbours round a vertex are kept apart by the bonds between them until one of these has failed: without this,
-  /// corners that touch from the start would stiffen intact rock, and most pairs would be of this idle kind.
+  /// Whether bonds keep the two apart: triangles that share a vertex are, until a bond of one of them has failed.
+  /// Without this, corners that touch from the start would stiffen intact rock, and most pairs would be such idle ones.
   KOKKOS_FUNCTION bool held_apart(int i, int j) const {
     return share_a_vertex(i, j) && !beside_a_crack(i) && !beside_a_crack(j);
   }
@@ -113,7 +113,7 @@ struct RebuildPairs {
     const Vec2 gap = centre(j) - centre(i);
     const double near = 2 * p.radius + contacts.skin;
     if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;
-    const double touch = reach_of(i) + reach_of(j) + near;  // in graded rock cells are full of far smaller ones
+    const double touch = reach_of(i) + reach_of(j) + near;  // in graded rock a cell is full of far smaller triangles
     if (dot(gap, gap) > touch * touch) return false;
     if (joined(i, j) || held_apart(i, j)) return false;
     const Triangle a = outline(i), b = outline(j);
@@ -146,7 +146,7 @@ struct RebuildPairs {
     team.team_barrier();
   }
 
-  /// Counts in [0, n) become starts in [0, n], in place.
+  /// Turns counts in [0, n) into starts in [0, n], in place.
   template <class ViewType>
   KOKKOS_FUNCTION static void accumulate(const Team& team, int n, const ViewType& count) {
     Kokkos::parallel_scan(Kokkos::TeamThreadRange(team, n + 1), [&](int i, int& sum, bool last) {
@@ -166,7 +166,7 @@ struct RebuildPairs {
       if (last) grid.start(c) = sum;  // the end of the cell
     });
     team.team_barrier();
-    // filling from the end, the last first, moves each end to the start
+    // cells are filled from their ends, the last particle first: this moves each end to the start of its cell
     each(team, p.count, [&](int item) {
       const int i = p.count - 1 - item;
       grid.item(Kokkos::atomic_fetch_sub(&grid.start(cell_of(i)), 1) - 1) = i;
@@ -180,10 +180,10 @@ struct RebuildPairs {
     return -1;
   }
 
-  /// Writes the pairs of which i is the lower one, ordered, with the friction they had in the old list.
+  /// Lists the pairs of which i is the lower particle, ordered, with the friction that they had in the old list.
   KOKKOS_FUNCTION void list_pairs(int i, int now, int before) const {
     const int first = contacts.first(i, now), last = contacts.first(i + 1, now);
-    if (first == last) contacts.energy(i) = 0;  // no force is computed that would say so
+    if (first == last) contacts.energy(i) = 0;  // no force is computed that would set it
     int count = first;
     for_candidates(i, [&](int j) {
       if (j < i || count == last) return;
@@ -238,7 +238,7 @@ struct RebuildPairs {
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     if (bonds.events(bond_has_failed) == 0 || contacts.status(contacts_stale) == 0) return;
     const int before = contacts.status(contacts_generation), now = 1 - before;
-    team.team_barrier();  // everybody has read the status
+    team.team_barrier();  // all threads have read the status
     sort_into_cells(team);
     count_pairs(team, now);
     each(team, p.count, [&](int i) { list_pairs(i, now, before); });

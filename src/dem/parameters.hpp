@@ -1,5 +1,5 @@
 #pragma once
-// Everything the mechanics is told, SI, with the paper's Table 1 as defaults ("paper-literal" profile).
+// All parameters of the mechanics, SI; the defaults are the paper's Table 1 ("paper-literal" profile).
 #include <cstdint>
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace vug {
 struct BondParameters {
   double normal_modulus = 24.03e9;      ///< M_n, Pa
   double tangential_modulus = 10.68e9;  ///< M_t, Pa
-  double length_factor = 0.659;     ///< chi: bond length L = chi h, h the distance of the two centroids across the edge
+  double length_factor = 0.659;     ///< chi: bond length L = chi h; h: distance of the two centroids across the edge
   double normal_strength = 15e6;    ///< mean of sigma_n^th, Pa
   double cohesion = 95e6;           ///< mean internal cohesion c, Pa
   double internal_friction = 0.47;  ///< tan(phi) in the shear strength
@@ -36,20 +36,20 @@ struct ChemicalDamageLaw {
   double failure_at = 0.95;  ///< a bond fails at this d_c
 };
 
-/// What a region of the rock is made of where it is not like the rest; scatter and length factor are the rock's.
+/// Material of a region that differs from the rest of the rock; scatter and length factor are those of the rock.
 struct RockMaterial {
   double density = 2500;            ///< kg/m3
   double thermal_expansion = 8e-6;  ///< 1/K, linear
   BondParameters bond;
 };
 
-/// Triangles and how they move.
+/// Parameters of the triangles and of their motion.
 struct MechanicsParameters {
   double density = 2500;            ///< kg/m3
   double thermal_expansion = 8e-6;  ///< 1/K, linear
   double local_damping = 0;         ///< Cundall's alpha, 0 to 1
   double mass_scaling = 1;          ///< density scaling of inertia only, >= 1
-  double rest_tolerance = 0;   ///< unrest below which rock sleeps, over the force that it bears (rest.hpp); 0: never
+  double rest_tolerance = 0;   ///< unrest below which rock sleeps, over the force in its bonds (rest.hpp); 0: never
   bool energy_ledger = false;  ///< keep account of work, fracture, friction and damping (costs about a tenth)
   BondParameters bond;
   ContactParameters contact;

@@ -26,7 +26,8 @@ Loads roller_at_the_mid_plane() {
   return loads;
 }
 
-/// Mean over the corners and the centroid, weights 1/12 and 3/4: exact for a quadratic field.
+/// Sets the temperature change of each triangle: mean over its corners (weight 1/12 each) and its centroid (3/4), which
+/// is exact for a quadratic field.
 void cool(const Assembly& slab, double top, const SlabCooling& cooling, double length, const Particles& p) {
   const auto change = Kokkos::create_mirror_view(p.temperature_change);
   for (int i = 0; i < p.count; ++i) {
@@ -41,7 +42,7 @@ void cool(const Assembly& slab, double top, const SlabCooling& cooling, double l
   Kokkos::deep_copy(p.temperature_change, change);
 }
 
-/// Edges of broken bonds, notches not among them, as (x, depth) pairs of their ends.
+/// Edges of broken bonds, without notches, as (x, depth) pairs of their ends.
 std::vector<std::array<std::array<double, 2>, 2>> broken_edges(const Assembly& slab, double top, const Bonds& bonds) {
   const auto state = on_host(bonds.state);
   const auto vertex = on_host(bonds.vertex);
@@ -55,7 +56,8 @@ std::vector<std::array<std::array<double, 2>, 2>> broken_edges(const Assembly& s
   return edges;
 }
 
-/// Number of broken edges that cross a level; neighbours closer than `apart` are one crack.
+/// Number of cracks at a level: broken edges that cross it, where neighbours no farther apart than `apart` count as
+/// one.
 int cracks_at(double level, double apart, const std::vector<std::array<std::array<double, 2>, 2>>& edges) {
   std::vector<double> crossings;
   for (const auto& [p, q] : edges) {

@@ -8,8 +8,8 @@
 
 namespace vug {
 
-/// Of a group: the largest unrest of a particle, the sum of the forces that would move them, the largest force of a
-/// bond; its own sum in a reduction.
+/// Unrest of a group: the largest unrest of a particle (`most`), the sum of the forces that would move the particles
+/// (`x`, `y`) and the largest force of a bond (`borne`). += makes it usable in a reduction.
 struct Unrest {
   double most = 0, x = 0, y = 0, borne = 0;
   KOKKOS_FORCEINLINE_FUNCTION Unrest& operator+=(const Unrest& other) {
@@ -35,8 +35,8 @@ namespace vug {
 
 namespace {
 
-constexpr double asleep_below = 0.25;  // of the unrest that wakes: what has come to rest stays there for a while
-constexpr double least_borne = 0.1;    // of the force that breaks a bond: rock before its load must come to rest too
+constexpr double asleep_below = 0.25;  // of the unrest that wakes: rock that has come to rest stays so for a while
+constexpr double least_borne = 0.1;  // of the force that breaks a bond: rock before its load must also be able to rest
 
 Groups make_groups(const char* label, int count, int size) {
   Groups groups{count, size, Kokkos::View<std::uint8_t*>(label, (count + size - 1) / size), {}};
@@ -44,7 +44,7 @@ Groups make_groups(const char* label, int count, int size) {
   return groups;
 }
 
-/// One group by one team: its unrest, then whether it is awake.
+/// Computes the unrest of one group by one team, and from it whether the group is awake.
 struct LookAtRest {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
   double tolerance, least, strength, mass_scaling, per_step;  ///< 1, N, N, 1, 1/s
@@ -52,14 +52,15 @@ struct LookAtRest {
   ParticlePush push;
   Groups groups;
 
-  /// Of one degree of freedom; of a rotation torque and momentum over the radius of gyration.
+  /// Unrest of one degree of freedom; for a rotation `force` and `momentum` are the torque and the angular momentum
+  /// over the radius of gyration.
   KOKKOS_FORCEINLINE_FUNCTION double unrest(bool held, double force, double momentum) const {
     const double stop = Kokkos::abs(momentum) * per_step;
     return held ? stop : at_least(Kokkos::abs(force), stop);
   }
   KOKKOS_FUNCTION Unrest unrest(int i) const {
     const Push all = push.total(i, push.outside(i));
-    push.hold(i, all);  // of what sleeps nobody else does
+    push.hold(i, all);  // nothing else updates the reaction of a sleeping particle
     const double mass = mass_scaling * mass_fraction(push.p.solid_fraction(i)) * push.p.mass(i);
     const double gyration = Kokkos::sqrt(push.p.inertia(i) / push.p.mass(i));
     const int held = push.p.held(i);
@@ -122,7 +123,7 @@ Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_str
   rest.tolerance = tolerance;
   rest.strength = bonds.count == 0 ? 0 : normal_strength * sum_in_order(bonds.length) / bonds.count;
   rest.least = least_borne * rest.strength;
-  // rock far stronger than its loads would never feel them
+  // otherwise rock far stronger than its loads would sleep through them
   if (largest_load > 0 && largest_load < least_borne * normal_strength)
     rest.least = rest.strength * (largest_load / normal_strength);
   rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);

@@ -1,48 +1,52 @@
 #pragma once
-// Rock that rests: neighbouring triangles in groups, which sleep while what pushes them is too little to matter.
+// Rock that rests: groups of neighbouring triangles sleep while the forces on them are too small to matter.
 #include "dem/integrate.hpp"
 
 namespace vug {
 
 inline constexpr int particles_per_group = 64;
-/// What a processor does at once. A checkpoint has a switch per group: one of a processor goes on on a GPU and back.
+/// What a processor evaluates at once. Kept on a GPU as well: a checkpoint stores a switch per group, and a run may
+/// move between processor and GPU.
 inline constexpr int bonds_per_group = 8;
 
-/// Groups of particles, and of bonds.
+/// Groups of particles and of bonds, and which of them are awake.
 ///
-/// The unrest of a particle is the largest of the forces that would move it along an axis it is free to move along, of
-/// the forces that would stop it within a sub-step, and of the same torques over its radius of gyration. A group wakes
-/// when the unrest of one of its particles, or the sum of the forces on all of them, passes `tolerance` times the
-/// largest force of its bonds, which counts as `least` at least and as `strength` at most; it sleeps,
-/// without its velocities, below a quarter of that. The sum keeps what many particles lack together from adding up.
-/// Bonds are asleep with both of their ends: nothing of them is read.
+/// The unrest of a particle is the largest of: the forces that would move it along the axes on which it is free, the
+/// forces that would stop it within a sub-step, and the corresponding torques over its radius of gyration. A group
+/// wakes when the unrest of one of its particles, or the sum of the forces on all of them, exceeds `tolerance` times
+/// the largest force of its bonds, limited to the range from `least` to `strength`. It falls asleep below a quarter of
+/// that; its velocities are then set to zero. The sum prevents small imbalances of many particles from adding up. A
+/// bond sleeps while both of its ends do: nothing of it is read.
 struct Rest {
   double tolerance = 0;
-  double strength = 0;  ///< of a bond of mean strength and mean length, N
-  double least = 0;     ///< a tenth of that, or what the largest load puts on such a bond where that is less, N
+  double strength = 0;  ///< force that breaks a bond of mean length and of the least mean strength of all materials, N
+  double least = 0;     ///< a tenth of that, or the force of the largest load on such a bond where that is less, N
   Groups particles;
   Groups bonds;
-  /// Bonds that a look needs anew: of those that sleep what fell asleep at the last one, with velocities then.
+  /// Bonds to be evaluated for the next check: those that are awake, and those that fell asleep at the last one,
+  /// because their forces were computed with velocities that are zero now.
   Groups due;
-  bool all_due = true;  ///< all of them at the next look: the rock has changed
-  /// Groups of particles at the last look; a run that is resumed takes all for awake until the next, a GPU always: the
-  /// host would have to wait for the number, and where nothing runs kernels end at once.
+  bool all_due = true;  ///< evaluate all bonds for the next check: the rock has changed
+  /// Number of groups of particles awake at the last check. A resumed run takes all as awake until its first check. On
+  /// a GPU all always count: the host would have to wait for the number, and kernels of sleeping groups end at once.
   int awake = 0;
 };
 
-/// All awake; `normal_strength` is the bonds' mean, `largest_load` the largest stress that loads them, Pa (0: unknown).
+/// Makes groups that are all awake. `normal_strength`: mean of the bonds of the weakest material, Pa; `largest_load`:
+/// the largest stress that loads them, Pa (0: unknown).
 Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double largest_load,
                double tolerance);
 
-/// Share of the groups of particles that are awake; for the history, not inside a step.
+/// Share of the groups of particles that are awake; for the history, not for use inside a step.
 double awake_share(const Rest& rest);
 
-/// Finds out which of our groups of particles rest, from bond forces and contact forces of now; gathers the latter, and
-/// leaves what holds the particles in their `reaction`.
+/// Determines which of this rank's groups of particles rest, from the present forces of bonds and contacts. Gathers the
+/// contact forces, and stores the forces that hold particles in their `reaction`.
 void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bonds, const Contacts& contacts,
                   const BoundaryLoads& loads, const Particles& particles, const Rest& rest);
 
-/// Bonds run when one of their ends may move, and are due then and once more; counts what is awake.
+/// Wakes the bonds of which one end is awake and lets the others sleep; due are those awake now or before. On a host
+/// also counts the groups of particles that are awake.
 void wake_bonds(const Exec& exec, const Bonds& bonds, Rest& rest);
 
 }  // namespace vug

@@ -1,5 +1,5 @@
 #pragma once
-// How the rock of a laboratory test moves: all of it, in as many steps as it takes.
+// Steps of a laboratory test: no rock sleeps in it, and it may take any number of steps.
 #include "dem/mechanics.hpp"
 #include "host/interruption.hpp"
 #include "kernels/base/require.hpp"
@@ -9,23 +9,26 @@
 
 namespace vug {
 
-/// No rock sleeps: it would not notice that a platen begins to move, and what is loaded slowly would break later.
+/// Switches sleeping off: sleeping rock would not notice that a platen begins to move, and rock that is loaded slowly
+/// would break later.
 inline MechanicsParameters without_rest(MechanicsParameters parameters) {
   parameters.rest_tolerance = 0;
   return parameters;
 }
 
-/// Most steps that a test may have: up to here a double counts them one by one. They take a thousand years.
+/// Largest number of steps of a test: up to it a double counts them one by one. So many would take a thousand years.
 inline constexpr double most_steps_of_test = 9007199254740992.0;  // 2^53
 
-/// A number of steps rounded down, at least one. Throws InputError, which begins with `where`, above the most.
+/// A number of steps, rounded down, at least one. Throws InputError, which begins with `where`, if it is more than
+/// `most_steps_of_test`.
 inline long whole_steps(double steps, const std::string& where) {
   if (!(steps <= most_steps_of_test))
     throw InputError(where + ": the test needs more than 9e15 steps; make it faster or shorter");
   return std::max(1L, static_cast<long>(steps));
 }
 
-/// As rock.advance of that many steps, to the bit, but it looks now and then whether it is to stop. Throws Interrupted.
+/// Does the same, to the bit, as rock.advance of that many steps, but regularly checks whether the program was asked to
+/// stop. Throws Interrupted.
 inline void advance_long(const Exec& exec, Mechanics& rock, double dt, long steps) {
   constexpr long piece = 250;
   const double end = rock.time() + dt * static_cast<double>(steps);
