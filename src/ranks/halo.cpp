@@ -15,7 +15,7 @@ namespace vug {
 
 namespace {
 
-/// Slots in the order of the ranks that they go to or come from.
+/// Slots, ordered by the ranks that they go to or come from.
 struct Slots {
   IndexList slot;
   std::vector<int> rank, first;  ///< (neighbour), (neighbour + 1)
@@ -60,11 +60,11 @@ struct UnpackHalo {
 
 namespace {
 
-/// The messages of one direction and size of value, ready to start.
+/// Messages of one direction and one size of value, as persistent requests.
 struct Channel {
   using Buffer = Kokkos::View<double*>;
-  Buffer out, in;                           ///< of the kernels
-  Buffer::host_mirror_type sent, received;  ///< of MPI, where it does not take those
+  Buffer out, in;                           ///< buffers of the kernels
+  Buffer::host_mirror_type sent, received;  ///< buffers of MPI, where it cannot use those
   bool direct = takes_device_memory();
   std::vector<MPI_Request> requests;
 
@@ -89,8 +89,8 @@ struct Channel {
     make(to, direct ? in.data() : received.data(), MPI_Recv_init);
     make(from, direct ? out.data() : sent.data(), MPI_Send_init);
   }
-  /// The one wait of an exchange: MPI reads what the kernel and the copy write, and receives into what the exchange
-  /// before has unpacked and copied from.
+  /// The only fence of an exchange: MPI reads what the kernel and the copy write, and receives into the buffer from
+  /// which the previous exchange has unpacked and copied.
   void make_ready(const Exec& exec) {
     if (!direct) Kokkos::deep_copy(exec, sent, out);
     exec.fence("vug::halo::packed");

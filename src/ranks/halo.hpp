@@ -9,12 +9,12 @@
 
 namespace vug {
 
-/// Slots of a list that each rank needs from the others. All ranks number the slots alike. Messages lie in a device's
-/// memory where MPI accepts that (takes_device_memory), else in the host's.
+/// Slots of a list that each rank needs from the others. All ranks use the same numbers of slots. Messages are in the
+/// device's memory where MPI accepts that (takes_device_memory), else in the host's.
 class Halo {
  public:
   Halo() = default;
-  /// This rank needs `slots`, each from the rank that owns it. Called by all ranks.
+  /// Makes the halo of a rank that needs `slots`, each from the rank that owns it. Called by all ranks.
   Halo(const Ranks& ranks, const std::vector<int>& slots, const std::vector<int>& owner);
 
   /// Sets fields[k](slot) of every slot that a rank needs to the owner's value. One packing kernel, one message per

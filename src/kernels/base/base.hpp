@@ -1,5 +1,5 @@
 #pragma once
-// The few types that every layer shares: where kernels run and how fields are stored.
+// Types that every layer uses: where kernels run and how fields are stored.
 #include <Kokkos_Core.hpp>
 
 #include <type_traits>
@@ -8,11 +8,11 @@ namespace vug {
 
 using Exec = Kokkos::DefaultExecutionSpace;
 
-/// True where the host itself runs the kernels. Not where it may only read what a GPU writes (unified memory).
+/// True where the host itself runs the kernels; false where it can only read what a GPU writes (unified memory).
 inline constexpr bool shares_host_memory = std::is_same_v<Exec, Kokkos::DefaultHostExecutionSpace>;
 
-/// True where kernels take the forms made for a host, whose loops over nodes must vectorise. A build with
-/// VUG_DEVICE_PATH takes a GPU's forms everywhere, so that tests reach them on every machine.
+/// True where kernels are compiled in their form for a host, whose loops over nodes must vectorise. A build with
+/// VUG_DEVICE_PATH uses the form for a GPU everywhere, so that it can be tested on every machine.
 #ifdef VUG_DEVICE_PATH
 inline constexpr bool runs_on_host = false;
 #else

@@ -1,5 +1,5 @@
 #pragma once
-// How nodes lie in memory and how many there can be, for the host's compiler too: nothing of Kokkos is included.
+// Layout of nodes in memory and their largest number. Includes nothing of Kokkos, so that a host compiler can use it.
 #include <algorithm>
 #include <cstdint>
 
@@ -17,11 +17,12 @@ constexpr std::int64_t dense_nodes(int nx, int ny) {
   return std::int64_t{row_pitch(nx)} * (std::int64_t{ny} + 2);
 }
 
-/// The number of a slot, direction times nodes plus node, is an int: no lattice of nine directions has more.
+/// Largest number of nodes of a lattice of nine directions: the number of a slot, direction times nodes plus node, is
+/// an int.
 inline constexpr std::int64_t most_nodes = 2147483647 / 9;
 
-/// Room for a list that has grown to `count` of nx × ny nodes: half as many again, so that growth is rare, but no more
-/// than the lattice has.
+/// Capacity for a list that has grown to `count` of nx × ny nodes: half as many more, so that growth is rare, but no
+/// more than the lattice has.
 constexpr int grown_capacity(int nx, int ny, int count) {
   const std::int64_t roomy = std::int64_t{count} + count / 2, all = std::int64_t{nx} * ny;
   return static_cast<int>(std::min(roomy, all));

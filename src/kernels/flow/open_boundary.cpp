@@ -10,7 +10,7 @@
 
 namespace vug {
 
-/// Density given; no velocity along the surface.
+/// Rule of a pressure: given density, no velocity along the surface.
 template <class T>
 struct PressureRule {
   static constexpr bool slides = false;
@@ -18,7 +18,7 @@ struct PressureRule {
   KOKKOS_FORCEINLINE_FUNCTION T density(int) const { return value; }
 };
 
-/// Density of the step, with what varies along the surface; the nodes' velocity along it.
+/// Rule of an outflow: density of this step, with its variation along the surface; the nodes' velocity along it.
 template <class T>
 struct OutflowRule {
   static constexpr bool slides = true;
@@ -29,8 +29,8 @@ struct OutflowRule {
   }
 };
 
-/// Dresses each pair of links that are images of each other by a rule, from the first of them, and books the change of
-/// mass of either. Touches a population, a velocity and 25 bytes of lists and ledger per link.
+/// Dresses both links of each pair of mirror images by a rule, in the call for the first of them, and books the change
+/// of mass of either. Touches a population, a velocity and 25 bytes of lists and ledger per link.
 template <class T, class Rule>
 struct DressMirrored {
   FlowCondition links;
@@ -41,15 +41,15 @@ struct DressMirrored {
 
   KOKKOS_FUNCTION void operator()(int item) const {
     const int link = links.link(item), image = links.mirror[link];
-    if (image < link) return;  // a wall, or dressed from its image
+    if (image < link) return;  // a wall, or dressed in the call for its image
     const T here = returned(link, image), there = returned(image, link), slip = slide(link, image);
     bring_in(link, there - slip);
     if (image != link) bring_in(image, here + slip);
   }
 
  private:
-  /// What goes out along `image` and comes in where `link` does: -A + w [rho' + 9/2 (c.u)^2 - 3/2 u^2] of both, the
-  /// velocity along the surface turned round with the image unless fluid may slide.
+  /// The population that leaves along `image`, returned along `link`: -A + w [rho' + 9/2 (c.u)^2 - 3/2 u^2] of both
+  /// directions; the velocity along the surface is reversed with the image unless fluid may slide.
   KOKKOS_FORCEINLINE_FUNCTION T returned(int image, int link) const {
     const int i = links.fluid[image], q = links.direction[image];
     const T rho = rule.density(image);
@@ -59,7 +59,7 @@ struct DressMirrored {
     const T ux = u(i, 0), uy = u(i, 1);
     return T(0.5) * (equilibrium(q, rho, ux, uy) + equilibrium(D2Q9::opposite(q), rho, ux, uy));
   }
-  /// 6 w t.u with the mean velocity of both nodes and the part t of the direction that lies in the surface.
+  /// 6 w t.u, where u is the mean velocity of both nodes and t the part of the link's direction along the surface.
   KOKKOS_FORCEINLINE_FUNCTION T slide(int link, int image) const {
     if constexpr (!Rule::slides) return T(0);
     const int i = links.fluid[link], j = links.fluid[image], q = links.direction[link], p = links.direction[image];
@@ -83,7 +83,7 @@ struct VelocityRule {
   }
 };
 
-/// The same with a share of the velocity on each link.
+/// VelocityRule with a share of the velocity on each link.
 template <class T>
 struct VelocityProfileRule {
   T ux, uy;
@@ -106,7 +106,7 @@ struct NormalSpeedRule {
 
 using Kind = FlowCondition::Kind;
 
-/// Each stretch by its rule.
+/// Dresses each stretch by its rule.
 template <class T>
 struct DressFlow {
   using Entry = FlowCondition;
@@ -180,7 +180,7 @@ FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mir
 
 namespace {
 
-/// The pieces of an outflow, from the faces beside each face.
+/// Lists the pieces of an outflow, from the faces beside each face.
 void list_pieces(const IndexList& next_face, const IndexList& previous_face, OutflowState& state) {
   const auto next = on_host(next_face), previous = on_host(previous_face), face = on_host(state.face);
   std::vector<int> order, piece{0};
@@ -196,7 +196,7 @@ void list_pieces(const IndexList& next_face, const IndexList& previous_face, Out
   state.piece = to_device<IndexList>("vug::open_boundary::piece", piece);
 }
 
-/// Of a GPU: whole warps for the longest piece.
+/// Size of the teams on a GPU: whole warps for the longest piece.
 int threads_of_pieces(std::span<const FlowCondition> conditions) {
   int longest = 0;
   for (const FlowCondition& c : conditions) longest = std::max(longest, c.longest);

@@ -16,10 +16,10 @@ struct FlowCondition : DressedLinks {
   const int* mirror = nullptr;   ///< (link) mirror image, for pressures and outflows
   const double* part = nullptr;  ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
-  double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< those of an OutflowState
-  int pieces = 0, longest = 0;                                             ///< likewise
-  const int *order = nullptr, *piece = nullptr, *face = nullptr;           ///< likewise
-  double* room = nullptr;                                                  ///< likewise
+  double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< as in OutflowState
+  int pieces = 0, longest = 0;                                             ///< as in OutflowState
+  const int *order = nullptr, *piece = nullptr, *face = nullptr;           ///< as in OutflowState
+  double* room = nullptr;                                                  ///< as in OutflowState
 
   /// Number of links that this process must know: all links of an outflow of which it dresses some, because the
   /// condition follows from their mean.
@@ -28,17 +28,17 @@ struct FlowCondition : DressedLinks {
 
 /// Pressure p (gauge, lattice units) and no velocity along the surface. The population that comes in along a link is
 ///   f_in = -A' + 2 w [3 p + 9/2 (c'.u')^2 - 3/2 u'^2],
-/// with A' the population that leaves along its mirror image (mirror_links.hpp), c' the direction of the image and u'
-/// the velocity of its node. Anti-bounce-back holds the pressure. Taken from the image it also reverses the velocity
-/// along the surface, whereas anti-bounce-back of the link itself leaves the shear free. Creeping flow that leaves at
-/// right angles is continued exactly: reversed in sign and mirrored it is a flow again. A link without an image is a
-/// wall.
+/// where A' is the population that leaves along its mirror image (mirror_links.hpp), c' the direction of the image and
+/// u' the velocity of its node. Anti-bounce-back sets the pressure. With the image's population it also reverses the
+/// velocity along the surface, whereas anti-bounce-back with the link's own leaves the shear free. Creeping flow that
+/// leaves at right angles is continued exactly: with its sign reversed and mirrored it is a flow again. A link without
+/// an image is a wall.
 FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
                                  const ScalarField<double>& gain);
 
-/// Velocity of the wall, or of the fluid that enters through it: f_in = A + 6 w c_in . velocity, with the velocity
-/// times share(link) where `share` is not empty. Links to solid nodes may be in the list as well: a moving wall whose
-/// displacement is neglected.
+/// Velocity of the wall, or of the fluid that enters through it: f_in = A + 6 w c_in . velocity; the velocity is
+/// multiplied by share(link) where `share` is not empty. Links to solid nodes may be in the list as well: a moving wall
+/// whose displacement is neglected.
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
                                  const ScalarField<double>& share, const ScalarField<double>& gain);
 
@@ -48,14 +48,14 @@ FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 
 FlowCondition normal_speed_condition(const BoundaryLinks& links, const ScalarField<double>& area, double speed,
                                      const ScalarField<double>& gain);
 
-/// What an outflow keeps from step to step, on the device.
+/// Data of an outflow that are kept from step to step, on the device.
 struct OutflowState {
   double faces = 0;           ///< straight links
   ScalarField<double> speed;  ///< (block of links) work space for a sum
   /// Entry 0: mean outward speed, remembered over the time in which sound crosses the lattice four times. Entry 1: rho'
   /// at the surface in this step. Zeros at rest.
   ScalarField<double> level;
-  ScalarField<double> along;    ///< (link) work space; of straight links: rho' there less that of `level`
+  ScalarField<double> along;    ///< (link) work space; for straight links: rho' there minus that of `level`
   int pieces = 0, longest = 0;  ///< number of straight pieces, and of faces of the longest one
   IndexList order;              ///< (face) the straight links piece by piece, along each towards higher coordinates
   IndexList piece;              ///< (piece + 1) where each piece begins in `order`, and the end of the last one
@@ -63,14 +63,14 @@ struct OutflowState {
   ScalarField<double> room;     ///< (3 link) work space for sums, on a GPU
 };
 
-/// Allocates for `links` and lists the straight pieces; keeps the level that is there.
+/// Allocates the arrays of `state` for `links` and lists the straight pieces; keeps the level.
 void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links, OutflowState& state);
 
-/// Outflow: the pressure rule with the velocity along the surface that the nodes have (no gradient) and two terms added
-/// to the reference pressure. Over the whole surface, c_s times the recent change of the mean outward speed: sound that
-/// arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), and the mean
-/// pressure returns to the reference. Along each straight piece, a pressure without a mean, with which a vortex is
-/// carried out unchanged (PressureAlong in outflow.hpp).
+/// Outflow: the pressure rule, but with the nodes' velocity along the surface (no gradient) and with two terms added to
+/// the reference pressure. The first, for the whole surface, is c_s times the recent change of the mean outward speed:
+/// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far
+/// away), and the mean pressure returns to the reference. The second, along each straight piece, is a pressure of mean
+/// zero with which vortices are carried out unchanged (PressureAlong in outflow.hpp).
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 

@@ -1,13 +1,13 @@
 #pragma once
-// The density that an outflow prescribes: a level all over it, through which sound leaves, and along it what
-// carries vortices out. open_boundary.hpp has what an outflow is, open_boundary.cpp applies it.
+// The density that an outflow prescribes: a level for the whole outflow, by which sound leaves, and a variation along
+// it, by which vortices leave. open_boundary.hpp describes the outflow, open_boundary.cpp applies it.
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_neighbour.hpp"
 
 namespace vug {
 
-/// Outward speed through a face.
+/// Outward speed at the node of a straight link; 0 for a diagonal one.
 template <class T>
 struct OutwardSpeed {
   FlowCondition links;
@@ -18,7 +18,7 @@ struct OutwardSpeed {
   }
 };
 
-/// Of all links of each outflow.
+/// OutwardSpeed for all links of each outflow.
 template <class T>
 struct OutwardSpeeds {
   using Entry = FlowCondition;
@@ -30,7 +30,7 @@ struct OutwardSpeeds {
   }
 };
 
-/// rho' = 3 c_s (U - U_0), then U_0 += share (U - U_0), with the mean speed U whose sums it clears.
+/// Sets rho' = 3 c_s (U - U_0), then U_0 += share (U - U_0), where U is the mean outward speed; clears its sums.
 struct SetOutflowLevel {
   FlowCondition links;
   double share;
@@ -46,7 +46,7 @@ struct SetOutflowLevel {
   }
 };
 
-/// Of each outflow.
+/// SetOutflowLevel for each outflow.
 struct SetOutflowLevels {
   using Entry = FlowCondition;
   double share;
@@ -57,7 +57,7 @@ struct SetOutflowLevels {
   }
 };
 
-/// Fluid nodes that directions come from, -1 for none.
+/// The fluid node that direction q comes from at node i; -1: none.
 struct Upstream {
   const int* source;
   int capacity;
@@ -65,12 +65,13 @@ struct Upstream {
   KOKKOS_FORCEINLINE_FUNCTION int operator()(int q, int i) const { return upstream_node(source, capacity, q, i); }
 };
 
-/// Along a face, towards higher coordinates.
+/// Direction along a face, towards higher coordinates.
 KOKKOS_FORCEINLINE_FUNCTION constexpr int upwards(int face) {
   return D2Q9::c(face, 0) != 0 ? 2 : 1;
 }
 
-/// How the links of an outflow lie; counts the straight ones. Around a joined side the last face has no next.
+/// Finds for each straight link (face) of an outflow the faces beside it, for each diagonal link a face of its node,
+/// and counts the faces. Where joined sides close the row, the last face has no next one.
 struct FindPieces {
   BoundaryLinks links;
   Upstream upstream;
@@ -99,8 +100,8 @@ struct FindPieces {
   }
 };
 
-/// Share of the pressure along an outflow that a vortex gets which the mean outward speed U carries: U^2 / (U^2 + k), k
-/// the mean square of what the velocities differ from U. What is faster than the flow is not carried out by it.
+/// Share of the pressure along an outflow that is applied: U^2 / (U^2 + k), with the mean outward speed U and the mean
+/// square k of the deviations of the velocities from it. Motion faster than the mean flow is not carried out by it.
 KOKKOS_INLINE_FUNCTION double carried_share(double U, double fluctuation) {
   return U > 0 ? U * U / (U * U + fluctuation) : 0;
 }
@@ -119,7 +120,7 @@ struct AlongPiece {
     const int axis = D2Q9::c(q, 0) != 0 ? 0 : 1;
     return {D2Q9::c(q, axis) * double(u(i, axis)), double(u(i, 1 - axis))};
   }
-  /// (u - U) dv/dn at fluid node i, `here` its velocity.
+  /// (u - U) dv/dn at fluid node i, whose velocity is `here`.
   KOKKOS_FORCEINLINE_FUNCTION double slope(int q, int i, const Velocity& here, double U) const {
     const int behind = upstream(q, i);
     return behind < 0 ? 0 : (here.out - U) * (here.along - velocity(q, behind).along);
@@ -132,15 +133,15 @@ struct AlongPiece {
 
 /// Pressure along a straight piece of an outflow: with the velocity u outwards, v along it and U the mean of u,
 ///   dp/ds = -(v dv/ds + (u - U) dv/dn),   mean over the piece 0,
-/// the momentum along the piece of a flow whose v is carried out at U, dv/dt + U dv/dn = 0 (a convective outflow after
-/// Orlanski 1976, put into the pressure); carried_share of it. Zero for a flow straight out. dv/dn between the node and
-/// the one behind it, 0 beside rock. On a joined side the ends meet: what the integral around it leaves is spread
-/// evenly.
+/// times carried_share. This is the momentum equation along the piece for a flow whose v is carried out at U,
+/// dv/dt + U dv/dn = 0 (a convective outflow after Orlanski 1976, expressed as a pressure). The pressure is zero where
+/// the fluid leaves at right angles. dv/dn is taken between the node and the one behind it, and is 0 if that is rock.
+/// On a joined side the ends meet: what remains of the integral around it is distributed evenly.
 template <class T>
 struct PressureAlong {
   AlongPiece<T> at;
 
-  /// Sets along(face) of all faces of the piece.
+  /// Sets `along` of all faces of the piece.
   KOKKOS_FUNCTION void operator()(int piece) const {
     const FlowCondition& links = at.links;
     const int begin = links.piece[piece], end = links.piece[piece + 1], faces = end - begin;
@@ -176,9 +177,9 @@ struct PressureAlong {
   }
 };
 
-/// The same by a team, for a GPU, where one thread takes a microsecond for each face. Sums are taken over runs of faces
-/// one after the other, a thread each, and then over the runs: the same bits whatever the size of the team, and those
-/// of PressureAlong where no more than `most_runs` faces lie on a piece whose ends do not meet.
+/// PressureAlong by a team, for a GPU, where one thread would take a microsecond for each face. A thread sums over each
+/// run of consecutive faces, then the runs are summed: the bits do not depend on the size of the team, and are those of
+/// PressureAlong for pieces of at most `most_runs` faces whose ends do not meet.
 template <class T>
 struct PressureAlongByTeam {
   static constexpr int most_runs = 256;
@@ -246,7 +247,7 @@ struct PressureAlongByTeam {
   }
 };
 
-/// Every piece of each outflow.
+/// PressureAlong for every piece of each outflow.
 template <class T>
 struct PressuresAlong {
   using Entry = FlowCondition;

@@ -6,7 +6,7 @@
 
 namespace vug {
 
-/// nu of a node.
+/// Viscosity nu of a node.
 template <class T>
 struct SlitViscosity {
   double everywhere;
@@ -17,7 +17,8 @@ struct SlitViscosity {
   }
 };
 
-/// In double: beside walls that hardly let anything pass what a node sends out cancels but for a part in millions.
+/// Applies the drag to the populations that slit node k has sent out, and to its velocity. Computed in double: between
+/// walls that hardly let fluid pass these populations cancel except for a part in millions.
 template <class T, class Slots>
 struct DragInSlits {
   SlitNodes slits;
@@ -48,7 +49,7 @@ void drag_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& s
     for_each_node(exec, "vug::flow::drag_in_slits", slits.count,
                   DragInSlits<T, Slots>{slits, {viscosity, step}, fields.f, fields.u, slots, nodes.share()});
   };
-  // where the sweep that has just ended left its populations
+  // the slots in which the last sweep left its populations
   if (fields.turned)
     run(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity});
   else

@@ -10,7 +10,7 @@ namespace vug {
 
 namespace {
 
-/// Whether a node is solid and has a fluid node among its eight neighbours. No branch where no sides are joined.
+/// Whether a node is solid and has a fluid node among its eight neighbours. Has no branch where no sides are joined.
 template <bool joined>
 struct IsSurface {
   DenseNeighbour around;
@@ -135,7 +135,7 @@ ScalarField<double> link_areas(const BoundaryLinks& links, int directions,
   return area;
 }
 
-/// On a host by one thread: two links may share a node, and there are few.
+/// Marks all links in one thread, on a host: two links may share a node, and there are few links.
 struct MarkOpenInTurn {
   int count;
   IndexList fluid;
@@ -147,7 +147,7 @@ struct MarkOpenInTurn {
   }
 };
 
-/// On a GPU by a thread per link, which sets its bit in the word that holds the masks of two nodes.
+/// Marks each link in its own thread, on a GPU: atomically sets its bit in the word that holds the masks of two nodes.
 struct MarkOpenAtOnce {
   static_assert(std::endian::native == std::endian::little);
   IndexList fluid;

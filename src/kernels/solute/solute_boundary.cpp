@@ -24,8 +24,8 @@ struct FluxRule {
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T out) const { return out + T(area[link] * flux); }
 };
 
-/// h_in = h*_in of the same node - outflow_slope(tau_1) w_q (C - C_before). What goes inwards from there may be turned
-/// (streaming.hpp).
+/// h_in = h*_in of the same node - outflow_slope(tau_1) w_q (C - C_before). The slot of h*_in depends on whether
+/// populations are turned (streaming.hpp).
 template <class T, class Set>
 struct SoluteOutflowRule {
   const T* h;
@@ -40,14 +40,14 @@ struct SoluteOutflowRule {
   }
 };
 
-/// The links of an outflow.
+/// Body that dresses the links of an outflow.
 template <class T, class Set>
 KOKKOS_FORCEINLINE_FUNCTION DressLinks<T, SoluteOutflowRule<T, Set>> dress_outflow(
     const SoluteCondition<T>& c, const Kokkos::View<const int*>& source, int capacity) {
   return {c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}};
 }
 
-/// Each stretch by its rule.
+/// Dresses each stretch by its rule.
 template <class T, class Set>
 struct DressSolutes {
   using Entry = SoluteCondition<T>;
@@ -68,7 +68,7 @@ struct DressSolutes {
   }
 };
 
-/// Of the links that a body dresses those that lead down or left, or the others.
+/// Dresses only those links that lead down or left, or only the others.
 template <class Dress>
 struct DressOneWay {
   Dress dress;
@@ -79,8 +79,8 @@ struct DressOneWay {
   }
 };
 
-/// Half the links of an outflow: where both links of a node lead into one opening, each reads the slot that the other
-/// writes, and only one of them may run at a time.
+/// Dresses half the links of an outflow: where opposite links of a node lead into one opening, each reads the slot that
+/// the other writes, so that they must not run at the same time.
 template <class T, class Set>
 struct DressOutflowOneWay {
   using Entry = SoluteCondition<T>;
