@@ -1,4 +1,4 @@
-// A case file becomes a Scene: text, TOML with overrides, known names, tables, contradictions, files.
+// Makes a Scene of a case file: text, TOML with overrides, known names, tables, contradictions, files.
 #include "io/case_keys.hpp"
 #include "io/detail/case_checks.hpp"
 #include "io/detail/case_tables.hpp"
@@ -23,7 +23,7 @@ std::vector<Form> forms_of(const RockRegion& region, const std::vector<MineralSe
   return forms;
 }
 
-/// As heavy as the tolerance allows, if that is more than the preset has.
+/// Sets the mass scaling to the largest that the tolerance allows, unless that of the preset is larger.
 void choose_mass_scaling(Scene& scene) {
   double& scaling = scene.mechanics->parameters.mass_scaling;
   const double allowed = quasi_static_mass_scaling(scene, scene.accuracy.tolerance);
@@ -42,7 +42,7 @@ bool rock_dissolves(const Scene& scene) {
 void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("case"); table.given()) read_case(table, scene);
   const auto laboratory = root.table("laboratory");
-  if (!laboratory.given() || root.describing()) {  // a test of rock alone has neither
+  if (!laboratory.given() || root.describing()) {  // a laboratory test has neither
     scene.lattice = read_lattice(root.table("lattice"));
     scene.time = read_time(root.table("time"));
   }
@@ -83,7 +83,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end;
   if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset, may_age, scene.flow.has_value());
   const auto mechanics = root.table("mechanics");
-  const bool given = mechanics.has("mass_scaling") || mechanics.has("substeps");  // then it would gain nothing
+  const bool given = mechanics.has("mass_scaling") ||
+                     mechanics.has("substeps");  // then none is chosen: with given substeps it gains nothing
   if (scene.mechanics && !scene.laboratory && scene.accuracy.tolerance > 0 && !given) choose_mass_scaling(scene);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }

@@ -6,7 +6,7 @@
 namespace vug {
 namespace {
 
-/// A key that some tests need and the others have no use for.
+/// Reads a key that some tests need; refuses it in the others, which have no use for it.
 template <class Value, class... Arguments>
 void need_if(bool used, const TomlCursor& table, const char* key, const char* otherwise, Value& value,
              Arguments... arguments) {
@@ -17,7 +17,7 @@ void need_if(bool used, const TomlCursor& table, const char* key, const char* ot
   }
 }
 
-/// The same with a default.
+/// Does the same for a key that has a default.
 template <class Value, class... Arguments>
 void read_if(bool used, const TomlCursor& table, const char* key, const char* otherwise, Value& value,
              Arguments... arguments) {

@@ -29,16 +29,16 @@ void write_checkpoint(const std::string& directory, const StateList& state, std:
 /// A checkpoint that has been read completely and whose digest is right.
 class Checkpoint {
  public:
-  /// Returns the newest sound checkpoint of its owner in `directory`; nothing where there is no checkpoint at all.
-  /// Damaged ones and those of others are skipped and listed in refused(). Throws FileError, with the reason for each,
-  /// when only such are there, and when the folder exists and cannot be read.
+  /// Returns the newest undamaged checkpoint of the owner in `directory`, or nothing where there is no checkpoint at
+  /// all. Damaged ones and those of other owners are skipped and listed in refused(). Throws FileError where there are
+  /// only such ones, with the reason for each, and where the folder exists but cannot be read.
   static std::optional<Checkpoint> latest(const std::string& directory, const CheckpointOwner& owner);
   /// Opens a file. Throws FileError when it is truncated, changed, not a checkpoint, or that of another owner.
   static Checkpoint open(const std::string& path, const CheckpointOwner& owner);
 
   /// Whether it has a block of that name: earlier versions of vug may not have written it.
   bool holds(const std::string& block) const;
-  /// Loads the blocks that `state` names, in its order. May be called again with further lists, because sizes may be
+  /// Loads the blocks that `state` names, in its order. May be called again with further lists, whose sizes may be
   /// known only from the blocks of the first. Throws FileError for a block that is not in the file or does not fit.
   void load(const StateList& state) const;
 

@@ -78,7 +78,7 @@ bool is_of(const CheckpointOwner& owner, const fs::path& path) {
 }
 
 // Removes the checkpoints that this run no longer needs: all but its newest two up to `step`, and all after `step`,
-// which it went back from.
+// which are left where it was resumed from an earlier one.
 void prune(const std::string& directory, std::int64_t step, const CheckpointOwner& owner) {
   std::error_code error;
   int kept = 0;

@@ -23,14 +23,14 @@ using detail::MeshText;
 
 constexpr int line_element = 1, triangle_element = 2, point_element = 15;
 
-/// What the sections of the file say, before it is made an assembly.
+/// Contents of the file's sections, from which the assembly is made.
 struct RawMesh {
   std::unordered_map<std::int64_t, int> number;  // node tag -> position in `nodes`
   std::vector<std::array<double, 3>> nodes;
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 2>> cracks;
   std::map<std::int64_t, std::string> crack_groups;                      // names by physical tags of lines
-  std::set<std::int64_t> found_groups;                                   // those of them that have a line
+  std::set<std::int64_t> found_groups;                                   // those of crack_groups that have a line
   std::map<std::int64_t, std::string> surface_groups;                    // names by physical tags of surfaces
   std::map<std::int64_t, std::set<std::int64_t>> crack_groups_of_curve;  // format 4: of geometric tags of lines
   std::map<std::int64_t, std::set<std::string>> groups_of_surface;       // format 4: names by geometric tags
@@ -66,13 +66,13 @@ int read_node_number(MeshText& text, const RawMesh& mesh) {
   return found->second;
 }
 
-/// The physical group of a tag: a negative one says that the group runs through the curve or surface backwards.
+/// Physical group of a tag; the tag is negative where the group contains the curve or surface in reversed direction.
 std::int64_t group_of(std::int64_t tag) {
   return tag < 0 && tag > std::numeric_limits<std::int64_t>::min() ? -tag : tag;
 }
 
-// The nodes of one element whose type and tags have been read; the groups of a line are those of cracks, those of a
-// triangle the names of its surface.
+// Reads the nodes of one element whose type and tags have been read. `crack_groups` are those of a line, `surfaces` the
+// names of the surfaces of a triangle.
 void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, const std::set<std::int64_t>& crack_groups,
                   const std::set<std::string>& surfaces) {
   if (type == point_element) {
@@ -128,7 +128,7 @@ void read_entities_4(MeshText& text, RawMesh& mesh) {
         if (mesh.surface_groups.contains(group) && dimension == 2)
           mesh.groups_of_surface[tag].insert(mesh.surface_groups[group]);
       }
-      if (dimension > 0) text.skip(text.count());  // what bounds it
+      if (dimension > 0) text.skip(text.count());  // its boundary
     }
   }
 }
@@ -204,7 +204,7 @@ RawMesh read_sections(MeshText& text) {
   return mesh;
 }
 
-// Triangles counter-clockwise, with the nodes they use, in the order of the file.
+// Makes the assembly: triangles counter-clockwise, and the nodes that they use, in the order of the file.
 Assembly assemble(const RawMesh& mesh, const std::string& path) {
   std::vector<int> number(mesh.nodes.size(), -1);
   for (const auto& t : mesh.triangles)

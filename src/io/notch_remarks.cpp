@@ -9,7 +9,7 @@
 namespace vug {
 namespace {
 
-/// The keys by which broken bonds are wider than `width`.
+/// Names of the keys that make broken bonds wider than `width`.
 std::string what_widens(double width, double least, double by_distance, bool metres) {
   std::string own = metres ? "damage.minimum_width" : "damage.minimum_aperture";
   if (width >= by_distance) return own;
@@ -18,14 +18,14 @@ std::string what_widens(double width, double least, double by_distance, bool met
 
 }  // namespace
 
-/// A notch is of broken bonds, which [damage] widens to c_d times the distance of their centroids, or to a least width
-/// of its own.
+/// A notch consists of broken bonds, which [damage] widens to c_d times the distance of their centroids, or to its own
+/// least width.
 std::vector<std::string> remarks_on_notches(const Scene& scene, double element_size) {
   const RockSection& rock = *scene.rock;
   const DamageSection& damage = *scene.damage;
   if (damage.aperture == ApertureLaw::opening) return {};
   const bool metres = rock.pathway_width.has_value();
-  const double cell = metres ? 1 : scene.lattice.spacing;  // in the unit of widths
+  const double cell = metres ? 1 : scene.lattice.spacing;  // in the unit of the widths
   const double least = metres ? damage.minimum_width.value_or(*rock.pathway_width) : damage.minimum_aperture;
   const double by_distance = damage.pathway_factor * element_size / std::sqrt(3.0) / cell;  // of the mean triangle
   std::map<int, double> narrow;  // width of notches that may be rows of lines

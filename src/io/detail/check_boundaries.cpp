@@ -1,4 +1,4 @@
-// Conditions on the sides of the lattice against the modules they need and against each other.
+// Checks of the conditions at the sides of the lattice: against the modules that they need and against each other.
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/message.hpp"
@@ -22,7 +22,7 @@ std::array<NamedBoundary, 4> sides(const Scene& scene) {
   return {{{"left", scene.left}, {"right", scene.right}, {"bottom", scene.bottom}, {"top", scene.top}}};
 }
 
-/// A condition may only be written where its module is there.
+/// A condition needs the table of its module.
 void check_modules_of(const TomlDocument& document, const Scene& scene, const std::string& name) {
   const auto refuse = [&](const char* physics, bool modelled, const char* needed) {
     const std::string key = fmt::format("boundary.{}.{}", name, physics);
@@ -51,7 +51,7 @@ void check_concentrations(const TomlDocument& document, const Scene& scene, cons
     }
 }
 
-/// Opposite sides are periodic together or not at all.
+/// Opposite sides must both be periodic, or neither.
 template <class Kind>
 void check_pair(const TomlDocument& document, const char* physics, const char* name_a, Kind a, const char* name_b,
                 Kind b) {
@@ -62,8 +62,8 @@ void check_pair(const TomlDocument& document, const char* physics, const char* n
                 fmt::format("needs boundary.{}.{}.type = \"periodic\" as well", other, physics));
 }
 
-/// Periodicity belongs to the lattice: where one physics is periodic, those that say nothing become so as well and
-/// those that say otherwise are refused.
+/// Periodicity is a property of the lattice: where one physics is periodic, those without a condition become so as
+/// well, and those with another condition are refused.
 template <class Kind>
 void join(const TomlDocument& document, const char* physics, const char* side, Kind& kind) {
   const std::string key = fmt::format("boundary.{}.{}.type", side, physics);
@@ -87,7 +87,7 @@ void check_periodic(const TomlDocument& document, const Scene& scene, const char
   }
 }
 
-/// Mean over a stretch of `length` (m) of shares between whose positions it is linear, and constant beyond.
+/// Mean share over a stretch of `length` (m): shares are linear between their positions and constant beyond them.
 double mean_of(const std::vector<std::array<double, 2>>& shares, double length) {
   double before = 0, share = shares.front()[1], sum = 0;
   for (const auto& [position, next] : shares) {
@@ -99,7 +99,7 @@ double mean_of(const std::vector<std::array<double, 2>>& shares, double length) 
   return (sum + share * (length - before)) / length;
 }
 
-/// Positions of a profile lie on its stretch; a rate is spread by shares whose sum has its sign.
+/// Positions of a profile must lie on its stretch. The shares by which a rate is distributed must have a positive mean.
 void check_profile(const TomlDocument& document, const std::string& key, const FlowBoundary& flow, double length,
                    double spacing) {
   const double slack = 1e-6 * spacing;
@@ -141,7 +141,7 @@ void check_injection(const TomlDocument& document, const Scene& scene, const Inj
   }
 }
 
-/// Two injections share no cell.
+/// Two injections must not share a cell.
 void check_apart(const TomlDocument& document, const Scene& scene) {
   const double slack = 1e-6 * scene.lattice.spacing;
   for (const InjectionSection& a : scene.injections)
@@ -152,7 +152,7 @@ void check_apart(const TomlDocument& document, const Scene& scene) {
     }
 }
 
-/// What is not a whole side has no opposite.
+/// Only a whole side can be periodic: parts of sides and shapes have no opposite.
 void check_not_periodic(const TomlDocument& document, const std::string& name, const BoundarySection& own) {
   const auto refuse = [&](const char* physics, bool periodic) {
     if (periodic) document.fail(fmt::format("boundary.{}.{}.type", name, physics), "is a condition of a whole side");
@@ -162,7 +162,7 @@ void check_not_periodic(const TomlDocument& document, const std::string& name, c
   refuse("solute", own.solute.kind == SoluteBoundaryKind::periodic);
 }
 
-/// Every shape with a name has its table and every such table its shape.
+/// Every shape with a name must have its table, and every such table its shape.
 void check_openings(const TomlDocument& document, const Scene& scene) {
   std::vector<std::string> names;
   for (const OpeningSection& opening : scene.openings) {
@@ -187,7 +187,7 @@ void check_openings(const TomlDocument& document, const Scene& scene) {
   }
 }
 
-/// Parts lie on their side; rock beyond a side answers displacements since the preload.
+/// Parts must lie on their side. A stiffness needs displacements that count from the preload.
 void check_traction(const TomlDocument& document, const Scene& scene, const NamedBoundary& side) {
   const std::string name = side.name, key = fmt::format("boundary.{}.traction", name);
   const double length = name == "left" || name == "right" ? scene.lattice.length_y : scene.lattice.length_x;
@@ -203,7 +203,7 @@ void check_traction(const TomlDocument& document, const Scene& scene, const Name
   }
 }
 
-/// A wall only moves along itself.
+/// A wall may only move along itself.
 void check_wall(const TomlDocument& document, const std::string& key, std::string_view side, const FlowBoundary& flow) {
   const int normal = side == "left" || side == "right" ? 0 : 1;
   if (flow.kind == FlowBoundaryKind::wall && flow.velocity[normal].peak() != 0) {

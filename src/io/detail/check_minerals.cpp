@@ -27,7 +27,7 @@ void check_rate(const TomlDocument& document, const std::string& key, const Rate
     document.fail(key + ".order", "is not 1; that is only for reaction.wall = \"kinetic\"");
 }
 
-/// A label must be that of rock pixels, and of one mineral only.
+/// A label must be one of rock pixels, and belong to one mineral only.
 void check_labels(const TomlDocument& document, Scene& scene, std::size_t m) {
   ImageSection& image = scene.geometry.image;
   const std::string key = fmt::format("mineral.{}.labels", m);
@@ -47,7 +47,7 @@ void check_labels(const TomlDocument& document, Scene& scene, std::size_t m) {
   }
 }
 
-/// A species must not have the name of a column that the history has for this mineral.
+/// No species may have the name of a history column of this mineral.
 void check_columns(const TomlDocument& document, const Scene& scene, std::size_t m) {
   if (!scene.solute) return;
   for (const Species& species : scene.solute->species)

@@ -41,7 +41,7 @@ std::vector<std::string> spelled_out(const std::vector<std::string>& names) {
   return result;
 }
 
-/// The name by which the documentation has `name`, in a table with the known `names`; empty when it is not known.
+/// Documented form of `name` in a table with the known `names`, such as "<side>" for "left"; empty if unknown.
 std::string documented_name(const std::string& name, const std::vector<std::string>& names) {
   const auto known = spelled_out(names);
   if (std::find(known.begin(), known.end(), name) != known.end()) {

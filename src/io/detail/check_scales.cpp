@@ -10,8 +10,8 @@
 namespace vug {
 namespace {
 
-// A relaxation time closer to 1/2 than `least` is numerically 1/2. A time step in which anything spreads over more than
-// `most` cells is a typing error.
+// Limits of diffusivities in lattice units. Below `least` the relaxation time is numerically 1/2; a value above `most`
+// can only be a typing error.
 constexpr double least = 1e-12, most = 1e9;
 
 void check_diffusivity(const TomlDocument& document, const LatticeSection& lattice, const std::string& key,

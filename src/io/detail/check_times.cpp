@@ -1,4 +1,4 @@
-// The end of a run and its intervals.
+// Checks of the end of a run and of its intervals.
 #include "io/detail/case_checks.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ void check_times(const TomlDocument& document, const Scene& scene) {
   if (scene.time.end && *scene.time.end / step > 1e15) {
     document.fail("time.end", fmt::format("is more than 1e15 steps of lattice.time_step = {:g} s", step));
   }
-  const bool ages = scene.accuracy.dissolution_tolerance > 0;  // then the number of steps says little about the time
+  const bool ages = scene.accuracy.dissolution_tolerance > 0;  // then the number of steps does not determine the time
   const double end = scene.time.end ? *scene.time.end
                      : ages         ? std::numeric_limits<double>::max()
                                     : static_cast<double>(*scene.time.steps) * step;

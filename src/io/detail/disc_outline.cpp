@@ -21,11 +21,11 @@ DiscOutline disc_outline(double diameter, double flat_width, double edge) {
     const double middle = (low + high) / 2;
     (tangent(middle) < last ? low : high) = middle;
   }
-  // share = 0 at the side, 1 at the end of the flat
+  // share = 0 at the flank, 1 at the end of the flat
   const auto on_arc = [&](double share) { return on_circle(radius, tangent(share * low)); };
   const auto parts = [edge](double length) { return std::max(2L, std::lround(length / edge)); };
   const long arc = parts(2 * low * radius), flat = parts(2 * half_flat);
-  std::vector<Point> quarter;  // from the side up to the end of the flat, relative to the centre
+  std::vector<Point> quarter;  // from the flank up to the end of the flat, relative to the centre
   for (long i = 0; i <= arc; ++i) quarter.push_back(on_arc(static_cast<double>(i) / static_cast<double>(arc)));
   quarter.back() = {half_flat, half_height};
   std::vector<Point> ring;

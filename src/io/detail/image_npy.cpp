@@ -1,4 +1,4 @@
-// NumPy's .npy: a line of Python that says type, order and shape, then the values (NEP 1).
+// NumPy's .npy: a line of Python with type, order and shape, then the values (NEP 1).
 #include "io/detail/image_plain.hpp"
 #include "io/detail/samples.hpp"
 
@@ -17,7 +17,7 @@ struct NpyType {
   bool big_endian, boolean;
 };
 
-/// '<u2' is little-endian, unsigned, two bytes.
+/// Type of a name such as '<u2': little-endian, unsigned, two bytes.
 NpyType type_of(const std::string& path, const std::string& text) {
   constexpr std::pair<const char*, SampleType> types[] = {
       {"u1", SampleType::uint8}, {"u2", SampleType::uint16},  {"u4", SampleType::uint32}, {"u8", SampleType::uint64},
@@ -29,7 +29,7 @@ NpyType type_of(const std::string& path, const std::string& text) {
                fmt::format("has values of the type '{}'; integers, booleans, float32 and float64 are read", text));
 }
 
-/// What stands after `'key':` and blanks in the header; nothing where it has no such key.
+/// Text after `'key':` and blanks in the header; empty where it has no such key.
 std::string_view value_of(std::string_view header, const std::string& key) {
   const std::size_t at = header.find("'" + key + "':");
   if (at == std::string_view::npos) return {};
@@ -38,14 +38,14 @@ std::string_view value_of(std::string_view header, const std::string& key) {
   return header;
 }
 
-/// The text between `open`, with which `value` begins, and the next `close`; nothing where it is longer than `most`.
+/// Text between `open`, with which `value` begins, and the next `close`; empty where it is longer than `most`.
 std::string_view enclosed(std::string_view value, char open, char close, std::size_t most) {
   if (!value.starts_with(open)) return {};
   const std::size_t end = value.find(close, 1);
   return end == std::string_view::npos || end > most + 1 ? std::string_view{} : value.substr(1, end - 1);
 }
 
-/// Numbers of at most 12 digits between commas and blanks; none where there is anything else.
+/// Numbers of at most 12 digits, separated by commas and blanks; empty where there is anything else.
 std::vector<std::int64_t> numbers_in(std::string_view text) {
   std::vector<std::int64_t> numbers;
   while (true) {
@@ -74,7 +74,7 @@ std::unique_ptr<ImageRows> open_npy(const ImageSection& image) {
   std::string text(std::min<std::size_t>(length, 1 << 16), '\0');
   if (length > text.size() || file.read(begin, text.data(), length) < length)
     refuse_image(image.file, "its header is damaged");
-  // by hand: std::regex goes one call deeper for every blank of a header that may have 65,536
+  // no std::regex: it recurses once for every blank, and a header may have 65,536 of them
   const std::string descr(enclosed(value_of(text, "descr"), '\'', '\'', 8));
   const std::string_view order = value_of(text, "fortran_order");
   const std::vector<std::int64_t> size = numbers_in(enclosed(value_of(text, "shape"), '(', ')', 60));

@@ -97,8 +97,8 @@ std::vector<std::int64_t> sizes_of(const NrrdHeader& header) {
   return sizes;
 }
 
-/// Pixel size from "space directions" with "space units", or from "spacings" with "units"; nothing where one is
-/// missing.
+/// Pixel size, m, from "space directions" with "space units", or from "spacings" with "units"; empty where one of the
+/// two is missing.
 std::optional<double> pixel_size_of(const NrrdHeader& header) {
   const bool oriented = header.fields.contains("space directions");
   std::istringstream units(header.get(oriented ? "space units" : "units"));
@@ -126,7 +126,7 @@ std::optional<double> pixel_size_of(const NrrdHeader& header) {
   return square_pixel(header.path, size[0], size[1]);
 }
 
-/// Rows that follow one another in a gzip stream.
+/// Rows of a gzip stream, which must be read one after the other.
 class GzipRows : public ImageRows {
  public:
   GzipRows(const std::string& path, ImageHeader what, std::uint64_t begin, std::uint64_t skip, SampleType type,

@@ -10,7 +10,7 @@
 namespace vug::detail {
 namespace {
 
-/// libpng's state, the bytes it reads, and what it had to say.
+/// libpng's state, the file that it reads, and its error message.
 struct PngReader {
   const BinaryFile& file;
   std::uint64_t at = 0;
@@ -37,13 +37,13 @@ struct PngReader {
     reader.at += got;
     if (got < bytes) png_error(png, "the file ends too early");
   }
-  // libpng leaves these by a jump, so nothing in them may need a destructor.
+  // libpng leaves these functions by longjmp, so they must not hold objects with destructors.
   bool read_header() {
     if (!info || setjmp(png_jmpbuf(png))) return false;
     png_read_info(png, info);
     return true;
   }
-  /// Rows as they are stored, a byte or two to a value, or as 16 bits each of red, green, blue and alpha.
+  /// Requests rows as they are stored, one or two bytes per value, or red, green, blue and alpha of 16 bits each.
   bool transform(bool stored) {
     if (setjmp(png_jmpbuf(png))) return false;
     if (stored) {
@@ -74,7 +74,7 @@ struct PngReader {
   }
 };
 
-// Luma of a pixel of red, green, blue and alpha, 16 bits each, most significant byte first, over white.
+// Luma of a pixel in front of white; red, green, blue and alpha have 16 bits each, most significant byte first.
 double luma_of(const png_byte* pixel) {
   const auto channel = [pixel](int k) { return (256 * pixel[2 * k] + pixel[2 * k + 1]) / 65535.0; };
   return over_white(channel(3) * luma(channel(0), channel(1), channel(2)), channel(3), 1);
@@ -118,7 +118,7 @@ class PngRows : public ImageRows {
     if (!reader_.read_row(pixels_.data())) fail();
     if (next_ + 1 == header.height && !reader_.read_end()) fail();
   }
-  /// A picture that comes in passes is read at once.
+  /// Reads the whole picture at once, because it is interlaced.
   void read_whole(std::size_t row) {
     if (!pixels_.empty()) return;
     pixels_.resize(row * header.height);
@@ -132,7 +132,7 @@ class PngRows : public ImageRows {
   PngReader reader_;
   std::size_t value_bytes_ = 1;
   bool interlaced_ = false;
-  std::int64_t next_ = 0;  ///< row that libpng gives next
+  std::int64_t next_ = 0;  ///< row that libpng returns next
   std::vector<png_byte> pixels_;
 };
 

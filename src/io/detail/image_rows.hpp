@@ -13,17 +13,17 @@ namespace vug::detail {
 
 struct ImageHeader {
   std::int64_t width = 0, height = 0;
-  std::string type;                  ///< of the values, for people: "uint16", "colour"
+  std::string type;                  ///< of the values, for messages: "uint16", "colour"
   double white = 0;                  ///< the value of white; 0 where the type has none
-  bool stored = true;                ///< values are as they stand in the file; not so of colours
-  std::optional<double> pixel_size;  ///< m, where the file says one
+  bool stored = true;                ///< whether values are those of the file; not for colours
+  std::optional<double> pixel_size;  ///< m, where the file gives one
 };
 
 /// One page of a picture in any format. Throws InputError `path: what is wrong`.
 class ImageRows {
  public:
   virtual ~ImageRows() = default;
-  /// Values of row `y` from column `first` on. Rows are asked for from the top down.
+  /// Sets `values` to those of row `y` from column `first` on. Rows must be read from the top down.
   virtual void read(int y, int first, std::span<double> values) = 0;
   ImageHeader header;
 };
@@ -41,7 +41,7 @@ std::unique_ptr<ImageRows> open_raw(const ImageSection& image);
 constexpr double luma(double red, double green, double blue) {
   return 0.299 * red + 0.587 * green + 0.114 * blue;
 }
-/// What is seen of a pixel before white: `opacity` (0 ... 1) and how much light it sends, times that already.
+/// Brightness of a pixel in front of white; `light` is already multiplied by `opacity` (0 ... 1).
 constexpr double over_white(double light, double opacity, double white) {
   return light + white - opacity * white;
 }
@@ -52,10 +52,10 @@ constexpr double over_white(double light, double opacity, double white) {
 /// Throws InputError unless the file has the page that the case asks for.
 void require_page(const ImageSection& image, std::int64_t pages);
 
-/// Edge of a pixel, m, from its two; throws InputError when they differ.
+/// Edge of a square pixel, m, from its width and height; throws InputError when they differ.
 double square_pixel(const std::string& path, double width, double height);
 
-/// Metres in a unit of length by its name ("mm", "micron", "µm", ...); none where it is no unit of length.
+/// Metres in the unit of length of that name ("mm", "micron", "µm", ...); empty where it is no unit of length.
 std::optional<double> metres_in(const std::string& unit);
 
 }  // namespace vug::detail

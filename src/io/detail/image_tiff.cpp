@@ -12,7 +12,7 @@
 namespace vug::detail {
 namespace {
 
-/// libtiff's state, the bytes it reads, and what it had to say.
+/// libtiff's state, the file that it reads, and its error message.
 class TiffFile {
  public:
   explicit TiffFile(const std::string& path) : file_(path) {
@@ -39,7 +39,7 @@ class TiffFile {
   const std::string& path() const { return file_.path(); }
   [[noreturn]] void fail() const { refuse_image(file_.path(), "not a readable TIFF: " + message_); }
 
-  /// A field of one number, or `fallback` where the file has none.
+  /// Value of a field with one number, or `fallback` where the file has no such field.
   template <class Value>
   Value get(ttag_t tag, Value fallback) const {
     Value value{};
@@ -85,7 +85,7 @@ SampleType type_of(const TiffFile& tiff) {
                                         bits, format));
 }
 
-/// From the resolution and its unit; ImageJ writes the unit into the description.
+/// Pixel size, m, from the resolution and its unit; ImageJ writes the unit into the description.
 std::optional<double> pixel_size_of(const TiffFile& tiff) {
   const float across = tiff.get<float>(TIFFTAG_XRESOLUTION, 0), up = tiff.get<float>(TIFFTAG_YRESOLUTION, 0);
   if (!(across > 0) || !(up > 0)) return std::nullopt;
@@ -104,11 +104,11 @@ std::optional<double> pixel_size_of(const TiffFile& tiff) {
   return square_pixel(tiff.path(), *metres / across, *metres / up);
 }
 
-/// What the fourth value of a pixel does to its colour: nothing, as there is none; it is still to be multiplied by it;
-/// it is so already.
+/// Role of the fourth value of a pixel. none: there is none; apart: the colour must still be multiplied by it;
+/// multiplied: it already is.
 enum class Opacity { none, apart, multiplied };
 
-/// What of a page this reader needs to know.
+/// Properties of a page that this reader needs.
 struct TiffPage {
   ImageHeader header;
   SampleType type;
@@ -117,7 +117,7 @@ struct TiffPage {
   Opacity opacity = Opacity::none;
 };
 
-/// Of a page of colours.
+/// Opacity of a page of colours. Throws InputError where values per pixel are of unknown meaning.
 Opacity opacity_of(const TiffFile& tiff, const TiffPage& page) {
   if (page.samples == 3) return Opacity::none;
   std::uint16_t count = 0, *kinds = nullptr;
@@ -161,7 +161,7 @@ TiffPage page_of(const TiffFile& tiff, bool labelled) {
   return page;
 }
 
-/// Rows by libtiff: compressed strips, tiles, colours.
+/// Rows that libtiff reads: compressed strips, tiles, colours.
 class TiffRows : public ImageRows {
  public:
   TiffRows(std::unique_ptr<TiffFile> tiff, const TiffPage& page) : tiff_(std::move(tiff)), page_(page) {
@@ -204,7 +204,7 @@ class TiffRows : public ImageRows {
 
   std::size_t pixel_bytes() const { return bytes_of(page_.type) * page_.samples; }
 
-  /// Rows of a compressed strip can be had in order only.
+  /// Reads up to row `y`: rows of a compressed strip can only be read in order.
   void read_strip(int y, int first, std::size_t count) {
     const int begin = y - y % static_cast<int>(std::min<std::uint32_t>(strip_rows_, 1u << 30));
     if (next_ < begin) next_ = begin;
@@ -215,7 +215,7 @@ class TiffRows : public ImageRows {
     row_.assign(from, from + count * pixel_bytes());
   }
 
-  /// Keeps the tiles of one band, as far as they are needed.
+  /// Reads row `y` from the needed tiles of its band, which are kept for the next rows.
   void read_tiles(int y, int first, int count) {
     const int width = static_cast<int>(tile_width_), height = static_cast<int>(tile_height_);
     const int left = first / width, right = (first + count - 1) / width, band = y / height;
@@ -241,11 +241,12 @@ class TiffRows : public ImageRows {
   TiffPage page_;
   std::uint32_t tile_width_ = 0, tile_height_ = 0, strip_rows_ = 1;
   int next_ = 0, band_ = -1;
-  std::vector<unsigned char> part_, tiles_, row_;  ///< a tile or a row of libtiff's; a band; the row that is asked for
+  std::vector<unsigned char> part_, tiles_,
+      row_;  ///< a tile or a row of libtiff's; the tiles of a band; the requested row
   std::vector<double> samples_;
 };
 
-/// Uncompressed grey values in strips need no library: the rows are where the file says.
+/// Rows of uncompressed grey values in strips, read without libtiff at the offsets that the file gives.
 std::unique_ptr<ImageRows> plain_rows(const TiffFile& tiff, const TiffPage& page) {
   std::uint32_t rows = 0;
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_ROWSPERSTRIP, &rows);

@@ -1,4 +1,4 @@
-// Remarks on what a case may say but probably does not mean, of its rock: those of what fills the pores are in
+// Warnings about the rock: what a case may say but probably does not mean. Those about the contents of the pores are in
 // warnings_of_pores.cpp.
 #include "io/detail/case_checks.hpp"
 #include "io/notch_remarks.hpp"
@@ -33,7 +33,7 @@ void warn_about_injections(Scene& scene) {
   scene.warnings.push_back(fmt::format("{} on the {} side does not meet rock.hole", all[0].key, all[0].side));
 }
 
-/// What is drawn into the rock should be found on the lattice.
+/// A hole or notch smaller than a cell may have no node.
 void warn_about_small_cavities(Scene& scene) {
   const double cell = scene.lattice.spacing;
   const RockSection& rock = *scene.rock;
@@ -47,7 +47,7 @@ void warn_about_small_cavities(Scene& scene) {
     if (metres < cell) scene.warnings.push_back(fmt::format("rock.notches.{} is shorter than a cell", entry));
 }
 
-/// Rock that nothing holds drifts away under the thrust of the injection.
+/// Rock without a support drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
   for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
     const auto holds = [](const TractionLoad& load) {
@@ -81,11 +81,12 @@ void warn_about_mass_scaling(Scene& scene) {
                   scaling, std::sqrt(scaling)));
 }
 
-/// With s times the mass a press acts as if it were sqrt(s) times as fast. Inertia adds to the mean strength in
-/// compression 5 % at 1 m/s, in tension 3 % at 0.2 m/s, 7 at 0.4 and 17 at 1, in splitting nothing at 1 and 14 % at 5.
+/// With s times the mass a press acts as if it were sqrt(s) times as fast. Inertia increases the mean strength: in
+/// compression by 5 % at 1 m/s; in tension by 3 % at 0.2 m/s, 7 % at 0.4 m/s and 17 % at 1 m/s; in splitting by nothing
+/// at 1 m/s and 14 % at 5 m/s.
 void warn_about_press(Scene& scene) {
   const LaboratoryTest test = scene.laboratory->test;
-  if (test == LaboratoryTest::heating || test == LaboratoryTest::quench) return;  // a limit of the specimen
+  if (test == LaboratoryTest::heating || test == LaboratoryTest::quench) return;  // the limit depends on the specimen
   const double notable = test == LaboratoryTest::tension ? 0.2 : 1;               // m/s
   const double scaling = scene.mechanics->parameters.mass_scaling, speed = platen_speed(*scene.laboratory);
   if (speed * std::sqrt(scaling) <= notable) return;
@@ -102,7 +103,7 @@ void collect_warnings(Scene& scene) {
   warn_about_pores(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
-  if (scene.rock && scene.damage && !scene.rock->mesh)  // the triangles of a mesh are seen when it is read
+  if (scene.rock && scene.damage && !scene.rock->mesh)  // the size of a mesh's triangles is known once it is read
     for (std::string& remark : remarks_on_notches(scene, scene.rock->element_size))
       scene.warnings.push_back(std::move(remark));
   if (scene.mechanics) warn_about_support(scene);

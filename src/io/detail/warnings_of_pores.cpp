@@ -18,7 +18,7 @@ namespace {
 
 void warn_about_reaction(Scene& scene) {
   const ReactionSection& reaction = *scene.reaction;
-  constexpr double likely = 273.15;  // K: the published 237.15 K with two digits exchanged
+  constexpr double likely = 273.15;  // K; the published 237.15 K probably has two digits exchanged
   if (reaction.activation_energy > 0 && reaction.reference_temperature < 250) {
     const double factor =
         std::exp(reaction.activation_energy / gas_constant * (1 / reaction.reference_temperature - 1 / likely));
@@ -38,7 +38,7 @@ void warn_about_reaction(Scene& scene) {
   }
 }
 
-/// Whether fluid may leave the lattice there at some time. `inward` is given for a side: the axis and direction into
+/// Whether fluid may leave the lattice at a boundary at some time. `inward` (of sides only): axis and direction into
 /// the lattice.
 bool may_leave(const FlowBoundary& flow, std::optional<std::pair<int, int>> inward) {
   if (flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow) return true;
