@@ -1,5 +1,5 @@
 #pragma once
-// The commands that a program knows.
+// List of the commands of a program.
 #include <CLI/CLI.hpp>
 
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// `vug completion`: what a shell may offer after `vug`.
+// `vug completion`: completion of commands and options in a shell.
 #include <string>
 
 namespace CLI {
@@ -8,7 +8,7 @@ class App;
 
 namespace vug {
 
-/// A script for bash, zsh (that for bash, which zsh's bashcompinit understands) or fish, made from the commands and
+/// Script for bash, zsh (the script for bash, which zsh's bashcompinit understands) or fish, made from the commands and
 /// options of the program. Throws InputError for another shell.
 std::string completion_script(const CLI::App& app, const std::string& shell);
 

@@ -9,7 +9,7 @@ namespace vug {
 
 namespace {
 
-/// Text of a page, escaped: a line may not begin with a dot, and a backslash has its own name.
+/// Escapes text of a page: a line must not begin with a dot, and a backslash is written by its name.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '\\' ? std::string("\\e") : std::string(1, c);

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Paths of the case and its files in the bundle, chosen so that the case finds them by the paths that it names.
+/// Paths of the case and its files in the bundle, chosen so that the paths in the case stay valid.
 struct CasePlaces {
   fs::path file;                 ///< the case
   std::vector<fs::path> inputs;  ///< empty for a file that the case names by an absolute path
@@ -87,13 +87,13 @@ struct Told {
     for (const std::string& entry : origin.overrides) command += " --set " + shell_word(entry);
     return command + fmt::format(" --steps {} -o replayed{}", reached, checkpoint ? " --resume" : "");
   }
-  /// Exit codes that a replay may have, in the syntax of the shell's `case`: a run that was stopped, or had too little
-  /// memory, may continue to its end.
+  /// Exit codes that a replay may have, as a pattern of the shell's `case`. The replay of a run that was stopped, or
+  /// ran out of memory, may reach the end.
   std::string codes() const { return summary.status == "diverged" ? summary.exit_code : "0 | " + summary.exit_code; }
 };
 
-/// The last row of a run that was killed may be incomplete, and the replay ends with an additional row: histories are
-/// compared up to the length of the run's.
+/// Compares histories only up to the length of the run's: the last row of a run that was killed may be incomplete, and
+/// the replay ends with an additional row.
 constexpr const char* replay_script = R"sh(#!/bin/sh
 # Runs the last stretch of a run of vug again, into the folder `replayed` beside this file, and compares its history with
 # the run's, byte by byte. Another program than vug in PATH: VUG=/path/to/vug ./replay
@@ -139,7 +139,7 @@ std::string size_text(const fs::path& folder) {
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
 }
 
-/// Why a file of the case cannot be included; empty if it can.
+/// Reason why a file of the case cannot be included; empty if it can.
 std::string what_hinders(const InputFile& input, const fs::path& place) {
   if (place.empty()) return "is named by its whole path: send it apart";
   try {

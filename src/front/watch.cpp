@@ -55,7 +55,7 @@ double number(const std::string& text) {
   return text.empty() ? 0 : std::strtod(text.c_str(), nullptr);
 }
 
-/// "done", "running", and the possible states where it cannot be determined.
+/// State of a run: "done", "running", ..., or the possible ones where it cannot be determined.
 std::string status_of(const WatchedRun& run) {
   if (run.summary.status != "running" || run.in_use == InUse::yes) return run.summary.status;
   if (run.in_use == InUse::no) return "ended without a word (killed?)";
@@ -64,7 +64,7 @@ std::string status_of(const WatchedRun& run) {
   return fmt::format("running, or ended without a word: {}; {}", run.doubt, row);
 }
 
-/// "running, step 1200 of 4000 (30 %), 0.012 s of physical time, 3 min 20 s left"
+/// Such as "running, step 1200 of 4000 (30 %), 0.012 s of physical time, 3 min 20 s left".
 std::string state_of(const WatchedRun& run) {
   const RunSummary& summary = run.summary;
   const bool running = summary.status == "running";

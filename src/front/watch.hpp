@@ -16,7 +16,7 @@ struct WatchedRun {
   History history;             ///< empty before the first row
   InUse in_use = InUse::yes;   ///< whether a process writes into the folder
   double seconds = 0;          ///< since the run began or was resumed
-  std::string doubt;           ///< why it is unknown whether a process writes
+  std::string doubt;           ///< why it cannot be determined whether a process writes
   double since_last_row = -1;  ///< s; below 0 before the first row
 
   bool under_way() const { return summary.status == "running" && in_use != InUse::no; }
@@ -25,13 +25,13 @@ struct WatchedRun {
 /// Settings of the drawing.
 struct WatchView {
   int width = 80, height = 24;       ///< of the terminal, characters
-  std::vector<std::string> columns;  ///< of history.csv; empty: those that change, as many as there is room for
+  std::vector<std::string> columns;  ///< of history.csv; empty: those that change, as many as fit
 };
 
 /// Draws `values` over `time` as `width` blocks of eight heights, from the first moment to the last.
 std::string sparkline(const std::vector<double>& time, const std::vector<double>& values, int width);
 
-/// State and progress of the run, a line for each column (name, curve, last value), the largest error of a balance.
+/// Text with state and progress of the run, a line per column (name, curve, last value) and the largest balance error.
 /// Throws InputError for a column that the history does not have.
 std::string watch_text(const WatchedRun& run, const WatchView& view);
 
