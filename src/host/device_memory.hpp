@@ -1,5 +1,5 @@
 #pragma once
-// Check that what will be allocated for kernels fits into the memory where they run.
+// Check that the memory space in which kernels run has enough memory.
 #include "host/free_memory.hpp"
 
 #include <Kokkos_Core.hpp>

@@ -18,7 +18,7 @@ const Error* as(const std::exception& error) {
   return dynamic_cast<const Error*>(&error);
 }
 
-/// Kokkos has no type of its own for memory that a device does not have.
+/// Recognised by its text: Kokkos has no type of its own for memory that a device does not have.
 bool is_failed_allocation(const std::exception& error) {
   return as<std::runtime_error>(error) &&
          std::string_view(error.what()).find("failed to allocate") != std::string_view::npos;

@@ -1,11 +1,11 @@
 #pragma once
-// How a process ends: its exit codes, which error gives which, and the line that says why.
+// Exit codes of a process, the error that leads to each, and the line that gives the reason.
 #include <exception>
 #include <string>
 
 namespace vug {
 
-/// As the README lists them.
+/// Exit codes, as listed in the README.
 enum ExitCode {
   done = 0,
   unforeseen = 1,  ///< an error of vug itself
@@ -16,11 +16,11 @@ enum ExitCode {
   interrupted = 130
 };
 
-/// The exit code of a process that this error ends, and of the record of its run.
+/// Exit code of a process that ends by this error, also for the record of its run.
 ExitCode exit_code_of(const std::exception& error);
 
-/// Why, as one line: what the system would not do with a file is `path: reason`, of a copy with both paths; of memory
-/// it says how much there is.
+/// Reason of the error, as one line: `path: reason` for an error of the file system, with both paths for a copy; for
+/// lack of memory also how much there is.
 std::string reason_of(const std::exception& error);
 
 }  // namespace vug

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The number that a file consists of; infinite if it has none ("max").
+/// Number in a file that contains nothing else; infinite if it is none ("max").
 double number_in(const std::string& path) {
   double value = unlimited;
   std::ifstream(path) >> value;
@@ -65,7 +65,7 @@ double free_in_groups() {
   return least;
 }
 
-/// What a limit of this process leaves, when it holds the given number of pages.
+/// Memory that a limit of this process leaves when it already holds the given number of pages.
 double under_limit(int resource, double pages) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;

@@ -1,6 +1,6 @@
 #pragma once
-// Number of idle processors. Threads that wait for each other at the end of every kernel lose more by a processor that
-// is shared with another program than it contributes: one thread is then faster than two.
+// Number of idle processors. Threads wait for each other at the end of every kernel: a processor that is shared with
+// another program costs them more time than it contributes, so that one thread is then faster than two.
 #include <string_view>
 #include <vector>
 
@@ -15,8 +15,8 @@ struct ProcessorTime {
 /// The lines "cpuN user nice system idle iowait ..." of /proc/stat; waiting for a disk counts as idle.
 std::vector<ProcessorTime> read_processor_times(std::string_view stat);
 
-/// Number of threads that find a processor each: sum of the idle shares of all processors, rounded up from a fraction
-/// of 0.6, else down; at least 1. Both lists have the same processors.
+/// Number of threads that can have a processor each: sum of the idle shares of all processors, rounded up from a
+/// fraction of 0.6, else down; at least 1. Both lists have the same processors.
 int idle_processors(const std::vector<ProcessorTime>& before, const std::vector<ProcessorTime>& after);
 
 /// The same for the processors that this process may use, measured over `seconds`; 0 where the system does not say.

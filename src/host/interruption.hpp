@@ -5,7 +5,7 @@
 
 namespace vug {
 
-/// The run was asked to stop (exit code 130); the message says by what, and what is left of the run.
+/// The run was asked to stop (exit code 130); the message says by which signal, and what is kept of the run.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Number of threads of a run, decided before Kokkos starts: Kokkos ends the program or waits for ever if it is given
-// another number than OpenMP gives it.
+// Number of threads of a run, decided before Kokkos starts: Kokkos aborts or hangs if it is told another number than
+// OpenMP provides.
 #include <string>
 
 namespace vug {
