@@ -9,7 +9,7 @@ namespace vug {
 
 namespace {
 
-/// What is wrong with a text that is to be a whole number, 0 or more; empty where it is one.
+/// Error message for a text that is not a whole number, 0 or more; else empty.
 std::string fault_of_count(const std::string& text) {
   std::int64_t steps = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
@@ -17,7 +17,7 @@ std::string fault_of_count(const std::string& text) {
   return whole && steps >= 0 ? "" : "must be a whole number, 0 or more";
 }
 
-/// What is wrong with a text that is to be a number above 0; empty where it is one.
+/// Error message for a text that is not a finite number above 0; else empty.
 std::string fault_of_positive(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -1,5 +1,5 @@
 #pragma once
-// What may be typed behind `vug`.
+// Command line of `vug`.
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vug {
 
-/// What the user typed.
+/// Commands and options that the user gave.
 struct CommandLine {
   std::string case_file;
   std::string directory;
@@ -17,12 +17,12 @@ struct CommandLine {
   std::vector<std::string> overrides;
   std::optional<std::int64_t> steps;
   int threads = 0;
-  std::string remark;  ///< why there are fewer, for the log of the run
+  std::string remark;  ///< on the number of threads, for the log of the run
   int seeds = 0;
   std::optional<double> fit_cohesion;
   std::string preview;               ///< of check
-  std::string study, batch;          ///< of sweep; the batch system that a script is for
-  int jobs = 0;                      ///< of sweep, at once
+  std::string study, batch;          ///< of sweep; batch: the system that a script is for
+  int jobs = 0;                      ///< of sweep: runs at once
   std::optional<int> member;         ///< of sweep: only this one
   std::string name;                  ///< of a template or a shell
   std::vector<std::string> columns;  ///< of watch and tune
@@ -45,7 +45,7 @@ struct CommandLine {
   CLI::App* tune = nullptr;
 };
 
-/// Commands and options of `app`, which parses into `line`.
+/// Adds commands and options to `app`, which parses into `line`.
 void describe(CLI::App& app, CommandLine& line);
 
 }  // namespace vug

@@ -61,11 +61,11 @@ int info_command(const CommandLine& line, const Ranks& ranks) {
 
 Scene scene_of(const CommandLine& line) {
   Scene scene = read_scene(line.case_file, line.overrides);
-  if (!line.remark.empty()) scene.warnings.push_back(line.remark);  // an invalid case is told alone
+  if (!line.remark.empty()) scene.warnings.push_back(line.remark);  // not reported for an invalid case
   return scene;
 }
 
-/// The scene of a case that has a [laboratory] or has none.
+/// Reads a case that must have, or must not have, the table [laboratory]; throws InputError otherwise.
 Scene scene_of(const CommandLine& line, bool laboratory) {
   Scene scene = scene_of(line);
   if (laboratory && !scene.laboratory)
@@ -135,7 +135,7 @@ int sweep_command(const CommandLine& line, std::ostream& log) {
   options.only_table = line.only_table;
   options.progress = line.quiet ? nullptr : &log;
   options.warnings = &log;
-  unsetenv("SLURM_STEP_NUM_TASKS");  // its runs are each alone, whatever srun has started
+  unsetenv("SLURM_STEP_NUM_TASKS");  // each of its runs is one process, whatever srun has started
   if (!line.batch.empty()) {
     print(slurm_script(line.study, options));
     return done;

@@ -1,5 +1,5 @@
 #pragma once
-// The commands of vug, each with the options that it takes from the command line.
+// Execution of the commands of vug.
 #include "command_line.hpp"
 #include "host/exit_code.hpp"
 #include "ranks/ranks.hpp"
@@ -9,11 +9,11 @@
 
 namespace vug {
 
-/// Carries out a command that computes nothing and needs no threads, and returns its exit code; nothing where it is
-/// none of these.
+/// Executes a command that computes nothing and needs no threads, and returns its exit code; empty if the command is
+/// not one of these.
 std::optional<int> plain_command(const CLI::App& app, const CommandLine& line, std::ostream& log);
 
-/// Carries out one of the others, of which several ranks share a run alone. Kokkos must have started.
+/// Executes one of the other commands; of these only a run is shared by several ranks. Kokkos must have started.
 int computing_command(const CommandLine& line, const Ranks& ranks, std::ostream& log);
 
 }  // namespace vug

@@ -1,4 +1,4 @@
-// vug: parse the command line, start what a command needs, turn exceptions into exit codes.
+// vug: parses the command line, starts what a command needs, turns exceptions into exit codes.
 #include "commands.hpp"
 #include "front/short_waits.hpp"
 #include "host/exit_code.hpp"
@@ -33,7 +33,7 @@ int fail(ExitCode code, const std::string& what) {
   return code;
 }
 
-/// Ends all ranks, of which only some may know why.
+/// Ends all ranks after an error that perhaps only some of them know.
 int fail(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
   vug::let_first_end(ranks);
   fail(code, what);
@@ -41,13 +41,13 @@ int fail(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
   return code;
 }
 
-/// Of what all ranks know.
+/// Exit code after an error that all ranks know; the first one prints it.
 int agree(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
   return ranks.first() ? fail(code, what) : code;
 }
 
-/// Several ranks compute a run, and nothing else yet: what they all did would be done several times over, into the same
-/// files, or wait for one of them.
+/// Throws InputError where several processes were started and do not form the ranks of one run: each would do the whole
+/// work, into the same files, or wait for one of them. Only `run`, without error bars, and `info` take several ranks.
 void require_run(const CommandLine& line, const vug::Ranks& ranks) {
   if (*line.info) return;
   if (ranks.alone() && vug::processes_started() > 1)
@@ -74,7 +74,8 @@ int dispatch(const CLI::App& app, CommandLine& line) {
     if (const std::optional<int> code = vug::plain_command(app, line, std::cerr)) return *code;
     if (app.get_subcommands().empty()) throw vug::InputError("a command is required (vug --help lists what there is)");
     Kokkos::InitializationSettings settings;
-    // of a host about thread binding (see docs/scaling.md, "Threads"); of a GPU that the program is for another one
+    // on a host they are about thread binding (docs/scaling.md, "Threads"); on a GPU they report a program that was
+    // built for another one
     settings.set_disable_warnings(vug::shares_host_memory);
     const bool looks_around = ranks.alone() && (*line.run || *line.lab || *line.tune);
     const vug::ThreadChoice threads =
@@ -93,7 +94,7 @@ int dispatch(const CLI::App& app, CommandLine& line) {
   }
 }
 
-/// What was asked for instead of a command: help.
+/// Prints the help that was requested instead of a command.
 int help(const CLI::App& app, const CLI::ParseError& asked) {
   std::ostringstream text, nothing;
   app.exit(asked, text, nothing);

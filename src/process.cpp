@@ -17,7 +17,8 @@ namespace vug {
 
 namespace {
 
-/// All of `text`, by the system's own call: may be used by the handler of a signal. False with errno when that fails.
+/// Writes all of `text` by system calls only, so that a signal handler may use it. Returns false, with errno, on
+/// failure.
 bool write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -40,7 +41,7 @@ extern "C" void on_stop_signal(int signal) {
 }  // namespace
 
 void occupy_standard_streams() {
-  // The lowest free number is taken. Nothing can be read from the first, nothing written to the others.
+  // open takes the lowest free number. The standard input cannot be read, the others cannot be written.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);

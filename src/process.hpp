@@ -1,29 +1,30 @@
 #pragma once
-// What the operating system hands to a process: its three streams and its signals.
+// Standard streams and signals of the process.
 #include <string>
 
 namespace vug {
 
-/// Standard streams that were closed are opened on what refuses to be used: else the first files that a run opens would
-/// take their numbers, and its messages would go into history.csv.
+/// Opens standard streams that are closed, in a way that every use of them fails. Otherwise the first files that a run
+/// opens would get their numbers, and messages would be written into history.csv.
 void occupy_standard_streams();
 
-/// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR1 ask a run to stop (host/interruption.hpp), and end
-/// the process at once, with exit code 130, where it has nothing to bring to an end; those that were ignored stay so,
-/// as under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR1 ask a run to stop (host/interruption.hpp), or end the
+/// process at once, with exit code 130, where nothing needs to be completed. Those that were ignored stay ignored, as
+/// under nohup. A broken pipe and a file that may not grow are errors of the call that writes.
 void listen_to_signals();
 
-/// Where the environment has VUG_ENDS_WITH_PARENT, this process is asked to stop when the thread that has started it
-/// ends, however that ends. What this process starts is not.
+/// If VUG_ENDS_WITH_PARENT is set in the environment, the process receives SIGTERM when the thread that started it
+/// ends, for whatever reason. Removes the variable, so that processes started by this one do not receive it.
 void end_with_parent();
 
-/// Another process says why this one ends, which a launcher stops with all others.
+/// From now on this process prints no message when a signal ends it: a launcher stops all processes together, and
+/// another one prints it.
 void leave_words_to_others();
 
 /// Writes `text` to the standard output. Throws FileError when not all of it has arrived there.
 void print(const std::string& text);
 
-/// Writes a line to the standard error, if anybody can read it.
+/// Writes a line to the standard error; ignores failures.
 void complain(const std::string& line);
 
 }  // namespace vug
