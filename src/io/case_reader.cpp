@@ -83,8 +83,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end;
   if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset, may_age, scene.flow.has_value());
   const auto mechanics = root.table("mechanics");
-  const bool given = mechanics.has("mass_scaling") ||
-                     mechanics.has("substeps");  // then none is chosen: with given substeps it gains nothing
+  // more mass gains nothing where the sub-steps are given
+  const bool given = mechanics.has("mass_scaling") || mechanics.has("substeps");
   if (scene.mechanics && !scene.laboratory && scene.accuracy.tolerance > 0 && !given) choose_mass_scaling(scene);
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }

@@ -241,8 +241,7 @@ class TiffRows : public ImageRows {
   TiffPage page_;
   std::uint32_t tile_width_ = 0, tile_height_ = 0, strip_rows_ = 1;
   int next_ = 0, band_ = -1;
-  std::vector<unsigned char> part_, tiles_,
-      row_;  ///< a tile or a row of libtiff's; the tiles of a band; the requested row
+  std::vector<unsigned char> part_, tiles_, row_;  ///< a tile or a row of libtiff's; a band of tiles; the requested row
   std::vector<double> samples_;
 };
 

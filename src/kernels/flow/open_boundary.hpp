@@ -68,9 +68,9 @@ void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks
 
 /// Outflow: the pressure rule, but with the nodes' velocity along the surface (no gradient) and with two terms added to
 /// the reference pressure. The first, for the whole surface, is c_s times the recent change of the mean outward speed:
-/// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far
-/// away), and the mean pressure returns to the reference. The second, along each straight piece, is a pressure of mean
-/// zero with which vortices are carried out unchanged (PressureAlong in outflow.hpp).
+/// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), and
+/// the mean pressure returns to the reference. The second, along each straight piece, is a pressure of mean zero with
+/// which vortices are carried out unchanged (PressureAlong in outflow.hpp).
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 

@@ -135,7 +135,7 @@ struct AlongPiece {
 ///   dp/ds = -(v dv/ds + (u - U) dv/dn),   mean over the piece 0,
 /// times carried_share. This is the momentum equation along the piece for a flow whose v is carried out at U,
 /// dv/dt + U dv/dn = 0 (a convective outflow after Orlanski 1976, expressed as a pressure). The pressure is zero where
-/// the fluid leaves at right angles. dv/dn is taken between the node and the one behind it, and is 0 if that is rock.
+/// all fluid leaves at right angles. dv/dn is taken between the node and the one behind it, and is 0 if that is rock.
 /// On a joined side the ends meet: what remains of the integral around it is distributed evenly.
 template <class T>
 struct PressureAlong {
