@@ -5,7 +5,7 @@
 
 namespace vug {
 
-/// Cohesive bond (paper Eqs. 11, 12, Table 1; shared design note on the closure in docs/model.md).
+/// Cohesive bond (paper Eqs. 11, 12, Table 1; docs/model.md, "Bonds").
 struct BondParameters {
   double normal_modulus = 24.03e9;      ///< M_n, Pa
   double tangential_modulus = 10.68e9;  ///< M_t, Pa
