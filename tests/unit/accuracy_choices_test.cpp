@@ -1,5 +1,6 @@
-// Choices of speed against accuracy that change what is computed: a held flow, and rock that ages faster.
+// Choices of speed against accuracy: what was measured of them and is quoted, and rock that ages faster.
 #include "coupling/choices.hpp"
+#include "support/channel_with_pixel.hpp"
 #include "support/coupled_run.hpp"
 #include "support/run_vug.hpp"
 
@@ -15,48 +16,13 @@
 namespace vug {
 namespace {
 
+using test::channel_with_pixel;
 using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-/// A channel with a pixel of rock in it, which acid takes away.
-const std::string channel = R"(
-[lattice]
-size = [0.024, 0.009]
-spacing = 1e-3
-time_step = 1e-3
-[time]
-steps = 100000
-[geometry]
-type = "shapes"
-[[geometry.shapes]]
-type = "rectangle"
-from = [0.010, 0]
-to = [0.013, 0.004]
-[flow]
-viscosity = 2e-4
-initial_pressure = 0
-[solute]
-[[solute.species]]
-name = "A"
-diffusivity = 1e-4
-initial = 1000
-[reaction]
-reactant = "A"
-rate_constant = 2e-4
-molar_volume = 4e-4
-[boundary.left]
-flow = { type = "pressure", pressure = 5, ramp_time = 0.5 }
-solute = { type = "concentration", concentration = { A = 1000 } }
-[boundary.right]
-flow = { type = "pressure", pressure = 0 }
-solute = { type = "outflow" }
-[accuracy]
-guard_interval = 20
-)";
 
 /// The rows of the measurement itself (perf/accuracy_cost): problem, choice, cost, error (of the rock against the
 /// default's result), and what was set for it.
@@ -141,11 +107,11 @@ TEST(MeasuredChoices, AreOfTheRockWhereThereIsMechanicsAndOfOnePhysicsElsewhere)
 }
 
 TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
-  EXPECT_TRUE(notes_of(channel, {}).empty());
-  EXPECT_THAT(notes_of(channel, {"accuracy.precision=single", "reaction.wall=paper"}),
+  EXPECT_TRUE(notes_of(channel_with_pixel, {}).empty());
+  EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.precision=single", "reaction.wall=paper"}),
               ElementsAre(StartsWith("precision = single: 0.6"),
                           "reaction.wall = paper: its speed and error have been measured on the paper's rock only"));
-  EXPECT_THAT(notes_of(channel, {"accuracy.preset=fast"}),
+  EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.preset=fast"}),
               ElementsAre(StartsWith("preset = fast: its speed and error")));
   const auto rock = choice_notes(read_scene(test::small_rock, {"accuracy.precision=single", "reaction.wall=paper"}));
   ASSERT_EQ(rock.size(), 2u);
@@ -155,7 +121,7 @@ TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
 
 TEST(MeasuredChoices, AreNotQuotedFarFromWhatWasMeasured) {
   const auto begins = [](const std::string& set, const std::string& beginning) {
-    EXPECT_THAT(notes_of(channel, {set}), ElementsAre(StartsWith(beginning))) << set;
+    EXPECT_THAT(notes_of(channel_with_pixel, {set}), ElementsAre(StartsWith(beginning))) << set;
   };
   begins("accuracy.solute_interval=4", "solute_interval = 4: 0.");
   begins("accuracy.solute_interval=5", "solute_interval = 4: 0.");
@@ -165,8 +131,8 @@ TEST(MeasuredChoices, AreNotQuotedFarFromWhatWasMeasured) {
          "wall_interval = 200: its speed and error have been measured on the paper's rock only");
   begins("accuracy.update_interval=120", "update_interval = 100: 0.");
   begins("accuracy.update_interval=1000", "update_interval = 1000: its speed and error have not been measured");
-  EXPECT_TRUE(notes_of(channel, {"accuracy.heat_interval=300"}).empty());  // no heat in it
-  EXPECT_TRUE(notes_of(channel, {"accuracy.update_interval=5"}).empty());  // more careful than careful
+  EXPECT_TRUE(notes_of(channel_with_pixel, {"accuracy.heat_interval=300"}).empty());  // no heat in it
+  EXPECT_TRUE(notes_of(channel_with_pixel, {"accuracy.update_interval=5"}).empty());  // more careful than careful
 }
 
 /// On rock as well, whose values are others.
@@ -180,137 +146,14 @@ TEST(MeasuredChoices, AreNotQuotedOfRockFarFromWhatWasMeasured) {
   has("accuracy.solute_interval=10", "solute_interval = 10: its speed and error have not been measured; those of 2, 4");
 }
 
-/// Runs n steps with the checks that `vug run` makes.
-void steps(test::CoupledRun& run, int n) {
-  for (int step = 0; step < n; step += 20) run.steps(20);
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
-TEST(HeldFlow, IsHeldOnceItIsSteadyAndNotBeforeThePressureIsRaised) {
-  test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-5"});
-  steps(held, 500);
-  EXPECT_EQ(held.now("flow_held_steps_1"), 0);
-  steps(held, 3500);
-  steps(always, 4000);
-  EXPECT_GT(held.now("flow_held_steps_1"), 1000);
-  const auto exact = always.nodes("velocity"), found = held.nodes("velocity");
-  const double speed = largest_difference(exact, std::vector<double>(exact.size(), 0));
-  // it decays by a tenth or more between two looks, so what was still to come is ten times the last change at most
-  EXPECT_LE(largest_difference(exact, found), 1e-4 * speed);
-  EXPECT_LE(largest_difference(always.nodes("concentration_A"), held.nodes("concentration_A")), 1e-3 * 1000);
-  EXPECT_LE(std::abs(held.now("fluid_mass_balance_error_1")), 1e-13);
-  EXPECT_LE(std::abs(held.now("A_balance_error_1")), 1e-13);
-}
-
-/// Pressure spreads along a narrow channel of L x n cells by diffusion, with K = c_s^2 n^2/(12 nu): in 100 steps next
-/// to nothing of what is still to come. Held when both ends carry the same, in single precision as well, where changes
-/// soon drown in rounding.
-TEST(HeldFlow, IsHeldInALongNarrowChannelOnlyWhenBothEndsCarryTheSame) {
-  const std::string narrow = R"(
-[lattice]
-size = [0.3, 0.004]
-spacing = 1e-3
-time_step = 1e-3
-[time]
-steps = 200000
-[flow]
-viscosity = 5e-4
-initial_pressure = 0
-[boundary.left]
-flow = { type = "pressure", pressure = 22.5 }
-[boundary.right]
-flow = { type = "pressure", pressure = 0 }
-)";
-  for (const std::string precision : {"double", "single"}) {
-    test::CoupledRun run(narrow, {"accuracy.flow_tolerance=1e-3", "accuracy.precision=" + precision});
-    for (int look = 0; look < 1500 && run.now("flow_held_steps_1") == 0; ++look) run.steps(100);
-    EXPECT_GT(run.now("flow_held_steps_1"), 0) << precision;
-    const auto velocity = run.nodes("velocity");
-    double in = 0, out = 0;
-    for (std::size_t y = 0; y < 4; ++y) {
-      in += velocity[2 * (300 * y)];
-      out += velocity[2 * (300 * y + 299)];
-    }
-    // a Poiseuille flow of 2e-4 cells per step, 1/(2 n^2) more on the lattice; ends in error +t and -t
-    const double exact = 4 * 2e-4 * (1 + 1 / 32.0);
-    EXPECT_NEAR(in / exact, 1, 2e-3) << precision;
-    EXPECT_NEAR(out / exact, 1, 2e-3) << precision;
-  }
-}
-
-/// Nothing crosses a boundary: only how changes shrink tells what is still to come.
-TEST(HeldFlow, IsHeldBesideASlidingWallOnlyWhenAllFluidFollowsIt) {
-  const std::string couette = R"(
-[lattice]
-size = [0.004, 0.04]
-spacing = 1e-3
-time_step = 1e-3
-[time]
-steps = 200000
-[flow]
-viscosity = 2e-5
-[boundary.left]
-flow = { type = "periodic" }
-[boundary.right]
-flow = { type = "periodic" }
-[boundary.top]
-flow = { type = "wall", velocity = [0.01, 0] }
-)";
-  test::CoupledRun run(couette, {"accuracy.flow_tolerance=1e-3"});
-  for (int look = 0; look < 1500 && run.now("flow_held_steps_1") == 0; ++look) run.steps(100);
-  EXPECT_GT(run.now("flow_held_steps_1"), 0);
-  const auto velocity = run.nodes("velocity");
-  for (std::size_t y = 0; y < 40; ++y)
-    EXPECT_NEAR(velocity[2 * 4 * y], 0.01 * (static_cast<double>(y) + 0.5) / 40, 1.5e-3 * 0.01) << y;
-}
-
-/// A tolerance below what rounding leaves of the velocity: what changes no more but for that is steady.
-TEST(HeldFlow, IsHeldInSinglePrecisionWhateverTheTolerance) {
-  test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-9", "accuracy.precision=single"});
-  steps(always, 8000);
-  steps(held, 8000);
-  EXPECT_GT(held.now("flow_held_steps_1"), 1000);
-  const auto exact = always.nodes("velocity"), found = held.nodes("velocity");
-  const double speed = largest_difference(exact, std::vector<double>(exact.size(), 0));
-  EXPECT_LE(largest_difference(exact, found), 1e-4 * speed);
-}
-
-TEST(HeldFlow, WakesWhenAPixelDissolves) {
-  test::CoupledRun always(channel), held(channel, {"accuracy.flow_tolerance=1e-4"});
-  const double nodes = held.now("fluid_nodes_1");
-  int n = 0;
-  for (; n < 60000 && held.now("fluid_nodes_1") < nodes + 6; n += 20) held.steps(20);
-  ASSERT_LT(n, 60000);
-  const double passed = held.now("flow_held_steps_1");
-  EXPECT_GT(passed, 0.5 * n);
-  steps(held, 40);
-  EXPECT_EQ(held.now("flow_held_steps_1"), passed);  // two looks at least
-  steps(always, n + 40);
-  EXPECT_NEAR(held.now("dissolved_volume_m3_per_m") / always.now("dissolved_volume_m3_per_m"), 1, 1e-3);
-  EXPECT_LE(std::abs(held.now("A_balance_error_1")), 1e-13);
-}
-
-TEST(HeldFlow, HasItsBitsWhateverElseIsLookedAt) {
-  test::CoupledRun run(channel, {"accuracy.flow_tolerance=1e-5"}), looked_at(channel, {"accuracy.flow_tolerance=1e-5"});
-  steps(run, 4000);
-  for (int step = 0; step < 4000; step += 10) looked_at.steps(10);  // guards between the looks
-  EXPECT_EQ(run.nodes("velocity"), looked_at.nodes("velocity"));
-  EXPECT_EQ(run.nodes("concentration_A"), looked_at.nodes("concentration_A"));
-}
-
 /// In the limit of slow reactions the factor is nothing but time.
 TEST(DissolutionFactor, TenTimesAsMuchInATenthOfTheTime) {
   const std::vector<std::string> slow = {"reaction.rate_constant=1e-8", "boundary.left.flow.pressure=0"};
-  test::CoupledRun one(channel, slow);
+  test::CoupledRun one(channel_with_pixel, slow);
   one.steps(4000);
   std::vector<std::string> ten = slow;
   ten.push_back("accuracy.dissolution_factor=10");
-  test::CoupledRun fast(channel, ten);
+  test::CoupledRun fast(channel_with_pixel, ten);
   fast.steps(400);
   const double exact = one.now("dissolved_volume_m3_per_m");
   EXPECT_GT(exact, 0);

@@ -2,12 +2,10 @@
 #include "coupling/check.hpp"
 
 #include "coupling/limit_text.hpp"
-#include "coupling/memory_need.hpp"
 #include "coupling/simulation.hpp"
-#include "host/device_memory.hpp"
-#include "host/memory.hpp"
 #include "kernels/base/require.hpp"
 #include "support/meshed_rock.hpp"
+#include "support/obstacle.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,58 +18,8 @@
 namespace vug {
 namespace {
 
+using test::obstacle;
 using testing::HasSubstr;
-
-const std::string obstacle = R"(
-[lattice]
-size = [200, 100]
-spacing = 1
-time_step = 1
-[time]
-steps = 1000
-[geometry]
-type = "shapes"
-[[geometry.shapes]]
-type = "disc"
-centre = [60, 50]
-radius = 30
-[flow]
-viscosity = 0.1
-density = 1
-initial_pressure = 0
-[heat]
-fluid_diffusivity = 0.1
-solid_diffusivity = 0.1
-[solute]
-[[solute.species]]
-name = "A"
-diffusivity = 0.1
-[[solute.species]]
-name = "B"
-diffusivity = 0.1
-[boundary.left]
-flow = { type = "velocity", velocity = [0.01, 0] }
-[boundary.right]
-flow = { type = "outflow" }
-)";
-
-const std::string heat_alone = R"(
-[lattice]
-size = [200, 100]
-spacing = 1
-time_step = 1
-[time]
-steps = 1000
-[geometry]
-type = "shapes"
-[[geometry.shapes]]
-type = "disc"
-centre = [60, 50]
-radius = 30
-[heat]
-fluid_diffusivity = 0.1
-solid_diffusivity = 0.1
-)";
 
 TEST(Limits, NumberIsToldFromTheBoundItBreaks) {
   EXPECT_EQ(warning_of({"flow", "number", 0.2, "1", 0, 0.1, "lower it"}),
@@ -80,49 +28,6 @@ TEST(Limits, NumberIsToldFromTheBoundItBreaks) {
             "flow: number = 0.1000003 is outside 0 to 0.1; lower it");
   EXPECT_EQ(warning_of({"flow", "number", 0.49999999, "1", 0.5, std::numeric_limits<double>::infinity(), "raise it"}),
             "flow: number = 0.49999999 is outside >= 0.5; raise it");
-}
-
-/// What is predicted is at least needed, and most of what is taken.
-TEST(MemoryNeed, IsMostOfWhatIsTaken) {
-  watch_allocations();
-  const std::vector<Scene> scenes{
-      parse_scene(obstacle, "a.toml"), parse_scene(obstacle, "a.toml", {"accuracy.precision=single"}),
-      parse_scene(obstacle, "a.toml", {"solute.velocity_set=d2q9", "heat.velocity_set=d2q9"}),
-      parse_scene(heat_alone, "a.toml")};
-  for (const Scene& scene : scenes) {
-    const double before = allocated_bytes();
-    const Simulation simulation(scene);
-    const double taken = allocated_bytes() - before;
-    const double predicted = bytes_of_lattice(scene) + bytes_of_fluid(scene, simulation.parts().geometry.fluid.count);
-    EXPECT_LE(predicted, taken);
-    EXPECT_GE(predicted, 0.6 * taken);
-  }
-}
-
-TEST(MemoryNeed, ThatCannotBeMetIsRefusedBeforeItIsTaken) {
-  EXPECT_NO_THROW(require_memory(1e6, "a case"));
-  try {
-    require_memory(1e18, "a case");
-    ADD_FAILURE() << "accepted";
-  } catch (const MemoryError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("a case needs 888 PiB of memory at least, and "));
-    EXPECT_THAT(error.what(), HasSubstr(" leaves "));
-  }
-}
-
-/// A GPU's memory, here the host's, is asked by taking it. What stands for it with VUG_SEPARATE_MEMORY has no end, and
-/// the sanitizer ends who asks for too much.
-TEST(MemoryNeed, OfADeviceIsAskedByTakingIt) {
-  EXPECT_NO_THROW(require_room<Kokkos::HostSpace>(0, "a case"));
-  EXPECT_NO_THROW(require_room<Kokkos::HostSpace>(1e6, "a case"));
-#if !defined(VUG_SEPARATE_MEMORY) && !defined(__SANITIZE_ADDRESS__)
-  try {
-    require_room<Kokkos::HostSpace>(1e18, "a case");
-    ADD_FAILURE() << "accepted";
-  } catch (const MemoryError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("a case needs 888 PiB of memory at least, and the memory of "));
-  }
-#endif
 }
 
 TEST(Check, SaysWhatItMeasured) {
