@@ -4,7 +4,7 @@
 #include "coupling/error_bars.hpp"
 #include "coupling/laboratory_run.hpp"
 #include "coupling/run.hpp"
-#include "coupling/run_directory.hpp"
+#include "coupling/program_info.hpp"
 #include "coupling/tuning.hpp"
 #include "front/completion.hpp"
 #include "front/man_page.hpp"

@@ -1,6 +1,6 @@
 #include "coupling/error_bars.hpp"
 
-#include "coupling/run_directory.hpp"
+#include "coupling/recorded_run.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/override_scene.hpp"

@@ -2,20 +2,17 @@
 
 #include "coupling/laboratory_report.hpp"
 #include "coupling/limit_text.hpp"
+#include "coupling/recorded_run.hpp"
 #include "coupling/rock_fields.hpp"
-#include "coupling/run_directory.hpp"
 #include "coupling/specimen.hpp"
-#include "host/exit_code.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
-#include "io/run_folder.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <ostream>
@@ -214,56 +211,30 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
     throw InputError(scene.path + ": a quench has no strength to fit");
   if (options.seeds > 1 && scene.laboratory->test == LaboratoryTest::quench)
     throw InputError(scene.path + ": a quench is of one specimen; give others by mechanics.bond.seed");
-  const std::string directory = run_directory(scene, options.directory);
-  RunFolder folder(directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
-                   "--overwrite replaces it, -o DIR leaves it alone");
+  RecordedRun run(scene, options.directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,
+                  "--overwrite replaces it, -o DIR leaves it alone");
   const Assembly specimen = build_specimen(scene);
   const Mechanics unloaded(specimen, scene.mechanics->parameters, Loads{});
   require_fields(fields_of_rock(scene, unloaded), scene.output.fields);
   require_testable(scene, specimen, unloaded);
-  RunRecord record = first_record(scene);
   const StopsInOrder in_order;
-  folder.take();
-  write_run_record(directory, record);
-  const auto start = std::chrono::steady_clock::now();
-  const auto finish = [&] {
-    record.ended = utc_now();
-    record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_run_record(directory, record);
-  };
-  const auto try_to_finish = [&] {
-    try {
-      finish();
-    } catch (const FileError&) {
-      // where results cannot be written, the record cannot either; the first error is the one to report
-    }
-  };
+  run.begin();
   if (std::ostream* log = options.progress ? options.progress : options.warnings) {
-    if (!folder.warning().empty()) *log << "warning: " << folder.warning() << '\n';
+    if (!run.warning().empty()) *log << "warning: " << run.warning() << '\n';
     for (const std::string& warning : scene.warnings) *log << "warning: " << warning << '\n';
     for (const Limit& limit : limits_of_specimen(scene, specimen, unloaded))
       if (!limit.inside()) *log << "warning: " << warning_of(limit) << '\n';
   }
   try {
-    const std::string found = options.fit_strength ? fit(scene, options, specimen, record)
+    const std::string found = options.fit_strength ? fit(scene, options, specimen, run.record())
                               : scene.laboratory->test == LaboratoryTest::quench
-                                  ? quench_specimen(scene, options, specimen, directory, record.results)
-                                  : load_all(scene, options, specimen, directory, record);
-    note_end(record, "done", "the test has ended", done);
-    finish();
+                                  ? quench_specimen(scene, options, specimen, run.path(), run.record().results)
+                                  : load_all(scene, options, specimen, run.path(), run.record());
+    run.close_done("the test has ended");
     return fmt::format("{:<22}{}, {} triangles\n{}{:<22}{}\n", "test", name_of(scene.laboratory->test),
-                       specimen.triangles.size(), found, "files", directory);
-  } catch (const StabilityError& error) {
-    note_end(record, "diverged", error.what(), exit_code_of(error));
-    try_to_finish();
-    throw;
-  } catch (const Interrupted& stop) {
-    note_end(record, "interrupted", stop.what(), exit_code_of(stop));
-    try_to_finish();
-    throw;
+                       specimen.triangles.size(), found, "files", run.path());
   } catch (const std::exception& error) {  // for instance a fit that found nothing
-    note_failure(record, error);
-    try_to_finish();
+    run.close_failed(error);
     throw;
   }
 }

@@ -7,7 +7,6 @@
 #include "coupling/run_files.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
-#include "host/exit_code.hpp"
 #include "host/interruption.hpp"
 #include "io/checkpoint.hpp"
 #include "io/progress.hpp"
@@ -58,20 +57,23 @@ class Run {
       say_when_ended(options_.words_when_done);
     } catch (const Interrupted& stop) {
       progress.finish("interrupted");
-      const std::string reason = fmt::format("{}; {}", stop.what(), book_.last_good());
-      book_.close_early(simulation_.clock(), progress, "interrupted", reason, exit_code_of(stop));
-      throw Interrupted(reason);
+      throw closed_by(Interrupted(fmt::format("{}; {}", stop.what(), book_.last_good())), progress);
     } catch (const StabilityError& error) {
-      const std::string reason = fmt::format("{}; {}", error.what(), book_.last_good());
-      book_.close_early(simulation_.clock(), progress, "diverged", reason, exit_code_of(error));
-      throw StabilityError(reason);
+      throw closed_by(StabilityError(fmt::format("{}; {}", error.what(), book_.last_good())), progress);
     } catch (const std::exception& error) {
-      book_.close_failed(simulation_.clock(), progress, error);
+      closed_by(error, progress);
       throw;
     }
   }
 
  private:
+  /// Closes the record of the run that `error` has ended, and returns the error.
+  template <class Error>
+  const Error& closed_by(const Error& error, const Progress& progress) {
+    book_.close_failed(simulation_.clock(), progress, error);
+    return error;
+  }
+
   void resume() {
     if (!options_.resume) return;
     const std::optional<Checkpoint> checkpoint = book_.latest_checkpoint();

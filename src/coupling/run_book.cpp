@@ -1,6 +1,5 @@
 #include "coupling/run_book.hpp"
 
-#include "coupling/run_directory.hpp"
 #include "kernels/base/require.hpp"
 #include "ranks/traffic.hpp"
 
@@ -20,12 +19,6 @@ RunFolder::Use use_of(const RunOptions& options) {
   return options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh;
 }
 
-std::optional<RunFolder> folder_of_the_writer(const RunOptions& options, const std::string& path) {
-  if (!options.ranks.first()) return std::nullopt;
-  return std::optional<RunFolder>(std::in_place, path, use_of(options),
-                                  "--resume continues it, --overwrite replaces it, -o DIR leaves it alone");
-}
-
 /// Text on what differs between the case and the run that `held` describes: an input file, else the case itself.
 std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
   for (const InputFile& input : record.inputs)
@@ -43,30 +36,25 @@ std::string program_of(const Origin& of) {
 
 RunBook::RunBook(const Scene& scene, const RunOptions& options)
     : options_(options),
-      path_(run_directory(scene, options.directory)),
-      folder_(folder_of_the_writer(options, path_)),
-      record_(first_record(scene)),
+      recorded_(scene, options.directory, use_of(options),
+                "--resume continues it, --overwrite replaces it, -o DIR leaves it alone", options.ranks.first()),
       owner_(owner()) {
-  record_.ranks = options.ranks.size();
+  record().ranks = options.ranks.size();
 }
 
 /// The case and this run, or the run that it continues. Throws InputError where that run is of another case; nothing is
 /// changed then.
 CheckpointOwner RunBook::owner() {
-  const std::string hash = case_hash(record_.case_text, record_.overrides, record_.inputs);
-  if (!options_.resume) return {hash, record_.run};
-  if (!folder_) return {hash, ""};
-  const std::optional<RunSummary>& held = folder_->held();
-  if (!held) return {hash, ""};
-  if (held->case_hash != hash)
-    throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path_,
-                                 what_has_changed(record_, *held)));
-  record_.run = held->run;
-  return {hash, held->run};
-}
-
-std::string RunBook::warning() const {
-  return folder_ ? folder_->warning() : "";
+  const std::string hash = case_hash(record().case_text, record().overrides, record().inputs);
+  if (!options_.resume) return {hash, record().run};
+  const RunFolder* folder = recorded_.folder();
+  if (!folder || !folder->held()) return {hash, ""};
+  const RunSummary& held = *folder->held();
+  if (held.case_hash != hash)
+    throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path(),
+                                 what_has_changed(record(), held)));
+  record().run = held.run;
+  return {hash, held.run};
 }
 
 std::optional<Checkpoint> RunBook::latest_checkpoint() const {
@@ -79,16 +67,18 @@ std::optional<Checkpoint> RunBook::latest_checkpoint() const {
 }
 
 std::string RunBook::go_on_from(const Checkpoint& checkpoint) {
-  owner_.run = record_.run = checkpoint.run();
-  record_.last_checkpoint = record_.first_step = record_.steps = checkpoint.step();
+  RunRecord& record = recorded_.record();
+  owner_.run = record.run = checkpoint.run();
+  record.last_checkpoint = record.first_step = record.steps = checkpoint.step();
   if (checkpoint.holds(history_rows)) checkpoint.load(own_state());
-  if (!folder_ || !folder_->held() || folder_->held()->run != record_.run) return "";
-  record_.events = folder_->held()->events_until(checkpoint.step());
-  earlier_time_ = record_.wall_time = std::strtod(folder_->held()->wall_time.c_str(), nullptr);
-  const std::string now = program_of(record_), before = program_of(read_run_origin(path_));
+  const RunFolder* folder = recorded_.folder();
+  if (!folder || !folder->held() || folder->held()->run != record.run) return "";
+  record.events = folder->held()->events_until(checkpoint.step());
+  record.wall_time = std::strtod(folder->held()->wall_time.c_str(), nullptr);
+  const std::string now = program_of(record), before = program_of(read_run_origin(path()));
   if (now == before) return "";
-  record_.events.push_back(fmt::format("step {}, resumed with {}, before by {}", checkpoint.step(), now, before));
-  return record_.events.back();
+  record.events.push_back(fmt::format("step {}, resumed with {}, before by {}", checkpoint.step(), now, before));
+  return record.events.back();
 }
 
 /// What a checkpoint contains beside the state of the simulation.
@@ -99,21 +89,13 @@ StateList RunBook::own_state() {
 }
 
 void RunBook::begin_anew() {
-  if (folder_) folder_->require_dispensable();
-  owner_.run = record_.run;
+  if (recorded_.folder()) recorded_.folder()->require_dispensable();
+  owner_.run = record().run;
 }
 
 void RunBook::open(std::optional<std::int64_t> last_step) {
-  if (!folder_) return;
-  folder_->take();
-  if (options_.resume && !record_.last_checkpoint) folder_->clear();
-  if (last_step) record_.last_step = *last_step;
-  write_run_record(path_, record_);
-}
-
-void RunBook::require_ours() const {
-  if (folder_ && !folder_->is_ours())
-    throw FileError(path_ + ": was removed or replaced while the run wrote there; nothing more is written to it");
+  if (last_step) record().last_step = *last_step;
+  recorded_.begin(options_.resume && !record().last_checkpoint);
 }
 
 /// The first rank writes the checkpoint; the others take part because saving a block may need all ranks.
@@ -124,60 +106,39 @@ void RunBook::save(Simulation& simulation, std::int64_t rows, const Progress& pr
   StateList state = simulation.state();
   for (const StateBlock& block : own_state().blocks) state.add(block);
   const Clock& clock = simulation.clock();
-  if (folder_) write(clock, progress);  // first, so that a run that continues from here finds the events until then
+  note(clock, progress);
+  recorded_.write();  // first, so that a run that continues from here finds the events until then
   if (ranks.first())
     write_checkpoint(checkpoints(), state, clock.step, clock.time(), owner_);
   else
     for (const StateBlock& block : state.blocks) block.save([](std::span<const std::byte>) {});
-  const bool first = !record_.last_checkpoint;
-  record_.last_checkpoint = clock.step;
-  if (folder_ && first) write_run_record(path_, record_);  // records that there was one, in case it is lost
-  ranks.most(0);                                           // no rank ends before it is written
+  const bool first = !record().last_checkpoint;
+  record().last_checkpoint = clock.step;
+  if (first) recorded_.write();  // records that there was one, in case it is lost
+  ranks.most(0);                 // no rank ends before it is written
 }
 
 std::string RunBook::last_good() const {
-  if (!record_.last_checkpoint) return "there is no checkpoint yet";
-  return fmt::format("the last good state is the checkpoint of step {} in {}", *record_.last_checkpoint, checkpoints());
+  const std::optional<std::int64_t>& last = recorded_.record().last_checkpoint;
+  if (!last) return "there is no checkpoint yet";
+  return fmt::format("the last good state is the checkpoint of step {} in {}", *last, checkpoints());
 }
 
 void RunBook::close_done(const Clock& clock, const Progress& progress) {
-  note_end(record_, "done", "reached the last step", done);
-  write_end(clock, progress);
-}
-
-void RunBook::close_early(const Clock& clock, const Progress& progress, const std::string& status,
-                          const std::string& reason, ExitCode code) {
-  note_end(record_, status, reason, code);
-  try_to_write_end(clock, progress);
+  note(clock, progress);
+  recorded_.close_done("reached the last step");
 }
 
 void RunBook::close_failed(const Clock& clock, const Progress& progress, const std::exception& error) {
-  reserve_.reset();
-  note_failure(record_, error);
-  try_to_write_end(clock, progress);
+  note(clock, progress);
+  recorded_.close_failed(error);
 }
 
-void RunBook::try_to_write_end(const Clock& clock, const Progress& progress) {
-  try {
-    write_end(clock, progress);
-  } catch (const FileError&) {
-    // where results cannot be written, the record cannot either; the first error is the one to report
-  }
-}
-
-void RunBook::write_end(const Clock& clock, const Progress& progress) {
-  if (!folder_ || !folder_->is_ours()) return;
-  record_.ended = utc_now();
-  write(clock, progress);
-}
-
-/// Writes the record with the present step and times.
-void RunBook::write(const Clock& clock, const Progress& progress) {
-  record_.steps = clock.step;
-  record_.simulated_time = clock.time();
-  record_.wall_time = earlier_time_ + progress.wall_time();
-  record_.mlups = progress.mlups();
-  write_run_record(path_, record_);
+/// Notes the present step, time and speed in the record.
+void RunBook::note(const Clock& clock, const Progress& progress) {
+  record().steps = clock.step;
+  record().simulated_time = clock.time();
+  record().mlups = progress.mlups();
 }
 
 }  // namespace vug

@@ -1,16 +1,13 @@
 #pragma once
 // The record and the checkpoints of a run in its folder, and the checkpoint from which it continues.
+#include "coupling/recorded_run.hpp"
 #include "coupling/run.hpp"
 #include "coupling/simulation.hpp"
-#include "host/exit_code.hpp"
 #include "io/checkpoint.hpp"
 #include "io/progress.hpp"
-#include "io/run_folder.hpp"
-#include "io/run_record.hpp"
 
 #include <cstdint>
 #include <exception>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,10 +21,10 @@ class RunBook {
   /// another case that this run should continue.
   RunBook(const Scene& scene, const RunOptions& options);
 
-  const std::string& path() const { return path_; }
-  RunRecord& record() { return record_; }
+  const std::string& path() const { return recorded_.path(); }
+  RunRecord& record() { return recorded_.record(); }
   /// Why the folder could not be locked; otherwise empty.
-  std::string warning() const;
+  std::string warning() const { return recorded_.warning(); }
 
   /// The newest checkpoint of the run in the folder, the same on all ranks; nothing where there is none.
   std::optional<Checkpoint> latest_checkpoint() const;
@@ -44,37 +41,27 @@ class RunBook {
   /// known.
   void open(std::optional<std::int64_t> last_step);
   /// Throws FileError where the folder no longer belongs to this run: another one may have started in it.
-  void require_ours() const;
+  void require_ours() const { recorded_.require_ours(); }
   /// Writes the record, then a checkpoint with the state of all ranks and the number of rows in the history.
   void save(Simulation& simulation, std::int64_t rows, const Progress& progress);
   /// Writes the last record of a run that has reached its end. Throws FileError.
   void close_done(const Clock& clock, const Progress& progress);
-  /// Writes the last record of a run that has ended early: status, reason and exit code. Throws nothing where the
-  /// record cannot be written, because the reason is the error to report.
-  void close_early(const Clock& clock, const Progress& progress, const std::string& status, const std::string& reason,
-                   ExitCode code);
-  /// The same for a run that failed, also when memory was insufficient or the disk is full.
+  /// Writes the last record of a run that `error` has ended. Throws nothing where the record cannot be written.
   void close_failed(const Clock& clock, const Progress& progress, const std::exception& error);
 
   /// A text that says where the newest checkpoint is.
   std::string last_good() const;
 
  private:
-  std::string checkpoints() const { return path_ + "/checkpoint"; }
+  std::string checkpoints() const { return path() + "/checkpoint"; }
   CheckpointOwner owner();
   StateList own_state();
-  void write(const Clock& clock, const Progress& progress);
-  void write_end(const Clock& clock, const Progress& progress);
-  void try_to_write_end(const Clock& clock, const Progress& progress);
+  void note(const Clock& clock, const Progress& progress);
 
   const RunOptions& options_;
-  std::string path_;
-  std::optional<RunFolder> folder_;  ///< only on the rank that writes
-  RunRecord record_;
+  RecordedRun recorded_;
   CheckpointOwner owner_;
   std::int64_t rows_ = 0;
-  double earlier_time_ = 0;                                              ///< s, of earlier parts of the run
-  std::unique_ptr<char[]> reserve_ = std::make_unique<char[]>(1 << 20);  ///< freed to record a lack of memory
 };
 
 }  // namespace vug

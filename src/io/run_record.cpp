@@ -57,7 +57,9 @@ void note_end(RunRecord& record, const std::string& status, const std::string& r
 }
 
 void note_failure(RunRecord& record, const std::exception& error) {
-  note_end(record, "failed", reason_of(error), exit_code_of(error));
+  const ExitCode code = exit_code_of(error);
+  const char* status = code == interrupted ? "interrupted" : code == diverged ? "diverged" : "failed";
+  note_end(record, status, reason_of(error), code);
 }
 
 void write_run_record(const std::string& directory, const RunRecord& r) {

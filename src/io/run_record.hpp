@@ -50,7 +50,8 @@ struct RunRecord {
 /// Notes in the record how the run has ended, why and with which exit code.
 void note_end(RunRecord& record, const std::string& status, const std::string& reason, ExitCode code);
 
-/// Notes in the record that the run has failed, why and with which exit code (host/exit_code.hpp).
+/// Notes in the record that `error` has ended the run: as interrupted, diverged or failed, why and with which exit code
+/// (host/exit_code.hpp).
 void note_failure(RunRecord& record, const std::exception& error);
 
 /// Writes `directory`/run.json: the record, the hash of the case and the peak memory of the process so far. The file is
