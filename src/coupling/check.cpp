@@ -11,6 +11,8 @@
 #include "coupling/simulation.hpp"
 #include "coupling/specimen.hpp"
 #include "host/memory.hpp"
+#include "host/this_process.hpp"
+#include "host/work_time.hpp"
 #include "io/json_text.hpp"
 #include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"
@@ -20,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iterator>
 #include <limits>
 
@@ -33,35 +34,26 @@ constexpr int batch = 10, most_steps = 200;
 constexpr double enough = 0.2;  // s, duration of the measurement
 constexpr double busy = 2;      // mean wall time of the steps over that of the fastest, above which to warn
 
-/// Processor time of all threads together, s.
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Measures a few steps. Other work on the machine increases the wall time and, with several threads that wait for each
-/// other, the processor time as well. The time of the fastest batch is therefore taken as that on a free machine. The
-/// time of a GPU can only be measured as wall time. `take_steps(count)` takes `count` steps.
+/// other, the processor time as well. The time of the fastest batch is therefore taken as that on a free machine.
+/// `take_steps(count)` takes `count` steps.
 template <class Steps>
 void measure_steps(const Steps& take_steps, CheckReport& report) {
   take_steps(warm_up_steps);
-  Kokkos::fence();
   report.threads = shares_host_memory ? Exec().concurrency() : 1;
-  const Kokkos::Timer clock;
-  const auto now = [&] { return shares_host_memory ? processor_time() / report.threads : clock.seconds(); };
+  const auto now = [&] { return work_seconds() / report.threads; };
   const double start = now();
+  const double wall_start = steady_seconds();
   double fastest = std::numeric_limits<double>::infinity();
   for (double before = start; report.measured_steps < most_steps && before - start < enough;) {
     take_steps(batch);
-    Kokkos::fence();
     report.measured_steps += batch;
     const double after = now();
     fastest = std::min(fastest, after - before);
     before = after;
   }
   report.seconds_per_step = fastest / batch;
-  report.slowed_by = clock.seconds() / report.measured_steps / report.seconds_per_step;
+  report.slowed_by = (steady_seconds() - wall_start) / report.measured_steps / report.seconds_per_step;
 }
 
 /// Computes the shares of joined pores and writes the picture.

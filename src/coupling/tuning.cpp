@@ -3,6 +3,7 @@
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "host/interruption.hpp"
+#include "host/work_time.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/override_scene.hpp"
 #include "kernels/base/require.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <ostream>
 
@@ -70,7 +70,7 @@ std::int64_t steps_of_a_pilot(const Scene& scene, const TuningOptions& options) 
 
 struct Pilot {
   History history;
-  double cost = 0;  ///< processor time, s
+  double cost = 0;  ///< time of its steps, s: processor time, on a GPU by the clock
 };
 
 void add_row(const std::vector<HistoryValue>& row, History& history) {
@@ -81,10 +81,6 @@ void add_row(const std::vector<HistoryValue>& row, History& history) {
   for (std::size_t c = 0; c < row.size(); ++c) history.values[c].push_back(row[c].value);
 }
 
-double processor_time() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// Runs the first `steps` of a scene. Throws StabilityError where they are unstable.
 Pilot fly(const Scene& scene, std::int64_t steps) {
   const std::int64_t rows = std::max<std::int64_t>(1, std::min(rows_of_a_pilot, steps / steps_of_a_row));
@@ -93,13 +89,16 @@ Pilot fly(const Scene& scene, std::int64_t steps) {
   Pilot pilot;
   simulation.begin();
   add_row(simulation.history(), pilot.history);
+  double start = work_seconds();
   for (std::int64_t step = 1; step <= steps; ++step) {
-    const double start = processor_time();
     simulation.step();
     if (step % scene.accuracy.guard_interval == 0 || step == steps) simulation.guard();
-    pilot.cost += processor_time() - start;
-    if (step % row == 0 || step == steps) add_row(simulation.history(), pilot.history);
     throw_if_stop_requested();
+    if (step % row != 0 && step != steps) continue;
+    simulation.catch_up();
+    pilot.cost += work_seconds() - start;
+    add_row(simulation.history(), pilot.history);
+    start = work_seconds();
   }
   return pilot;
 }

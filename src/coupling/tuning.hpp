@@ -43,7 +43,7 @@ struct Tuning {
   double error = 0;                   ///< of all chosen settings together
   std::string worst;                  ///< the column with that error; empty where nothing differs
   double error_of_case = 0;           ///< of the case as it is; infinite where it is unstable
-  double cost = 0, cost_of_case = 0;  ///< processor time of the pilots over that of the finest settings
+  double cost = 0, cost_of_case = 0;  ///< time of the pilots' steps over that with the finest settings
 };
 
 /// The largest difference of two histories with the same rows over `columns` (empty: every amount), and its column.
