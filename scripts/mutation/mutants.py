@@ -24,11 +24,12 @@ LAWS = {
         mechanics_preload.cpp particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp
         static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp error_bars.cpp
-        face_temperature.hpp flow_boundaries.cpp flow_limits.cpp flow_module.cpp flow_paths.cpp
+        face_temperature.hpp flow_accounts.cpp flow_boundaries.cpp flow_limits.cpp flow_module.cpp flow_paths.cpp
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_setup.cpp initial_pathways.cpp
-        interval_chooser.cpp intervals.hpp mechanics_module.cpp minerals.cpp mouths.cpp pathway_nodes.cpp pathways.cpp pathways.hpp
-        pore_growth.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_module.cpp read_fields.hpp
-        rock.cpp rock_gauges.cpp rock_loads.cpp rock_map.cpp rock_pathways.cpp simulation.cpp slits.cpp
+        interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp mouths.cpp
+        pathway_nodes.cpp pathways.cpp pathways.hpp
+        pore_growth.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_module.cpp reaction_setup.cpp read_fields.hpp
+        rock.cpp rock_gauges.cpp rock_loads.cpp rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slits.cpp
         solid_spread.cpp solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp strip.cpp
         surfaces.cpp temperature_range.cpp thermal_exchange.cpp velocity_profile.cpp wet_nodes.cpp""",
 }

@@ -26,9 +26,10 @@ struct CheckReport {
   std::optional<ImageSummary> image;  ///< of the picture that the rock was read from
   double bytes = 0;                   ///< in Views
   std::int64_t steps = 0;
-  int measured_steps = 0;  ///< at the start
+  static constexpr int batch = 10;  ///< steps that are measured together
+  int measured_steps = 0;           ///< at the start
   int threads = 0;
-  double seconds_per_step = 0;  ///< mean of the fastest ten: processor time over threads; on a GPU wall time
+  double seconds_per_step = 0;  ///< mean of the fastest batch: processor time over threads; on a GPU wall time
   double slowed_by = 1;         ///< mean wall time of all steps over seconds_per_step; far above 1 the machine is busy
   double seconds = 0;           ///< steps x seconds_per_step
   /// Whether there may be fewer or cheaper steps: a specimen breaks earlier, rock ages faster than the fluid, the flow

@@ -1,8 +1,6 @@
 #include "coupling/mechanics_module.hpp"
 
 #include "coupling/force_change.hpp"
-#include "coupling/rock_fields.hpp"
-#include "coupling/rock_limits.hpp"
 #include "coupling/rock_loads.hpp"
 #include "dem/soundness.hpp"
 #include "io/rock_regions.hpp"
@@ -164,40 +162,6 @@ void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
 }
 
 template <class T>
-void MechanicsModule<T>::limits(LimitTable& table) const {
-  const double critical = mechanics_.critical_step();
-  table.push_back({"mechanics", "sub-steps per lattice step", static_cast<double>(substeps_), "1", 1, 1e4,
-                   "lower lattice.time_step or raise rock.element_size"});
-  table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
-                   "raise mechanics.substeps or leave it out"});
-  table.push_back(limit_of_edges(mechanics_, units_.spacing));
-}
-
-template <class T>
-void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
-  const BondCounts counts = mechanics_.bond_counts();
-  row.push_back({"bonds_damaged_1", static_cast<double>(counts.damaged)});
-  row.push_back({"bonds_failed_in_tension_1", static_cast<double>(counts.failed_in_tension)});
-  row.push_back({"bonds_failed_in_shear_1", static_cast<double>(counts.failed_in_shear)});
-  row.push_back({"bonds_dissolved_1", static_cast<double>(counts.dissolved)});
-  if (dissolved_) {
-    const LostWithRock lost = mechanics_.lost();
-    row.push_back({"triangles_dissolved_1", static_cast<double>(lost.triangles)});
-    if (section_.lets_fragments_go)
-      row.push_back({"triangles_let_go_1", static_cast<double>(dissolved_->let_go_count())});
-    row.push_back({"dissolved_rock_momentum_x_N_s_per_m", lost.momentum.x});
-    row.push_back({"dissolved_rock_momentum_y_N_s_per_m", lost.momentum.y});
-    row.push_back({"dissolved_rock_kinetic_energy_J_per_m", lost.kinetic});
-    row.push_back({"dissolved_rock_elastic_energy_J_per_m", lost.elastic});
-  }
-  if (section_.parameters.rest_tolerance > 0) row.push_back({"rock_awake_1", mechanics_.awake_share()});
-  const Energies energies = mechanics_.energies(Exec{});
-  row.push_back({"kinetic_energy_J_per_m", energies.kinetic});
-  row.push_back({"elastic_energy_J_per_m", energies.elastic});
-  gauges_.history(row);
-}
-
-template <class T>
 void MechanicsModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
   if (!flow_) return;
   catch_up(exec);
@@ -210,11 +174,6 @@ template <class T>
 void MechanicsModule<T>::take(const Exec&, const Intervals& intervals) {
   exchange_interval_ = intervals.exchange;
   update_interval_ = intervals.update;
-}
-
-template <class T>
-void MechanicsModule<T>::fields(FieldList& list) const {
-  add_rock_fields(mechanics_, list, fields_asked_for_);
 }
 
 template <class T>

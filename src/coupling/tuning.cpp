@@ -1,10 +1,10 @@
 #include "coupling/tuning.hpp"
 
+#include "coupling/history_difference.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "host/interruption.hpp"
 #include "host/work_time.hpp"
-#include "io/detail/nearest_name.hpp"
 #include "io/override_scene.hpp"
 #include "kernels/base/require.hpp"
 
@@ -27,40 +27,6 @@ constexpr std::size_t as_in_case = std::numeric_limits<std::size_t>::max();
 /// Rows of a pilot's history are at steps where every interval of settings_of has just ended.
 constexpr std::int64_t steps_of_a_row = 40;
 constexpr std::int64_t rows_of_a_pilot = 20;
-
-/// Whether a column is an amount. Excluded are counts, parts of balances, and the energy and momentum of the rock,
-/// which oscillate.
-bool is_amount(const std::string& name) {
-  if (name.ends_with("_1") || name == "time_s") return false;
-  if (name.find("_energy_") != std::string::npos || name.find("_momentum_") != std::string::npos) return false;
-  return name.find("_initial_") == std::string::npos && name.find("_gain_") == std::string::npos;
-}
-
-double largest_change(const std::vector<double>& values) {
-  double change = 0;
-  for (const double value : values) change = std::max(change, std::abs(value - values.front()));
-  return change;
-}
-
-/// Whether the values differ by rounding only, as sums of the same terms do.
-bool is_still(const std::vector<double>& values) {
-  double size = 0;
-  for (const double value : values) size = std::max(size, std::abs(value));
-  return largest_change(values) <= 1e-9 * size;
-}
-
-std::vector<int> columns_of(const History& history, const std::vector<std::string>& wanted) {
-  std::vector<int> columns;
-  for (const std::string& name : wanted) {
-    const int column = history.find(name);
-    if (column < 0)
-      throw InputError(fmt::format("\"{}\" is no column of the history{}", name, suggestion(name, history.names)));
-    columns.push_back(column);
-  }
-  for (std::size_t c = 0; wanted.empty() && c < history.names.size(); ++c)
-    if (is_amount(history.names[c])) columns.push_back(static_cast<int>(c));
-  return columns;
-}
 
 std::int64_t steps_of_a_pilot(const Scene& scene, const TuningOptions& options) {
   const std::int64_t all = last_step(scene);
@@ -185,22 +151,6 @@ std::vector<Setting> settings_of(const Scene& scene) {
   add(rock, "mechanics.mass_scaling", {"1", "4", "16"});
   add(rock, "mechanics.rest_tolerance", {"0", "2e-3", "5e-3", "1e-2"});
   return settings;
-}
-
-Difference largest_difference(const History& reference, const History& other, const std::vector<std::string>& columns) {
-  Difference largest;
-  for (const int c : columns_of(reference, columns)) {
-    const std::vector<double>& truth = reference.values[c];
-    if (is_still(truth)) continue;
-    const double change = largest_change(truth);
-    const std::vector<double>& found = other.values.at(other.find(reference.names[c]));  // settings may add columns
-    for (std::size_t row = 0; row < truth.size(); ++row) {
-      const double difference = std::abs(found.at(row) - truth[row]) / change;
-      if (difference > largest.value || std::isnan(difference))
-        largest = {std::isnan(difference) ? infinite : difference, reference.names[c]};
-    }
-  }
-  return largest;
 }
 
 Tuning tune(const Scene& given, const TuningOptions& options) {

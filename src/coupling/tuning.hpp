@@ -1,7 +1,6 @@
 #pragma once
 // Settings from a tolerance: the beginning of a case is computed repeatedly with coarser settings, as long as the
 // results stay within the tolerance of those with the finest settings.
-#include "io/history_reader.hpp"
 #include "io/scene.hpp"
 
 #include <iosfwd>
@@ -45,16 +44,6 @@ struct Tuning {
   double error_of_case = 0;           ///< of the case as it is; infinite where it is unstable
   double cost = 0, cost_of_case = 0;  ///< time of the pilots' steps over that with the finest settings
 };
-
-/// The largest difference of two histories with the same rows over `columns` (empty: every amount), and its column.
-/// Each difference is divided by the largest change of that column in `reference` since its first row. Columns that do
-/// not change are left out. So are, unless they are requested, counts, energies and momenta of the rock, and all of
-/// balances except what is stored. Throws InputError for a column that does not exist.
-struct Difference {
-  double value = 0;
-  std::string column;
-};
-Difference largest_difference(const History& reference, const History& other, const std::vector<std::string>& columns);
 
 /// Coarsens every setting alone as long as its error is within half of the tolerance, combines all, and steps back, the
 /// setting with the largest error first, until the error of all is within the tolerance. Errors are differences from

@@ -1,5 +1,5 @@
 // accuracy.tolerance: runs with intervals that are chosen as they go, held against runs in which every step is taken.
-#include "coupling/tuning.hpp"
+#include "coupling/history_difference.hpp"
 #include "support/rows.hpp"
 
 #include <fmt/format.h>

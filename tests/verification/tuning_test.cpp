@@ -1,4 +1,5 @@
 // Settings from a tolerance: what is promised of the chosen ones is found again by runs of their own.
+#include "coupling/history_difference.hpp"
 #include "coupling/tuning.hpp"
 
 #include "io/override_scene.hpp"
