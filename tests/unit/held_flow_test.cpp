@@ -119,6 +119,23 @@ TEST(HeldFlow, IsHeldInSinglePrecisionWhateverTheTolerance) {
   EXPECT_LE(largest_difference(exact, found), 1e-4 * speed);
 }
 
+/// Steady for 3 s, and held only once the last value of the table is reached.
+TEST(HeldFlow, IsNotHeldBeforeARateHasItsLastValue) {
+  for (const std::string given :
+       {"flow_rate = [[0, 2e-5], [3, 2e-5], [3.2, 4e-5]]", "mass_flow_rate = [[0, 0.02], [3, 0.02], [3.2, 0.04]]"}) {
+    test::CoupledRun run(
+        channel_with_pixel,
+        {"accuracy.flow_tolerance=1e-4", "output.flows=true", "reaction.rate_constant=0",
+         "boundary.left.flow={ type = \"velocity\", " + given + " }", "boundary.right.flow={ type = \"outflow\" }"});
+    steps(run, 3000);
+    EXPECT_EQ(run.now("flow_held_steps_1"), 0) << given;
+    EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), 0.02, 1e-12) << given;
+    steps(run, 4000);
+    EXPECT_GT(run.now("flow_held_steps_1"), 0) << given;
+    EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), 0.04, 1e-12) << given;
+  }
+}
+
 TEST(HeldFlow, WakesWhenAPixelDissolves) {
   test::CoupledRun always(channel_with_pixel), held(channel_with_pixel, {"accuracy.flow_tolerance=1e-4"});
   const double nodes = held.now("fluid_nodes_1");

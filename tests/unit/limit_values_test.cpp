@@ -92,11 +92,33 @@ TEST(LimitValues, OfFreeConvectionAreThoseOfItsFall) {
   EXPECT_NEAR(of(limits_of({}), "flow", "Mach number of free convection").value, speed / speed_of_sound, 1e-9);
 }
 
+/// Heat and acid must bear the speed of free convection beside that of the pressures, and alone in a closed cavity.
+TEST(LimitValues, OfHeatAndAcidCountFreeConvection) {
+  const double falls = std::sqrt(9.81 * 2e-4 * (320 - 260) * height), pressed = std::sqrt(2 * 20 / 800.0);
+  const auto expect = [](const LimitTable& limits, double speed) {
+    EXPECT_NEAR(of(limits, "heat", "grid Peclet number").value, speed * dx / 2e-4, 1e-9);
+    EXPECT_NEAR(of(limits, "heat", "cells per step").value, 4 * speed * dt / dx, 1e-9);
+    EXPECT_NEAR(of(limits, "solute", "cells per step").value, 2 * speed * dt / dx, 1e-9);
+  };
+  expect(limits_of({"boundary.left.flow={ type = \"pressure\", pressure = 20 }"}), falls + pressed);
+  expect(limits_of({"boundary.left.flow={ type = \"wall\" }", "boundary.right.flow={ type = \"wall\" }"}), falls);
+}
+
 /// Half of the height is open beside the rock.
 TEST(LimitValues, OfAVelocityAreTwiceAsHighInTheNarrows) {
   const LimitTable limits = limits_of({"boundary.left.flow={ type = \"velocity\", velocity = [0.1, 0] }"});
   EXPECT_NEAR(of(limits, "flow", "Mach number of the prescribed velocities").value, 0.1 / speed_of_sound, 1e-9);
   EXPECT_NEAR(of(limits, "flow", "Mach number in the narrowest passage").value, 0.2 / speed_of_sound, 1e-9);
+}
+
+/// Of a rate over time the largest counts, not that of the start.
+TEST(LimitValues, OfARateAreThoseOfItsPeak) {
+  for (const char* rate :
+       {"flow_rate = [[0, 0], [1, 4e-3], [2, 1e-3]]", "mass_flow_rate = [[0, 0], [1, 3.2], [2, 1]]"}) {
+    const LimitTable limits = limits_of({std::string("boundary.left.flow={ type = \"velocity\", ") + rate + " }"});
+    EXPECT_NEAR(of(limits, "flow", "Mach number of the prescribed velocities").value, 0.1 / speed_of_sound, 1e-9)
+        << rate;
+  }
 }
 
 /// tau = 1/2 + 3 D dt / dx^2 of a step as long as the interval says.
