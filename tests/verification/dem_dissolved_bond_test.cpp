@@ -33,6 +33,21 @@ TEST_F(OneBond, DissolutionWeakensItInShear) {
   EXPECT_EQ(state(), BondState::failed_in_shear);
 }
 
+/// With damage.normalised = false the fits of Eq. 29 themselves, 2 % below and 1 % above.
+TEST_F(OneBond, DissolutionWeakensItByTheFitsThemselvesIfTheyAreNotNormalised) {
+  parameters.chemical.normalised = false;
+  Kokkos::deep_copy(bonds.d_c, 0.3);
+  const double strength = 0.9104 * 15e6, energy = 0.4841 * 20;
+  const double onset = strength / (0.7 * 24.03e9 / bond_length()), end = 2 * energy / strength;
+  EXPECT_NEAR(stress_at(0.9995 * onset, 0)[0], 0.9995 * strength, 1e-6 * strength);
+  EXPECT_EQ(state(), BondState::intact);
+  stress_at(1.0005 * onset, 0);
+  EXPECT_EQ(state(), BondState::damaged_in_tension);
+  EXPECT_GT(stress_at(0.999 * end, 0)[0], 0);
+  EXPECT_EQ(stress_at(1.001 * end, 0)[0],
+            0);  // a straight line down to there: the energy is half its length times strength
+}
+
 /// It takes the fracture energies by f2 (Eq. 29).
 TEST_F(OneBond, DissolutionMakesItEasierToOpen) {
   Kokkos::deep_copy(bonds.d_c, 0.3);
@@ -45,6 +60,34 @@ TEST_F(OneBond, DissolutionMakesItEasierToShear) {
   Kokkos::deep_copy(bonds.d_c, 0.3);
   const double energy = 64 * energy_left, end = 2 * energy / (95e6 * strength_left);
   EXPECT_NEAR(work_until(0, 1.01 * end), energy, 1e-6 * energy);
+}
+
+/// A crack presses and rubs like two contact points, each with the dashpots of a contact times the share that
+/// dissolution has left.
+TEST_F(OneBond, DashpotsOfItsCrackAreThoseOfTwoContacts) {
+  parameters.contact.tangential_damping = 500;
+  const double c_n = parameters.contact.normal_damping, width = l / 2;
+  const auto moving = [&](double closing, double along) {  // m/s
+    const auto v = host_copy(particles.v);
+    v(1, 0) = -closing;
+    v(1, 1) = along;
+    Kokkos::deep_copy(particles.v, v);
+  };
+  stress_at(1e-5, 0);
+  ASSERT_EQ(state(), BondState::failed_in_tension);
+  for (const double left : {1.0, 0.7}) {
+    Kokkos::deep_copy(bonds.d_c, 1 - left);
+    const double spring = left * 24.03e9 / bond_length() * 1e-7;  // Pa
+    for (const double closing : {0.0, 1.0, -0.5})
+      for (const double along : {0.0, 0.3, -0.2}) {  // below the friction
+        moving(closing, along);
+        const auto stress = stress_at(-1e-7, 0);
+        EXPECT_NEAR(-stress[0], spring + left * c_n / width * closing, 1e-9 * spring) << left << ' ' << closing;
+        EXPECT_NEAR(stress[1], left * 500 / width * along, 1e-9 * spring) << left << ' ' << along;
+      }
+  }
+  moving(1, 0.3);
+  EXPECT_EQ(stress_at(1e-7, 0)[0], 0) << "open";
 }
 
 /// Whichever d_c that is; from then on its triangles' outlines count beside what is left of its faces.
