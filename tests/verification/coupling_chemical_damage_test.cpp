@@ -2,6 +2,7 @@
 #include "dem_support.hpp"
 #include "support/coupled_run.hpp"
 #include "support/nodes_of_groups.hpp"
+#include "support/pickled_rock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,46 +14,8 @@
 namespace vug {
 namespace {
 
-/// A hole full of acid in a block that stands still.
-const std::string pickled_rock = R"(
-[lattice]
-size = [0.02, 0.014]
-spacing = 2.5e-4
-time_step = 2.5e-6
-[time]
-steps = 2000
-[geometry]
-type = "rock"
-[rock]
-element_size = 3e-3
-porosity = 0
-[rock.hole]
-from = [0, 0.004]
-to = [0.006, 0.010]
-[solute]
-[[solute.species]]
-name = "acid"
-diffusivity = 5e-4
-initial = 3000
-[reaction]
-reactant = "acid"
-rate_constant = 5
-molar_volume = 4e-4
-[mechanics]
-[damage]
-[accuracy]
-update_interval = 1  # mass and damage are of this step
-[boundary.injection]
-side = "left"
-centre = 0.007
-width = 0.006
-solute = { type = "concentration", concentration = { acid = 3000 } }
-)";
-
-/// `text` with its first `from` as `to`.
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
+using test::pickled_rock;
+using test::replaced;
 
 /// Twice the signed area of a, b, c.
 double area2(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c) {
@@ -120,6 +83,12 @@ TEST(DissolvedTriangle, LosesItsMassAndItsBondsTheirShare) {
   EXPECT_GE(damaged, 5);
   EXPECT_GE(gone, 1);
   EXPECT_EQ(run.now("triangles_dissolved_1"), gone);
+  const auto state = test::host_copy(bonds.state);
+  int failed = 0;  // nothing else breaks them
+  for (int b = 0; b < bonds.count; ++b) failed += d_c(b) >= 0.95;
+  EXPECT_GE(failed, 1);
+  EXPECT_EQ(run.now("bonds_dissolved_1"), failed);
+  EXPECT_EQ(std::count(state.data(), state.data() + bonds.count, BondState::dissolved), failed);
   EXPECT_GE(run.now("nodes_dissolved_1"), 20);  // whose share is kept, and not summed again
   // all that is missing was dissolved by the acid: volume = molar volume times acid (Eq. 24)
   double sum = 0;
