@@ -18,7 +18,8 @@ int look_interval(const AccuracySection& accuracy) {
   return both * std::max(1, (solute_steps * accuracy.solute_interval + both - 1) / both);
 }
 
-/// Points of all tables over time at the boundaries, s, ascending.
+}  // namespace
+
 std::vector<double> moments_of(const Scene& scene) {
   std::vector<double> moments;
   const auto add = [&](const TimeTable& table) {
@@ -39,8 +40,6 @@ std::vector<double> moments_of(const Scene& scene) {
   std::sort(moments.begin(), moments.end());
   return moments;
 }
-
-}  // namespace
 
 void Ageing::take_in(const Look& look) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -5,6 +5,9 @@
 
 namespace vug {
 
+/// Points of all tables over time at sides, injections and shapes, s, ascending.
+std::vector<double> moments_of(const Scene& scene);
+
 /// Comes after the solutes, which it watches, and before what has reacted is booked. `flow` may be null.
 template <class T, class Set>
 class AgeingModule final : public Ageing {

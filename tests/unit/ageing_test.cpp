@@ -1,11 +1,11 @@
 // How fast the rock may age beside the fluid (accuracy.dissolution_tolerance), number by number; runs are in
 // scenes/slow_scenes_test.cpp.
-#include "coupling/ageing.hpp"
-
+#include "coupling/ageing_module.hpp"
 #include "coupling/schedule.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -37,6 +37,38 @@ TEST(FactorBefore, RockGoesThroughEveryMomentAtTheFactorOne) {
     age = until;
     ASSERT_LT(looks, 40);
   }
+}
+
+/// A table of every kind, and one at each place where there may be tables; the later ones have the earlier times.
+TEST(FactorBefore, KnowsTheTablesOfEveryValueAtEveryBoundary) {
+  double next = 100;
+  std::vector<double> times;
+  const auto table = [&] {
+    next -= 3;
+    times.insert(times.end(), {next, next + 1});
+    return TimeTable({next, next + 1}, {1, 2});
+  };
+  Scene scene;
+  BoundarySection& left = scene.left;
+  left.flow.pressure = table();
+  left.flow.velocity = {table(), table()};
+  left.flow.speed = table();
+  left.flow.flow_rate = table();
+  left.flow.mass_flow_rate = table();
+  left.heat.temperature = table();
+  left.heat.flux = table();
+  left.solute.concentration["A"] = table();
+  left.solute.flux["B"] = table();
+  scene.right.flow.pressure = table();
+  scene.bottom.heat.temperature = table();
+  scene.top.solute.concentration["A"] = table();
+  scene.injections.resize(2);
+  for (InjectionSection& injection : scene.injections) injection.conditions.flow.flow_rate = table();
+  scene.openings.resize(2);
+  for (OpeningSection& opening : scene.openings) opening.conditions.flow.speed = table();
+  std::ranges::sort(times);
+  EXPECT_EQ(times.size(), 34);
+  EXPECT_EQ(moments_of(scene), times);
 }
 
 TEST(ScheduleOfAgeingRock, IsDueWhenTheTimePassesAMultiple) {

@@ -1,4 +1,5 @@
 // How long an interval may be, and what a case says of it.
+#include "coupling/force_change.hpp"
 #include "coupling/interval_chooser.hpp"
 #include "coupling/simulation.hpp"
 #include "kernels/base/require.hpp"
@@ -6,6 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <initializer_list>
 #include <map>
 #include <string>
 
@@ -120,6 +123,52 @@ TEST(Tolerance, HoldsGrowingRockAsLongAsDissolvingRock) {
     EXPECT_LE(growing_rock.at(name), dissolving_rock.at(name)) << name << ": acid that is given back changes by more";
   }
   EXPECT_GT(dissolving_rock.at("update_interval_1"), 8);
+}
+
+TEST(LargestForceChange, IsThatOfOneTriangleSinceTheLastCall) {
+  const VectorField<double> force("force", 3), before("before", 3);
+  const auto set = [&](std::initializer_list<double> xy) {
+    const auto host = Kokkos::create_mirror_view(force);
+    for (int k = 0; k < 6; ++k) host(k / 2, k % 2) = xy.begin()[k];
+    Kokkos::deep_copy(force, host);
+  };
+  set({3, -4, 0, 1, -2, 0});
+  const ForceChange first = largest_force_change(Exec{}, force, before),
+                    again = largest_force_change(Exec{}, force, before);
+  EXPECT_DOUBLE_EQ(first.change, 5);
+  EXPECT_DOUBLE_EQ(first.force, 5);
+  EXPECT_EQ(again.change, 0);
+  EXPECT_DOUBLE_EQ(again.force, 5);
+  set({3, -4, 6, 9, -2, 0});
+  const ForceChange moved = largest_force_change(Exec{}, force, before);
+  EXPECT_DOUBLE_EQ(moved.change, 10);
+  EXPECT_DOUBLE_EQ(moved.force, std::hypot(6, 9));
+}
+
+/// A force that changes by more than 4 tolerances in two steps is passed on at every step. It grows linearly from step
+/// 1024 to step 3072: by a 128th per step at the first look after that, by a 256th at the second.
+TEST(Tolerance, PassesForcesOnAtEveryStepWhileARampPushes) {
+  Simulation simulation(
+      parse_scene("[lattice]\nsize = [0.012, 0.008]\nspacing = 5e-4\ntime_step = 2e-6\n[time]\nsteps = 5000\n"
+                  "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 3e-3\nporosity = 0\n"
+                  "[rock.hole]\nfrom = [0, 0.002]\nto = [0.004, 0.006]\n"
+                  "[flow]\ndensity = 1000\nviscosity = 1.25e-2\ninitial_pressure = 0\n"
+                  "[mechanics]\nlocal_damping = 0.7\n"
+                  "[boundary.left]\ntraction = { support = \"fixed\" }\n"
+                  "[boundary.injection]\nside = \"left\"\ncentre = 0.004\nwidth = 0.004\n"
+                  "flow = { type = \"pressure\", pressure = [[0, 10], [2.048e-3, 10], [6.144e-3, 1e5]] }\n"
+                  "[accuracy]\ntolerance = 1e-3\n",
+                  "a.toml"));
+  simulation.begin();
+  const auto interval_at = [&](int step) {
+    while (simulation.clock().step < step) simulation.step();
+    for (const HistoryValue& value : simulation.history())
+      if (value.name == "exchange_interval_1") return value.value;
+    return 0.0;
+  };
+  EXPECT_EQ(interval_at(1024 + 130), 1);
+  EXPECT_EQ(interval_at(1024 + 258), 1);
+  EXPECT_GE(interval_at(3072 + 1024), 8);
 }
 
 TEST(Tolerance, SeesAcidThatIsGivenBack) {
