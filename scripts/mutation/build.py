@@ -30,6 +30,8 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr V invert(int n, V v) {
 }
 template <class V>
 KOKKOS_FORCEINLINE_FUNCTION constexpr V twice(int n, V v) { return on(n) ? V(v + v) : v; }
+template <class V>
+KOKKOS_FORCEINLINE_FUNCTION constexpr V zero(int n, V v) { return on(n) ? V(0) : v; }
 KOKKOS_FORCEINLINE_FUNCTION constexpr int swap(int n, int v) { return on(n) ? 1 - v : v; }
 template <class C>
 KOKKOS_FORCEINLINE_FUNCTION constexpr bool deny(int n, const C& c) { return on(n) != static_cast<bool>(c); }
@@ -39,7 +41,7 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr bool deny(int n, const C& c) { return on(n
 # Where mutants may be: half the time of a build with -O3, and the small functions of Kokkos inlined all the same. What is
 # built elsewhere has the options, and with a cache of compiled files the objects, of the ordinary build.
 QUICK = "add_compile_options(-O1 -finline-small-functions -findirect-inlining -fpartial-inlining -Wno-error)\n"
-WITH_MUTANTS = ("src/kernels", "src/dem", "src/coupling", "tests")
+WITH_MUTANTS = ("src/kernels", "src/dem", "src/coupling", "src/io", "src/study", "tests")
 
 
 def instrument(text, mutants):

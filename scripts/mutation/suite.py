@@ -9,8 +9,10 @@ from .build import environment
 # Executables by the library of the mutant, in the order in which they are asked.
 SUITES = {
     "kernels": ["unit_kernels", "unit_coupling", "verification_kernels", "verification_coupling"],
-    "dem": ["unit_dem", "verification_dem", "unit_coupling", "verification_coupling"],
-    "coupling": ["unit_coupling", "verification_coupling"],
+    "dem": ["unit_dem", "verification_dem", "unit_coupling", "verification_coupling", "scenes_coupling"],
+    "coupling": ["unit_coupling", "verification_coupling", "scenes_coupling", "stability_coupling"],
+    "io": ["unit_io", "unit_coupling", "verification_coupling"],
+    "study": ["unit_study"],
 }
 STAGES = (0.3, 2, 10, float("inf"))  # s a test takes: all of one stage before the first of the next
 FAVOURITES = 8  # tests that have noticed others of the same file
