@@ -4,6 +4,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
+from tables import table  # noqa: E402
 
 # What the table of the paper's rock says.
 ROCK = """The coarse rock at 30 MPa, Da = 1.5e-3, first 12 ms. Errors are against `preset = "reference"` with a third of the
@@ -64,13 +65,10 @@ def number(value):
     return f"{value:.1e}" if value else "0"
 
 
-def table(rows):
+def errors_table(rows):
     names = list(rows[0]["errors"])
-    lines = ["| choice | cost | " + " | ".join(names) + " |", "| --- | --- |" + " --- |" * len(names)]
-    for row in rows:
-        lines.append(f"| {row['choice']} | {row['cost']:.2f} | "
-                     + " | ".join(number(row["errors"].get(name, 0)) for name in names) + " |")
-    return "\n".join(lines) + "\n"
+    return table(["choice", "cost", *names], [[row["choice"], f"{row['cost']:.2f}", *(number(row["errors"].get(name, 0)) for name in names)]
+                                              for row in rows])
 
 
 def draw(results, path):
@@ -111,11 +109,10 @@ def write(results, page, picture):
     for name, (title, what) in TITLES.items():
         rows = [row for row in results["rows"] if row["problem"] == name]
         if rows:
-            text += f"## {title}\n\n{what}\n\n{table(rows)}\n"
+            text += f"## {title}\n\n{what}\n\n{errors_table(rows)}\n\n"
     if "scenes" in results:
         whole = results["scenes"][0]
-        text += SCENES + "| scene | bytes per node | ms per step | share |\n| --- | --- | --- | --- |\n"
-        for row in results["scenes"]:
-            text += (f"| {row['scene']} | {row['bytes_per_node']:.0f} | {row['milliseconds']:.2f} | "
-                     f"{row['milliseconds'] / whole['milliseconds']:.2f} |\n")
+        text += SCENES + table(["scene", "bytes per node", "ms per step", "share"],
+                               [[row["scene"], f"{row['bytes_per_node']:.0f}", f"{row['milliseconds']:.2f}",
+                                 f"{row['milliseconds'] / whole['milliseconds']:.2f}"] for row in results["scenes"]]) + "\n"
     page.write_text(text)

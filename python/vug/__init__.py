@@ -7,6 +7,11 @@
     pressure = run[-1]["pressure"]         # of the last snapshot; nothing is read before it is used
     pressure.values, pressure.units, pressure.x, pressure.y
 """
+import sys
+
+if sys.version_info < (3, 11):
+    raise ImportError(f"vug needs Python 3.11 or later, this is {sys.version_info[0]}.{sys.version_info[1]}")
+
 from .errors import (CaseError, Diverged, FileTrouble, Interrupted, OutOfMemory, VugError, VugWarning)
 from .field import Field
 from .history import History
