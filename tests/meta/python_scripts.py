@@ -1,6 +1,7 @@
 """The Python scripts of scripts/ and perf/ say in one line what is missing or wrong, and replace no page or table unasked."""
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -55,6 +56,63 @@ class Packages(Called):
         for script in (*NEED_PACKAGES, "perf/processors", "perf/report_gpu", "perf/report_step", "perf/sweep_cost", "scripts/mutate",
                        "scripts/scaling"):
             self.assertRegex(self.require(0, ROOT / script, "--help"), r"\Ausage: ")
+
+
+class Validate(Called):
+    """Of a copy of the script whose tests are a ctest that records one row of one section, and fails where it is told to."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "scripts").mkdir()
+        for name in ("validate", "validation", "system_python.py", "tables.py"):
+            source, to = ROOT / "scripts" / name, self.folder / "scripts" / name
+            shutil.copy(source, to) if name == "validate" else to.symlink_to(source)
+        self.page = self.folder / "docs/validation.md"
+        (self.folder / "docs/validation").mkdir(parents=True)
+        self.page.write_text("# Validation\n\n### Speed of the platens\n\n### Toughness\n")
+        ctest = self.folder / "bin/ctest"
+        ctest.parent.mkdir()
+        ctest.write_text("""#!/bin/sh
+echo '{"speed": 0.5, "modulus": 27.8e9, "strength": 91.1e6}' >> "$VUG_RECORD/platen_speed.jsonl"
+[ -z "$LONG" ] || echo '{"edge": 1e-3, "ratio": 0.9}' >> "$VUG_RECORD/toughness_straight.jsonl"
+exit ${FAILS:-0}
+""")
+        ctest.chmod(0o755)
+        (self.folder / "build/openmp").mkdir(parents=True)
+
+    def validate(self, code, *words, says="", **environment):
+        return self.require(code, self.folder / "scripts/validate", *words, says=says,
+                            PATH=f"{self.folder}/bin:{os.environ['PATH']}", **environment)
+
+    def made(self):
+        return (self.folder / "build/validation/validation.md").read_text()
+
+    def test_without_a_build_or_records_nothing_is_made(self):
+        before = self.page.read_text()
+        self.validate(1, "--write", says="holds no build with tests; scripts/test makes one")
+        self.validate(1, "--write", "--draw-only", says="holds no records")
+        self.assertEqual(self.page.read_text(), before)
+
+    def test_the_page_of_docs_is_replaced_when_asked_and_whole(self):
+        before = self.page.read_text()
+        (self.folder / "build/openmp/CTestTestfile.cmake").touch()
+        self.validate(0)
+        self.assertIn("### Speed of the platens", self.made())
+        self.assertEqual(self.page.read_text(), before)
+        self.validate(1, "--write", says="no records of Toughness; docs/validation.md is kept")
+        self.assertEqual(self.page.read_text(), before)
+        self.validate(0, "--write", LONG="1")
+        self.assertEqual(self.page.read_text(), self.made())
+        self.validate(0, "--write")  # the records of the long test are still there
+        self.assertIn("91.10 MPa", self.made())
+
+    def test_tests_that_fail_leave_the_records_of_the_last_time(self):
+        (self.folder / "build/openmp/CTestTestfile.cmake").touch()
+        self.validate(0)
+        before = self.made()
+        self.validate(1, "--write", says="tests failed", FAILS="1")
+        self.validate(0, "--draw-only")
+        self.assertEqual(self.made(), before)
 
 
 if __name__ == "__main__":
