@@ -91,6 +91,22 @@ class Pictures(unittest.TestCase):
         self.assertRegex(done.stderr, r"\Aplot: .*no field that could be drawn.*\n\Z")
         self.assertIn("history_heat.png", self.pictures())
 
+    def test_curves_of_acid_and_heat_add_up(self):
+        """To what is stored, in rock that opens and with a well and a vent."""
+        for case, labels in ((SMALL_ROCK, {"new pores, advective form", "made by reaction"}),
+                             ("tests/cases/coupled/warm_well.toml", {"through well", "through the sides"})):
+            with vug.run(case, self.folder / pathlib.Path(case).stem) as run:
+                shown = vug.plot.topics_of(run.history)
+            found = set()
+            for _, unit, curves in shown.get("acid", []) + shown["heat"][:1]:
+                *parts, stored = curves
+                self.assertIn(stored.label, ("in the pores", "stored"))
+                total = sum(-part.values if part.label in ("spent on rock", "flowed out") else part.values for part in parts)
+                largest = max(np.abs(curve.values).max() for curve in curves)
+                np.testing.assert_allclose(total, stored.values, atol=1e-6 * largest)
+                found |= {part.label for part in parts}
+            self.assertLessEqual(labels, found)
+
     def test_labels_of_a_few_samples_do_not_overlap(self):
         samples = "".join(f"{k:04},{x},{y},{k}\n" for k, (x, y) in enumerate([(1.0123456, 1), (1.0223456, 5), (1.03, 3), (1.9, 2)]))
         (self.folder / "table.csv").write_text("run,flow.density,flow.viscosity,volume_m3\n" + samples)

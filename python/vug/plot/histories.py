@@ -24,18 +24,36 @@ def species_of(history):
     return [name[:-len(ending)] for name in history if name.endswith(ending)]
 
 
+GAINS = {"births": "new pores", "advective_form": "advective form"}  # how the others are named
+
+
+def _rest_of_budget(history, amount, drawn):
+    """What the gains in `drawn` leave out of an amount: what was there at the start, each opening, all others in one curve."""
+    start, opening = f"{amount}_gain_", f"{amount}_gain_shape_"
+    gains = [name for name in history if name.startswith(start) and name not in drawn and np.any(history[name] != 0)]
+    curves = _named(history, (f"{amount}_initial", "at the start", 1))
+    curves += _named(history, *((name, f"through {name[len(opening):]}", 1) for name in gains if name.startswith(opening)))
+    others = [name[len(start):] for name in gains if not name.startswith(opening)]
+    if others:
+        label = ", ".join(GAINS.get(name, name.replace("_", " ")) for name in others)
+        curves.append(Curve(label, sum(history[start + name] for name in others)))
+    return curves
+
+
 def acid(history):
-    """Where each species has gone, mol/m."""
+    """Where each species has gone, mol/m: what is in the pores is the sum of the others, less what was spent or flowed out."""
     axes = []
     for name in species_of(history):
-        reacted = sum(history[column] for column in history  # with rock, and of what each further reactant did
-                      if column == f"{name}_gain_reaction" or column.startswith(f"{name}_gain_reaction_of_"))
+        by_reaction = [column for column in history  # with rock, and of what each further reactant did
+                       if column == f"{name}_gain_reaction" or column.startswith(f"{name}_gain_reaction_of_")]
+        reacted = sum(history[column] for column in by_reaction)
         curves = _named(history, (f"{name}_gain_injected", "injected", 1))
         if np.any(reacted):
             made = np.sum(reacted) > 0
             curves.append(Curve("made by reaction", reacted) if made else Curve("spent on rock", -reacted))
-        curves += _named(history, (f"{name}_gain_outflow", "flowed out", -1), (f"{name}_stored", "in the pores", 1))
-        axes.append((name, "mol/m", curves))
+        curves += _named(history, (f"{name}_gain_outflow", "flowed out", -1))
+        curves += _rest_of_budget(history, name, [*by_reaction, f"{name}_gain_injected", f"{name}_gain_outflow"])
+        axes.append((name, "mol/m", curves + _named(history, (f"{name}_stored", "in the pores", 1))))
     return axes
 
 
@@ -48,9 +66,10 @@ def rock(history):
 
 
 def heat(history):
-    """What heat has come and gone, J/m, and the largest change of temperature."""
-    return [("heat", "J/m", _named(history, ("heat_gain_injection", "injected", 1), ("heat_gain_sides", "through the sides", 1),
-                                   ("heat_stored", "stored", 1))),
+    """What heat has come and gone, J/m (what is stored is the sum of the others), and the largest change of temperature."""
+    curves = _named(history, ("heat_gain_injection", "injected", 1), ("heat_gain_sides", "through the sides", 1))
+    curves += _rest_of_budget(history, "heat", ["heat_gain_injection", "heat_gain_sides"])
+    return [("heat", "J/m", curves + _named(history, ("heat_stored", "stored", 1))),
             ("largest change of temperature", "K", _named(history, ("largest_temperature_change", "", 1)))]
 
 
