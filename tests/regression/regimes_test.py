@@ -162,25 +162,30 @@ class TrueArea(unittest.TestCase):
 
 class Runs(unittest.TestCase):
     def written(self, folder, state):
-        """A run of one snapshot with one bond, failed, whose state has been kept or left out."""
+        """A run of one snapshot with one bond, failed, whose state has been kept or left out; of fluid, rock and an opening."""
         with h5py.File(folder / "fields.h5", "w") as fields:
             snapshot = fields.create_group("step_0")
-            snapshot.attrs["time"] = 0.0
-            snapshot["node_type"] = np.zeros((2, 3))
-            snapshot["node_type"].attrs["dx"] = DX
+            snapshot.attrs.update(time=0.0, step=0)
+            snapshot["node_type"] = np.array([[0.0, 1, 2]])
+            snapshot["node_type"].attrs.update(dx=DX, time=0.0)
         with h5py.File(folder / "particles.h5", "w") as particles:
-            bonds = particles.create_group("step_0/bonds")
-            bonds["vertices"] = np.array([[0, 0, 0], [DX, 0, 0.0]])
+            rock = {"triangles/vertices": np.zeros((6, 3)), "bonds/vertices": np.array([[0, 0, 0], [DX, 0, 0.0]])}
             if state is not None:
-                bonds["state"] = np.array([float(state)])
+                rock["bonds/state"] = np.array([float(state)])
+            for name, values in rock.items():
+                particles.create_dataset(f"step_0/{name}", data=values).attrs["time"] = 0.0
         return Run(folder)
 
     def test_failed_bonds_are_told_or_missed_aloud(self):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
-            self.assertEqual(len(self.written(folder, state=FAILED[0]).snapshot("step_0").bonds(FAILED)), 1)
+            self.assertEqual(len(self.written(folder, state=FAILED[0]).snapshot(0).bonds(FAILED)), 1)
             with self.assertRaisesRegex(SystemExit, "lack the state of the bonds"):
-                self.written(folder, state=None).snapshot("step_0")
+                self.written(folder, state=None).snapshot(0)
+
+    def test_openings_are_no_rock(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.written(pathlib.Path(folder), FAILED[0]).snapshot(0).solid.tolist(), [[False, True, False]])
 
 
 class Members(unittest.TestCase):
