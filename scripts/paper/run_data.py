@@ -60,7 +60,9 @@ class Run:
 
     @property
     def steps(self):
-        """Numbers of the snapshots."""
+        """Numbers of the snapshots; none where the run has ended before it wrote one."""
+        if not (self.directory / "fields.h5").exists():
+            return range(0)
         with vug.open(self.directory) as run:
             return range(len(run))
 

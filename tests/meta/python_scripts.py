@@ -115,5 +115,94 @@ exit ${FAILS:-0}
         self.assertEqual(self.made(), before)
 
 
+VUG = """#!/bin/sh
+# A vug that leaves a run of two snapshots, as much as the scripts read of it.
+exec "$PYTHON" - "$@" <<'END'
+import json, pathlib, sys
+import h5py, numpy as np
+words = sys.argv[1:]
+case, folder = pathlib.Path(words[1]), pathlib.Path(words[words.index("-o") + 1])
+folder.mkdir(parents=True)
+sets = [after for word, after in zip(words, words[1:]) if word == "--set"]
+(folder / "run.json").write_text(json.dumps(
+    {"status": "done", "case_text": case.read_text(), "overrides": sets, "commit": "abc"}))
+with h5py.File(folder / "fields.h5", "w") as fields:
+    for step, time in enumerate((0, 0.16)):
+        group = fields.create_group(f"step_{step}")
+        group.attrs.update(time=time, step=step)
+        for name in ("node_type", "concentration_L1", "dissolved_fraction"):
+            group[name] = np.ones((28, 40)) * (name != "node_type")
+            group[name].attrs.update(time=time, dx=2.5e-3)
+END
+"""
+
+
+class Acid(Called):
+    """acid-ladder and acid-ensemble with a vug that takes no time."""
+
+    def setUp(self):
+        super().setUp()
+        self.vug, self.runs = self.folder / "vug", self.folder / "runs"
+        self.vug.write_text(VUG)
+        self.vug.chmod(0o755)
+
+    def acid(self, code, script, *words, says="", vug=None):
+        return self.require(code, ROOT / "scripts" / script, "--runs", self.runs, "--vug", vug or self.vug, *words, says=says,
+                            PYTHON=sys.executable)
+
+    def test_tables_lie_beside_the_runs_unless_told_otherwise(self):
+        docs = {path: path.stat().st_mtime_ns for path in (ROOT / "docs/acid_fracturing").iterdir()}
+        self.acid(0, "acid-ladder", "--only", "kept_400", says="written: " + str(self.runs / "ladder.csv"))
+        self.assertEqual((self.runs / "ladder.csv").read_text().count("\n"), 2)
+        self.assertIn(",abc\n", (self.runs / "ladder.csv").read_text())
+        self.acid(0, "acid-ladder", "--draw-only", "-o", "made/anew")
+        self.assertTrue((self.folder / "made/anew/ladder.csv").exists())
+        self.acid(0, "acid-ensemble", "numerics", "--only", "*p10_da1.5e-05*", says="0 of 1")
+        self.assertTrue((self.runs / "ensemble.csv").exists())
+        self.assertEqual({path: path.stat().st_mtime_ns for path in (ROOT / "docs/acid_fracturing").iterdir()}, docs)
+
+    def test_a_run_that_is_not_finished_has_no_row(self):
+        self.acid(0, "acid-ladder", "--only", "kept_400")
+        record = self.runs / "p20_da0.0015/kept_400/run.json"
+        record.write_text(record.read_text().replace('"done"', '"interrupted"'))
+        self.acid(1, "acid-ladder", "--draw-only", says="no run is finished yet")
+
+    def test_runs_that_fail_are_told(self):
+        for script, name, words in (("acid-ladder", "kept_400", ["--only", "kept_400"]),
+                                    ("acid-ensemble", "p10_da1.5e-05_seed1", ["numerics", "--only", "the_paper*p10_da1.5e-05*"])):
+            self.acid(0, script, *words)  # the table is still written
+            for folder in self.runs.rglob(name):
+                shutil.rmtree(folder)
+            self.acid(1, script, *words, vug="/bin/false", says=f"{name}: vug ended with code 1; see {self.runs}")
+        self.require(1, ROOT / "scripts/reproduce-paper", "--coarse", "--only", "p10*5", "-o", self.runs, "--vug", "/bin/false",
+                     says="vug ended with code 1; see")
+
+    def test_finished_runs_of_something_else_are_told(self):
+        words = ["--only", "kept_400"]
+        self.acid(0, "acid-ladder", *words)
+        self.assertNotIn("kept (", self.acid(0, "acid-ladder", *words))
+        record = self.runs / "p20_da0.0015/kept_400/run.json"
+        for old, new, says in (("case_text", "case", "another case file"), ("2e-3", "3e-3", "another case file"),
+                               ("lattice.spacing=", "lattice.size=", "other settings")):
+            text = record.read_text()
+            self.assertIn(old, text)
+            record.write_text(text.replace(old, new))
+            self.acid(0, "acid-ladder", *words, says=f"finished with {says}; kept (remove ")
+            record.write_text(text)
+
+    def test_wrong_words_are_told(self):
+        for script, words, says in (("acid-ladder", ["--condition", "20"], "'20' must be a pressure in MPa and Da"),
+                                    ("acid-ladder", ["--jobs", "0"], "'0' must be a whole number"),
+                                    ("acid-ensemble", ["--jobs", "-1"], "must be a whole number"),
+                                    ("reproduce-paper", ["--jobs", "0"], "must be a whole number"),
+                                    ("mutate", ["--part", "3"], "'3' must be K/N"), ("mutate", ["--part", "0/3"], "'0/3' must be K/N")):
+            self.require(2, ROOT / "scripts" / script, *words, says=says)
+
+    def test_an_interruption_is_told(self):
+        for error, code, says in (("KeyboardInterrupt", 130, "name: interrupted; call it again"), ("OSError('lost')", 1, "name: lost\n")):
+            self.require(code, "-c", f"import sys; sys.path.insert(0, {str(ROOT / 'scripts')!r})\nfrom paper.compute import finish\n"
+                         f"def main():\n  raise {error}\nfinish('name', main)", says=says)
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=1)
