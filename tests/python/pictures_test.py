@@ -5,6 +5,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 root = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
@@ -106,6 +107,31 @@ class Pictures(unittest.TestCase):
                 np.testing.assert_allclose(total, stored.values, atol=1e-6 * largest)
                 found |= {part.label for part in parts}
             self.assertLessEqual(labels, found)
+
+    def test_seeds_are_no_axis_and_means_are_told(self):
+        """Of two pressures, one or two rates and four seeds; of seven results the first six are drawn."""
+        def study(name, rates):
+            folder = self.folder / name
+            folder.mkdir()
+            results = ",".join(f"result{k}_m" for k in range(7))
+            (folder / "table.csv").write_text(f"run,rock.seed,flow.pressure,reaction.rate,{results}\n" + "".join(
+                f"{seed}{p}{rate},{seed},{p},{rate}," + ",".join(str(p + rate + k * seed) for k in range(7)) + "\n"
+                for seed in range(4) for p in (1, 2) for rate in rates))
+            return vug.Study(folder)
+
+        title = {}
+        for name, rates in (("both", (1, 2)), ("one", (1,))):
+            with unittest.mock.patch.object(plt.Figure, "suptitle", lambda _, text, **__: title.update({name: text})):
+                vug.plot.regime_map(study(name, rates), self.folder / "map.png")
+        self.assertEqual(title["both"], "both: 16 runs; 6 of 7 results; means over rock.seed")
+        self.assertEqual(title["one"], "one: 8 runs; 6 of 7 results; means over rock.seed")
+        figure, axes = plt.subplots()
+        vug.plot.draw_result(axes, vug.Study(self.folder / "both"), "result1_m")
+        self.assertEqual({axes.get_xlabel(), axes.get_ylabel()}, {"flow.pressure", "reaction.rate"})
+        axes.clear()
+        vug.plot.draw_result(axes, vug.Study(self.folder / "one"), "result1_m")
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("flow.pressure", "result1_m"))
+        plt.close(figure)
 
     def test_labels_of_a_few_samples_do_not_overlap(self):
         samples = "".join(f"{k:04},{x},{y},{k}\n" for k, (x, y) in enumerate([(1.0123456, 1), (1.0223456, 5), (1.03, 3), (1.9, 2)]))

@@ -25,8 +25,24 @@ def _borders(values):
 
 
 def keys_of(study):
-    """The two keys with most values; those of later ones are averaged over (seeds)."""
-    return sorted(study.keys, key=lambda key: -len(np.unique(study[key])))[:2]
+    """The two keys with most values, or the only one; seeds where nothing else differs. Over those of others results are
+    averaged."""
+    differing = [key for key in study.keys if len(np.unique(study[key])) > 1] or study.keys
+    of_physics = [key for key in differing if not key.endswith("seed")] or differing
+    return sorted(of_physics, key=lambda key: -len(np.unique(study[key])))[:2]
+
+
+def _title(study, results):
+    """How many runs and results there are, and over which keys the results are averaged, or which differ beside the axes."""
+    parts = [f"{study.name}: {len(study)} runs"]
+    if len(results) < len(results_of(study)):
+        parts.append(f"{len(results)} of {len(results_of(study))} results")
+    axes = keys_of(study)
+    others = [key for key in study.keys if key not in axes and len(np.unique(study[key])) > 1]
+    if others:
+        shared = len(set(zip(*(study[key] for key in axes)))) < len(study)
+        parts.append(("means over " if shared else "differing as well: ") + ", ".join(others))
+    return "; ".join(parts)
 
 
 def _places(study, key):
@@ -89,7 +105,8 @@ def draw_result(axes, study, result):
 
 
 def regime_map(study, path, results=None):
-    """Results of a study over its keys; writes a PNG. None where no run is done or nothing differs."""
+    """Results of a study over its keys, the first six unless `results` names others; writes a PNG. None where no run is done or
+    nothing differs."""
     results = results or results_of(study)[:6]
     if not results or not keys_of(study):
         return None
@@ -101,5 +118,5 @@ def regime_map(study, path, results=None):
         draw_result(axes, study, result)
     for axes in grid.flat[len(results):]:
         axes.set_visible(False)
-    figure.suptitle(f"{study.name}: {len(study)} runs", fontsize=12)
+    figure.suptitle(_title(study, results), fontsize=12)
     return save(figure, path)
