@@ -66,14 +66,20 @@ class Rock:
     """Triangles and bonds of one snapshot, each a mapping of names to Field; bond_triangles (bonds, 2) are the triangles
     that each bond holds together, where the run says so."""
 
-    def __init__(self, group, bond_triangles=None):
-        self._bond_triangles = bond_triangles
+    def __init__(self, group, bond_triangles=None, first_bond_ends=lambda: None):
+        self._bond_triangles, self._first_bond_ends = bond_triangles, first_bond_ends
         self.triangles = Fields(group_of(group, "triangles"))
         self.bonds = Fields(group_of(group, "bonds")) if "bonds" in group else {}
 
     @property
     def bond_triangles(self):
         return None if self._bond_triangles is None else values_of(self._bond_triangles)
+
+    @property
+    def first_bond_ends(self):
+        """(2 bonds, 3) m: `bonds["vertices"]` of the run's first snapshot, on the lattice's rock, which does not move with the
+        triangles; None where it has none."""
+        return self._first_bond_ends()
 
 
 class Snapshot(Fields):
@@ -186,7 +192,14 @@ class Run:
         if rock is None or "triangles" not in rock:
             return Snapshot(fields, None, self.minerals)
         pairs = self._rock["rock/bond_triangles"] if "rock/bond_triangles" in self._rock else None
-        return Snapshot(fields, Rock(rock, pairs), self.minerals)
+        return Snapshot(fields, Rock(rock, pairs, lambda: self._first_bond_ends), self.minerals)
+
+    @functools.cached_property
+    def _first_bond_ends(self):
+        try:
+            return values_of(group_of(self._rock, f"{self._names[0]}/bonds/vertices"))
+        except FileTrouble:
+            return None
 
     def __repr__(self):
         return f"<vug.Run {str(self.directory)!r}: {len(self)} snapshots>"

@@ -8,6 +8,7 @@ from matplotlib.collections import LineCollection
 
 from .regimes import CAVITY, dissolved_of, share_in_pores
 from .run_data import DAMAGED, FAILED, NOTCH
+from vug.plot import cracks as of_bonds  # run_data has made the package known
 
 CM = 100  # per m
 ROCK = "#d9d5cc"
@@ -47,7 +48,7 @@ def draw(axes, snapshot, field, limits, cracks):
     image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), cmap=colours,
                         vmin=limits[0], vmax=limits[1], interpolation="nearest")
     if cracks:
-        for states, colour, width in (((NOTCH,), "black", 1.2), (DAMAGED, "#2166ac", 0.8), (FAILED, "#d6181f", 1.2)):
+        for states, colour, width in (((NOTCH,), of_bonds.START, 1.2), (DAMAGED, of_bonds.DAMAGED, 0.8), (FAILED, of_bonds.FAILED, 1.2)):
             axes.add_collection(LineCollection(snapshot.bonds(states) * CM, colors=colour, linewidths=width))
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)
@@ -76,7 +77,7 @@ def nine_panels(snapshots, folder):
                     figure.colorbar(image, ax=axes, label=unit, shrink=0.8)
         if unit and limits:
             figure.colorbar(image, ax=grid, label=unit, shrink=0.6)
-        figure.suptitle(title if unit else "failed bonds red, damaged blue, from the start black", fontsize=11)
+        figure.suptitle(title if unit else "failed bonds orange-red, damaged light blue, from the start black", fontsize=11)
         figure.savefig(folder / f"{name}.png", dpi=110)
         plt.close(figure)
 
@@ -95,7 +96,7 @@ def closer_look(snapshots, folder, reach=0.025):
         axes.set_ylim(middle - CM * reach / 2, middle + CM * reach / 2)
         axes.set_title(f"{p} MPa, Da = {da:g}, t = {snapshot.time:.3g} s", fontsize=10)
     figure.colorbar(image, ax=grid, label="reactant L1 / (mol/L)", shrink=0.6)
-    figure.suptitle("at the hole: failed bonds red, damaged blue, from the start black", fontsize=10)
+    figure.suptitle("at the hole: failed bonds orange-red, damaged light blue, from the start black", fontsize=10)
     figure.savefig(folder / "closer_look.png", dpi=110)
     plt.close(figure)
 

@@ -56,6 +56,54 @@ class Pictures(unittest.TestCase):
         self.assertEqual(panels["rock"].values.tolist(), [[0, 1, 0]])
         self.assertEqual(panels["pressure"].values.mask.tolist(), [[False, True, True]])
 
+    def test_openings_have_no_temperature(self):
+        """There the field has what it began with, hotter here than a cold well has left any rock."""
+        snapshot = snapshot_of({"node_type": [[1, 0, 2]], "temperature": [[340, 350, 400]], "solid_fraction": [[1, 0, 1]]})
+        for panel in vug.plot.panels_of(snapshot):
+            self.assertEqual(panel.values.mask.tolist(), [[False, False, True]], panel.name)
+        self.assertEqual({panel.name: panel.high for panel in vug.plot.panels_of(snapshot)}["temperature"], 350)
+
+    def test_a_bar_that_ends_below_the_largest_value_says_so(self):
+        speeds = np.zeros((100, 100, 3))
+        speeds[..., 0], speeds[0, 0, 0] = 1, 3
+        snapshot = snapshot_of({"velocity": speeds, "pressure": np.arange(1e4).reshape(100, 100)})
+        figure, axes = plt.subplots()
+        for panel, extend, label in zip(vug.plot.panels_of(snapshot), ("neither", "max"), ("", ", up to 3")):
+            bar = vug.plot.draw_panel(axes, panel, vug.plot.Frame(snapshot)).colorbar
+            self.assertEqual((bar.extend, bar.ax.get_ylabel()), (extend, label))
+        plt.close(figure)
+
+    def test_cracks_lie_where_the_rock_of_the_lattice_is(self):
+        """Also when the fragments have flown away; on triangles they lie where these are."""
+        run = vug.run(SMALL_ROCK, self.folder / "run")
+        self.addCleanup(run.close)
+        frame = vug.plot.Frame(run[-1])
+        _, width, _, height = frame.extent
+        first = run[0].rock.bonds["vertices"].values[:, :2]
+        np.testing.assert_array_equal(run[-1].rock.first_bond_ends[:, :2], first)
+        for moved in (False, True):
+            kinds = {label: lines for label, _, _, lines in vug.plot.cracks.segments_of(run[-1].rock, frame.scale, moved)}
+            inside = (np.abs(kinds["bond failed"] - [width / 2, height / 2]) < [0.51 * width, 0.51 * height]).all()
+            self.assertEqual((len(kinds["bond failed"]), inside), (6, not moved))
+        panel = vug.plot.panels_of(run[-1])[0]
+        lines = {label: lines for label, _, _, lines in vug.plot.fields.segments_on(panel, run[-1], frame)}
+        self.assertLess(lines["bond failed"].max(), 2.1)
+
+    def test_pictures_of_a_run_that_was_replaced_go(self):
+        self.run_rock(["temperature", "pressure"]).close()
+        self.plot("--all")
+        mine = self.folder / "run/figures/mine.png"
+        mine.touch()
+        before = self.pictures()
+        vug.run(SMALL_ROCK, self.folder / "run", {"output.fields": ["temperature", "pressure"], "output.interval": 2.5e-5}, steps=30,
+                resume=True).close()
+        self.plot()
+        self.assertEqual(self.pictures(), before)  # still of this run
+        vug.run(SMALL_ROCK, self.folder / "run", {"output.fields": ["pressure"]}, steps=20, overwrite=True).close()
+        done = self.plot()
+        self.assertEqual({pathlib.Path(line).name for line in done.stdout.split()} | {"mine.png", "drawn.json"}, self.pictures())
+        self.assertNotIn("temperature.png", self.pictures())
+
     def test_gauge_pressure_alone_is_drawn(self):
         snapshot = snapshot_of({"gauge_pressure": [[1, 2, 4]]})
         panel, = vug.plot.panels_of(snapshot)

@@ -5,21 +5,26 @@ from matplotlib.lines import Line2D
 
 from .style import BLACK, ORANGE, SKY, VERMILION
 
+# what a state looks like in every picture; where failure in tension and in shear are told apart, they have colours of their own
+DAMAGED, START, DISSOLVED, FAILED, TENSION, SHEAR = SKY, BLACK, ORANGE, VERMILION, "#2166ac", "#d6181f"
 # states of a bond (src/dem/bonds.hpp) as they are drawn: label, states, colour, line width; later ones lie on top
 KINDS = [
-    ("bond damaged", (1, 2), SKY, 0.7),
-    ("fracture from the start", (6,), BLACK, 1.4),
-    ("bond failed by dissolution", (5,), ORANGE, 1.2),
-    ("bond failed", (3, 4), VERMILION, 1.3),
+    ("bond damaged", (1, 2), DAMAGED, 0.7),
+    ("fracture from the start", (6,), START, 1.4),
+    ("bond failed by dissolution", (5,), DISSOLVED, 1.2),
+    ("bond failed", (3, 4), FAILED, 1.3),
 ]
 
 
-def segments_of(rock, scale=1):
+def segments_of(rock, scale=1, moved=False):
     """[(label, colour, width, (n, 2, 2) in m times scale)] of every kind; empty without rock. Bonds between two triangles that
-    have dissolved are left out."""
+    have dissolved are left out. They lie where they were at the start, as the rock of the lattice does; `moved`: where they are."""
     if rock is None or "vertices" not in rock.bonds or not ("state" in rock.bonds or "d_m" in rock.bonds):
         return []
-    ends = rock.bonds["vertices"].values[:, :2].reshape(-1, 2, 2) * scale
+    ends = None if moved else rock.first_bond_ends
+    if ends is None:
+        ends = rock.bonds["vertices"].values
+    ends = ends[:, :2].reshape(-1, 2, 2) * scale
     if "state" in rock.bonds:
         state = np.rint(rock.bonds["state"].values).astype(int)
     else:

@@ -28,6 +28,14 @@ def no_fluid_mask(snapshot):
     return solid | (np.rint(snapshot["node_type"].values) == OPENING) if "node_type" in snapshot else solid
 
 
+def outside_openings(snapshot, name):
+    """A field that rock and fluid have, masked in openings, where nothing is computed."""
+    values = snapshot[name].values
+    if "node_type" not in snapshot or snapshot["node_type"].shape != values.shape:
+        return np.ma.asarray(values)
+    return np.ma.masked_where(np.rint(snapshot["node_type"].values) == OPENING, values)
+
+
 def in_fluid(values, outside):
     """Values of the fluid, masked where there is none."""
     return np.ma.masked_where(outside, values) if outside is not None and not outside.all() else np.ma.asarray(values)
@@ -61,7 +69,7 @@ def panels_of(snapshot, creeping=None):
         panels.append(Panel("speed", "speed", snapshot["velocity"].units, speed, "magma", 0, high))
     if "temperature" in snapshot:
         panels.append(Panel("temperature", "temperature", snapshot["temperature"].units,
-                            np.ma.asarray(snapshot["temperature"].values), "inferno"))
+                            outside_openings(snapshot, "temperature"), "inferno"))
     for k, name in enumerate(species):
         values = in_fluid(snapshot[name].values, outside)
         panels.append(Panel(name, name.replace("concentration_", "concentration of "), snapshot[name].units, values,
@@ -70,7 +78,7 @@ def panels_of(snapshot, creeping=None):
         pass  # the triangles show it
     elif "solid_fraction" in snapshot and (solid.any() or "dissolved_fraction" in snapshot or not panels):
         panels.append(Panel("solid_fraction", "solid volume fraction", "1",
-                            np.ma.asarray(snapshot["solid_fraction"].values), "bone", 0, 1))
+                            outside_openings(snapshot, "solid_fraction"), "bone", 0, 1))
     elif solid is not None and "solid_fraction" not in snapshot and (solid.any() or not panels):
         panels.append(Panel("rock", "rock", "1", np.ma.asarray(solid.astype(float)), "bone", 0, 1))
     if "mineral" in snapshot:
@@ -82,7 +90,7 @@ def panels_of(snapshot, creeping=None):
     for name in snapshot:
         if name not in known and len(snapshot[name].shape) == 2:
             panels.append(Panel(name, name.replace("_", " "), snapshot[name].units,
-                                np.ma.asarray(snapshot[name].values), "cividis"))
+                                outside_openings(snapshot, name), "cividis"))
     return panels
 
 
@@ -92,10 +100,15 @@ def time_of(snapshot):
     return f"t = {factor * snapshot.time:.4g} {unit}"
 
 
+def segments_on(panel, snapshot, frame):
+    """The cracks of a snapshot: on triangles where they are now, on the lattice where they were at the start."""
+    return cracks.segments_of(snapshot.rock, frame.scale, moved=panel.corners is not None)
+
+
 def field(snapshot, panel, path, heading=""):
     """One field of a snapshot, `panel` of panels_of(snapshot), with its cracks; writes a PNG."""
     frame = Frame(snapshot)
-    segments = cracks.segments_of(snapshot.rock, frame.scale)
+    segments = segments_on(panel, snapshot, frame)
     figure, axes = plt.subplots(figsize=panel_size(frame.shape, 7.2), layout="constrained")
     draw_panel(axes, panel, frame, segments, f"{heading}{panel.title}, {time_of(snapshot)}")
     cracks.legend(figure, segments)
@@ -108,7 +121,7 @@ def overview_figure(snapshot, heading="", panels=None):
     panels = panels or panels_of(snapshot)
     if not panels:
         raise VugError(f"the snapshot at t = {snapshot.time:g} s holds no field that could be drawn")
-    segments, shape = cracks.segments_of(snapshot.rock, frame.scale), frame.shape
+    shape = frame.shape
     width, height = panel_size(shape, 4.8)
     columns = 1 if shape < 1 / 3 else 2 if len(panels) in (2, 4) and shape < 2 else 3
     if shape >= 1 / 3 and (len(panels) in (7, 8) or shape > 1.5):
@@ -120,6 +133,7 @@ def overview_figure(snapshot, heading="", panels=None):
     figure, grid = plt.subplots(rows, columns, squeeze=False, layout="constrained",
                                 figsize=(width * columns, height * rows + 0.7))
     for axes, panel in zip(grid.flat, panels):
+        segments = segments_on(panel, snapshot, frame)
         draw_panel(axes, panel, frame, segments)
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)

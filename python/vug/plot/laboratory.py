@@ -9,17 +9,18 @@ from matplotlib.lines import Line2D
 from ..field import attribute_of, values_of
 from ..history import History
 from ..run_folder import group_of
+from . import cracks
 from .style import save, tidy
 
 CM, MPA, PERCENT, MM = 100, 1e-6, 100, 1e3  # of m, Pa, 1, m
 ROCK, OUTLINE = "#e6e2d9", "#8a8578"
 # states of a bond (src/dem/bonds.hpp): label, states, colour, line width; later ones lie on top
 KINDS = [
-    ("damaged", (1, 2), "#b0b0b0", 0.6),
-    ("cracked from the start", (6,), "#111111", 1.6),
-    ("failed by dissolution", (5,), "#e08214", 1.3),
-    ("failed in tension", (3,), "#2166ac", 1.3),
-    ("failed in shear", (4,), "#d6181f", 1.3),
+    ("damaged", (1, 2), cracks.DAMAGED, 0.6),
+    ("cracked from the start", (6,), cracks.START, 1.6),
+    ("failed by dissolution", (5,), cracks.DISSOLVED, 1.3),
+    ("failed in tension", (3,), cracks.TENSION, 1.3),
+    ("failed in shear", (4,), cracks.SHEAR, 1.3),
 ]
 
 

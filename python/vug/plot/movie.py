@@ -3,7 +3,7 @@ from matplotlib import animation
 from matplotlib import pyplot as plt
 
 from ..errors import VugError
-from . import cracks, fields
+from . import fields
 from .style import readable
 
 
@@ -47,7 +47,7 @@ def movie(run, path, heading="", names=None, frames_per_second=8):
             axes.set_visible(False)
         for axes, panel in zip(grid.flat, chosen):
             panel.low, panel.high = scales.get(panel.name, (panel.low, panel.high))
-            fields.draw_panel(axes, panel, frame, cracks.segments_of(snapshot.rock, frame.scale))
+            fields.draw_panel(axes, panel, frame, fields.segments_on(panel, snapshot, frame))
         factor, unit = readable("s", run.times[-1])  # one unit for all frames
         figure.suptitle(f"{heading}t = {factor * snapshot.time:.4g} {unit}", fontsize=12)
 

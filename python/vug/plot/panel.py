@@ -51,9 +51,19 @@ def _place_of(snapshot):
     return low[0], high[0], low[1], high[1]
 
 
+def _beyond(panel, scale):
+    """On which ends of the colour bar values lie beyond it, as Matplotlib says it, and a few words on how far they go."""
+    finite = np.ma.masked_invalid(panel.values).compressed()
+    least, largest = (finite.min(), finite.max()) if finite.size else (panel.low, panel.high)
+    if largest > panel.high:
+        return ("both", f", {scale(least):.3g} to {scale(largest):.3g}") if least < panel.low else ("max", f", up to {scale(largest):.3g}")
+    return ("min", f", down to {scale(least):.3g}") if least < panel.low else ("neither", "")
+
+
 def draw_panel(axes, panel, frame, segments=(), title=None):
     """Draws a field with the cracks on it and a colour bar as high as the picture; returns the image."""
     extent, scale = frame.extent, Scale(panel.unit, panel.low, panel.high)
+    extend, beyond = _beyond(panel, scale)
     colours = plt.get_cmap(panel.colours, len(panel.kinds) if panel.kinds else None).copy()
     colours.set_bad(panel.missing)
     limits = {"cmap": colours, "norm": Normalize(scale(panel.low), scale(panel.high))}
@@ -70,10 +80,10 @@ def draw_panel(axes, panel, frame, segments=(), title=None):
     axes.set_ylabel(f"y / {frame.unit}")
     axes.set_title(title if title is not None else panel.title, fontsize=10)
     if frame.shape < 1 / 3:  # a strip: the bar lies below it
-        bar = axes.figure.colorbar(image, ax=axes, orientation="horizontal", fraction=0.12, aspect=40, pad=0.02)
+        bar = axes.figure.colorbar(image, ax=axes, orientation="horizontal", fraction=0.12, aspect=40, pad=0.02, extend=extend)
     else:
-        bar = axes.figure.colorbar(image, cax=axes.inset_axes([1.02, 0, 0.03, 1]))
-    bar.set_label(scale.label)
+        bar = axes.figure.colorbar(image, cax=axes.inset_axes([1.02, 0, 0.03, 1]), extend=extend)
+    bar.set_label(scale.label + beyond)
     bar.outline.set_visible(False)
     if panel.kinds:
         bar.set_ticks(range(len(panel.kinds)), labels=panel.kinds)
