@@ -8,7 +8,7 @@ if(DEFINED ENV{CI})
   set(_werror ON)
 endif()
 option(VUG_WERROR "Treat warnings as errors (on where CI is set in the environment)" ${_werror})
-option(VUG_NATIVE "Compile for this machine's processor" ON)
+option(VUG_NATIVE "On x86-64: compile for this machine's processor" ON)
 option(VUG_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
 if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} $ENV{CXXFLAGS}" MATCHES "-ffast-math|-ffinite-math-only|-Ofast")

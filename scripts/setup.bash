@@ -1,6 +1,13 @@
 # Set-up shared by scripts/run, scripts/test and scripts/gpu-check: installs what is missing, configures, builds.
-# Sourced, not run.
+# Sourced, not run. Of a script that is called with --help it prints the comment at its head, and ends it.
 set -euo pipefail
+
+for word in "$@"; do  # before anything is installed
+  if [[ $word == -h || $word == --help ]]; then
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+    exit 0
+  fi
+done
 
 vug_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 

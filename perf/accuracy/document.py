@@ -105,7 +105,9 @@ def write(results, page, picture):
     if not results["rows"]:
         return
     draw(results, picture)
-    text = INTRODUCTION.format(machine=results.get("machine", "machine not recorded"))
+    machines = dict.fromkeys(row.get("machine", results.get("machine", "machine not recorded"))
+                             for row in [*results["rows"], *results.get("scenes", [])])
+    text = INTRODUCTION.format(machine="; ".join(machines))
     for name, (title, what) in TITLES.items():
         rows = [row for row in results["rows"] if row["problem"] == name]
         if rows:

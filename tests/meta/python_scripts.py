@@ -1,4 +1,5 @@
 """The Python scripts of scripts/ and perf/ say in one line what is missing or wrong, and replace no page or table unasked."""
+import json
 import os
 import pathlib
 import shutil
@@ -202,6 +203,36 @@ class Acid(Called):
         for error, code, says in (("KeyboardInterrupt", 130, "name: interrupted; call it again"), ("OSError('lost')", 1, "name: lost\n")):
             self.require(code, "-c", f"import sys; sys.path.insert(0, {str(ROOT / 'scripts')!r})\nfrom paper.compute import finish\n"
                          f"def main():\n  raise {error}\nfinish('name', main)", says=says)
+
+
+class AccuracyCost(Called):
+    """Of a copy of the script, with results of its own."""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("perf/results", "docs", "cases"):
+            (self.folder / name).mkdir(parents=True)
+        shutil.copy(ROOT / "perf/accuracy_cost", self.folder / "perf")
+        (self.folder / "perf/accuracy").symlink_to(ROOT / "perf/accuracy")
+        (self.folder / "scripts").symlink_to(ROOT / "scripts")
+        self.results = self.folder / "perf/results/accuracy_cost.json"
+        shutil.copy(ROOT / "perf/results/accuracy_cost.json", self.results)
+
+    def test_what_there_is_none_of_is_told(self):
+        self.require(2, self.folder / "perf/accuracy_cost", "--only", "foo", says="invalid choice: 'foo'")
+        self.require(1, self.folder / "perf/accuracy_cost", "--vug", "/bin/false", "--choice", "foo", says="no choice has 'foo' in its name")
+
+    def test_rows_of_choices_that_went_are_dropped_and_machines_are_told(self):
+        script = self.folder / "perf/accuracy_cost"
+        self.require(0, script, "--draw-only")
+        self.assertEqual((self.folder / "docs/accuracy.md").read_text(), (ROOT / "docs/accuracy.md").read_text())
+        results = json.loads(self.results.read_text())
+        results["rows"][0]["choice"] = "an earlier one"
+        results["rows"][1]["machine"] = "another machine"
+        self.results.write_text(json.dumps(results))
+        self.require(0, script, "--draw-only", says='no choice "an earlier one" any more; its row is dropped')
+        self.assertEqual(len(json.loads(self.results.read_text())["rows"]), len(results["rows"]) - 1)
+        self.assertIn("(another machine; x86_64, 2 cores, one thread)", (self.folder / "docs/accuracy.md").read_text().replace("\n", " "))
 
 
 if __name__ == "__main__":

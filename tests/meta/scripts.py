@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -61,7 +62,7 @@ class Scripts(unittest.TestCase):
         self.require(2, script, "missing.toml", says="missing.toml: there is no such file")
         self.require(2, script, "--quiet", says="the case comes first")
 
-    def test_run_leaves_the_folder_to_who_names_it(self):
+    def test_run_draws_the_folder_that_is_named(self):
         script = self.folder / "scripts/run"
         script.parent.mkdir()
         shutil.copy(ROOT / "scripts/run", script)
@@ -74,8 +75,9 @@ class Scripts(unittest.TestCase):
         plot.write_text('#!/bin/sh\necho plot "$@"\n')
         for path in (program, plot):
             os.chmod(path, 0o755)
-        for words, expected in ((["-oout"], "run case.toml -oout\n"), (["-o", "out"], "run case.toml -o out\n"),
-                                (["--output=out"], "run case.toml --output=out\n"),
+        for words, expected in ((["-oout"], "run case.toml -oout\nplot out\n"),
+                                (["-o", "my out", "--quiet"], "run case.toml -o my out --quiet\nplot my out\n"),
+                                (["--output=out"], "run case.toml --output=out\nplot out\n"),
                                 (["--overwrite"], "run case.toml -o runs/case --overwrite\nplot runs/case\n")):
             self.assertEqual(self.call(script, "case.toml", *words).stdout, expected)
 
@@ -93,6 +95,80 @@ class Scripts(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("build cuda_check --target all\n", done.stdout)
         self.assertRegex(done.stdout, r"\ncuda +FAILED .*\nheaders +passed ")
+
+    def test_matrix_reports_what_is_left_out(self):
+        """Where a part's tool is missing, it has not passed."""
+        (self.folder / "scripts").mkdir()
+        (self.folder / "scripts/setup.bash").write_text("set -euo pipefail\nvug_root=$PWD\nvug_build() { :; }\n")
+        (self.folder / "bin").mkdir()
+        for tool in filter(shutil.which, ("bash", "cat", "cut", "dirname", "getconf", "git", "grep", "nproc", "sed")):
+            (self.folder / "bin" / tool).symlink_to(shutil.which(tool))
+        script = shutil.copy(ROOT / "scripts/ci-matrix", self.folder / "scripts")
+        done = self.call(script, "format", "tidy", "cuda", "headers", env=os.environ | {"PATH": str(self.folder / "bin")})
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for part in ("format", "tidy", "cuda"):
+            self.assertRegex(done.stdout, rf"\n{part} +left out ")
+        self.assertRegex(done.stdout, r"\nheaders +passed ")
+
+    def test_help_is_help_before_anything_is_installed(self):
+        """Of copies beside which nothing can be installed or built."""
+        path = self.folder / "bin"
+        path.mkdir()
+        for tool in ("bash", "dirname", "sed"):
+            (path / tool).symlink_to(shutil.which(tool))
+        for name in ("ci-matrix", "hip-check", "record-regression", "run", "setup.bash", "site", "stability-map", "test"):
+            (self.folder / "scripts").mkdir(exist_ok=True)
+            shutil.copy(ROOT / "scripts" / name, self.folder / "scripts")
+        (self.folder / "perf").mkdir()
+        shutil.copy(ROOT / "perf/measure", self.folder / "perf")
+        for name in ("scripts/ci-matrix", "scripts/hip-check", "scripts/record-regression", "scripts/run", "scripts/site",
+                     "scripts/stability-map", "scripts/test", "perf/measure"):
+            done = self.call(self.folder / name, "--help", env={"PATH": str(path)})
+            self.assertEqual((done.returncode, done.stderr), (0, ""), name)
+            self.assertIn(name, done.stdout)
+
+    def test_builds_are_looked_for_from_where_one_stands(self):
+        self.require(1, ROOT / "scripts/stability-map", "my", says="stability-map: my is no build")
+        self.require(1, ROOT / "perf/measure", "my", says="measure: my/perf/vug_dem_perf is not there")
+        (self.folder / "my/src").mkdir(parents=True)
+        (self.folder / "my/src/vug").touch()
+        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "my", says="scaling: my was built without MPI")
+        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "my", "--case", "lost.toml", says="scaling: lost.toml is not there")
+        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "other", says="other/src/vug is not there; cmake --preset mpi")
+        self.require(1, ROOT / "perf/processors", "my", says="processors: my/perf/vug_kernels_perf is not there")
+        self.require(1, ROOT / "perf/slow_scenes", "--vug", "lost", says="slow_scenes: lost is not there")
+        self.require(1, ROOT / "perf/sweep_cost", "--vug", "lost", says="sweep_cost: lost is not there")
+        self.require(1, ROOT / "scripts/campaign", "--small", "--build", "lost", says="campaign: lost/src/vug is not there")
+
+    def test_hip_check_begins_anew_after_a_configuration_that_failed(self):
+        """With two versions of Kokkos beside each other; a cmake that fails the first time, a hipcc that compiles all."""
+        def write(name, text):
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / name).write_text(text)
+            os.chmod(self.folder / name, 0o755)
+
+        version = re.search(r"^set\(VUG_KOKKOS_VERSION (.*)\)", (ROOT / "cmake/kokkos.cmake").read_text(), flags=re.M)[1]
+        write("scripts/setup.bash", """set -euo pipefail
+vug_root=$PWD vug_packages=()
+vug_install_packages() { :; }
+vug_build() { :; }
+vug_fail() { echo "$*"; exit 1; }
+""")
+        write("cmake/kokkos.cmake", f"set(VUG_KOKKOS_VERSION {version})\n")
+        write("build/openmp/CMakeCache.txt", f"VUG_DEPS_DIR:PATH={self.folder}/.deps\n")
+        for name in (version, "5.99.0"):
+            write(f".deps/kokkos-{name}/cmake/kokkos_compiler_id.cmake", f"SET(KOKKOS_HIPCC_MINIMUM 6.2.0)\n# {name}\n")
+        write("bin/cmake", "#!/bin/sh\n[ -e failed ] || { touch failed; exit 1; }\nmkdir -p build/hip-check/kokkos\n"
+                           "touch build/hip-check/kokkos/KokkosCore_config.h\n")
+        write("bin/hipcc", "#!/bin/sh\n")
+        script = shutil.copy(ROOT / "scripts/hip-check", self.folder / "scripts")
+        for code, says in ((1, "configuring Kokkos failed"), (0, "compiled  a.cpp")):
+            done = self.call(script, "a.cpp", env=os.environ | {"PATH": f"{self.folder}/bin:{os.environ['PATH']}"})
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+            self.assertIn(says, done.stdout)
+        source = self.folder / "build/hip-check/source"
+        self.assertEqual([path.name for path in source.iterdir()], ["cmake"])
+        self.assertEqual((source / "cmake/kokkos_compiler_id.cmake").read_text(), f"SET(KOKKOS_HIPCC_MINIMUM 5.2.0)\n# {version}\n")
 
     def test_presets_are_whole(self):
         """What can be configured can be built, and tested where it has tests; options of one are not those of another."""
