@@ -13,7 +13,8 @@ NOTCH = 6
 
 
 class Snapshot:
-    """One moment: arrays over the lattice (row = y), and the bonds' ends in m with their states."""
+    """One moment: arrays over the lattice (row = y), and the bonds' ends in m with their states. The ends are those at the
+    start, since the rock of the lattice does not move with fragments."""
 
     def __init__(self, snapshot):
         self.time = snapshot.time
@@ -21,7 +22,8 @@ class Snapshot:
         self.solid = np.rint(snapshot["node_type"].values) == 1
         self.field = {name: field.values for name, field in snapshot.items()}
         bonds = snapshot.rock.bonds if snapshot.rock else {}
-        self.bond_ends = bonds["vertices"].values[:, :2].reshape(-1, 2, 2) if bonds else np.empty((0, 2, 2))
+        ends = snapshot.rock.first_bond_ends if bonds else np.empty((0, 3))
+        self.bond_ends = (bonds["vertices"].values if ends is None else ends)[:, :2].reshape(-1, 2, 2)
         self.bond_state = np.rint(bonds["state"].values).astype(int) if bonds else np.empty(0, int)
 
     def bonds(self, states):

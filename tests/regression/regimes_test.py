@@ -158,6 +158,15 @@ class TrueArea(unittest.TestCase):
                 area = true_area(snapshot.solid, 1 - dissolved_of(snapshot), ~snapshot.solid) * snapshot.dx
                 self.assertAlmostEqual(area / history["reactive_area_m2_per_m"][row], 1, delta=1e-4)
             self.assertGreater(snapshot.field["dissolved_fraction"].sum(), 50)
+            self.bonds_lie_where_they_were(run)
+
+    def bonds_lie_where_they_were(self, run):
+        """Of rock whose fragments have moved: on the same edges as at the start."""
+        first, last = run.snapshot(0), run.snapshot(run.steps[-1])
+        np.testing.assert_array_equal(last.bond_ends, first.bond_ends)
+        with h5py.File(run.directory / "particles.h5") as particles:
+            now = particles[max(particles, key=lambda name: (name.startswith("step_"), name))]["bonds/vertices"][:, :2].reshape(-1, 2, 2)
+        self.assertGreater(np.abs(now - first.bond_ends)[np.isin(last.bond_state, FAILED)].max(), 1e-4)
 
 
 class Runs(unittest.TestCase):
