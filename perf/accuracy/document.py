@@ -67,8 +67,8 @@ def number(value):
 
 def errors_table(rows):
     names = list(rows[0]["errors"])
-    return table(["choice", "cost", *names], [[row["choice"], f"{row['cost']:.2f}", *(number(row["errors"].get(name, 0)) for name in names)]
-                                              for row in rows])
+    errors = [[number(row["errors"].get(name, 0)) for name in names] for row in rows]
+    return table(["choice", "cost", *names], [[row["choice"], f"{row['cost']:.2f}", *of_row] for row, of_row in zip(rows, errors)])
 
 
 def draw(results, path):

@@ -77,8 +77,8 @@ class Rock:
 
     @property
     def first_bond_ends(self):
-        """(2 bonds, 3) m: `bonds["vertices"]` of the run's first snapshot, on the lattice's rock, which does not move with the
-        triangles; None where it has none."""
+        """(2 bonds, 3) m: `bonds["vertices"]` of the run's first snapshot, where the rock of the lattice stays while the
+        triangles move; None where it has none."""
         return self._first_bond_ends()
 
 

@@ -39,9 +39,10 @@ def compute(case, directory, executable, threads, settings=()):
     directory.parent.mkdir(parents=True, exist_ok=True)
     path = directory.parent / f"{directory.name}.log"
     with open(path, "a", encoding="utf-8") as log:
-        code = subprocess.run(command, stdout=log, stderr=log, check=False, env=os.environ | {"OMP_PROC_BIND": "false"}).returncode
-    print(f"{name}: vug ended with code {code}; see {path}" if code not in (0, DIVERGED) else f"{name} {run.status}", flush=True)
-    return code not in (0, DIVERGED)
+        done = subprocess.run(command, stdout=log, stderr=log, check=False, env=os.environ | {"OMP_PROC_BIND": "false"})
+    wrong = done.returncode not in (0, DIVERGED)
+    print(f"{name}: vug ended with code {done.returncode}; see {path}" if wrong else f"{name} {run.status}", flush=True)
+    return wrong
 
 
 def compute_all(runs, executable, threads, jobs):

@@ -48,7 +48,8 @@ def draw(axes, snapshot, field, limits, cracks):
     image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), cmap=colours,
                         vmin=limits[0], vmax=limits[1], interpolation="nearest")
     if cracks:
-        for states, colour, width in (((NOTCH,), of_bonds.START, 1.2), (DAMAGED, of_bonds.DAMAGED, 0.8), (FAILED, of_bonds.FAILED, 1.2)):
+        for states, colour, width in (((NOTCH,), of_bonds.START, 1.2), (DAMAGED, of_bonds.DAMAGED, 0.8),
+                                      (FAILED, of_bonds.FAILED, 1.2)):
             axes.add_collection(LineCollection(snapshot.bonds(states) * CM, colors=colour, linewidths=width))
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)

@@ -71,8 +71,10 @@ class Run:
     def snapshot(self, number):
         with vug.open(self.directory) as run:
             snapshot = run[number]
-            if snapshot.rock and snapshot.rock.bonds and "state" not in snapshot.rock.bonds:  # or every bond would count as intact
-                raise SystemExit(f"{self.directory}: its snapshots lack the state of the bonds, which output.fields left out")
+            bonds = snapshot.rock.bonds if snapshot.rock else {}
+            if bonds and "state" not in bonds:  # or every bond would count as intact
+                raise SystemExit(f"{self.directory}: its snapshots lack the state of the bonds, which output.fields left "
+                                 "out")
             return Snapshot(snapshot)
 
     def snapshot_at(self, time):

@@ -1,4 +1,4 @@
-"""The Python scripts of scripts/ and perf/ say in one line what is missing or wrong, and replace no page or table unasked."""
+"""The Python scripts of scripts/ and perf/ say in one line what is missing or wrong, and replace no page unasked."""
 import json
 import os
 import pathlib
@@ -9,8 +9,8 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NEED_PACKAGES = ("scripts/acid-ensemble", "scripts/acid-ladder", "scripts/campaign", "scripts/plot", "scripts/reproduce-paper",
-                 "scripts/validate", "perf/accuracy_cost", "perf/report", "perf/slow_scenes")
+NEED_PACKAGES = ("scripts/acid-ensemble", "scripts/acid-ladder", "scripts/campaign", "scripts/plot",
+                 "scripts/reproduce-paper", "scripts/validate", "perf/accuracy_cost", "perf/report", "perf/slow_scenes")
 
 
 class Called(unittest.TestCase):
@@ -26,7 +26,7 @@ class Called(unittest.TestCase):
                               env=os.environ | environment)
 
     def require(self, code, *words, says="", **environment):
-        """Standard error of at most one line, besides the use that argparse prints."""
+        """The exit code, what is said, and no traceback; returns standard output."""
         done = self.call(*words, **environment)
         said = done.stdout + done.stderr
         self.assertEqual(done.returncode, code, said)
@@ -39,8 +39,8 @@ class Packages(Called):
     def test_an_older_python_is_told(self):
         (self.folder / "sitecustomize.py").write_text("import sys\nsys.version_info = (3, 9, 18)\n")
         for script in NEED_PACKAGES:
-            name = pathlib.Path(script).name
-            self.require(1, ROOT / script, "--help", says=f"{name}: needs Python 3.11 or later, this is 3.9\n", PYTHONPATH=str(self.folder))
+            says = f"{pathlib.Path(script).name}: needs Python 3.11 or later, this is 3.9\n"
+            self.require(1, ROOT / script, "--help", says=says, PYTHONPATH=str(self.folder))
         self.require(1, "-c", "try:\n  import vug\nexcept ImportError as error: raise SystemExit(str(error))",
                      says="vug needs Python 3.11", PYTHONPATH=f"{self.folder}:{ROOT / 'python'}")
 
@@ -50,17 +50,18 @@ class Packages(Called):
             for module in ("h5py", "matplotlib", "numpy"):
                 (self.folder / f"{module}.py").write_text(text)
             for script in NEED_PACKAGES:
-                self.require(1, ROOT / script, "--help", says=f"{pathlib.Path(script).name}: ", PYTHONPATH=str(self.folder))
-                self.require(1, ROOT / script, "--help", says=says, PYTHONPATH=str(self.folder))
+                done = self.call(ROOT / script, "--help", PYTHONPATH=str(self.folder))
+                self.assertRegex(done.stderr, rf"\A{pathlib.Path(script).name}: .*\n\Z")
+                self.assertIn(says, done.stderr)
 
     def test_help_is_help(self):
-        for script in (*NEED_PACKAGES, "perf/processors", "perf/report_gpu", "perf/report_step", "perf/sweep_cost", "scripts/mutate",
-                       "scripts/scaling"):
+        for script in (*NEED_PACKAGES, "perf/processors", "perf/report_gpu", "perf/report_step", "perf/sweep_cost",
+                       "scripts/mutate", "scripts/scaling"):
             self.assertRegex(self.require(0, ROOT / script, "--help"), r"\Ausage: ")
 
 
 class Validate(Called):
-    """Of a copy of the script whose tests are a ctest that records one row of one section, and fails where it is told to."""
+    """Of a copy of the script whose tests are a ctest that records a row or two, and fails where it is told to."""
 
     def setUp(self):
         super().setUp()
@@ -148,8 +149,8 @@ class Acid(Called):
         self.vug.chmod(0o755)
 
     def acid(self, code, script, *words, says="", vug=None):
-        return self.require(code, ROOT / "scripts" / script, "--runs", self.runs, "--vug", vug or self.vug, *words, says=says,
-                            PYTHON=sys.executable)
+        return self.require(code, ROOT / "scripts" / script, "--runs", self.runs, "--vug", vug or self.vug, *words,
+                            says=says, PYTHON=sys.executable)
 
     def test_tables_lie_beside_the_runs_unless_told_otherwise(self):
         docs = {path: path.stat().st_mtime_ns for path in (ROOT / "docs/acid_fracturing").iterdir()}
@@ -175,8 +176,8 @@ class Acid(Called):
             for folder in self.runs.rglob(name):
                 shutil.rmtree(folder)
             self.acid(1, script, *words, vug="/bin/false", says=f"{name}: vug ended with code 1; see {self.runs}")
-        self.require(1, ROOT / "scripts/reproduce-paper", "--coarse", "--only", "p10*5", "-o", self.runs, "--vug", "/bin/false",
-                     says="vug ended with code 1; see")
+        self.require(1, ROOT / "scripts/reproduce-paper", "--coarse", "--only", "p10*5", "-o", self.runs,
+                     "--vug", "/bin/false", says="vug ended with code 1; see")
 
     def test_finished_runs_of_something_else_are_told(self):
         words = ["--only", "kept_400"]
@@ -196,13 +197,15 @@ class Acid(Called):
                                     ("acid-ladder", ["--jobs", "0"], "'0' must be a whole number"),
                                     ("acid-ensemble", ["--jobs", "-1"], "must be a whole number"),
                                     ("reproduce-paper", ["--jobs", "0"], "must be a whole number"),
-                                    ("mutate", ["--part", "3"], "'3' must be K/N"), ("mutate", ["--part", "0/3"], "'0/3' must be K/N")):
+                                    ("mutate", ["--part", "3"], "'3' must be K/N"),
+                                    ("mutate", ["--part", "0/3"], "'0/3' must be K/N")):
             self.require(2, ROOT / "scripts" / script, *words, says=says)
 
     def test_an_interruption_is_told(self):
-        for error, code, says in (("KeyboardInterrupt", 130, "name: interrupted; call it again"), ("OSError('lost')", 1, "name: lost\n")):
-            self.require(code, "-c", f"import sys; sys.path.insert(0, {str(ROOT / 'scripts')!r})\nfrom paper.compute import finish\n"
-                         f"def main():\n  raise {error}\nfinish('name', main)", says=says)
+        for error, code, says in (("KeyboardInterrupt", 130, "name: interrupted; call it again"),
+                                  ("OSError('lost')", 1, "name: lost\n")):
+            self.require(code, "-c", f"from paper.compute import finish\ndef main():\n  raise {error}\nfinish('name', main)",
+                         says=says, PYTHONPATH=str(ROOT / "scripts"))
 
 
 class AccuracyCost(Called):
@@ -220,7 +223,8 @@ class AccuracyCost(Called):
 
     def test_what_there_is_none_of_is_told(self):
         self.require(2, self.folder / "perf/accuracy_cost", "--only", "foo", says="invalid choice: 'foo'")
-        self.require(1, self.folder / "perf/accuracy_cost", "--vug", "/bin/false", "--choice", "foo", says="no choice has 'foo' in its name")
+        self.require(1, self.folder / "perf/accuracy_cost", "--vug", "/bin/false", "--choice", "foo",
+                     says="no choice has 'foo' in its name")
 
     def test_rows_of_choices_that_went_are_dropped_and_machines_are_told(self):
         script = self.folder / "perf/accuracy_cost"
@@ -232,7 +236,8 @@ class AccuracyCost(Called):
         self.results.write_text(json.dumps(results))
         self.require(0, script, "--draw-only", says='no choice "an earlier one" any more; its row is dropped')
         self.assertEqual(len(json.loads(self.results.read_text())["rows"]), len(results["rows"]) - 1)
-        self.assertIn("(another machine; x86_64, 2 cores, one thread)", (self.folder / "docs/accuracy.md").read_text().replace("\n", " "))
+        page = (self.folder / "docs/accuracy.md").read_text().replace("\n", " ")
+        self.assertIn("(another machine; x86_64, 2 cores, one thread)", page)
 
 
 if __name__ == "__main__":

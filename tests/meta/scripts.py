@@ -133,8 +133,10 @@ class Scripts(unittest.TestCase):
         (self.folder / "my/src").mkdir(parents=True)
         (self.folder / "my/src/vug").touch()
         self.require(1, ROOT / "scripts/scaling", "strong", "--build", "my", says="scaling: my was built without MPI")
-        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "my", "--case", "lost.toml", says="scaling: lost.toml is not there")
-        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "other", says="other/src/vug is not there; cmake --preset mpi")
+        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "my", "--case", "lost.toml",
+                     says="scaling: lost.toml is not there")
+        self.require(1, ROOT / "scripts/scaling", "strong", "--build", "other",
+                     says="other/src/vug is not there; cmake --preset mpi")
         self.require(1, ROOT / "perf/processors", "my", says="processors: my/perf/vug_kernels_perf is not there")
         self.require(1, ROOT / "perf/slow_scenes", "--vug", "lost", says="slow_scenes: lost is not there")
         self.require(1, ROOT / "perf/sweep_cost", "--vug", "lost", says="sweep_cost: lost is not there")
@@ -168,7 +170,8 @@ vug_fail() { echo "$*"; exit 1; }
             self.assertIn(says, done.stdout)
         source = self.folder / "build/hip-check/source"
         self.assertEqual([path.name for path in source.iterdir()], ["cmake"])
-        self.assertEqual((source / "cmake/kokkos_compiler_id.cmake").read_text(), f"SET(KOKKOS_HIPCC_MINIMUM 5.2.0)\n# {version}\n")
+        text = (source / "cmake/kokkos_compiler_id.cmake").read_text()
+        self.assertEqual(text, f"SET(KOKKOS_HIPCC_MINIMUM 5.2.0)\n# {version}\n")
 
     def test_presets_are_whole(self):
         """What can be configured can be built, and tested where it has tests; options of one are not those of another."""

@@ -95,13 +95,14 @@ class Pictures(unittest.TestCase):
         mine = self.folder / "run/figures/mine.png"
         mine.touch()
         before = self.pictures()
-        vug.run(SMALL_ROCK, self.folder / "run", {"output.fields": ["temperature", "pressure"], "output.interval": 2.5e-5}, steps=30,
-                resume=True).close()
+        fields = {"output.fields": ["temperature", "pressure"], "output.interval": 2.5e-5}
+        vug.run(SMALL_ROCK, self.folder / "run", fields, steps=30, resume=True).close()
         self.plot()
         self.assertEqual(self.pictures(), before)  # still of this run
         vug.run(SMALL_ROCK, self.folder / "run", {"output.fields": ["pressure"]}, steps=20, overwrite=True).close()
         done = self.plot()
-        self.assertEqual({pathlib.Path(line).name for line in done.stdout.split()} | {"mine.png", "drawn.json"}, self.pictures())
+        drawn = {pathlib.Path(line).name for line in done.stdout.split()}
+        self.assertEqual(drawn | {"mine.png", "drawn.json"}, self.pictures())
         self.assertNotIn("temperature.png", self.pictures())
 
     def test_gauge_pressure_alone_is_drawn(self):

@@ -5,7 +5,7 @@ from matplotlib.lines import Line2D
 
 from .style import BLACK, ORANGE, SKY, VERMILION
 
-# what a state looks like in every picture; where failure in tension and in shear are told apart, they have colours of their own
+# what a state looks like in every picture; failure in tension and in shear, where they are told apart, have their own
 DAMAGED, START, DISSOLVED, FAILED, TENSION, SHEAR = SKY, BLACK, ORANGE, VERMILION, "#2166ac", "#d6181f"
 # states of a bond (src/dem/bonds.hpp) as they are drawn: label, states, colour, line width; later ones lie on top
 KINDS = [
@@ -18,7 +18,8 @@ KINDS = [
 
 def segments_of(rock, scale=1, moved=False):
     """[(label, colour, width, (n, 2, 2) in m times scale)] of every kind; empty without rock. Bonds between two triangles that
-    have dissolved are left out. They lie where they were at the start, as the rock of the lattice does; `moved`: where they are."""
+    have dissolved are left out. They lie where they were at the start, as the rock of the lattice does; `moved`: where
+    they are."""
     if rock is None or "vertices" not in rock.bonds or not ("state" in rock.bonds or "d_m" in rock.bonds):
         return []
     ends = None if moved else rock.first_bond_ends

@@ -28,11 +28,12 @@ GAINS = {"births": "new pores", "advective_form": "advective form"}  # how the o
 
 
 def _rest_of_budget(history, amount, drawn):
-    """What the gains in `drawn` leave out of an amount: what was there at the start, each opening, all others in one curve."""
+    """What the gains in `drawn` leave out of an amount: what was there at the start, each opening, others in one curve."""
     start, opening = f"{amount}_gain_", f"{amount}_gain_shape_"
     gains = [name for name in history if name.startswith(start) and name not in drawn and np.any(history[name] != 0)]
     curves = _named(history, (f"{amount}_initial", "at the start", 1))
-    curves += _named(history, *((name, f"through {name[len(opening):]}", 1) for name in gains if name.startswith(opening)))
+    curves += _named(history, *((name, f"through {name[len(opening):]}", 1)
+                                for name in gains if name.startswith(opening)))
     others = [name[len(start):] for name in gains if not name.startswith(opening)]
     if others:
         label = ", ".join(GAINS.get(name, name.replace("_", " ")) for name in others)
@@ -41,7 +42,7 @@ def _rest_of_budget(history, amount, drawn):
 
 
 def acid(history):
-    """Where each species has gone, mol/m: what is in the pores is the sum of the others, less what was spent or flowed out."""
+    """Where each species has gone, mol/m: in the pores is the sum of the others, less what was spent or flowed out."""
     axes = []
     for name in species_of(history):
         by_reaction = [column for column in history  # with rock, and of what each further reactant did
@@ -66,7 +67,7 @@ def rock(history):
 
 
 def heat(history):
-    """What heat has come and gone, J/m (what is stored is the sum of the others), and the largest change of temperature."""
+    """What heat has come and gone, J/m (stored is the sum of the others), and the largest change of temperature."""
     curves = _named(history, ("heat_gain_injection", "injected", 1), ("heat_gain_sides", "through the sides", 1))
     curves += _rest_of_budget(history, "heat", ["heat_gain_injection", "heat_gain_sides"])
     return [("heat", "J/m", curves + _named(history, ("heat_stored", "stored", 1))),

@@ -52,12 +52,15 @@ def _place_of(snapshot):
 
 
 def _beyond(panel, scale):
-    """On which ends of the colour bar values lie beyond it, as Matplotlib says it, and a few words on how far they go."""
+    """On which ends of the colour bar values lie beyond it, as Matplotlib says it, and in words how far they go."""
     finite = np.ma.masked_invalid(panel.values).compressed()
     least, largest = (finite.min(), finite.max()) if finite.size else (panel.low, panel.high)
-    if largest > panel.high:
-        return ("both", f", {scale(least):.3g} to {scale(largest):.3g}") if least < panel.low else ("max", f", up to {scale(largest):.3g}")
-    return ("min", f", down to {scale(least):.3g}") if least < panel.low else ("neither", "")
+    below, above = least < panel.low, largest > panel.high
+    if below and above:
+        return "both", f", {scale(least):.3g} to {scale(largest):.3g}"
+    if above:
+        return "max", f", up to {scale(largest):.3g}"
+    return ("min", f", down to {scale(least):.3g}") if below else ("neither", "")
 
 
 def draw_panel(axes, panel, frame, segments=(), title=None):
@@ -80,7 +83,8 @@ def draw_panel(axes, panel, frame, segments=(), title=None):
     axes.set_ylabel(f"y / {frame.unit}")
     axes.set_title(title if title is not None else panel.title, fontsize=10)
     if frame.shape < 1 / 3:  # a strip: the bar lies below it
-        bar = axes.figure.colorbar(image, ax=axes, orientation="horizontal", fraction=0.12, aspect=40, pad=0.02, extend=extend)
+        bar = axes.figure.colorbar(image, ax=axes, orientation="horizontal", fraction=0.12, aspect=40, pad=0.02,
+                                   extend=extend)
     else:
         bar = axes.figure.colorbar(image, cax=axes.inset_axes([1.02, 0, 0.03, 1]), extend=extend)
     bar.set_label(scale.label + beyond)

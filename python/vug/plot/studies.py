@@ -25,15 +25,15 @@ def _borders(values):
 
 
 def keys_of(study):
-    """The two keys with most values, or the only one; seeds where nothing else differs. Over those of others results are
-    averaged."""
+    """The two keys with most values, or the only one; seeds where nothing else differs. Results are averaged over the
+    others."""
     differing = [key for key in study.keys if len(np.unique(study[key])) > 1] or study.keys
     of_physics = [key for key in differing if not key.endswith("seed")] or differing
     return sorted(of_physics, key=lambda key: -len(np.unique(study[key])))[:2]
 
 
 def _title(study, results):
-    """How many runs and results there are, and over which keys the results are averaged, or which differ beside the axes."""
+    """How many runs and results there are, and over which keys the results are averaged, or which differ as well."""
     parts = [f"{study.name}: {len(study)} runs"]
     if len(results) < len(results_of(study)):
         parts.append(f"{len(results)} of {len(results_of(study))} results")
@@ -105,8 +105,8 @@ def draw_result(axes, study, result):
 
 
 def regime_map(study, path, results=None):
-    """Results of a study over its keys, the first six unless `results` names others; writes a PNG. None where no run is done or
-    nothing differs."""
+    """Results of a study over its keys, the first six unless `results` names others; writes a PNG. None where no run is
+    done or nothing differs."""
     results = results or results_of(study)[:6]
     if not results or not keys_of(study):
         return None
