@@ -206,7 +206,7 @@ def accuracy(records, figures):
         "- A preload comes to rest at the same displacements whatever its ramp and damping; they decide how many "
         "sub-steps it takes.",
         "A ramp lasts two crossings of sound at least: 15 µs are too short for that.",
-        ("strength with larger masses and longer sub-steps", "the same specimen without",
+        ("strength with larger masses and longer sub-steps", "*itself*: the same specimen without",
          f"mass × {of_mass[1][0]:g}: {100 * of_mass[1][1]:+.1f} %; up to 0.9 of the critical step within "
          f"{100 * max(abs(m[1]) for m in of_step):.1f} %"))
 
