@@ -24,6 +24,8 @@ from .surface import true_area
 CAVITY = 2.25e-3  # m: a pore in which a disc of this diameter has room; the hole is 4 mm wide
 ACID_FRONT = 0.05  # of the inlet's concentration
 TOUCHED = 1e-3  # of it: a node where acid touches the wall; where the wall is fast the acid beside it is thin
+COOLED = 50  # K below the temperature at the start: a node that counts as cooled (Fig. 11)
+PRESSED = 0.05  # of the injection's gauge pressure: a pore that counts as reached by it (Fig. 10)
 
 
 @dataclasses.dataclass
@@ -162,6 +164,22 @@ def measure_snapshot(snapshot, hole, inlet_concentration, failed_states, pathway
     """Morphology of a snapshot of a run."""
     return measure(snapshot.solid, dissolved_of(snapshot), acid_of(snapshot, inlet_concentration), snapshot.bonds(failed_states), hole,
                    snapshot.dx, pathway)
+
+
+def response(temperature, pressure, solid, start, initial_pressure, injected, dx):
+    """Area in m2, rock and pores, that has COOLED from the temperature `start`, and the share of the pores in which the gauge
+    pressure is PRESSED of that of the injection."""
+    cooled = float((start - temperature >= COOLED).sum()) * dx**2
+    pores = pressure[~solid]
+    pressed = float((pores - initial_pressure >= PRESSED * (injected - initial_pressure)).mean()) if pores.size else 0.0
+    return cooled, pressed
+
+
+def response_of(snapshot, scene):
+    """response() of a snapshot of a run; scene: its case."""
+    flow = scene["flow"]
+    return response(snapshot.field["temperature"], snapshot.field["pressure"], snapshot.solid, scene["heat"]["initial_temperature"],
+                    flow["initial_pressure"], scene["boundary"]["injection"]["flow"]["pressure"], snapshot.dx)
 
 
 def area_over_time(run, inlet_concentration, until=math.inf):

@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 sys.dont_write_bytecode = True
 from paper.members import PARTS  # noqa: E402
-from paper.regimes import dissolved_of, measure, reached_area, thirds  # noqa: E402
+from paper.regimes import dissolved_of, measure, reached_area, response, thirds  # noqa: E402
 from paper.run_data import FAILED, Run  # noqa: E402
 from paper.surface import true_area  # noqa: E402
 
@@ -107,6 +107,14 @@ class Regimes(unittest.TestCase):
         time = np.linspace(0, 9, 10)
         np.testing.assert_allclose(thirds(time, 2 + time), [1 / 3, 1 / 3, 1 / 3])
         np.testing.assert_allclose(thirds(time, time**2), [1 / 9, 3 / 9, 5 / 9])
+
+    def test_what_has_cooled_and_what_is_pressed(self):
+        pore = (X > 0.01) & (X < 0.05) & (Y > 0.03) & (Y < 0.04)
+        temperature = np.where(Y < 0.035, 438.0, 438.3)  # the lower half has cooled by just over 50 K
+        pressure = np.where(X < 0.02, 2e6, 1.09e6)  # of 20 MPa over 0.1 MPa 5 % are 0.995 MPa
+        cooled, pressed = response(temperature, pressure, ~pore, 488.15, 1e5, 20e6, DX)
+        self.assertAlmostEqual(cooled, 0.1 * 0.035)
+        self.assertAlmostEqual(pressed, 0.25)
 
     def test_numbers_of_a_disc(self):
         disc = half_disc(0.003)
