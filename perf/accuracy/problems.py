@@ -216,6 +216,7 @@ class Rock:
         Choice("scalar velocities", "solute.velocity_set = d2q9", {"solute.velocity_set": "d2q9"}),
         Choice("scalar velocities", "heat.velocity_set = d2q9", {"heat.velocity_set": "d2q9"}),
         Choice("scalar velocities", "solute.advective_form = false", {"solute.advective_form": "false"}),
+        Choice("scalar velocities", "solute.face_exchange = true", {"solute.face_exchange": "true"}),
     ]
 
     def prepare(self, once):

@@ -24,6 +24,8 @@ CHOICES = {
     "half the side stiffness": [f"boundary.{side}.traction.stiffness=2e11" for side in ("right", "top")],
     "twice the side stiffness": [f"boundary.{side}.traction.stiffness=8e11" for side in ("right", "top")],
     "triangles of 4 mm": ["rock.element_size=4e-3"],
+    "no local damping": ["mechanics.local_damping=0"],
+    "pressure raised within 1 ms": ["boundary.injection.flow.ramp_time=1e-3"],
 }
 
 # The groups of numbers that the paper's lattice cannot have as they are in rock (docs/acid-fracturing.md).
