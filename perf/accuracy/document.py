@@ -23,6 +23,10 @@ of the same equations differ by 1e-5 to 4e-5 in the dissolved volume. An error b
 
 `accuracy.tolerance = 1e-2` computes this rock with 64 times its mass (docs/model.md).
 
+**Transport.** The last two rows are differences, not errors. They conserve the acid that the default's advective form
+takes (docs/acid-fracturing.md, "Acid that the advective form takes"). `advective_form = false` also lets acid pile up
+beside staircases, `face_exchange` does not.
+
 **Held flow.** The rows of `flow_tolerance` were measured before a flow had to be balanced to be held (CHANGELOG). It is
 held later now, which costs more and errs less."""
 
