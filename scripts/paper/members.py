@@ -48,7 +48,8 @@ LITERAL = ['solute.velocity_set="d2q9"', 'heat.velocity_set="d2q9"', "solute.rel
 # As much of the paper's scheme as vug has: Eq. 5 conservative as well, every interval 1 and double precision, Eq. 29 and
 # the fracture energies of Table 1 as printed. Left: the flow's collision (MRT, of which the paper prints no rates), T0,
 # springs in series instead of Eq. 25, and what the case files choose.
-FULL = [*LITERAL, 'accuracy.preset="reference"', "solute.advective_form=false", "damage.normalised=false", "mechanics.bond.path_ratio=1"]
+FULL = [*LITERAL, 'accuracy.preset="reference"', "solute.advective_form=false", "damage.normalised=false",
+        "mechanics.bond.path_ratio=1"]
 NUMERICS = {
     "the paper's numerics": LITERAL,
     "the paper's scheme in full": FULL,

@@ -312,8 +312,8 @@ def quench(records, figures):
     return section(
         "Cracks of a quenched slab", "QuenchLong.CracksStandCloserTheHarderTheShockAndEndInTheCompressedCore",
         "The upper half of a slab with a face that is suddenly cold is computed until it is cold throughout. Its "
-        "trends are compared with the water quench of ceramics (Jiang et al. 2012, Acta Materialia 60, 4540; Bourdin et al. 2014, "
-        "Phys. Rev. Lett. 112, 014301). Unlike the rock that is compressed above, this one has a path ratio of 1: its "
+        "trends are compared with the water quench of ceramics (Jiang et al. 2012, Acta Materialia 60, 4540; Bourdin et "
+        "al. 2014, Phys. Rev. Lett. 112, 014301). Unlike the rock that is compressed above, this one has a path ratio of 1: its "
         "bonds take the energies of Table 1.",
         table(["ΔT", "spacing two elements deep", "mean depth", "deepest"],
               [(f"{r['drop']:g} K", f"{1e3 * r['spacing']:.1f} mm", f"{1e3 * r['mean_depth']:.1f} mm", f"{1e3 * r['deepest']:.1f} mm")
@@ -325,7 +325,8 @@ def quench(records, figures):
         "- The decrease in depth just above the critical drop, seen in the brittler alumina, is not seen here: the "
         "softening zone, E G_I/σ² = 2.5 mm, is a sixth of the half thickness.",
         ("cracks of a quenched slab", "*trend* of Jiang et al. 2012, Bourdin et al. 2014",
-         f"spacing falls from {1e3 * rows[0]['spacing']:.1f} to {1e3 * rows[-1]['spacing']:.1f} mm from ΔT = {rows[0]['drop']:g} to {rows[-1]['drop']:g} K"))
+         f"spacing falls from {1e3 * rows[0]['spacing']:.1f} to {1e3 * rows[-1]['spacing']:.1f} mm from "
+         f"ΔT = {rows[0]['drop']:g} to {rows[-1]['drop']:g} K"))
 
 
 entries = [confined, servo, compression, platen_speed, soaking, brazilian, toughness, quench]
