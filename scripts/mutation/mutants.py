@@ -8,12 +8,12 @@ from .source import Source
 LAWS = {
     "kernels": """base/units.hpp flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp
         flow/guards.cpp flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp
-        flow/outflow.hpp flow/slit.hpp flow/slit_drag.cpp heat/conjugate_link.hpp heat/heat.cpp heat/heat.hpp
-        heat/heat_boundary.cpp heat/heat_openings.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
-        heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp
-        nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp reaction/mineral_sums.cpp
-        reaction/reacting_solutes.cpp
-        reaction/reaction.hpp reaction/reactive_wall.cpp reaction/reactive_wall_kernel.hpp
+        flow/outflow.hpp flow/outflow_pressure.hpp flow/slit.hpp flow/slit_drag.cpp heat/conjugate_link.hpp heat/heat.cpp
+        heat/heat.hpp heat/heat_boundary.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
+        heat/heat_openings.cpp heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp
+        nodes/mirror_links.cpp nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp reaction/mineral_sums.cpp
+        reaction/reacting_solutes.cpp reaction/reaction.hpp reaction/reactive_links.cpp reaction/reactive_wall.cpp
+        reaction/reactive_wall_kernel.hpp
         reaction/reactive_wall_step.hpp reaction/solid_share.hpp reaction/surface_normal.cpp
         scalar/advective_form.cpp scalar/outflow_slope.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp
         solute/face_exchange.cpp solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp
@@ -57,7 +57,7 @@ NO_LAWS = {
         detail/check_minerals.cpp detail/check_names.cpp detail/check_places.cpp detail/check_scales.cpp
         detail/check_tables.cpp detail/check_times.cpp detail/delaunay.cpp detail/disc_outline.cpp detail/hdf5_file.cpp
         detail/image_npy.cpp detail/image_nrrd.cpp detail/image_plain.cpp detail/image_png.cpp detail/image_tiff.cpp
-        detail/input_file.cpp detail/nearest_name.cpp detail/poisson_disc.cpp detail/rock_outline.cpp
+        detail/input_file.cpp detail/mesh_sections.cpp detail/nearest_name.cpp detail/poisson_disc.cpp detail/rock_outline.cpp
         detail/rock_snapshots.cpp detail/toml_cursor.cpp detail/toml_cursor_read.cpp detail/toml_document.cpp
         detail/toml_hazards.cpp detail/toml_override.cpp detail/warnings.cpp detail/warnings_of_pores.cpp form.cpp
         history_writer.cpp image_reader.cpp json_text.cpp mesh_reader.cpp message.cpp notch_remarks.cpp

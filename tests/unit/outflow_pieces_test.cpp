@@ -1,5 +1,5 @@
 // The pressure along an outflow by a team per piece, as on a GPU, against that by a thread, as on a host.
-#include "kernels/flow/outflow.hpp"
+#include "kernels/flow/outflow_pressure.hpp"
 #include "kernels/launch/launch_lists.hpp"
 #include "kernels/nodes/opening.hpp"
 #include "support/flow_setup.hpp"

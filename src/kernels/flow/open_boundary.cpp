@@ -1,7 +1,7 @@
 #include "kernels/flow/open_boundary.hpp"
 
 #include "kernels/base/host_and_device.hpp"
-#include "kernels/flow/outflow.hpp"
+#include "kernels/flow/outflow_pressure.hpp"
 #include "kernels/launch/launch_lists.hpp"
 
 #include <algorithm>
