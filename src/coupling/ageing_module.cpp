@@ -1,6 +1,7 @@
 #include "coupling/ageing_module.hpp"
 
 #include "coupling/shared_field.hpp"
+#include "io/each_boundary.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
@@ -25,7 +26,7 @@ std::vector<double> moments_of(const Scene& scene) {
   const auto add = [&](const TimeTable& table) {
     moments.insert(moments.end(), table.moments().begin(), table.moments().end());
   };
-  const auto look = [&](const BoundarySection& given) {
+  for_each_boundary(scene, [&](const BoundarySection& given) {
     for (const TimeTable* table : {&given.flow.pressure, &given.flow.velocity[0], &given.flow.velocity[1],
                                    &given.flow.speed, &given.heat.temperature, &given.heat.flux})
       add(*table);
@@ -33,10 +34,7 @@ std::vector<double> moments_of(const Scene& scene) {
     if (given.flow.mass_flow_rate) add(*given.flow.mass_flow_rate);
     for (const auto* tables : {&given.solute.concentration, &given.solute.flux})
       for (const auto& [species, table] : *tables) add(table);
-  };
-  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) look(*side);
-  for (const InjectionSection& injection : scene.injections) look(injection.conditions);
-  for (const OpeningSection& opening : scene.openings) look(opening.conditions);
+  });
   std::sort(moments.begin(), moments.end());
   return moments;
 }

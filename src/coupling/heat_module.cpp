@@ -3,6 +3,7 @@
 #include "coupling/read_fields.hpp"
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
+#include "io/each_boundary.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
@@ -37,9 +38,11 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       update_interval_(scene.accuracy.update_interval),
       periodic_(periodic_sides(scene)),
       initial_theta_(units.lattice_temperature(section_.initial_temperature)),
-      coldest_(section_.initial_temperature),
-      hottest_(section_.initial_temperature),
+      range_(named_range(scene)),
       fastest_(flow ? flow->largest_speed() : 0) {
+  for_each_boundary(scene, [&](const BoundarySection& given) {
+    heated_ = heated_ || (given.heat.kind == HeatCondition::flux && given.heat.flux.peak() != 0);
+  });
   set_up_minerals(scene);
   fields_ = make_heat_fields<T>(exec, geometry.lattice, parameters(), geometry.type, periodic_, initial_theta_,
                                 !geometry.openings.empty(), geometry.mineral, geometry.split.share_of_rows());
@@ -56,7 +59,6 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     stretches_.push_back(stretch);
     sides_.push_back(make_heat_side(stretch.side, stretch.first, stretch.last, heat.kind, value_of(heat, 0)));
     sides_.back().transfer = transfer_of(heat);
-    widen_range(heat);
     entered_.emplace_back("vug::heat::entered", sides_.back().energy_in.extent(0));
     sides_.back().energy_in = entered_.back().recent();
   }
@@ -66,7 +68,6 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
     openings_.push_back(
         make_heat_opening(exec, fields_, geometry.type, periodic_, opening.nodes, heat.kind, value_of(heat, 0)));
     openings_.back().transfer = transfer_of(heat);
-    widen_range(heat);
     entered_.emplace_back("vug::heat::entered", openings_.back().energy_in.extent(0));
     openings_.back().energy_in = entered_.back().recent();
   }
@@ -191,8 +192,8 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
 template <class T>
 void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const double margin = heated_ ? runaway_margin_with_flux : runaway_margin;
-  const double lowest = units_.lattice_temperature(coldest_ - margin);
-  const double highest = units_.lattice_temperature(hottest_ + margin);
+  const double lowest = units_.lattice_temperature(range_.coldest - margin);
+  const double highest = units_.lattice_temperature(range_.hottest + margin);
   const HeatExtremes extremes = this->extremes(exec);
   if (extremes.not_finite == 0 && extremes.lowest > lowest && extremes.highest < highest) return;
   if (!geometry_.split.alone()) geometry_.split.make_whole(geometry_.lattice, fields_.g, directions());

@@ -4,6 +4,7 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/step_times.hpp"
+#include "coupling/temperature_range.hpp"
 #include "kernels/base/units.hpp"
 #include "kernels/heat/heat.hpp"
 #include "kernels/heat/heat_boundary.hpp"
@@ -51,8 +52,8 @@ class HeatModule final : public Module {
   /// Whether minerals have thermal properties of their own; then the next function is used instead.
   bool has_minerals() const { return !minerals_.empty(); }
   FaceTemperature<T, ShareOfMineral> mineral_face_temperature(const Exec& exec, const Halo& others) const;
-  double coldest() const { return coldest_; }  ///< K, of all temperatures in the case
-  double hottest() const { return hottest_; }  ///< K
+  /// Of all temperatures in the case.
+  const TemperatureRange& range() const { return range_; }
 
  private:
   void find_halos();
@@ -80,8 +81,6 @@ class HeatModule final : public Module {
   /// The value for a step with these times.
   double value_of(const HeatBoundary& heat, const StepTimes& times) const;
   double transfer_of(const HeatBoundary& heat) const;
-  /// Widens the range of temperatures that the case names.
-  void widen_range(const HeatBoundary& heat);
   HeatCrossing<T> crossing() const;
   /// Sets the values of conditions that change to those of a time, s.
   void set_values(double time);
@@ -128,7 +127,8 @@ class HeatModule final : public Module {
   std::vector<LongSum> entered_;  ///< energy that entered through each of sides_, then of openings_
   LongSum created_;               ///< (row) energy that the advective form added
   ScalarField<double> born_;      ///< (block) energy that births added
-  double initial_theta_ = 0, coldest_ = 0, hottest_ = 0;
+  double initial_theta_ = 0;
+  TemperatureRange range_;     ///< that the case names
   bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names
   double fastest_ = 0;         ///< largest speed that carries heat, lattice units
   double initial_energy_ = 0;  ///< in fluid heat capacities

@@ -70,15 +70,6 @@ double HeatModule<T>::transfer_of(const HeatBoundary& heat) const {
 }
 
 template <class T>
-void HeatModule<T>::widen_range(const HeatBoundary& heat) {
-  if (heat.kind == HeatCondition::temperature || heat.kind == HeatCondition::convection) {
-    coldest_ = std::min(coldest_, heat.temperature.lowest());
-    hottest_ = std::max(hottest_, heat.temperature.highest());
-  }
-  heated_ = heated_ || (heat.kind == HeatCondition::flux && heat.flux.peak() != 0);
-}
-
-template <class T>
 void HeatModule<T>::set_values(double time) {
   const StepTimes times{time, units_.time_step, interval_};
   const auto set = [&](auto& surface, const HeatBoundary& heat) { surface.value = value_of(heat, times); };
@@ -93,7 +84,6 @@ void HeatModule<T>::set_values(double time) {
   template double HeatModule<T>::value_of(const HeatBoundary&, double) const;           \
   template double HeatModule<T>::value_of(const HeatBoundary&, const StepTimes&) const; \
   template double HeatModule<T>::transfer_of(const HeatBoundary&) const;                \
-  template void HeatModule<T>::widen_range(const HeatBoundary&);                        \
   template void HeatModule<T>::set_values(double);
 VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE

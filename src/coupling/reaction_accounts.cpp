@@ -21,8 +21,8 @@ void ReactionModule<T, Set>::limits_of(const Attack<T>& attack, const RateLaw& r
                      std::numeric_limits<double>::infinity(), ""});
   };
   if (heat_) {
-    row("coldest", heat_->coldest());
-    row("hottest", heat_->hottest());
+    row("coldest", heat_->range().coldest);
+    row("hottest", heat_->range().hottest);
   } else {
     row("at the case's temperature", section_.temperature);
   }
@@ -41,8 +41,8 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
       most = std::max(most, volume_per_acid(attack, m));
     }
   }
-  const double coldest = heat_ ? heat_->coldest() : section_.temperature;
-  const double hottest = heat_ ? heat_->hottest() : section_.temperature;
+  const double coldest = heat_ ? heat_->range().coldest : section_.temperature;
+  const double hottest = heat_ ? heat_->range().hottest : section_.temperature;
   const char* clamped = "beyond the range of Arrhenius' law the rate is that of its nearest end";
   table.push_back({"reaction", "lowest temperature", coldest, "K", coldest_reaction, hottest_reaction, clamped});
   table.push_back({"reaction", "highest temperature", hottest, "K", coldest_reaction, hottest_reaction, clamped});

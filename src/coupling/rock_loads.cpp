@@ -1,6 +1,7 @@
 #include "coupling/rock_loads.hpp"
 
 #include "coupling/temperature_range.hpp"
+#include "io/each_boundary.hpp"
 
 #include <fmt/format.h>
 
@@ -120,11 +121,7 @@ double largest_load(const Scene& scene) {
   double stress = largest(rock.density, rock.thermal_expansion, rock.bond, scene, warming);
   for (const RockMaterial& material : rock.materials)
     stress = std::max(stress, largest(material.density, material.thermal_expansion, material.bond, scene, warming));
-  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top})
-    stress = std::max(stress, largest(*side, scene));
-  for (const InjectionSection& injection : scene.injections)
-    stress = std::max(stress, largest(injection.conditions, scene));
-  for (const OpeningSection& opening : scene.openings) stress = std::max(stress, largest(opening.conditions, scene));
+  for_each_boundary(scene, [&](const BoundarySection& given) { stress = std::max(stress, largest(given, scene)); });
   if (!scene.flow) return stress;
   const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
   return std::max(stress,

@@ -9,8 +9,10 @@ struct TemperatureRange {
   double span() const { return hottest - coldest; }
 };
 
-/// From the temperatures at the start and on all sides and openings. A heat flux adds the difference that it maintains
-/// across a layer of fluid as thick as the lattice is long. `scene` has [heat].
+/// From the temperatures at the start and on all sides and openings. `scene` has [heat].
+TemperatureRange named_range(const Scene& scene);
+
+/// The same with the difference that a heat flux maintains across a layer of fluid as thick as the lattice is long.
 TemperatureRange temperature_range(const Scene& scene);
 
 }  // namespace vug

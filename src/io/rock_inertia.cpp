@@ -1,5 +1,7 @@
 #include "io/rock_inertia.hpp"
 
+#include "io/each_boundary.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,12 +64,8 @@ double quickest_load(const Scene& scene) {
   if (scene.flow && std::hypot(scene.flow->body_force[0], scene.flow->body_force[1]) > 0) return 0;
   if (!scene.mechanics->initial_velocities.empty()) return 0;
   double shortest = scene.heat && expands(scene.mechanics->parameters) ? heat_through_triangle(scene) : never;
-  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top})
-    shortest = std::min(shortest, quickest(*side, scene));
-  for (const InjectionSection& injection : scene.injections)
-    shortest = std::min(shortest, quickest(injection.conditions, scene));
-  for (const OpeningSection& opening : scene.openings)
-    shortest = std::min(shortest, quickest(opening.conditions, scene));
+  for_each_boundary(scene,
+                    [&](const BoundarySection& given) { shortest = std::min(shortest, quickest(given, scene)); });
   return shortest;
 }
 

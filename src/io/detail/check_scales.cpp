@@ -1,11 +1,11 @@
 // Checks of spacing and time step: the diffusivities that they give in lattice units.
 #include "io/detail/case_checks.hpp"
+#include "io/named_temperatures.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 namespace vug {
 namespace {
@@ -22,20 +22,6 @@ void check_diffusivity(const TomlDocument& document, const LatticeSection& latti
                 fmt::format("s turns {} = {:g} m2/s into {:.3g} lattice units (value time_step / spacing^2); {:g} ... "
                             "{:g} is accepted, and good ones lie between 1e-3 and 1",
                             key, value, scaled, least, most));
-}
-
-/// The temperatures at the start and on all sides and openings.
-std::vector<double> named_temperatures(const Scene& scene) {
-  std::vector<double> found{scene.heat->initial_temperature};
-  const auto add = [&](const HeatBoundary& heat) {
-    if (heat.kind != HeatCondition::temperature && heat.kind != HeatCondition::convection) return;
-    found.push_back(heat.temperature.lowest());
-    found.push_back(heat.temperature.highest());
-  };
-  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) add(side->heat);
-  for (const InjectionSection& injection : scene.injections) add(injection.conditions.heat);
-  for (const OpeningSection& opening : scene.openings) add(opening.conditions.heat);
-  return found;
 }
 
 /// A viscosity that depends on the temperature must be between `least` and `most` in lattice units at every temperature
