@@ -114,7 +114,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   const Parts& parts = simulation.parts();
   report.limits = simulation.limits();
   require_fields(simulation.fields(), scene.output.fields);
-  require_distinct_columns(scene, simulation);
+  history_columns(scene, simulation);  // refuses two of one name
   report.warnings = warnings_of(scene, parts, parts.paths);
   report.choices = choice_notes(scene);
   report.schedule = simulation.schedule();

@@ -40,7 +40,7 @@ class Run {
 
   void operator()() {
     resume();
-    if (!resumed_at_) require_distinct_columns(scene_, simulation_);
+    columns_ = history_columns(scene_, simulation_);
     const StopsInOrder in_order;  // from here on, a stop has to end the run properly
     // with an ageing factor, the number of steps is not known in advance
     book_.open(simulation_.parts().ageing ? std::nullopt : std::optional(last_));
@@ -123,7 +123,7 @@ class Run {
 
   /// Takes steps until the end. Throws Interrupted on a requested stop, after writing a checkpoint.
   void advance(Progress& progress) {
-    RunFiles files(scene_, simulation_, book_.path(), resumed_at_);
+    RunFiles files(scene_, simulation_, book_.path(), columns_, resumed_at_);
     for (const std::string& lost : files.passed_over()) progress.note("warning: passed over: " + lost);
     if (ranks_.first() && resumed_at_ && files.rows() < book_.rows())
       progress.note(fmt::format("warning: {}/history.csv has lost rows: {} of {} up to step {} are left", book_.path(),
@@ -186,7 +186,8 @@ class Run {
   RunBook book_;
   std::int64_t last_;
   Simulation simulation_;
-  std::vector<std::string> notes_;  ///< to be shown when the log is open
+  std::vector<std::string> columns_;  ///< of the history
+  std::vector<std::string> notes_;    ///< to be shown when the log is open
   std::optional<std::int64_t> resumed_at_;
 };
 

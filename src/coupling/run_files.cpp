@@ -17,10 +17,11 @@ std::optional<RockShape> rock_shape(const Parts& parts) {
   return shape_of_rock(parts.rock->assembly, parts.mechanics->bonds());
 }
 
-std::vector<std::string> names(const std::vector<HistoryValue>& row) {
-  std::vector<std::string> names;
-  for (const HistoryValue& value : row) names.push_back(value.name);
-  return names;
+std::vector<HistoryValue> history_row(const Scene& scene, const Simulation& simulation, const Probes& probes) {
+  std::vector<HistoryValue> row = simulation.history();
+  if (!scene.output.probes.empty()) simulation.gather();
+  probes.add(row);
+  return row;
 }
 
 }  // namespace
@@ -43,26 +44,25 @@ void Probes::add(std::vector<HistoryValue>& row) const {
   }
 }
 
-void require_distinct_columns(const Scene& scene, const Simulation& simulation) {
+std::vector<std::string> history_columns(const Scene& scene, const Simulation& simulation) {
   const FieldList fields = simulation.fields();
-  std::vector<HistoryValue> row = simulation.history();
-  if (!scene.output.probes.empty()) simulation.gather();
-  Probes(scene, fields).add(row);
-  std::vector<std::string> columns = names(row);
-  std::sort(columns.begin(), columns.end());
-  const auto twice = std::adjacent_find(columns.begin(), columns.end());
-  if (twice != columns.end())
+  std::vector<std::string> columns;
+  for (const HistoryValue& value : history_row(scene, simulation, Probes(scene, fields))) columns.push_back(value.name);
+  std::vector<std::string> sorted = columns;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end())
     throw InputError(
         fmt::format("{}: two columns of the history would be called \"{}\"; give species, minerals, shapes, "
                     "probes and gauges names of which none begins as another does",
                     scene.path, *twice));
+  return columns;
 }
 
 RunFiles::RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
-                   std::optional<std::int64_t> resume_step)
+                   const std::vector<std::string>& columns, std::optional<std::int64_t> resume_step)
     : scene_(scene), simulation_(simulation), fields_(simulation.fields()), probes_(scene, fields_) {
   const Parts& parts = simulation.parts();
-  const std::vector<std::string> columns = names(row());
   if (!parts.geometry.split.ranks().first()) return;
   const SnapshotOptions options{scene.output.fields, scene.output.compress, resume_step};
   snapshots_.emplace(directory, parts.geometry.lattice, scene.lattice.spacing, fields_, options, rock_shape(parts));
@@ -78,15 +78,8 @@ void RunFiles::write_snapshot() {
     read_snapshot(simulation_.parts().geometry.lattice, fields_, scene_.output.fields);
 }
 
-std::vector<HistoryValue> RunFiles::row() const {
-  std::vector<HistoryValue> values = simulation_.history();
-  if (!scene_.output.probes.empty()) simulation_.gather();
-  probes_.add(values);
-  return values;
-}
-
 std::vector<HistoryValue> RunFiles::write_row() {
-  const std::vector<HistoryValue> written = row();
+  const std::vector<HistoryValue> written = history_row(scene_, simulation_, probes_);
   std::vector<double> values;
   for (const HistoryValue& value : written) values.push_back(value.value);
   if (history_) history_->write(values);

@@ -22,16 +22,16 @@ class Probes {
   const FieldList& fields_;
 };
 
-/// Throws InputError where two columns of the history would have the same name. The reader of the case cannot exclude
-/// this, because names of columns begin with names from the case. Called by all ranks.
-void require_distinct_columns(const Scene& scene, const Simulation& simulation);
+/// The names of the columns of the history. Throws InputError where two would be the same: the reader of the case
+/// cannot exclude this, because names of columns begin with names from the case. Called by all ranks.
+std::vector<std::string> history_columns(const Scene& scene, const Simulation& simulation);
 
 /// The open files of a run. Only the first rank has them; the others take part in reading the fields.
 class RunFiles {
  public:
-  /// With `resume_step`, continues the files of the run from that step.
+  /// `columns` are those of history_columns. With `resume_step`, continues the files of the run from that step.
   RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
-           std::optional<std::int64_t> resume_step);
+           const std::vector<std::string>& columns, std::optional<std::int64_t> resume_step);
 
   /// Number of rows in the history; 0 on other ranks than the first.
   std::int64_t rows() const { return history_ ? history_->rows() : 0; }
@@ -50,8 +50,6 @@ class RunFiles {
   }
 
  private:
-  std::vector<HistoryValue> row() const;
-
   const Scene& scene_;
   const Simulation& simulation_;
   FieldList fields_;
