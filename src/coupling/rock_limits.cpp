@@ -1,5 +1,6 @@
 #include "coupling/rock_limits.hpp"
 
+#include "dem/particles.hpp"
 #include "dem/toughness.hpp"
 #include "io/assembly_quality.hpp"
 #include "io/notch_remarks.hpp"
@@ -67,10 +68,8 @@ std::vector<std::string> remarks_on_notches_of_mesh(const Scene& scene, const As
 
 std::optional<std::string> remark_on_triangles(const Assembly& rock, double spacing) {
   double smallest = std::numeric_limits<double>::infinity();  // m2
-  for (const auto& [a, b, c] : rock.triangles) {
-    const auto &p = rock.vertices[a], &q = rock.vertices[b], &r = rock.vertices[c];
-    smallest = std::min(smallest, ((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1])) / 2);
-  }
+  for (std::size_t t = 0; t < rock.triangles.size(); ++t)
+    smallest = std::min(smallest, triangle_of(rock, static_cast<int>(t)).area());
   const double edge = std::sqrt(4 / std::sqrt(3.0) * smallest);
   if (edge >= cells_of_an_edge * spacing) return {};
   return fmt::format(

@@ -3,6 +3,7 @@
 #include "coupling/initial_pathways.hpp"
 #include "coupling/pathway_widths.hpp"
 #include "dem/edges.hpp"
+#include "dem/particles.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -64,10 +65,7 @@ double area_of(const std::vector<bool>& open, const BondEdges& bonds, const std:
 
 double area_of(const Assembly& assembly, double spacing) {
   double area = 0;
-  for (const auto& [a, b, c] : assembly.triangles) {
-    const auto &p = assembly.vertices[a], &q = assembly.vertices[b], &r = assembly.vertices[c];
-    area += ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
-  }
+  for (std::size_t t = 0; t < assembly.triangles.size(); ++t) area += triangle_of(assembly, static_cast<int>(t)).area();
   return area / (spacing * spacing);
 }
 
