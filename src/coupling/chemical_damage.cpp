@@ -4,6 +4,7 @@
 #include "dem/dissolved_rock.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/launch/prefetch.hpp"
 
 namespace vug {
 

@@ -1,6 +1,10 @@
 #pragma once
 // Chooses intervals during a run (accuracy.tolerance).
-#include "coupling/module.hpp"
+#include "coupling/clock.hpp"
+#include "coupling/history_value.hpp"
+#include "coupling/intervals.hpp"
+#include "io/field_list.hpp"
+#include "io/scene.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
 // One physics of the scene. It owns its state and reads that of others through const Views.
 #include "coupling/clock.hpp"
+#include "coupling/history_value.hpp"
 #include "coupling/intervals.hpp"
 #include "coupling/ledger.hpp"
 #include "coupling/limits.hpp"
@@ -24,12 +25,6 @@ struct Births {
   int first = 0;
   int last = 0;
   bool solid_moved = false;  ///< some of them are opened pathways, whose solid has moved to other nodes
-};
-
-/// A number in history.csv.
-struct HistoryValue {
-  std::string name;  ///< with its unit: "time_s"
-  double value;
 };
 
 class Module {

@@ -1,6 +1,7 @@
 #include "coupling/pathways.hpp"
 
 #include "dem/crack_aperture.hpp"
+#include "dem/mechanics.hpp"
 #include "kernels/flow/slit.hpp"
 #include "kernels/launch/launch.hpp"
 

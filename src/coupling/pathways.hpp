@@ -2,11 +2,12 @@
 // How damage conducts: each bond carries a strip of nodes that turn fluid as its mechanical damage grows (paper
 // sections 2.4, 3.1; the closure with c_d is in docs/model.md, "Pathways").
 #include "coupling/solid_spread.hpp"
-#include "dem/mechanics.hpp"
 #include "kernels/flow/slit.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
+
+class Mechanics;
 
 /// Aperture of the strip of a bond in cells: w(d_m) = w_0 + d_m (w_1 - w_0).
 KOKKOS_FORCEINLINE_FUNCTION double pathway_aperture(double d_m, double closed, double open) {

@@ -1,11 +1,12 @@
 #pragma once
 // The gauges of a case in the rock, as columns of history.csv.
-#include "coupling/module.hpp"
+#include "coupling/history_value.hpp"
 #include "dem/gauges.hpp"
 #include "dem/mechanics.hpp"
 #include "io/scene.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace vug {
 

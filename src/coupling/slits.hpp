@@ -2,8 +2,8 @@
 // Pathways narrower than a cell. Their nodes are fluid; a drag on the flow and a reduced exchange of solutes make them
 // conduct no more than the crack does (docs/model.md, "Cracks narrower than a cell").
 #include "coupling/geometry.hpp"
-#include "coupling/module.hpp"
 #include "coupling/pathways.hpp"
+#include "io/field_list.hpp"
 
 namespace vug {
 
