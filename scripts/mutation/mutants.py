@@ -31,7 +31,7 @@ LAWS = {
         heat_setup.cpp initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp mouths.cpp
         openings.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp plane_waves.cpp
         pore_growth.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_module.cpp reaction_setup.cpp read_fields.hpp
-        rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp rock_map.cpp rock_pathways.cpp schedule.cpp simulation.cpp simulation_state.cpp
+        rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp rock_map.cpp rock_pathways.cpp output_schedule.cpp simulation.cpp simulation_state.cpp
         slits.cpp solid_spread.cpp solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp
         step_times.hpp strip.cpp surfaces.cpp temperature_range.cpp thermal_exchange.cpp tuning.cpp velocity_profile.cpp
         wet_nodes.cpp""",

@@ -1,7 +1,7 @@
 #include "coupling/tuning.hpp"
 
 #include "coupling/history_difference.hpp"
-#include "coupling/schedule.hpp"
+#include "coupling/output_schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "host/interruption.hpp"
 #include "host/work_time.hpp"

@@ -1,7 +1,7 @@
 // Rock that ages faster than the fluid as far as a tolerance allows (accuracy.dissolution_tolerance), held against
 // solutions on paper and against the same case with every step taken.
 #include "coupling/events.hpp"
-#include "coupling/schedule.hpp"
+#include "coupling/output_schedule.hpp"
 #include "coupling/simulation.hpp"
 
 #include <fmt/format.h>

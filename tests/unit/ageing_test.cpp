@@ -1,7 +1,7 @@
 // How fast the rock may age beside the fluid (accuracy.dissolution_tolerance), number by number; runs are in
 // scenes/slow_scenes_test.cpp.
 #include "coupling/ageing_module.hpp"
-#include "coupling/schedule.hpp"
+#include "coupling/output_schedule.hpp"
 
 #include <gtest/gtest.h>
 

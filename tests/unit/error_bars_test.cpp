@@ -1,7 +1,7 @@
 // Error bars: the law, the lattices that are compared, and what is left out.
 #include "coupling/error_bars.hpp"
 
-#include "coupling/schedule.hpp"
+#include "coupling/output_schedule.hpp"
 #include "kernels/base/require.hpp"
 #include "unit/temporary_folder.hpp"
 

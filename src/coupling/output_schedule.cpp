@@ -1,4 +1,4 @@
-#include "coupling/schedule.hpp"
+#include "coupling/output_schedule.hpp"
 
 #include <algorithm>
 
