@@ -1,5 +1,6 @@
 // The boundary conditions of the flow at sides and openings: their links and their values over time.
 #include "coupling/flow_module.hpp"
+#include "coupling/stretch_ends.hpp"
 #include "coupling/velocity_profile.hpp"
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/nodes/mirror_links.hpp"
@@ -54,6 +55,10 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
     if (is_open(flow)) mark_open(exec, fluid, boundary.links);  // with the order of sides that the solutes use
     if (!boundary.stretch.opening)
       boundary.find(exec, fluid, D2Q9::Q, corner_order(boundary.stretch, boundaries_, geometry_.lattice));
+  }
+  find_ends(exec, fluid, geometry_.spacing, boundaries_);
+  for (StretchLinks& boundary : boundaries_) {
+    const FlowBoundary& flow = boundary.stretch.conditions.flow;
     const bool outflow = flow.kind == FlowBoundaryKind::outflow;
     if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
       boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
@@ -87,9 +92,26 @@ std::array<double, 2> FlowModule<T>::given_velocity(const StretchLinks& boundary
 }
 
 template <class T>
+FlowCondition FlowModule<T>::sliding(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const {
+  const std::array<double, 2> own = given_velocity(boundary, time);
+  SlidingEnds ends;
+  for (int e = 0; e < 2; ++e) {
+    const StretchEnd& end = boundary.ends[e];
+    if (end.link < 0 || end.beyond == StretchEnd::Beyond::nothing) continue;
+    const auto other = end.other < 0 ? std::array{0.0, 0.0} : given_velocity(boundaries_[end.other], time);
+    const auto velocity = velocity_at_end(boundary, end, own, other);
+    ends.link[e] = end.link;
+    for (int axis = 0; axis < 2; ++axis) ends.velocity[e][axis] = velocity[axis];
+  }
+  const int along = is_upright(boundary.stretch.side) ? 1 : 0;
+  return sliding_condition(boundary.links, boundary.image, along, own, boundary.share, ends, gain);
+}
+
+template <class T>
 FlowCondition FlowModule<T>::condition(const StretchLinks& boundary, double time,
                                        const ScalarField<double>& gain) const {
   const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  if (boundary.slides) return sliding(boundary, time, gain);
   switch (flow.kind) {
     case FlowBoundaryKind::pressure: {
       const double start = section_.initial_pressure;

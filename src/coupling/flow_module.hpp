@@ -92,6 +92,7 @@ class FlowModule final : public Module {
   std::array<double, 2> given_velocity(const StretchLinks& boundary, double time) const;
   /// The condition of a boundary at a time (s), which adds what enters to gain (link).
   FlowCondition condition(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
+  FlowCondition sliding(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
   void find_excess(const Exec& exec) const;
 

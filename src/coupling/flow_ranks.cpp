@@ -13,7 +13,9 @@ namespace vug {
 namespace {
 
 /// Whether the populations that enter come from a condition, not from bounce-back or the opposite side.
-bool is_dressed(const FlowBoundary& flow) {
+bool is_dressed(const StretchLinks& boundary) {
+  const FlowBoundary& flow = boundary.stretch.conditions.flow;
+  if (boundary.slides) return true;
   return flow.kind != FlowBoundaryKind::periodic && (flow.kind != FlowBoundaryKind::wall || flow.peak_speed() != 0);
 }
 
@@ -37,7 +39,7 @@ void FlowModule<T>::find_halos() {
   const FluidNodes& fluid = geometry_.fluid;
   std::vector<int> slots, nodes;
   for (StretchLinks& boundary : boundaries_) {
-    if (!is_dressed(boundary.stretch.conditions.flow)) continue;
+    if (!is_dressed(boundary)) continue;
     split.share_out(boundary.links, boundary.mirror);
     const auto node = on_host(boundary.links.fluid), own = on_host(boundary.links.own);
     const auto direction = on_host(boundary.links.direction);

@@ -5,23 +5,38 @@
 #include "kernels/launch/long_sum.hpp"
 #include "kernels/nodes/opening.hpp"
 
+#include <array>
 #include <vector>
 
 namespace vug {
+
+/// An end of a stretch of a side: the diagonal link that leads past it.
+struct StretchEnd {
+  /// What is past it: nothing that takes part; a corner with an open side; a corner with a wall or a given velocity; a
+  /// wall or a given velocity on the same side.
+  enum class Beyond { nothing, open_corner, corner, same_side };
+  Beyond beyond = Beyond::nothing;
+  int link = -1;                      ///< in the list of the stretch; -1: none, or the stretch beyond the corner has it
+  int other = -1;                     ///< number of the stretch beyond whose velocity counts as well; -1: none
+  double share = 1, other_share = 1;  ///< of the velocities of both stretches, at the end
+};
 
 /// A stretch of boundary with the links that leave through it. Kernels add to `gain` for each link. Births may change
 /// the links; their gains are added to `entered` before.
 struct StretchLinks {
   Stretch stretch;
   BoundaryLinks links;
-  LongSum gain;                 ///< (link)
-  double entered = 0;           ///< sum over former links, lattice units
-  double looked = 0;            ///< total() at the last look (steady_flow.hpp)
-  ScalarField<double> area{};   ///< (link) surface of the link, cells; only for given speeds and fluxes
-  ScalarField<double> share{};  ///< (link) of a given velocity (velocity_profile.hpp); empty: 1
-  double inflow = 0;            ///< cells per unit of speed; only for given flow rates
-  IndexList mirror{};           ///< (link) see mirror_links.hpp; only for pressures and outflows
-  OutflowState outflow{};       ///< only for outflows
+  LongSum gain;                      ///< (link)
+  double entered = 0;                ///< sum over former links, lattice units
+  double looked = 0;                 ///< total() at the last look (steady_flow.hpp)
+  ScalarField<double> area{};        ///< (link) surface of the link, cells; only for given speeds and fluxes
+  ScalarField<double> share{};       ///< (link) of a given velocity (velocity_profile.hpp); empty: 1
+  double inflow = 0;                 ///< cells per unit of speed; only for given flow rates
+  IndexList mirror{};                ///< (link) see mirror_links.hpp; only for pressures and outflows
+  OutflowState outflow{};            ///< only for outflows
+  std::array<StretchEnd, 2> ends{};  ///< lower or left, and upper or right; only of sides
+  bool slides = false;               ///< a velocity along the side acts on its links, its own or of a stretch beyond
+  IndexList image{};                 ///< (link) see mirror_links.hpp; only where it slides
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions, const SideOrder& order = all_sides) {
     entered = total();

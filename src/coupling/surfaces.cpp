@@ -3,6 +3,7 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/solute_module.hpp"
+#include "coupling/stretch_ends.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/link_populations.hpp"
 #include "kernels/launch/launch.hpp"
@@ -95,6 +96,16 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     }
     if (wanted.flows && is_open(flow))
       add_value(row, stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * sum_in_order(d.gain));
+    if (!wanted.flows || flow.kind != FlowBoundaryKind::velocity) continue;
+    for (const StretchEnd& end :
+         d.boundary.ends) {  // at a corner, its link also has what enters through the other side
+      if (end.link < 0 || end.beyond != StretchEnd::Beyond::corner) continue;
+      const StretchLinks& other = boundaries_[end.other];
+      if (!is_open(other.stretch.conditions.flow)) continue;
+      const double entered = kg_per_s * entered_for(other.stretch.side, end, given_velocity(other, clock.time()));
+      add_value(row, stretch.name + "_mass_flow_kg_per_m_s", -entered);
+      add_value(row, other.stretch.name + "_mass_flow_kg_per_m_s", entered);
+    }
   }
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& wall = d.boundary.stretch;

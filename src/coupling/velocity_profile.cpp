@@ -94,6 +94,8 @@ double inflow_per_speed(const StretchLinks& boundary) {
     const int across = D2Q9::c(q, 0) * D2Q9::c(outward, 0) + D2Q9::c(q, 1) * D2Q9::c(outward, 1);
     volume += 6 * D2Q9::w(q) * across * (share.extent(0) > 0 ? share(link) : 1.0);
   }
+  for (const StretchEnd& end : boundary.ends)  // its fluid there enters by a link of the stretch beyond the corner
+    if (end.beyond == StretchEnd::Beyond::corner && end.link < 0) volume += 6 * D2Q9::w(D2Q5::Q) * end.share;
   return volume;
 }
 

@@ -94,6 +94,22 @@ struct VelocityProfileRule {
   }
 };
 
+/// VelocityRule without the component along the side where a link has no mirror image, and with velocities of their own
+/// on the links past the ends.
+template <class T>
+struct SlidingRule {
+  FlowCondition c;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T outgoing) const {
+    const double share = c.part ? c.part[link] : 1.0;
+    double u[2] = {share * c.value[0], share * c.value[1]};
+    if (c.mirror[link] < 0) u[c.axis] = 0;
+    for (int end = 0; end < 2; ++end)
+      if (link == c.end[end])
+        for (int axis = 0; axis < 2; ++axis) u[axis] = c.at_end[end][axis];
+    return VelocityRule<T>{T(u[0]), T(u[1])}(link, i, q, outgoing);
+  }
+};
+
 /// f_in = A + area speed.
 template <class T>
 struct NormalSpeedRule {
@@ -131,6 +147,8 @@ struct DressFlow {
       run(DressLinks<T, VelocityRule<T>>{c, f.data(), capacity, {x, y}});
     else if (c.kind == Kind::velocity_profile)
       run(DressLinks<T, VelocityProfileRule<T>>{c, f.data(), capacity, {x, y, c.part}});
+    else if (c.kind == Kind::sliding)
+      run(DressLinks<T, SlidingRule<T>>{c, f.data(), capacity, {c}});
     else
       run(DressLinks<T, NormalSpeedRule<T>>{c, f.data(), capacity, {c.part, c.value[0]}});
   }
@@ -150,6 +168,20 @@ FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 
   FlowCondition made{{links, gain}, uniform ? Kind::velocity : Kind::velocity_profile};
   made.part = share.data();
   for (int axis = 0; axis < 2; ++axis) made.value[axis] = velocity[axis];
+  return made;
+}
+
+FlowCondition sliding_condition(const BoundaryLinks& links, const IndexList& mirror, int along,
+                                std::array<double, 2> velocity, const ScalarField<double>& share,
+                                const SlidingEnds& ends, const ScalarField<double>& gain) {
+  FlowCondition made = velocity_condition(links, velocity, share, gain);
+  made.kind = Kind::sliding;
+  made.mirror = mirror.data();
+  made.axis = along;
+  for (int e = 0; e < 2; ++e) {
+    made.end[e] = ends.link[e];
+    for (int axis = 0; axis < 2; ++axis) made.at_end[e][axis] = ends.velocity[e][axis];
+  }
   return made;
 }
 

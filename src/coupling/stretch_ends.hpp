@@ -1,0 +1,23 @@
+#pragma once
+// Where one stretch of a side ends and another begins: what velocities along the side do there. docs/model.md, "Walls
+// that slide".
+#include "coupling/stretch_links.hpp"
+
+#include <array>
+#include <vector>
+
+namespace vug {
+
+/// Fills `ends`, `slides` and `image` of the stretches of sides, whose links have been found, on a lattice of `spacing`
+/// (m). Waits for the device where a velocity along a side or two velocities at a corner are given.
+void find_ends(const Exec& exec, const FluidNodes& fluid, double spacing, std::vector<StretchLinks>& boundaries);
+
+/// Velocity on the link at an end of `boundary`, from its own velocity and that of the stretch beyond.
+std::array<double, 2> velocity_at_end(const StretchLinks& boundary, const StretchEnd& end, std::array<double, 2> own,
+                                      std::array<double, 2> other);
+
+/// Volume, cells per step, that enters by the link at a corner for the stretch beyond, which is on `other` and has this
+/// velocity.
+double entered_for(Side other, const StretchEnd& end, std::array<double, 2> velocity);
+
+}  // namespace vug
