@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -13,6 +14,8 @@ constexpr double breakthrough = 0.01;  // share of what was injected
 const std::string breakthrough_of = "breakthrough of ";
 constexpr double grown = 1e-9;  // share of the solid; smaller values are rounding
 const std::string has_grown = "warning: rock has grown";
+constexpr double relied_on = 1e-3;  // share of the nodes' steps at which the speed was limited
+const std::string has_limited = "warning: the speed limiter";
 
 struct Count {
   std::string what;
@@ -82,6 +85,11 @@ std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
   return passed;
 }
 
+double value_in(const std::vector<HistoryValue>& row, const char* name) {
+  const auto found = std::find_if(row.begin(), row.end(), [&](const HistoryValue& v) { return v.name == name; });
+  return found == row.end() ? 0 : found->value;
+}
+
 /// Volume that the rock has gained by reactions that run backwards, over its present volume.
 double growth_of(const std::vector<HistoryValue>& row) {
   double won = 0, there = 0;
@@ -100,7 +108,8 @@ Events::Events(const Simulation& simulation, const std::vector<std::string>& ear
   for (const std::string& line : earlier) {  // the state of the run does not contain whether these were reported
     if (const auto at = line.find(breakthrough_of); at != std::string::npos)
       next_.try_emplace(line.substr(at, line.find(':', at) - at), 0);
-    if (line.find(has_grown) != std::string::npos) next_.try_emplace(has_grown, 0);
+    for (const std::string& once : {has_grown, has_limited})
+      if (line.find(once) != std::string::npos) next_.try_emplace(once, 0);
   }
 }
 
@@ -133,14 +142,21 @@ std::vector<std::string> Events::of_the_start(const Simulation& simulation) {
   return {at(simulation.clock()) + "warning: " + unrest_of(*rock->ramped())};
 }
 
-std::vector<std::string> Events::sum_up(const Simulation& simulation) {
+std::vector<std::string> Events::sum_up(const Simulation& simulation) const {
   const Ageing* ageing = simulation.parts().ageing;
   const Clock& clock = simulation.clock();
-  if (!ageing || clock.step == 0) return {};
-  std::vector<std::string> lines{
+  std::vector<std::string> lines;
+  if (limited_ > 0)
+    lines.push_back(
+        fmt::format("{} limited {:.4g} times, at {:.3g} % of the nodes and steps: momentum was removed "
+                    "there (flow.speed_limit)",
+                    limited_share_ > relied_on ? has_limited : has_limited.substr(has_limited.find("the")), limited_,
+                    100 * limited_share_));
+  if (!ageing || clock.step == 0) return lines;
+  lines.push_back(
       fmt::format("the rock has aged {:.4g} times faster than the fluid in the mean, the dissolved volume is {:.2g} "
                   "off for it at most",
-                  clock.time() / (static_cast<double>(clock.step) * clock.time_step), ageing->error())};
+                  clock.time() / (static_cast<double>(clock.step) * clock.time_step), ageing->error()));
   if (ageing->error() > ageing->tolerance())
     lines.push_back(
         fmt::format("warning: that is more than accuracy.dissolution_tolerance = {:g}: something other than "
@@ -151,6 +167,14 @@ std::vector<std::string> Events::sum_up(const Simulation& simulation) {
 
 std::vector<std::string> Events::look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row) {
   std::vector<std::string> news;
+  const double steps = static_cast<double>(simulation.clock().step) - value_in(row, "flow_held_steps_1");
+  limited_ = value_in(row, "speed_limiter_uses_1");
+  limited_share_ = limited_ > 0 ? limited_ / (value_in(row, "fluid_nodes_1") * steps) : 0;
+  if (limited_share_ > relied_on && next_.try_emplace(has_limited, 0).second)
+    news.push_back(
+        fmt::format("{}{} acts at {:.3g} % of the nodes and steps: momentum is removed there, and the result "
+                    "is not a solution (flow.speed_limit)",
+                    at(simulation.clock()), has_limited, 100 * limited_share_));
   if (growth_of(row) > grown && next_.try_emplace(has_grown, 0).second)
     news.push_back(
         fmt::format("{}{} on the whole, by a reaction that runs backwards (product over equilibrium_constant "

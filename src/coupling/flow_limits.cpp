@@ -147,6 +147,10 @@ void FlowModule<T>::limits(LimitTable& table) const {
   };
   prescribed("Mach number of the prescribed velocities", prescribed_speed());
   prescribed("Mach number in the narrowest passage", paths_.passage_speed);
+  if (paths_.force_speed > 0)
+    table.push_back({"flow", "Mach number that the body force can reach", std::sqrt(3.0) * paths_.force_speed, "1", 0,
+                     largest_prescribed_mach,
+                     "lower flow.body_force or lattice.time_step: the speed is up to g w^2/(8 nu) in pores w wide"});
   if (paths_.passage_pressure > 0)
     table.push_back({"flow", "pressure that the prescribed velocities need", paths_.passage_pressure, "lattice", 0,
                      0.125, "lower the velocity or lattice.time_step: 12 nu u L/n^2 along a channel of n cells"});

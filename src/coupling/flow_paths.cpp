@@ -1,6 +1,8 @@
 #include "coupling/flow_paths.hpp"
 
+#include "coupling/force_speed.hpp"
 #include "coupling/mouths.hpp"
+#include "coupling/ways_out.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
@@ -107,33 +109,6 @@ void look_for_dry_mouths(const Scene& scene, const std::vector<Mouth>& mouths, b
   }
 }
 
-/// Reports pieces of fluid without an outlet for the fluid that is pressed into them or drawn out of them.
-void look_for_ways_out(const Scene& scene, const std::vector<Mouth>& mouths, const std::vector<int>& piece,
-                       bool rock_opens, FlowPaths& found) {
-  const int pieces = 1 + *std::max_element(piece.begin(), piece.end());
-  std::vector<double> net(pieces, 0), gross(pieces, 0);
-  std::vector<bool> yields(pieces, false);
-  std::vector<std::string> driven_by(pieces);
-  for (const Mouth& mouth : mouths)
-    for (std::size_t k = 0; k < mouth.nodes.size(); ++k) {
-      const int p = piece[mouth.nodes[k]];
-      const double flow = mouth.inflow * mouth.length[k];
-      net[p] += flow;
-      gross[p] += std::abs(flow);
-      if (flow != 0) driven_by[p] = mouth.key;
-      if (mouth.yields()) yields[p] = true;
-    }
-  constexpr double balanced = 1e-3;  // possible net flow of velocities that are given to three digits
-  for (int p = 0; p < pieces; ++p) {
-    if (yields[p] || std::abs(net[p]) <= balanced * gross[p]) continue;
-    const std::string line = fmt::format("{}.flow {} fluid {} a space that has no other opening", driven_by[p],
-                                         net[p] > 0 ? "presses" : "draws", net[p] > 0 ? "into" : "out of");
-    if (!rock_opens) throw InputError(fmt::format("{}: {}", scene.path, line));
-    found.warnings.push_back(line + " until rock opens");
-    return;
-  }
-}
-
 /// Warns where no path of fluid leads from the mouth with the highest pressure to another mouth.
 void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& piece, bool rock_opens,
                     FlowPaths& found) {
@@ -214,10 +189,11 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   look_for_dry_mouths(scene, mouths, rock_opens, found);
   if (!scene.flow) return found;
   const std::vector<int> piece = pieces_of(picture);
-  look_for_ways_out(scene, mouths, piece, rock_opens, found);
+  look_for_ways_out(scene, mouths, piece, units, rock_opens, found);
   look_for_paths(mouths, piece, rock_opens, found);
   look_for_passages(scene, picture, mouths, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
+  found.force_speed = body_force_speed(scene, picture, mouths, piece, units);
   return found;
 }
 

@@ -27,35 +27,38 @@ void look_beside_side(const Stretch& stretch, const FluidPicture& picture, Mouth
   }
 }
 
-/// Adds the fluid nodes beside an opening; the length of each is the sum of the areas of its links.
+/// Adds the fluid nodes beside an opening; the length of each is the sum of the areas of its links. Where its surface
+/// moves, also what that pushes into them.
 void look_beside_opening(const Opening& opening, const Geometry& geometry, const FluidPicture& picture, Mouth& mouth) {
   const Exec exec;
   const BoundaryLinks links = find_opening_links(exec, geometry.fluid, opening, D2Q9::Q);
   const auto area = on_host(link_areas(exec, geometry.fluid, opening, D2Q9::Q));
   const auto fluid = on_host(links.fluid), node = on_host(geometry.fluid.node);
-  std::map<std::size_t, double> beside;
+  const auto direction = on_host(links.direction);
+  struct Beside {
+    double length = 0;
+    std::array<double, 2> push{0, 0};
+  };
+  std::map<std::size_t, Beside> beside;
   for (int l = 0; l < links.count; ++l) {
-    const int n = node(fluid(l));
-    beside[picture.number(geometry.lattice.x(n), geometry.lattice.y(n))] += area(l);
+    const int n = node(fluid(l)), q = direction(l);
+    Beside& here = beside[picture.number(geometry.lattice.x(n), geometry.lattice.y(n))];
+    here.length += area(l);
+    for (int axis = 0; axis < 2; ++axis) here.push[axis] -= 6 * D2Q9::w(q) * D2Q9::c(q, axis);
   }
-  for (const auto& [n, length] : beside) {
+  const FlowBoundary& flow = mouth.conditions->flow;
+  for (const auto& [n, here] : beside) {
     mouth.nodes.push_back(n);
-    mouth.length.push_back(length);
+    mouth.length.push_back(here.length);
+    if (flow.kind == FlowBoundaryKind::wall && flow.peak_speed() > 0) mouth.push.push_back(here.push);
   }
 }
 
-/// Component of a velocity that points into the lattice.
-double inward(Side side, const std::array<TimeTable, 2>& velocity) {
-  switch (side) {
-    case Side::left:
-      return velocity[0].peak();
-    case Side::right:
-      return -velocity[0].peak();
-    case Side::bottom:
-      return velocity[1].peak();
-    default:
-      return -velocity[1].peak();
-  }
+/// Component of a velocity that points into the lattice; `of` takes a value from a table.
+template <class Of>
+double inward(Side side, const std::array<TimeTable, 2>& velocity, const Of& of) {
+  const double value = of(velocity[is_upright(side) ? 0 : 1]);
+  return side == Side::left || side == Side::bottom ? value : -value;
 }
 
 /// Volume, cells, that enters through the fluid nodes of a mouth per step and unit of speed.
@@ -78,12 +81,14 @@ double peak_speed_of(const FlowBoundary& flow, const Stretch& stretch, const Mou
   return largest_share(flow) * std::abs(flow.peak_rate(density)) / units.diffusivity() / volume;
 }
 
-/// Largest volume that enters per step through each of the `cells` of a boundary, cells.
+/// Volume that enters per step through each of the `cells` of a boundary, cells; `of` takes a value from a table.
+template <class Of>
 double inflow_of(const FlowBoundary& flow, const Stretch& stretch, double cells, double density,
-                 const LatticeUnits& units) {
+                 const LatticeUnits& units, const Of& of) {
   if (flow.kind != FlowBoundaryKind::velocity || cells <= 0) return 0;
-  if (flow.has_rate()) return flow.peak_rate(density) / units.diffusivity() / cells;
-  const double speed = stretch.opening ? flow.speed.peak() : inward(stretch.side, flow.velocity);
+  if (flow.flow_rate) return of(*flow.flow_rate) / units.diffusivity() / cells;
+  if (flow.mass_flow_rate) return of(*flow.mass_flow_rate) / density / units.diffusivity() / cells;
+  const double speed = stretch.opening ? of(flow.speed) : inward(stretch.side, flow.velocity, of);
   const double length = (stretch.last + 1 - stretch.first) * units.spacing;
   return speed / units.velocity() * mean_share(flow, length);
 }
@@ -113,7 +118,12 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
       look_beside_side(stretch, picture, mouth);
     if (scene.flow) {
       const FlowBoundary& flow = mouth.conditions->flow;
-      mouth.inflow = inflow_of(flow, stretch, mouth.total_length(), scene.flow->density, units);
+      const auto inflow = [&flow, stretch, cells = mouth.total_length(), density = scene.flow->density,
+                           units](const auto& of) { return inflow_of(flow, stretch, cells, density, units, of); };
+      mouth.inflow = inflow([](const TimeTable& table) { return table.peak(); });
+      mouth.inflow_at = [&flow, inflow](double time) {
+        return flow.risen(time) * inflow([time](const TimeTable& table) { return table.at(time); });
+      };
       mouth.peak_speed = peak_speed_of(flow, stretch, mouth, picture, scene.flow->density, units);
     }
     mouths.push_back(std::move(mouth));

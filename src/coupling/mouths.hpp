@@ -5,7 +5,9 @@
 #include "io/scene.hpp"
 #include "kernels/base/units.hpp"
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -19,6 +21,10 @@ struct Mouth {
   std::vector<std::size_t> nodes{};
   std::vector<double> length{};  ///< (node) of its boundary, cells
   double inflow = 0;             ///< volume that enters per step and cell of length; only for prescribed velocities
+  std::function<double(double)> inflow_at{};  ///< the same at a time (s), where `inflow` is that of the peak
+  /// (node) Volume, cells, that the surface of a moving shape pushes into it per step and unit of velocity along x and
+  /// y; only for shapes that are walls with a velocity.
+  std::vector<std::array<double, 2>> push{};
   /// Largest prescribed speed at one point, lattice units; infinite where the shares of a rate have no positive sum.
   double peak_speed = 0;
 
@@ -33,6 +39,7 @@ struct Mouth {
     const SoluteBoundaryKind kind = conditions->solute.kind;
     return kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic;
   }
+  bool moves() const { return !push.empty(); }
   /// Whether the flow through it follows from the pressure, in either direction.
   bool yields() const { return lets_fluid_through() && conditions->flow.kind != FlowBoundaryKind::velocity; }
 };

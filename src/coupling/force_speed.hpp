@@ -1,0 +1,18 @@
+#pragma once
+// How fast a body force can drive fluid through pores.
+#include "coupling/mouths.hpp"
+
+#include <vector>
+
+namespace vug {
+
+/// Upper bound, lattice units, of the speed that flow.body_force drives along an axis on which the fluid has a way:
+/// across joined sides, or between two open ones. 0 without a way. It is the least of
+///   - g w^2/(8 nu), with w the width of the widest pore (the shorter of a node's runs of fluid along x and y);
+///   - the speed at which a Stokes flow through one line of nodes after the other loses all of g along the lattice;
+///   - g times the duration, and between open sides (2 g L)^1/2.
+/// `piece` is that of each node.
+double body_force_speed(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
+                        const std::vector<int>& piece, const LatticeUnits& units);
+
+}  // namespace vug
