@@ -23,6 +23,13 @@ SURFACES = ["output.forces=true", "output.flows=true"]
 CASES = {  # case, steps, keys, output at every tenth step
     "channel": ("cases/cylinder.toml", 40, [], "output.interval=1e-2"),
     "cavity": ("cases/heated_cavity.toml", 60, [], "output.interval=4e-3"),
+    "lids": ("cases/cylinder.toml", 40,
+             ['boundary.left.flow={ type = "velocity", velocity = [0.2, 0.1], ramp_time = 0.03 }',
+              'boundary.bottom.flow={ type = "velocity", velocity = [-0.2, 0] }',
+              'boundary.top.flow={ type = "wall", velocity = [0.3, 0] }',
+              'boundary.injection={ side = "top", centre = 1.1, width = 0.5, flow = { type = "wall" } }',
+              *SURFACES],
+             "output.interval=1e-2"),  # velocities along sides, and where they end
     "outflow": ("cases/tutorial/heated_channel.toml", 800, ["heat.velocity_set=d2q9", *SURFACES],
                 "output.interval=1.25e-3"),  # of heat, that looks back across cuts
     "diffusion": ("cases/diffusion_reaction.toml", 60, [], "output.interval=0.03"),
