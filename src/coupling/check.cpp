@@ -48,8 +48,10 @@ void measure_steps(const Steps& take_steps, CheckReport& report) {
     fastest = std::min(fastest, after - before);
     before = after;
   }
-  report.seconds_per_step = fastest / CheckReport::batch;
-  report.slowed_by = (steady_seconds() - wall_start) / report.measured_steps / report.seconds_per_step;
+  const double mean = (now() - start) / report.measured_steps;
+  const double mean_wall = (steady_seconds() - wall_start) / report.measured_steps;
+  report.seconds_per_step = time_of_a_step(fastest / CheckReport::batch, mean, mean_wall);
+  report.slowed_by = report.seconds_per_step > 0 ? mean_wall / report.seconds_per_step : 1;
 }
 
 /// Computes the shares of joined pores and writes the picture.
@@ -143,6 +145,10 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   report.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
   report.preset = scene.accuracy.preset;
   return report;
+}
+
+double time_of_a_step(double fastest, double mean, double mean_wall) {
+  return fastest > 0 ? fastest : mean > 0 ? mean : mean_wall;
 }
 
 }  // namespace vug

@@ -45,6 +45,10 @@ struct CheckReport {
 /// PNG.
 CheckReport check_case(const Scene& scene, const std::string& preview = "");
 
+/// Seconds per step, from the time of the fastest batch of steps. Where the clock of the processor did not tick in it,
+/// from that of all measured steps, else from their wall time. All in s per step.
+double time_of_a_step(double fastest, double mean, double mean_wall);
+
 /// The report as text for a person, or as JSON.
 std::string to_text(const CheckReport& report);
 std::string to_json(const CheckReport& report);

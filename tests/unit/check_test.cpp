@@ -44,6 +44,13 @@ TEST(Check, SaysWhatItMeasured) {
   EXPECT_THAT(text, testing::Not(HasSubstr("Bernoulli")));
 }
 
+/// Where the clock of the processor ticks coarsely, the fastest batch takes no time.
+TEST(Check, TimeOfAStepIsThatOfTheFinestClockThatTicked) {
+  EXPECT_EQ(time_of_a_step(1, 2, 3), 1);
+  EXPECT_EQ(time_of_a_step(0, 2, 3), 2);
+  EXPECT_EQ(time_of_a_step(0, 0, 3), 3);
+}
+
 /// A flow that may be held, and intervals that may grow, cost no more than the first steps do.
 TEST(Check, SaysAtMostWhereStepsMayTurnOutCheaper) {
   for (const auto& [key, cheaper] : {std::pair{"accuracy.flow_tolerance=0", false},
