@@ -19,7 +19,9 @@ namespace vug {
 
 namespace {
 
-constexpr double most_substeps = std::numeric_limits<int>::max();  // in a lattice step
+constexpr double most_substeps = 1e6;  // in a lattice step, as for mechanics.substeps
+// Owed sub-steps from which on they are taken without waiting for further lattice steps: a stop would have to wait.
+constexpr int many_substeps = 100000;
 constexpr int most_owed =
     16;  // lattice steps; more would not use the caches better, and a stop would have to wait longer
 
@@ -59,6 +61,11 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
     watched_ = VectorField<double>("vug::mechanics::watched", mechanics_.particles().force.extent(0));
   find_links(exec);
   choose_substeps();
+  if (substeps_ > most_substeps)
+    throw InputError(fmt::format(
+        "{}: lattice.time_step = {:g} s needs {:.3g} mechanical steps of {:.3g} s; at most {:g} are possible: lower "
+        "lattice.time_step, or raise rock.element_size or mechanics.mass_scaling",
+        scene.path, units_.time_step, static_cast<double>(substeps_), units_.time_step / substeps_, most_substeps));
 }
 
 template <class T>
@@ -73,7 +80,7 @@ void MechanicsModule<T>::choose_substeps() {
           substeps_, units_.time_step / substeps_, critical, std::ceil(units_.time_step / critical)));
   } else {
     const double wanted = std::ceil(units_.time_step / (section_.critical_fraction * critical));
-    substeps_ = static_cast<int>(std::clamp(wanted, 1.0, most_substeps));
+    substeps_ = static_cast<int>(std::clamp(wanted, 1.0, double{std::numeric_limits<int>::max()}));
   }
 }
 
@@ -131,7 +138,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     }
   }
   const bool looked_at = (clock.step + 1) % update_interval_ == 0;
-  if (++owed_ == most_owed || looked_at) catch_up(exec);
+  if (++owed_ == most_owed || looked_at || owed_ >= many_substeps / substeps_) catch_up(exec);
   if (looked_at) mechanics_.make_positions_whole(exec);
 }
 

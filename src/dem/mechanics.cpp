@@ -4,15 +4,20 @@
 #include "dem/forces.hpp"
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
+#include "host/interruption.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 namespace vug {
 
 namespace {
+
+constexpr int steps_between_stops = 100000;  // sub-steps between two looks at requests to stop
 
 /// Checks the parameters, and sets thermal_expansion to the largest of all materials: those of particles are relative
 /// to it.
@@ -139,15 +144,22 @@ void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock, 
   }
   const StepControl control{dt, parameters_.local_damping, parameters_.mass_scaling, 1};
   const int together = share_ || timed_ ? 1 : times;
+  const std::int64_t all = std::int64_t{together} * substeps;
   for (int done = 0; done < times; done += together) {
     if (share_) share_->follow_pairs(exec);
-    for (int s = 0; s < together * substeps;) {
-      if (const int count = alike(together * substeps - s); count > 1) {
+    std::int64_t looked = 0;
+    for (std::int64_t s = 0; s < all;) {
+      if (!share_ && s - looked >= steps_between_stops) {  // ranks have to agree, which they do between calls
+        throw_if_stop_requested();
+        looked = s;
+      }
+      const int most = static_cast<int>(std::min<std::int64_t>(all - s, std::numeric_limits<int>::max()));
+      if (const int count = alike(most); count > 1) {
         replay(exec, control, count);
         s += count;
         continue;
       }
-      if (timed_) follow_loads(exec, *timed_, time_ + s * dt, dt, loads_, particles_);
+      if (timed_) follow_loads(exec, *timed_, time_ + static_cast<double>(s) * dt, dt, loads_, particles_);
       step(exec, control, rest_ ? &*rest_ : nullptr, share_ ? &*share_ : nullptr);
       ++s;
     }

@@ -1,10 +1,13 @@
+#include "dem/mechanics.hpp"
 #include "dem_support.hpp"
+#include "host/interruption.hpp"
 #include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <csignal>
 
 namespace {
 
@@ -129,6 +132,17 @@ TEST(MechanicsParameters, OutsideTheirRangeAreRefusedByName) {
   p = {};
   p.mass_scaling = 0.5;
   EXPECT_THROW(Mechanics(test::pair_of_triangles(1e-3), p, {}), InputError);
+}
+
+/// A long series of sub-steps looks at requests to stop; a short one ends first.
+TEST(SubSteps, OfALongSeriesEndWhenTheRunIsToStop) {
+  Mechanics rock(test::right_triangle(2e-3), test::nearly_free(), Loads{});
+  const double dt = 0.1 * rock.critical_step();
+  request_stop(SIGTERM);
+  EXPECT_NO_THROW(rock.advance(Exec(), dt, 1000));
+  EXPECT_THROW(rock.advance(Exec(), dt, 200000), Interrupted);
+  request_stop(0);
+  EXPECT_LT(rock.steps(), 150000);
 }
 
 }  // namespace
