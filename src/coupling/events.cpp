@@ -1,5 +1,7 @@
 #include "coupling/events.hpp"
 
+#include "coupling/concerns.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,7 +92,7 @@ double value_in(const std::vector<HistoryValue>& row, const char* name) {
   return found == row.end() ? 0 : found->value;
 }
 
-/// Volume that the rock has gained by reactions that run backwards, over its present volume.
+/// Volume that the rock has gained on the whole, over its present volume.
 double growth_of(const std::vector<HistoryValue>& row) {
   double won = 0, there = 0;
   for (const HistoryValue& value : row) {
@@ -102,7 +104,8 @@ double growth_of(const std::vector<HistoryValue>& row) {
 
 }  // namespace
 
-Events::Events(const Simulation& simulation, const std::vector<std::string>& earlier) {
+Events::Events(const Simulation& simulation, const std::vector<std::string>& earlier, bool reversible)
+    : earlier_(earlier), reversible_(reversible) {
   look(simulation);
   begun_ = true;
   for (const std::string& line : earlier) {  // the state of the run does not contain whether these were reported
@@ -113,8 +116,33 @@ Events::Events(const Simulation& simulation, const std::vector<std::string>& ear
   }
 }
 
+bool Events::runs_backwards(const Scene& scene) {
+  const auto reversible = [](const RateLaw& rate) { return rate.inverse_equilibrium_constant > 0; };
+  if (!scene.reaction) return false;
+  const std::vector<FurtherReactant>& further = scene.reaction->further;
+  return reversible(*scene.reaction) || std::any_of(further.begin(), further.end(), reversible) ||
+         std::any_of(scene.minerals.begin(), scene.minerals.end(), [&](const MineralSection& mineral) {
+           return std::any_of(mineral.rates.begin(), mineral.rates.end(), reversible);
+         });
+}
+
+std::vector<std::string> Events::look_at_concerns(const Simulation& simulation) {
+  std::vector<std::string> news;
+  for (const auto& module : simulation.parts().modules) {
+    const auto* concerned = dynamic_cast<const Concerned*>(module.get());
+    if (!concerned) continue;
+    for (const Concern& concern : concerned->concerns(Exec{})) {
+      const auto tells = [&](const std::string& line) { return line.find(concern.what) != std::string::npos; };
+      if (std::any_of(earlier_.begin(), earlier_.end(), tells) || !next_.try_emplace(concern.what, 0).second) continue;
+      news.push_back(at(simulation.clock()) + "warning: " + concern.what + concern.detail);
+    }
+  }
+  return news;
+}
+
 std::vector<std::string> Events::look(const Simulation& simulation) {
   std::vector<std::string> news;
+  if (begun_) news = look_at_concerns(simulation);
   if (const IntervalChooser* chooser = simulation.chooser()) {
     const auto& lines = chooser->news();
     for (auto l = static_cast<std::size_t>(next_["intervals"]); l < lines.size(); ++l) news.push_back(lines[l]);
@@ -176,10 +204,12 @@ std::vector<std::string> Events::look_at_row(const Simulation& simulation, const
                     "is not a solution (flow.speed_limit)",
                     at(simulation.clock()), has_limited, 100 * limited_share_));
   if (growth_of(row) > grown && next_.try_emplace(has_grown, 0).second)
-    news.push_back(
-        fmt::format("{}{} on the whole, by a reaction that runs backwards (product over equilibrium_constant "
-                    "exceeds the reactant): it grows in place and narrows no pore",
-                    at(simulation.clock()), has_grown));
+    news.push_back(fmt::format(
+        "{}{} on the whole, by {}: it grows in place and narrows no pore", at(simulation.clock()), has_grown,
+        reversible_ ? "a reaction that runs backwards (product over equilibrium_constant exceeds the "
+                      "reactant)"
+                    : "negative concentrations of the reactant (a given flux that draws more than there "
+                      "is, or undershoots)"));
   for (const auto& [species, passed] : passed_by(row))
     if (passed.in > 0 && passed.out > breakthrough * passed.in &&
         next_.try_emplace(breakthrough_of + species, 0).second)

@@ -10,11 +10,15 @@ namespace vug {
 
 /// Watches counts that only grow and reports when each reaches 1, 10, 100, ...: failed bonds, dissolved nodes, nodes
 /// opened by damage. Also reports breakthrough, when more than 1 % of the injected amount of a species has left, that
-/// rock has grown on the whole, and that the limiter of the speed is at work.
+/// rock has grown on the whole, that the limiter of the speed is at work, and the concerns of modules (concerns.hpp),
+/// each once.
 class Events {
  public:
-  /// Earlier events are not reported again; `earlier` has the lines about them.
-  explicit Events(const Simulation& simulation, const std::vector<std::string>& earlier = {});
+  /// Earlier events are not reported again; `earlier` has the lines about them. `reversible`: see runs_backwards.
+  explicit Events(const Simulation& simulation, const std::vector<std::string>& earlier = {}, bool reversible = true);
+
+  /// Whether a reaction of the case may run backwards: the cause that is reported where rock has grown.
+  static bool runs_backwards(const Scene& scene);
 
   /// New lines about the counts; copies the states of the bonds to the host.
   std::vector<std::string> look(const Simulation& simulation);
@@ -27,7 +31,12 @@ class Events {
   std::vector<std::string> look_at_row(const Simulation& simulation, const std::vector<HistoryValue>& row);
 
  private:
+  /// New lines about what is wrong with the state of the modules.
+  std::vector<std::string> look_at_concerns(const Simulation& simulation);
+
   std::map<std::string, std::int64_t> next_;  ///< count at which each event is reported next
+  std::vector<std::string> earlier_;          ///< lines of the run that this one continues
+  bool reversible_;
   bool begun_ = false;
   double limited_ = 0, limited_share_ = 0;  ///< uses of the limiter up to the last row; per node and step
 };

@@ -1,6 +1,7 @@
 #pragma once
 // Flow through the pores (paper section 2.1).
 #include "coupling/carrier.hpp"
+#include "coupling/concerns.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/module.hpp"
 #include "coupling/steady_flow.hpp"
@@ -18,7 +19,7 @@ namespace vug {
 /// Owns the flow populations, velocity and pressure. Of other data it writes only which links of the fluid nodes are
 /// open at its sides and openings (mark_open).
 template <class T>
-class FlowModule final : public Module {
+class FlowModule final : public Module, public Concerned {
  public:
   /// `paths`: the flow paths at the start.
   FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
@@ -31,6 +32,7 @@ class FlowModule final : public Module {
   void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
+  std::vector<Concern> concerns(const Exec& exec) const override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;

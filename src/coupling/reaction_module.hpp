@@ -44,7 +44,7 @@ struct Attack {
 /// step: this module comes before them in the list of modules, and TurnoverModule after them. `heat` may be null: then
 /// the temperature of the case is used everywhere. `opener` may be null where there are no pathways.
 template <class T, class Set>
-class ReactionModule final : public Module {
+class ReactionModule final : public Module, public Concerned {
  public:
   ReactionModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, Geometry& geometry,
                  SoluteModule<T, Set>& solutes, const HeatModule<T>* heat, PathwayOpener* opener);
@@ -54,6 +54,7 @@ class ReactionModule final : public Module {
   void tasks(std::vector<Task>& schedule) const override;
   void gather(const Exec&) override;
   void births(const Exec& exec, const Births& births) override;
+  std::vector<Concern> concerns(const Exec& exec) const override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;
@@ -95,6 +96,8 @@ class ReactionModule final : public Module {
   void refresh(const Exec& exec, std::int64_t step);
   /// Gathers the turnover of the links on all ranks.
   void gather_links() const;
+  /// Keeps the largest loss of each surface node between two looks, before it is booked.
+  void keep_largest_losses(const Exec& exec);
   Owners owners_of_links(const Attack<T>& attack) const;
   /// Determines which links this rank has, the surface nodes from which they lead, and the nodes whose temperature they
   /// need.
@@ -160,7 +163,10 @@ class ReactionModule final : public Module {
   bool watches_;                 ///< changes are watched (accuracy.tolerance)
   double watched_ = 0;           ///< volume that had dissolved at the last look, m3/m
   int solute_interval_;          ///< lattice steps per solute step, as used for the rates
-  ScalarField<double> loss_{"vug::reaction::loss", 0};  ///< (surface) for largest_loss
+  ScalarField<double> loss_{"vug::reaction::loss", 0};           ///< (surface) for largest_loss
+  ScalarField<double> recent_{"vug::reaction::recent_loss", 0};  ///< (surface) since the last look; 0 between looks
+  ScalarField<double> largest_{"vug::reaction::largest_loss",
+                               0};  ///< (surface) largest loss between two looks so far, cells
   bool dissolves_;
   double initial_volume_ = 0;  ///< pixels
 };

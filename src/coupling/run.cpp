@@ -139,7 +139,7 @@ class Run {
       files.write_snapshot();
       files.write_row();
     }
-    Events events(simulation_, events_so_far);
+    Events events(simulation_, events_so_far, Events::runs_backwards(scene_));
     const Schedule output = output_schedule(scene_), history = row_schedule(scene_);
     const Schedule checkpoint = checkpoint_schedule(scene_);
     while (!ended()) {

@@ -1,0 +1,35 @@
+#pragma once
+// What is wrong with the state of a run although it goes on: for the log and for run.json.
+#include "coupling/geometry.hpp"
+#include "io/time_table.hpp"
+#include "kernels/base/base.hpp"
+
+#include <string>
+#include <vector>
+
+namespace vug {
+
+/// `what` names it and is reported once in a run, followed by `detail`: numbers, cause, advice.
+struct Concern {
+  std::string what, detail;
+};
+
+/// A module whose state may be impossible while the run goes on.
+class Concerned {
+ public:
+  virtual ~Concerned() = default;
+  /// What is wrong at present. Called by all ranks after each guard; may wait for the device.
+  virtual std::vector<Concern> concerns(const Exec& exec) const = 0;
+};
+
+/// Key of a boundary in the case: "boundary.left", "boundary.shape.well", "boundary.injection"; with the name of an
+/// injection as in columns of the history: "boundary.injection_acid".
+std::string key_of(const Stretch& stretch);
+
+/// Boundaries whose given flux draws or puts in: the key of the first of each, else empty.
+struct GivenFluxes {
+  std::string draws, puts_in;
+  void add(const std::string& key, const TimeTable& flux);
+};
+
+}  // namespace vug

@@ -1,0 +1,44 @@
+// Pressures that no fluid has.
+#include "coupling/flow_module.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug {
+
+namespace {
+
+/// Whether a given velocity or flow rate draws fluid out.
+bool draws(const Stretch& stretch) {
+  const FlowBoundary& flow = stretch.conditions.flow;
+  if (flow.kind != FlowBoundaryKind::velocity) return false;
+  if (flow.has_rate()) return flow.peak_rate(1) < 0;
+  if (stretch.opening) return flow.speed.lowest() < 0;
+  const TimeTable& across = flow.velocity[is_upright(stretch.side) ? 0 : 1];
+  return stretch.side == Side::left || stretch.side == Side::bottom ? across.lowest() < 0 : across.highest() > 0;
+}
+
+}  // namespace
+
+template <class T>
+std::vector<Concern> FlowModule<T>::concerns(const Exec& exec) const {
+  const auto by = std::find_if(boundaries_.begin(), boundaries_.end(),
+                               [](const StretchLinks& boundary) { return draws(boundary.stretch); });
+  if (by == boundaries_.end()) return {};
+  constexpr double noise = 1e-3;  // share of the pressure differences
+  const Ranks& ranks = geometry_.split.ranks();
+  const FieldRange density = field_range(exec, densities(exec, geometry_.fluid, fields_), geometry_.fluid.share());
+  const double pascal = units_.pressure() / 3;
+  const double lowest = pascal * ranks.least(density.min), highest = pascal * ranks.most(density.max);
+  const double absolute = units_.reference_pressure + lowest;
+  if (absolute >= -noise * (highest - lowest)) return {};
+  return {{"absolute pressures below 0",
+           fmt::format(" (down to {:.3g} Pa): {} draws faster than the pressures of the case can drive the fluid",
+                       absolute, key_of(by->stretch))}};
+}
+
+template std::vector<Concern> FlowModule<float>::concerns(const Exec&) const;
+template std::vector<Concern> FlowModule<double>::concerns(const Exec&) const;
+
+}  // namespace vug
