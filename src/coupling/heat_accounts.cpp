@@ -2,6 +2,8 @@
 #include "coupling/heat_module.hpp"
 #include "kernels/launch/launch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -56,9 +58,37 @@ void HeatModule<T>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"largest_temperature_change_K", change});
 }
 
-#define VUG_INSTANTIATE(T)                                \
-  template void HeatModule<T>::limits(LimitTable&) const; \
-  template void HeatModule<T>::ledger(Ledger&) const;     \
+template <class T>
+std::vector<Concern> HeatModule<T>::concerns(const Exec& exec) const {
+  if (largest_flux_ == 0) return {};
+  GivenFluxes given;
+  const auto add = [&](const std::string& key, const HeatBoundary& heat) {
+    if (heat.kind == HeatCondition::flux) given.add(key, heat.flux);
+  };
+  for (const Stretch& stretch : stretches_) add(key_of(stretch), stretch.conditions.heat);
+  for (const InnerOpening& opening : geometry_.openings)
+    add("boundary.shape." + opening.name.substr(6), opening.conditions.heat);
+  constexpr double absurd = 1e5;  // K
+  const HeatExtremes seen = extremes(exec);
+  const double lowest = seen.lowest + units_.reference_temperature;
+  const double highest = seen.highest + units_.reference_temperature;
+  std::vector<Concern> concerns;
+  if (lowest < 0)
+    concerns.push_back(
+        {"temperatures below 0 K",
+         fmt::format(" (down to {:.4g} K){}", lowest,
+                     given.draws.empty() ? "" : ": " + given.draws + ".heat.flux draws more heat than there is")});
+  if (highest > hottest_ + absurd && !given.puts_in.empty())
+    concerns.push_back(
+        {fmt::format("temperatures more than {:g} K above those of the case", absurd),
+         fmt::format(" (up to {:.4g} K): {}.heat.flux puts in more heat than leaves", highest, given.puts_in)});
+  return concerns;
+}
+
+#define VUG_INSTANTIATE(T)                                                  \
+  template void HeatModule<T>::limits(LimitTable&) const;                   \
+  template std::vector<Concern> HeatModule<T>::concerns(const Exec&) const; \
+  template void HeatModule<T>::ledger(Ledger&) const;                       \
   template void HeatModule<T>::history(std::vector<HistoryValue>&) const;
 VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE

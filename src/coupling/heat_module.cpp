@@ -20,8 +20,8 @@ namespace vug {
 
 namespace {
 
-// Temperatures this far outside those of the case are no solution of the heat equation. With a flux there is no such
-// bound in principle, but the rock and water of such a model do not survive the second value.
+// Temperatures this far outside those of the case are no solution of the heat equation. What a flux does has no such
+// bound: the second value is far beyond what it maintains across a lattice.
 constexpr double runaway_margin = 1000, runaway_margin_with_flux = 1e5;  // K
 
 }  // namespace
@@ -41,7 +41,8 @@ HeatModule<T>::HeatModule(const Exec& exec, const Scene& scene, const LatticeUni
       range_(named_range(scene)),
       fastest_(flow ? flow->largest_speed() : 0) {
   for_each_boundary(scene, [&](const BoundarySection& given) {
-    heated_ = heated_ || (given.heat.kind == HeatCondition::flux && given.heat.flux.peak() != 0);
+    if (given.heat.kind == HeatCondition::flux)
+      largest_flux_ = std::max(largest_flux_, std::abs(given.heat.flux.peak()));
   });
   set_up_minerals(scene);
   fields_ = make_heat_fields<T>(exec, geometry.lattice, parameters(), geometry.type, periodic_, initial_theta_,
@@ -190,8 +191,18 @@ void HeatModule<T>::births(const Exec& exec, const Births& births) {
 }
 
 template <class T>
+double HeatModule<T>::margin(double time) const {
+  if (largest_flux_ == 0) return runaway_margin;
+  // a flux into a closed space warms it for ever, at most through four sides of a single cell
+  double capacity = std::min(section_.fluid_density * section_.fluid_heat_capacity,
+                             section_.solid_density * section_.solid_heat_capacity);  // J/(m3 K)
+  for (const Mineral& mineral : minerals_) capacity = std::min(capacity, mineral.density * mineral.heat_capacity);
+  return std::max(runaway_margin_with_flux, runaway_margin + 4 * largest_flux_ * time / (units_.spacing * capacity));
+}
+
+template <class T>
 void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
-  const double margin = heated_ ? runaway_margin_with_flux : runaway_margin;
+  const double margin = this->margin(static_cast<double>(clock.step) * units_.time_step);
   const double lowest = units_.lattice_temperature(range_.coldest - margin);
   const double highest = units_.lattice_temperature(range_.hottest + margin);
   const HeatExtremes extremes = this->extremes(exec);
@@ -200,11 +211,11 @@ void HeatModule<T>::guard(const Exec& exec, const Clock& clock) {
   const int node =
       field_range(exec, temperatures(exec, fields_), fields_.lattice.size(), lowest, highest).first_outside;
   throw StabilityError(fmt::format(
-      "heat diverged at step {}: node ({}, {}) is not finite or {:g} K beyond what the case puts in; temperatures from "
-      "{:.4g} to {:.4g} K, {} nodes not finite; lower the velocity or raise the diffusivities",
+      "heat diverged at step {}: node ({}, {}) is not finite or {:.4g} K beyond what the case puts in; temperatures "
+      "from {:.4g} to {:.4g} K, {} nodes not finite; {}",
       clock.step, geometry_.lattice.x(node), geometry_.lattice.y(node), margin,
       extremes.lowest + units_.reference_temperature, extremes.highest + units_.reference_temperature,
-      extremes.not_finite));
+      extremes.not_finite, carrier_ ? "lower the velocity or raise the diffusivities" : "lower lattice.time_step"));
 }
 
 template <class T>

@@ -1,5 +1,6 @@
 #pragma once
 // Heat through fluid and rock (paper section 2.2).
+#include "coupling/concerns.hpp"
 #include "coupling/face_temperature.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
@@ -19,7 +20,7 @@ inline constexpr double largest_relaxation_time = 3.5, longest_way = 1;
 /// Owns the temperature of every node. `flow` may be null: conduction only. A step is taken every
 /// accuracy.heat_interval lattice steps, with diffusivities and velocity multiplied by that number.
 template <class T>
-class HeatModule final : public Module {
+class HeatModule final : public Module, public Concerned {
  public:
   HeatModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
              FlowModule<T>* flow);
@@ -31,6 +32,7 @@ class HeatModule final : public Module {
   void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
+  std::vector<Concern> concerns(const Exec& exec) const override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void history(std::vector<HistoryValue>& row) const override;
@@ -75,6 +77,8 @@ class HeatModule final : public Module {
   void set_up_minerals(const Scene& scene);
   HeatParameters parameters() const;
   HeatExtremes extremes(const Exec& exec) const;
+  /// How far temperatures may be outside those of the case at a time (s), K.
+  double margin(double time) const;
   bool rock_asks_before_next_step(const Clock& clock) const;
   /// Value of a condition, at a time (s), in the units of the kernels, and its transfer coefficient.
   double value_of(const HeatBoundary& heat, double time) const;
@@ -129,7 +133,7 @@ class HeatModule final : public Module {
   ScalarField<double> born_;      ///< (block) energy that births added
   double initial_theta_ = 0;
   TemperatureRange range_;     ///< that the case names
-  bool heated_ = false;        ///< a side has a flux: temperatures may leave the range that the case names
+  double largest_flux_ = 0;    ///< W/m2, of all given ones: temperatures may leave the range that the case names
   double fastest_ = 0;         ///< largest speed that carries heat, lattice units
   double initial_energy_ = 0;  ///< in fluid heat capacities
 };

@@ -1,10 +1,12 @@
 #pragma once
 // Dissolved species carried by the fluid (paper sections 2.3, 3.2).
+#include "coupling/concerns.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/step_times.hpp"
 #include "coupling/stretch_links.hpp"
 #include "kernels/base/units.hpp"
+#include "kernels/flow/guards.hpp"
 #include "kernels/reaction/dissolution.hpp"
 #include "kernels/reaction/reacting_solutes.hpp"
 #include "kernels/solute/solute_boundary.hpp"
@@ -40,6 +42,12 @@ struct ReactingSpecies {
   std::string key{};  ///< of the states of the links
 };
 
+/// Largest concentrations of a species, lattice units: what is given or what fluxes and reactions can maintain across
+/// the lattice; and what fluxes can have put into the smallest closed space by now.
+struct Reach {
+  double steady = 0, now = 0;
+};
+
 /// Largest number of cells that the fluid may move in a step (higher ones were not tried), and the largest diffusivity
 /// (docs/stability.md).
 inline constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_solutes = 1;
@@ -47,7 +55,7 @@ inline constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_sol
 /// Owns the populations of all species. `flow` may be null: diffusion only. A step is taken every
 /// accuracy.solute_interval lattice steps, with diffusivity, velocity and rate constant multiplied by that number.
 template <class T, class Set>
-class SoluteModule final : public Module {
+class SoluteModule final : public Module, public Concerned {
  public:
   SoluteModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
                FlowModule<T>* flow);
@@ -59,6 +67,7 @@ class SoluteModule final : public Module {
   void visit_shares(const SharedFields& visit) const override;
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
+  std::vector<Concern> concerns(const Exec& exec) const override;
   void limits(LimitTable& table) const override;
   void ledger(Ledger& ledger) const override;
   void surfaces(const Clock& clock, const OutputSection& wanted, std::vector<HistoryValue>& row) const override;
@@ -83,6 +92,9 @@ class SoluteModule final : public Module {
   /// The fluid nodes before those at outflows (kernels/scalar/outflow_slope.hpp).
   std::vector<int> nodes_before_outflow() const;
   SoluteParameters parameters_of(const Species& species) const;
+  /// (species) The largest concentrations that the case may cause at a time (s), lattice units.
+  std::vector<Reach> reaches(double time) const;
+  FieldRange range_of(const Exec& exec, const SpeciesState<T>& s) const;
   /// Steps take this many lattice steps, from the next streaming on.
   void set_interval(int interval);
   /// A sweep whose collision converts the populations to steps of another length (turning.hpp).
