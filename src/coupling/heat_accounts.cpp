@@ -78,7 +78,7 @@ std::vector<Concern> HeatModule<T>::concerns(const Exec& exec) const {
         {"temperatures below 0 K",
          fmt::format(" (down to {:.4g} K){}", lowest,
                      given.draws.empty() ? "" : ": " + given.draws + ".heat.flux draws more heat than there is")});
-  if (highest > hottest_ + absurd && !given.puts_in.empty())
+  if (highest > range_.hottest + absurd && !given.puts_in.empty())
     concerns.push_back(
         {fmt::format("temperatures more than {:g} K above those of the case", absurd),
          fmt::format(" (up to {:.4g} K): {}.heat.flux puts in more heat than leaves", highest, given.puts_in)});

@@ -87,6 +87,7 @@ void ReactionModule<T, Set>::find_links(const Exec& exec) {
   for (Attack<T>& attack : attacks_)
     find_reactive_links<Set>(exec, geometry_.fluid, geometry_.surface, attack.wall.law, attack.links,
                              geometry_.mineral);
+  if (dissolves_) make_room_for_losses(exec);
   share_links();
 }
 

@@ -96,6 +96,7 @@ class ReactionModule final : public Module, public Concerned {
   void refresh(const Exec& exec, std::int64_t step);
   /// Gathers the turnover of the links on all ranks.
   void gather_links() const;
+  void make_room_for_losses(const Exec& exec);
   /// Keeps the largest loss of each surface node between two looks, before it is booked.
   void keep_largest_losses(const Exec& exec);
   Owners owners_of_links(const Attack<T>& attack) const;
