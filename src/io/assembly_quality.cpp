@@ -113,8 +113,10 @@ bool usable(const AssemblyQuality& quality, const AssemblyLimits& limits, std::s
   } else if (quality.overused_edges > 0) {
     why = fmt::format("{} edges belong to more than two triangles, or triangles overlap there", quality.overused_edges);
   } else if (quality.islands > limits.islands) {
-    why = fmt::format("the rock falls into {} pieces that share no edge (allowed: {}); are vertices doubled?",
-                      quality.islands, limits.islands);
+    why = fmt::format(
+        "the rock falls into {} pieces that share no edge (allowed: {}); are vertices doubled? Bodies that are to "
+        "separate share edges in the group \"crack\"",
+        quality.islands, limits.islands);
   } else if (!(quality.min_angle >= limits.min_angle)) {
     why = fmt::format("the smallest angle of a triangle is {:.3g} degrees, at least {:g} is needed", quality.min_angle,
                       limits.min_angle);

@@ -1,4 +1,6 @@
 """Pictures of what runs may hold: openings, gauge pressure alone, rock alone, nothing on the lattice, sampled studies."""
+import importlib.machinery
+import importlib.util
 import os
 import pathlib
 import subprocess
@@ -181,6 +183,15 @@ class Pictures(unittest.TestCase):
         vug.plot.draw_result(axes, vug.Study(self.folder / "one"), "result1_m")
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("flow.pressure", "result1_m"))
         plt.close(figure)
+
+    def test_the_heading_is_the_name_of_the_case_or_that_of_its_file(self):
+        loader = importlib.machinery.SourceFileLoader("plot", "scripts/plot")
+        plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
+        loader.exec_module(plot)
+        for text, heading in (('[case]\nname = "sine"\n', "sine: "), ('[case]\nname = ""\n', "f1: "), ("[time]\n", "f1: ")):
+            self.assertEqual(plot.heading_of({"case_path": "cases/f1.toml", "case_text": text}), heading)
+        self.assertEqual(plot.heading_of({"case_text": "[case"}), "")
+        self.assertEqual(plot.heading_of({}), "")
 
     def test_labels_of_a_few_samples_do_not_overlap(self):
         samples = "".join(f"{k:04},{x},{y},{k}\n" for k, (x, y) in enumerate([(1.0123456, 1), (1.0223456, 5), (1.03, 3), (1.9, 2)]))
