@@ -3,7 +3,6 @@
 #include "coupling/recorded_run.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
-#include "io/override_scene.hpp"
 #include "io/time_table.hpp"
 #include "kernels/base/require.hpp"
 
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <ostream>
 #include <span>
 #include <string_view>
@@ -20,75 +18,6 @@
 namespace vug {
 
 namespace {
-
-std::int64_t steps_over(std::int64_t steps, double ratio) {
-  return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) / (ratio * ratio)));
-}
-
-/// The scene on a lattice `ratio` times coarser. Throws InputError where that does not fit.
-Scene coarser(const Scene& scene, double ratio) {
-  std::vector<std::string> change{fmt::format("lattice.spacing={:.17g}", ratio * scene.lattice.spacing),
-                                  fmt::format("lattice.time_step={:.17g}", ratio * ratio * scene.lattice.time_step)};
-  if (scene.time.steps) change.push_back(fmt::format("time.steps={}", steps_over(*scene.time.steps, ratio)));
-  if (scene.output.interval_steps)
-    change.push_back(fmt::format("output.interval_steps={}", steps_over(*scene.output.interval_steps, ratio)));
-  return override_scene(scene, change);
-}
-
-/// The ratio from 5/4 to 3 nearest to 2 that leaves whole numbers of cells, preferably with its square too. 0: none.
-double ratio_of_twins(const LatticeSection& lattice) {
-  const int common = std::gcd(lattice.nx, lattice.ny);
-  double best = 0, least = std::numeric_limits<double>::max();
-  for (int part = 1; part < common; ++part) {
-    const double ratio = static_cast<double>(common) / part;
-    if (ratio < 1.25 || ratio > 3) continue;
-    const auto whole = [&](int nodes) { return std::fmod(nodes / (ratio * ratio) + 1e-9, 1.0) < 1e-6; };
-    const double badness = std::abs(std::log2(ratio) - 1) + (whole(lattice.nx) && whole(lattice.ny) ? 0 : 1);
-    if (badness < least) {
-      least = badness;
-      best = ratio;
-    }
-  }
-  return best;
-}
-
-Twins coarser_twins(const Scene& scene) {
-  Twins found{ratio_of_twins(scene.lattice), {}};
-  if (found.ratio == 0)
-    throw InputError(
-        fmt::format("{}: an error bar needs a coarser lattice of the same size, and {} x {} nodes have none; "
-                    "give both directions a common divisor, 8 or so",
-                    scene.path, scene.lattice.nx, scene.lattice.ny));
-  found.twins.push_back({"error_bars/coarse", coarser(scene, found.ratio)});
-  try {
-    found.twins.push_back({"error_bars/coarser", coarser(scene, found.ratio * found.ratio)});
-  } catch (const InputError&) {
-    // one coarser lattice has to do
-  }
-  return found;
-}
-
-Twins finer_twins(const Scene& scene) {
-  const AccuracySection& accuracy = scene.accuracy;
-  std::vector<std::string> change;
-  const auto halve = [&](const char* key, int interval) {
-    if (interval > 1) change.push_back(fmt::format("accuracy.{}={}", key, interval / 2));
-  };
-  if (accuracy.chooses_intervals())  // this halves all of them
-    return {
-        0,
-        {{"error_bars/finer", override_scene(scene, {fmt::format("accuracy.tolerance={:.17g}", accuracy.tolerance / 2),
-                                                     "accuracy.precision=\"double\""})}}};
-  halve("update_interval", accuracy.update_interval);
-  halve("wall_interval", accuracy.wall_interval);
-  halve("heat_interval", accuracy.heat_interval);
-  halve("solute_interval", accuracy.solute_interval);
-  halve("exchange_interval", accuracy.exchange_interval);
-  if (change.empty())
-    throw InputError(scene.path + ": has no interval of [accuracy] that could be halved for an error bar");
-  if (accuracy.precision != Precision::double_precision) change.push_back("accuracy.precision=\"double\"");
-  return {0, {{"error_bars/finer", override_scene(scene, change)}}};
-}
 
 /// Whether a column is an amount that has an error: not a count, a step, the error of a balance or an initial value.
 bool has_a_bar(std::string_view name) {
@@ -116,6 +45,22 @@ void forget_agreement(const std::vector<double>& value, const TimeTable& twin, c
   }
 }
 
+/// X of the columns X_initial, X_stored and X_gain_<what> of a balance; empty for other columns.
+std::string_view balance_of(std::string_view name) {
+  for (const char* part : {"_initial_", "_stored_", "_gain_"})
+    if (const std::size_t at = name.find(part); at != std::string_view::npos) return name.substr(0, at);
+  return {};
+}
+
+/// The largest amount in any column of a balance, in any row.
+double largest_of_balance(const History& run, std::string_view balance) {
+  double largest = 0;
+  for (std::size_t c = 0; c < run.names.size(); ++c)
+    if (!run.names[c].ends_with("_1") && balance_of(run.names[c]) == balance)
+      for (const double value : run.values[c]) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 const char* remark(const ErrorBar& error) {
   if (std::isnan(error.bar)) return "no bar: the one comparison agrees, nothing it varies changes this";
   switch (error.convergence) {
@@ -125,6 +70,8 @@ const char* remark(const ErrorBar& error) {
       return "warning: oscillates from lattice to lattice";
     case Convergence::none:
       return "warning: does not converge; use a finer lattice";
+    case Convergence::rounding:
+      return "rounding of the other amounts of its balance: 0";
     case Convergence::unknown:
       return "one comparison only: no order";
   }
@@ -166,11 +113,7 @@ void write(const ErrorBars& bars, const std::string& path) {
 
 }  // namespace
 
-Twins find_twins(const Scene& scene) {
-  return scene.rock ? finer_twins(scene) : coarser_twins(scene);
-}
-
-ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio) {
+ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding) {
   ErrorBars bars;
   bars.time = run.time();
   std::vector<double> others(twins.size());
@@ -191,6 +134,12 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
     }
     if (twins.size() == 1) forget_agreement(run.values[c], of_twins[0], bars.time, bar);
     if (!bar.empty()) last.bar = bar.back();
+    if (const std::string_view balance = balance_of(name); !balance.empty() && !bar.empty()) {
+      double size = std::abs(run.values[c].back());
+      for (const double other : others) size = std::max(size, std::abs(other));
+      if (size > 0 && size <= rounding * largest_of_balance(run, balance))
+        last = {last.bar, std::nullopt, Convergence::rounding};
+    }
     bars.names.push_back(name);
     bars.value.push_back(run.values[c]);
     bars.bar.push_back(std::move(bar));
@@ -227,7 +176,8 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
     if (!left_out.empty()) break;  // an even coarser lattice would fail as well
   }
   if (histories.empty()) return left_out + "no error bars: there is nothing to compare with\n";
-  const ErrorBars bars = find_error_bars(history, histories, found.ratio);
+  const bool coarse = scene.accuracy.precision == Precision::single_precision;
+  const ErrorBars bars = find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12);
   write(bars, own.directory + "/error_bars.csv");
   return report(bars) + left_out;
 }

@@ -5,6 +5,7 @@
 #include "coupling/run.hpp"
 #include "io/history_reader.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,19 @@ struct Twin {
 /// These have lattices of 2 and 4 times the spacing and 4 and 16 times the time step, so that viscosity and
 /// diffusivities keep their lattice values and every error of second order changes by the same factor. They cost a
 /// fifteenth of the run. Where such lattices do not fit the size, the ratio is the one in 5/4 to 3 nearest to 2 that
-/// does. Rock with pathways that are a number of cells wide has no such twin. There every interval of [accuracy] is
-/// halved instead, and the precision is double.
+/// does. A picture is coarsened by the same ratio (geometry.coarsen), so that cells stay whole squares of pixels. Rock
+/// with pathways that are a number of cells wide has no such twin. There every interval of [accuracy] is halved
+/// instead, and the precision is double.
 struct Twins {
   double ratio = 0;         ///< ratio of the spacings; 0: the twin has finer intervals
   std::vector<Twin> twins;  ///< the nearest first
 };
 
-/// Finds the twins of a scene. Throws InputError where it has none: numbers of cells without a common divisor, an
-/// image, no interval to halve.
+/// Steps that take as long on a lattice `ratio` times coarser, at least 1.
+std::int64_t steps_over(std::int64_t steps, double ratio);
+
+/// Finds the twins of a scene. Throws InputError where it has none: numbers of cells without a common divisor, a
+/// picture that no whole number of pixels coarsens, no interval to halve.
 Twins find_twins(const Scene& scene);
 
 /// What is known about one column of the history at the end.
@@ -41,14 +46,15 @@ struct BarOfColumn {
 
 /// Error bars of `run` at each of its rows, from the histories of its twins: values[c][row] of the columns in `names`
 /// (amounts that both have; not counts or errors of balances), and the state at the end. A bar is NaN, that is unknown,
-/// where the only twin agrees to the last bit.
+/// where the only twin agrees to the last bit. An amount below the share `rounding` of the largest of its balance is
+/// rounding of the others.
 struct ErrorBars {
   std::vector<std::string> names;
   std::vector<double> time;
   std::vector<std::vector<double>> value, bar;
   std::vector<BarOfColumn> last;
 };
-ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio);
+ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding = 1e-12);
 
 /// Runs the scene as run_case does, then its twins into DIR/error_bars/, and writes DIR/error_bars.csv: time_s, then
 /// every column of the history followed by its bar, which is empty where it is unknown. `options` say whether twins are

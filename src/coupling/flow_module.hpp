@@ -54,8 +54,8 @@ class FlowModule final : public Module, public Concerned {
   /// Whether the flow changes by no more than accuracy.flow_tolerance.
   bool settled() const { return steady_.settled(); }
   /// Largest speed that the case can drive, lattice units: the largest prescribed speed (also in the narrowest passage)
-  /// plus that of free convection and Bernoulli's bound of the pressures, at most the speed limit. With a body force it
-  /// is the speed limit.
+  /// plus that of free convection and that of the pressures (Bernoulli's, or a higher one of viscous flow), at most the
+  /// speed limit. With a body force it is the speed limit.
   double largest_speed() const;
   /// The carrier of a scalar that takes a step every `interval` lattice steps, on a set of `directions` velocities.
   /// `even_weight` weights the even part of the defect (advective_form.hpp). Called at set-up; the reference stays
@@ -71,6 +71,7 @@ class FlowModule final : public Module, public Concerned {
  private:
   double largest_pressure() const;
   double prescribed_speed() const;
+  double lowest_viscosity() const;  ///< lattice units, in the range of temperatures
   std::string advice_on_divergence() const;
   void prepare_thermal_flow(const Exec& exec, const Scene& scene);
   void find_boundaries(const Exec& exec);

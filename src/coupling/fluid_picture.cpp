@@ -18,7 +18,7 @@ std::size_t FluidPicture::fluid_nodes() const {
   return static_cast<std::size_t>(std::count(fluid_.begin(), fluid_.end(), true));
 }
 
-std::vector<int> pieces_of(const FluidPicture& picture) {
+std::vector<int> pieces_of(const FluidPicture& picture, JoinedBy joined) {
   std::vector<int> piece(picture.size(), -1);
   std::vector<std::size_t> open;
   int count = 0;
@@ -29,11 +29,15 @@ std::vector<int> pieces_of(const FluidPicture& picture) {
     while (!open.empty()) {
       const std::size_t at = open.back();
       open.pop_back();
-      picture.for_each_neighbour(at, [&](std::size_t m) {
+      const auto visit = [&](std::size_t m) {
         if (piece[m] >= 0 || !picture.is_fluid(m)) return;
         piece[m] = count;
         open.push_back(m);
-      });
+      };
+      if (joined == JoinedBy::corners)
+        picture.for_each_neighbour(at, visit);
+      else
+        picture.for_each_beside(at, visit);
     }
     ++count;
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vug {
@@ -20,12 +21,23 @@ class FluidPicture {
   /// Calls visit(neighbour) for those of the eight nodes around a node that are on the lattice, with joined sides.
   template <class Visit>
   void for_each_neighbour(std::size_t n, const Visit& visit) const {
-    const int x = static_cast<int>(n % nx), y = static_cast<int>(n / nx);
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        const int px = wrapped(x + dx, nx, periodic_[0]), py = wrapped(y + dy, ny, periodic_[1]);
-        if ((dx != 0 || dy != 0) && px >= 0 && py >= 0) visit(number(px, py));
+        const std::optional<std::size_t> m = from(n, dx, dy);
+        if ((dx != 0 || dy != 0) && m) visit(*m);
       }
+  }
+  /// The same for the four nodes that share a face with it.
+  template <class Visit>
+  void for_each_beside(std::size_t n, const Visit& visit) const {
+    for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+      if (const std::optional<std::size_t> m = from(n, dx, dy)) visit(*m);
+  }
+  /// The node at a distance from another one; none off the lattice, unless sides are joined.
+  std::optional<std::size_t> from(std::size_t n, int dx, int dy) const {
+    const int x = wrapped(static_cast<int>(n % nx) + dx, nx, periodic_[0]);
+    const int y = wrapped(static_cast<int>(n / nx) + dy, ny, periodic_[1]);
+    return x >= 0 && y >= 0 ? std::optional(number(x, y)) : std::nullopt;
   }
 
   const int nx, ny;
@@ -39,8 +51,11 @@ class FluidPicture {
   std::vector<bool> fluid_;
 };
 
+/// What joins fluid nodes: corners and faces, as for the flow, or faces alone, as for scalars on D2Q5.
+enum class JoinedBy { corners, faces };
+
 /// Numbers the connected pieces of fluid from 0; -1 in rock.
-std::vector<int> pieces_of(const FluidPicture& picture);
+std::vector<int> pieces_of(const FluidPicture& picture, JoinedBy joined = JoinedBy::corners);
 
 /// Fluid nodes in pieces that extend from one side of the lattice to the opposite one.
 struct JoinedPores {

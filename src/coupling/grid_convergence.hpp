@@ -6,8 +6,8 @@
 
 namespace vug {
 
-/// How a number converges over three lattices.
-enum class Convergence { monotone, oscillating, none, unknown };
+/// How a number converges over three lattices; `rounding`: it is 0 but for the rounding of larger ones.
+enum class Convergence { monotone, oscillating, none, unknown, rounding };
 
 struct ErrorBar {
   double bar = 0;               ///< half its length, in the unit of the number

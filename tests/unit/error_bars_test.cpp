@@ -5,6 +5,7 @@
 #include "kernels/base/require.hpp"
 #include "unit/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,6 +112,34 @@ TEST(Twins, TakeAnotherRatioWhereTwoDoesNotFit) {
   EXPECT_THROW(find_twins(file.scene({"lattice.size=[0.029, 0.013]"})), InputError);
 }
 
+/// The slab with a picture of `columns` x `rows` pixels whose middle third is rock.
+Scene pictured(const CaseFile& file, int columns, int rows, const std::vector<std::string>& more = {}) {
+  std::ofstream picture(file.folder() / "a.raw", std::ios::binary);
+  for (int n = 0; n < columns * rows; ++n)
+    picture.put(n % columns >= columns / 3 && n % columns < 2 * columns / 3 ? '\0' : '\xff');
+  picture.close();
+  std::vector<std::string> set{"geometry.type=image", "geometry.file=a.raw",
+                               fmt::format("geometry.raw_size=[{}, {}]", columns, rows),
+                               fmt::format("geometry.pixel_size={}", 0.024 / columns), "heat.solid_diffusivity=4e-6"};
+  set.insert(set.end(), more.begin(), more.end());
+  return file.scene(set);
+}
+
+TEST(Twins, OfAPictureTakeLargerSquaresOfPixels) {
+  const CaseFile file(slab);
+  const Twins found = find_twins(pictured(file, 24, 12));
+  EXPECT_EQ(found.ratio, 2);
+  ASSERT_EQ(found.twins.size(), 2u);
+  EXPECT_EQ(found.twins[0].scene.geometry.image.coarsen, 2);
+  EXPECT_EQ(found.twins[1].scene.geometry.image.coarsen, 4);
+  const Twins finer = find_twins(pictured(file, 48, 24, {"geometry.coarsen=2"}));
+  EXPECT_EQ(finer.twins[0].scene.geometry.image.coarsen, 4);
+  // 27 x 18 cells have the ratio 1.5, but no cell is 1.5 pixels wide; 3 is possible
+  EXPECT_EQ(find_twins(pictured(file, 27, 18, {"lattice.size=[0.027, 0.018]", "geometry.pixel_size=1e-3"})).ratio, 3);
+  EXPECT_THROW(find_twins(pictured(file, 25, 35, {"lattice.size=[0.025, 0.035]", "geometry.pixel_size=1e-3"})),
+               InputError);
+}
+
 const std::string rock_file = VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml";
 const std::vector<std::string> rock_intervals{"accuracy.update_interval=6",   "accuracy.wall_interval=15",
                                               "accuracy.heat_interval=4",     "accuracy.solute_interval=2",
@@ -212,6 +241,30 @@ TEST(ErrorBarsOfARun, StandBesideEveryAmountOfItsHistory) {
   EXPECT_THROW(run_with_error_bars(file.scene(), options), InputError);  // what is there is not replaced unasked
   options.resume = true;
   EXPECT_EQ(run_with_error_bars(file.scene(), options), report);
+}
+
+TEST(ErrorBarsOfARun, AreKnownForAPicture) {
+  const CaseFile file(slab);
+  RunOptions options;
+  options.directory = file.folder() / "run";
+  const std::string report = run_with_error_bars(pictured(file, 24, 12), options);
+  EXPECT_EQ(report.find("left out"), std::string::npos) << report;
+  const History bars = read_history(options.directory + "/error_bars.csv");
+  const int bar = bars.find("bar_of_heat_stored_J_per_m");
+  ASSERT_GE(bar, 0);
+  EXPECT_GT(bars.values[static_cast<std::size_t>(bar)].back(), 0);
+}
+
+/// A gain that is 0 but for rounding of the amount that is stored: no lattice can converge to it.
+TEST(ErrorBars, OfRoundingSayThatTheyAreNone) {
+  const std::vector<std::string> names{"time_s", "a_stored_mol_per_m", "a_gain_injected_mol_per_m"};
+  const auto history = [&](double stored, double gain) { return History{names, {{0, 1}, {1e-7, stored}, {0, gain}}}; };
+  const History run = history(1e-7, 9e-23);
+  const auto of_gain = [&](double coarse, double coarser) {
+    return find_error_bars(run, {history(1.1e-7, coarse), history(1.4e-7, coarser)}, 2).last.at(1).error.convergence;
+  };
+  EXPECT_EQ(of_gain(4e-22, 1e-22), Convergence::rounding);
+  EXPECT_EQ(of_gain(4e-9, 1e-9), Convergence::none);
 }
 
 TEST(ErrorBarsOfARun, LeaveOutALatticeOnWhichNoRunHolds) {

@@ -4,10 +4,12 @@
 #include "coupling/simulation.hpp"
 #include "kernels/base/require.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <regex>
 #include <string>
@@ -112,6 +114,61 @@ TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
               IsEmpty());
   EXPECT_THAT(remarks(channel("", inflow + "[boundary.right]\nflow = { type = \"velocity\", velocity = [0.02, 0] }\n")),
               IsEmpty());
+}
+
+/// Rock nodes that touch at their corners, from the bottom at `x` to the top; `more`: as many to the right of each.
+std::string diagonal(int x, int more = 0) {
+  std::string nodes;
+  for (int y = 0; y < 12; ++y) {
+    const std::string from = fmt::format("[{}, {}]", x + y, y), to = fmt::format("[{}, {}]", x + y + 1 + more, y + 1);
+    nodes += rectangle(from.c_str(), to.c_str());
+  }
+  return nodes;
+}
+
+/// The flow passes between rock nodes that touch at a corner; on D2Q5 nothing else does.
+TEST(CornerContacts, AreRemarkedOnWhereTheFlowPassesAndSolutesCannot) {
+  const std::string acid = "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n", wide = "velocity_set = \"d2q9\"\n";
+  const std::string warm = "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\n";
+  const auto told = [](const std::string& rock, const std::string& more) { return remarks(channel(rock, more)); };
+  EXPECT_THAT(
+      told(diagonal(14), pressures + acid),
+      testing::ElementsAre(HasSubstr("in 11 places pores touch only at a corner between two rock nodes: the flow "
+                                     "passes there, solutes on d2q5 do not")));
+  EXPECT_THAT(told(diagonal(14), pressures + warm), testing::ElementsAre(HasSubstr("heat.velocity_set = \"d2q9\"")));
+  EXPECT_THAT(told(diagonal(14), pressures), IsEmpty());
+  EXPECT_THAT(told(diagonal(14), pressures + "[solute]\n" + wide + acid), IsEmpty());
+  EXPECT_THAT(told(diagonal(14, 1), pressures + acid), testing::ElementsAre(HasSubstr("no path of fluid leads from")));
+}
+
+/// Flow passes neither into a dead end nor where it has one way out only, but through a pore with two corners.
+TEST(CornerContacts, CountOnlyWhereFlowCanPass) {
+  const std::string acid = "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n";
+  const std::string one_way = "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n";
+  EXPECT_THAT(remarks(channel(diagonal(14), one_way + acid)), IsEmpty());
+  // a pore of one node inside rock, which touches the channel at one corner, and at two
+  const std::string pore = rectangle("[20, 0]", "[23, 1]") + rectangle("[20, 1]", "[21, 2]") +
+                           rectangle("[22, 1]", "[23, 2]") + rectangle("[21, 2]", "[22, 3]");
+  const std::string closed = rectangle("[22, 2]", "[23, 3]");
+  EXPECT_THAT(remarks(channel(pore + closed, pressures + acid)), IsEmpty());
+  EXPECT_THAT(remarks(channel(pore, pressures + acid)), testing::ElementsAre(HasSubstr("in 2 places pores touch")));
+}
+
+/// n^2/(8 L) of a plane channel; a wider part does not raise it, and nothing bounds a flow that no wall holds back.
+TEST(FlowPaths, KnowHowFastViscosityLetsAPressureDriveIt) {
+  const auto speed = [](const std::string& shapes, const std::string& sides) {
+    return paths(channel(shapes, sides)).viscous_speed;
+  };
+  const std::string joined =
+      "[boundary.top]\nflow = { type = \"periodic\" }\n[boundary.bottom]\nflow = { type = \"periodic\" }\n";
+  EXPECT_NEAR(speed("", pressures), 12 * 12 / (8 * 40.0), 1e-12);
+  EXPECT_EQ(speed("", inflow + outlet), 0);
+  EXPECT_EQ(speed("", pressures + joined), std::numeric_limits<double>::infinity());
+  const std::string slabs = rectangle("[0, 0]", "[40, 2]") + rectangle("[0, 10]", "[40, 12]");
+  EXPECT_NEAR(speed(slabs, pressures), 8 * 8 / (8 * 40.0), 1e-12);
+  // a slit of 4 cells over 10 nodes between wide ends, where nearly all of the pressure falls
+  const std::string slit = rectangle("[15, 0]", "[25, 4]") + rectangle("[15, 8]", "[25, 12]");
+  EXPECT_NEAR(speed(slit, pressures), 4 * 4 / (8 * 10.0), 0.2 * 4 * 4 / (8 * 10.0));
 }
 
 TEST(FlowPaths, GeometryWithoutFluidIsRefused) {
