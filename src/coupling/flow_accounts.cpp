@@ -2,12 +2,26 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/read_fields.hpp"
 #include "kernels/flow/guards.hpp"
+#include "kernels/flow/mean_velocity.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <cmath>
 #include <limits>
 
 namespace vug {
+
+namespace {
+
+/// Mean of a component of the velocity over all nodes of the lattice, lattice units; 0 in rock.
+template <class T>
+double mean_velocity(const Geometry& geometry, const VectorField<T>& u, int axis) {
+  const ScalarField<double> partial("vug::flow::partial", block_count(geometry.fluid.count));
+  add_velocity(Exec{}, geometry.fluid, u, axis, partial);
+  geometry.split.make_whole(geometry.split.of_blocks(), partial);
+  return sum_in_order(partial) / (static_cast<double>(geometry.lattice.nx) * geometry.lattice.ny);
+}
+
+}  // namespace
 
 template <class T>
 void FlowModule<T>::ledger(Ledger& ledger) const {
@@ -34,6 +48,8 @@ void FlowModule<T>::history(std::vector<HistoryValue>& row) const {
   row.push_back({"largest_mach_1", extremes(Exec{}).speed * std::sqrt(3.0)});
   row.push_back({"fluid_nodes_1", static_cast<double>(geometry_.fluid.count)});
   row.push_back({"speed_limiter_uses_1", sum_in_order(step_.limited)});
+  row.push_back({"mean_velocity_x_m/s", units_.velocity() * mean_velocity(geometry_, fields_.u, 0)});
+  row.push_back({"mean_velocity_y_m/s", units_.velocity() * mean_velocity(geometry_, fields_.u, 1)});
   if (steady_.on()) row.push_back({"flow_held_steps_1", static_cast<double>(steady_.held_steps())});
 }
 

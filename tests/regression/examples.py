@@ -27,7 +27,8 @@ WIDER = {"kinetic_energy": 1e-6}
 # differences of nearly equal numbers: nothing but rounding, small against what they are differences of
 ROUNDING = ("balance_error", "overdrawn", "gain_advective_form")
 # zero by symmetry, whatever is left is rounding, which another order of sums makes anew: may be a thousand times as large
-ZERO = {"cylinder": ("left_force_y", "left_torque"), "heated_cavity": ("fluid_mass_stored", "heat_stored", "heat_gain_sides")}
+ZERO = {"cylinder": ("left_force_y", "left_torque"), "minerals": ("mean_velocity_y",),
+        "heated_cavity": ("fluid_mass_stored", "heat_stored", "heat_gain_sides", "mean_velocity")}
 
 COARSE = ["lattice.spacing=1e-3", "lattice.time_step=4e-5", "flow.pressure_scale=400", "rock.element_size=6e-3",
           "boundary.injection.flow.ramp_time=4e-4", "mechanics.preload_time=2e-5", "accuracy.update_interval=4", "output.interval=2.4e-4"]

@@ -122,6 +122,22 @@ TEST(CaseRemarks, ALatticeThatIsPeriodicWhereTheRockIsNot) {
               ElementsAre("the lattice is periodic across bottom and top, the rock never is"));
 }
 
+TEST(CaseRemarks, OutputThatAddsNoColumn) {
+  const auto joined = [](const char* low, const char* high) {
+    return std::string("[boundary.") + low + "]\nflow = { type = \"periodic\" }\n[boundary." + high +
+           "]\nflow = { type = \"periodic\" }\n";
+  };
+  const auto warnings = [](const std::string& output, const std::string& sides) {
+    return parsed("[output]\n" + output + sides).warnings;
+  };
+  const std::string all = joined("left", "right") + joined("bottom", "top"), some = joined("left", "right");
+  EXPECT_THAT(warnings("forces = true\n", all), ElementsAre(HasSubstr("output.forces = true adds no column")));
+  EXPECT_TRUE(warnings("forces = true\n", some).empty());
+  EXPECT_THAT(warnings("flows = true\n", some), ElementsAre(HasSubstr("output.flows = true adds no column")));
+  EXPECT_TRUE(warnings("flows = true\n", some + "[boundary.top]\nflow = { type = \"outflow\" }\n").empty());
+  EXPECT_TRUE(warnings("", all).empty());
+}
+
 TEST(CaseRemarks, AFlowThatIsNotHeldWhileCracksFill) {
   const auto warnings = [](const std::string& aperture) {
     return shipped("quickstart.toml", {"accuracy.flow_tolerance=1e-3", "damage.aperture=" + aperture}).warnings;

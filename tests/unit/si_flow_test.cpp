@@ -87,6 +87,26 @@ TEST(FlowInSI, BodyForceDrivesThePoiseuilleProfileOfTheScaledForce) {
             1e-10);
 }
 
+/// The mean of the field over the lattice, rock included: the superficial velocity, m/s.
+TEST(FlowInSI, MeanVelocityIsThatOfAllNodes) {
+  for (const char* precision : {"double", "single"}) {
+    test::CoupledRun run(box + periodic_in_x + periodic_in_y,
+                         {"flow.body_force=[3.0, -1.0]", "geometry.type=shapes",
+                          R"(geometry.shapes=[{type="disc", centre=[0.010, 0.008], radius=0.005}])",
+                          std::string("accuracy.precision=") + precision});
+    run.steps(500);
+    const std::vector<double> velocity = run.nodes("velocity");
+    double x = 0, y = 0;
+    for (int n = 0; n < nx * ny; ++n) {
+      x += velocity[2 * n] / (nx * ny);
+      y += velocity[2 * n + 1] / (nx * ny);
+    }
+    EXPECT_GT(x, 1e-3);
+    EXPECT_NEAR(run.now("mean_velocity_x_m/s"), x, 1e-12 * x);
+    EXPECT_NEAR(run.now("mean_velocity_y_m/s"), y, 1e-12 * x);
+  }
+}
+
 /// At rest the pressure carries the body force, whatever the scale.
 TEST(FlowInSI, PressureOfFluidAtRestIsThatOfItsWeight) {
   test::CoupledRun run(box, {"flow.body_force=[2.0, -9.81]"});

@@ -123,6 +123,34 @@ void warn_about_scaled_pressure(Scene& scene) {
                     scene.flow->pressure_scale, given, scene.flow->pressure_scale));
 }
 
+/// Whether a boundary has a column of what enters through it.
+bool has_flow_column(const Scene& scene, const BoundarySection& at) {
+  return (scene.flow && is_open(at.flow)) || (scene.heat && at.heat.kind != HeatCondition::adiabatic) ||
+         (scene.solute && at.solute.kind != SoluteBoundaryKind::no_flux);
+}
+
+/// The force and the flow of a surface have a column only where it is no periodic side, and is open for something.
+void warn_about_missing_columns(Scene& scene) {
+  const OutputSection& output = scene.output;
+  bool force = false, flow = false;
+  const auto look = [&](const BoundarySection& at) {
+    force = force || scene.flow.has_value();
+    flow = flow || has_flow_column(scene, at);
+  };
+  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top})
+    if (!is_periodic(scene, *side)) look(*side);
+  for (const InjectionSection& injection : scene.injections) look(injection.conditions);
+  for (const OpeningSection& opening : scene.openings) look(opening.conditions);
+  if (output.forces && !force)
+    scene.warnings.emplace_back(
+        "output.forces = true adds no column: forces are those on sides that are not periodic and on named shapes; the "
+        "grains of a picture have none");
+  if (output.flows && !flow)
+    scene.warnings.emplace_back(
+        "output.flows = true adds no column: nothing enters through a side or a named shape; the mean velocity of the "
+        "fluid is in mean_velocity_x and mean_velocity_y");
+}
+
 /// A narrow crack fills so slowly that its flow seems steady while it is not.
 void warn_about_held_slits(Scene& scene) {
   if (scene.accuracy.flow_tolerance > 0 && has_cracks_below_a_cell(scene))
@@ -138,6 +166,7 @@ void warn_about_pores(Scene& scene) {
   warn_about_outlets(scene);
   warn_about_cut_shapes(scene);
   warn_about_scaled_pressure(scene);
+  warn_about_missing_columns(scene);
   if (scene.flow) warn_about_held_slits(scene);
 }
 
