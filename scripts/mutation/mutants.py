@@ -25,15 +25,17 @@ LAWS = {
         integrate.cpp laboratory.cpp linear_rock.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
         mechanics_preload.cpp monitors.cpp particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp
         static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
-    "coupling": """ageing.hpp ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp error_bars.cpp
-        events.cpp face_temperature.hpp flow_accounts.cpp flow_boundaries.cpp flow_limits.cpp flow_module.cpp flow_paths.cpp
-        force_change.cpp grid_convergence.hpp heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp
-        heat_setup.cpp initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp mouths.cpp
-        openings.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp plane_waves.cpp
-        pore_growth.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_module.cpp reaction_setup.cpp read_fields.hpp
-        rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp rock_map.cpp rock_pathways.cpp output_schedule.cpp simulation.cpp simulation_state.cpp
-        slits.cpp solid_spread.cpp solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp
-        step_times.hpp strip.cpp surfaces.cpp temperature_range.cpp thermal_exchange.cpp tuning.cpp velocity_profile.cpp
+    "coupling": """ageing.hpp ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp concerns.cpp corner_contacts.cpp
+        error_bars.cpp events.cpp face_temperature.hpp flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
+        flow_limits.cpp flow_module.cpp flow_paths.cpp force_change.cpp force_speed.cpp grid_convergence.hpp
+        heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp heat_setup.cpp history_difference.cpp
+        initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp
+        mouths.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
+        plane_waves.cpp pore_growth.cpp pore_width.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
+        reaction_module.cpp reaction_setup.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp
+        rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slits.cpp solid_spread.cpp solute_intervals.cpp
+        solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp step_times.hpp stretch_ends.cpp strip.cpp
+        surfaces.cpp temperature_range.cpp thermal_exchange.cpp tuning.cpp twins.cpp velocity_profile.cpp ways_out.cpp
         wet_nodes.cpp""",
     "io": """detail/quantity.cpp narrow_cracks.hpp rock_inertia.cpp scene/boundaries.hpp scene/fluid.cpp scene/laboratory.hpp
         scene/reaction.hpp time_table.hpp""",
