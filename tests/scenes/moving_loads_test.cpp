@@ -105,29 +105,37 @@ TEST(MovingLoads, GoOnWithTheSameBitsFromAStateTakenAnywhere) {
   }
 }
 
+/// The kernels of loads over time, of temperatures and of gauges that a step launches, and how often.
+std::map<std::string, int> launches(const Scene& scene) {
+  static std::map<std::string, int> found;
+  static const test::Overheard* others;
+  Simulation simulation(scene);
+  simulation.begin();
+  simulation.step();
+  simulation.catch_up();
+  found.clear();
+  const test::Overheard overheard;
+  others = &overheard;
+  Kokkos::Tools::Experimental::set_begin_parallel_for_callback(
+      [](const char* label, std::uint32_t device, std::uint64_t* id) {
+        const std::string name = label;
+        if (name == "vug::dem::follow_loads" || name == "vug::dem::follow_temperature" ||
+            name.starts_with("vug::dem::gauge") || name.starts_with("vug::dem::mean_stress"))
+          ++found[name];
+        others->launched(label, device, id);
+      });
+  simulation.step();
+  simulation.catch_up();
+  return found;
+}
+
 TEST(MovingLoads, AreOneKernelPerSubStepWhereAskedForAndNoneElsewhere) {
-  const auto launches = [](const Scene& scene) {
-    static int found;
-    static const test::Overheard* others;
-    Simulation simulation(scene);
-    simulation.begin();
-    simulation.step();
-    found = 0;
-    const test::Overheard overheard;
-    others = &overheard;
-    Kokkos::Tools::Experimental::set_begin_parallel_for_callback(
-        [](const char* label, std::uint32_t device, std::uint64_t* id) {
-          const std::string name = label;
-          found += name == "vug::dem::follow_loads" || name == "vug::dem::follow_temperature" ||
-                   name.starts_with("vug::dem::gauge") || name.starts_with("vug::dem::mean_stress");
-          others->launched(label, device, id);
-        });
-    simulation.step();
-    simulation.catch_up();
-    return found;
-  };
-  EXPECT_GT(launches(parse_scene(moving_loads, "case.toml")), 0);
-  EXPECT_EQ(launches(read_scene(VUG_SOURCE_DIR "/cases/rock/cantilever.toml")), 0);
+  for (const int substeps : {3, 5}) {
+    const std::string given = "mechanics.substeps=" + std::to_string(substeps);
+    const auto found = launches(parse_scene(moving_loads, "case.toml", {given}));
+    EXPECT_EQ(found, (std::map<std::string, int>{{"vug::dem::follow_loads", substeps}}));
+  }
+  EXPECT_TRUE(launches(read_scene(VUG_SOURCE_DIR "/cases/rock/cantilever.toml")).empty());
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ TEST(CooledSlab, HasTheStressOfTheErrorFunction) {
     exact /= static_cast<double>(layer.size());
     const double stress = mean_stress(particles, run.rock().bonds(), layer).xx;
     test::record("coupling_thermal_stress", {{"depth", depth}, {"stress", stress}, {"exact", exact}});
-    // as where the closed form itself heats the slab (quench_test.cpp)
-    EXPECT_NEAR(stress, exact, 0.05 * modulus * expansion * drop) << depth;
+    // 0.7 % at most; 0.5 % where the closed form itself heats the slab (quench_test.cpp)
+    EXPECT_NEAR(stress, exact, 0.01 * modulus * expansion * drop) << depth;
   }
 }
 
