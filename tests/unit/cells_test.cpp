@@ -5,6 +5,7 @@
 #include "coupling/geometry.hpp"
 #include "coupling/rock.hpp"
 #include "kernels/base/require.hpp"
+#include "unit/temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -185,7 +186,8 @@ TEST(Notch, OfTheShippedCasesHasThreeRows) {
 
 /// On a mesh the lines of its group are the cracks: a notch that none of them lies on would be left out.
 TEST(Notch, MustBeInTheMesh) {
-  std::string file = testing::TempDir() + "notch_in_mesh.msh";
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "notch.msh";
   std::ofstream(file) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 2 \"crack\"\n$EndPhysicalNames\n"
                          "$Nodes\n4\n1 0 0 0\n2 0.01 0 0\n3 0.01 0.0075 0\n4 0 0.0075 0\n$EndNodes\n"
                          "$Elements\n3\n1 1 2 2 1 1 3\n2 2 2 1 1 1 2 3\n3 2 2 1 1 1 3 4\n$EndElements\n";

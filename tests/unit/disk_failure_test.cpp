@@ -6,7 +6,8 @@
 #include "io/snapshot_writer.hpp"
 #include "kernels/base/require.hpp"
 #include "support/made_field.hpp"
-#include "temporary_folder.hpp"
+#include "support/refused_in_child.hpp"
+#include "unit/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,6 +22,8 @@
 namespace vug {
 namespace {
 
+using test::refused_in_child;
+using test::refused_without_rights;
 using ::testing::HasSubstr;
 
 /// While it lives, no file can grow beyond `bytes`: write() fails as it does on a full disk, with another reason.
@@ -70,23 +73,6 @@ void expect_file_error(const std::function<void()>& action, const std::string& p
     EXPECT_THAT(e.what(), HasSubstr(path));
     EXPECT_THAT(e.what(), HasSubstr(reason));
   }
-}
-
-// Whether `action` throws a FileError with `reason`, in a child: a run that fails ends, and another one finds its
-// files.
-bool refused_in_child(const std::function<void()>& action, const std::string& reason) {
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      action();
-    } catch (const FileError& e) {
-      _exit(std::string(e.what()).find(reason) != std::string::npos ? 0 : 3);
-    }
-    _exit(1);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 int files_in(const std::string& folder) {
@@ -159,16 +145,6 @@ TEST(FullDisk, StopsTheHistoryAndTheRecordWithTheReason) {
   record.status = "done";
   expect_file_error([&] { write_run_record(folder.path(), record); }, folder / "run.json", "File too large");
   EXPECT_EQ(test::contents(folder / "run.json"), before);
-}
-
-// Whether `action` throws a FileError with `reason` when somebody runs it who is not root.
-bool refused_without_rights(const std::function<void()>& action, const std::string& reason) {
-  return refused_in_child(
-      [&] {
-        if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) _exit(2);
-        action();
-      },
-      reason);
 }
 
 TEST(ForbiddenFolder, IsRefusedWithTheReason) {
