@@ -5,6 +5,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -52,6 +53,19 @@ class Scripts(unittest.TestCase):
         script = ROOT / "scripts/compare-histories"
         self.require(4, script, "a.csv", "missing.csv", says="missing.csv: No such file")
         self.require(2, script, "a.csv", says="wants A.csv B.csv")
+
+    def test_skipped_tests_are_named_and_must_be_listed(self):
+        """Of a report of ctest itself."""
+        (self.folder / "CTestTestfile.cmake").write_text(
+            'add_test(A.One "echo" "a_test.cpp:7: Skipped\nno gmsh\n[  SKIPPED ]")\n'
+            'add_test(Two "echo" "SKIPPED: no MPI")\nadd_test(Three "echo" "done")\n'
+            'set_tests_properties(A.One Two Three PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED")\n')
+        self.require(0, "ctest", "--output-junit", self.folder / "tests.xml")
+        (self.folder / "skips.txt").write_text("# may be skipped\nA.One: without gmsh\nTwo: without MPI\n")
+        names = [sys.executable, ROOT / "tests/meta/skipped.py", "tests.xml", "skips.txt"]
+        self.require(0, *names, says="skipped: A.One (no gmsh)\nskipped: Two (no MPI)\n")
+        (self.folder / "skips.txt").write_text("Two: without MPI\n")
+        self.require(1, *names, says="skipped: A.One (no gmsh), which skips.txt does not have\nskipped: Two (no MPI)\n")
 
     def test_run_tells_its_use_before_it_builds(self):
         """Of a copy beside which nothing can be built."""
