@@ -3,24 +3,18 @@
 
 #include <gmock/gmock.h>
 
-#include <csignal>
 #include <filesystem>
-#include <thread>
-#include <unistd.h>
 
 namespace vug {
 namespace {
 
+using test::lines_in;
 using test::Outcome;
 using test::run_command;
 using test::run_vug;
 using test::small_rock;
 using test::TemporaryFolder;
 using testing::HasSubstr;
-
-int lines_in(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
 
 TEST(ExitCodes, EveryBrokenCaseGivesTwoOneLineAndNoFiles) {
   const TemporaryFolder folder;
@@ -131,41 +125,6 @@ TEST(ExitCodes, InputFilesThatAreNoneOrDamagedGiveTwoAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-// Each of these once ended in an abort or in a wait without end.
-TEST(Threads, ThatOpenMpDoesNotGiveAreSaidOrRefused) {
-  const auto with = [](const std::string& environment, const std::string& arguments) {
-    return run_command("OMP_PROC_BIND=false OMP_WAIT_POLICY=passive " + environment +
-                       " timeout 60 " VUG_EXECUTABLE " " + arguments);
-  };
-  for (const char* environment :
-       {"KOKKOS_NUM_THREADS=abc", "KOKKOS_NUM_THREADS=0", "KOKKOS_NUM_THREADS=4x", "KOKKOS_NUM_THREADS=99999999999",
-        "KOKKOS_DISABLE_WARNINGS=perhaps", "KOKKOS_DEVICE_ID=-1", "KOKKOS_MAP_DEVICE_ID_BY=$(printf '\\033[31m')"}) {
-    const Outcome outcome = with(environment, "info");
-    EXPECT_EQ(outcome.exit_code, 2) << environment << outcome.output;
-    EXPECT_EQ(lines_in(outcome.output), 1) << outcome.output;
-    EXPECT_EQ(outcome.output.find('\x1b'), std::string::npos);
-  }
-  EXPECT_EQ(run_vug("info --threads 2").exit_code, 2);
-  EXPECT_EQ(run_vug("check x.toml --threads 513").exit_code, 2);
-  if (run_vug("info").output.find("OpenMP") == std::string::npos) GTEST_SKIP() << "no threads on the host";
-  const std::string run = "run " + small_rock + " --steps 2 --threads 3 -o ";
-  const struct {
-    const char *environment, *remark;
-  } settings[] = {{"OMP_THREAD_LIMIT=1", "threads: 1 instead of 3: OMP_THREAD_LIMIT"},
-                  {"OMP_DYNAMIC=true", ""},
-                  {"OMP_MAX_ACTIVE_LEVELS=0", ""},
-                  {"OMP_NUM_THREADS=1000", ""}};
-  for (const auto& [environment, remark] : settings) {
-    const TemporaryFolder folder;
-    const Outcome outcome = with(environment, run + (folder / "out"));
-    EXPECT_EQ(outcome.exit_code, 0) << environment << outcome.output;
-    EXPECT_THAT(outcome.output, HasSubstr(remark));
-  }
-  const Outcome many = with("OMP_NUM_THREADS=1000", "info");
-  EXPECT_EQ(many.exit_code, 0) << many.output;
-  EXPECT_THAT(many.output, HasSubstr("instead of 1000: at most 512"));
-}
-
 TEST(ExitCodes, UnknownFieldIsRefusedBeforeAnythingIsWritten) {
   const TemporaryFolder folder;
   const std::string out = folder / "out", wrong = " --set output.fields=[\\\"velocty\\\"]";
@@ -237,38 +196,6 @@ TEST(ExitCodes, DivergingRunGivesThreeAndNamesTheLastGoodState) {
   EXPECT_THAT(outcome.output, HasSubstr("the last good state is the checkpoint of step"));
   EXPECT_THAT(test::contents((folder / "out") + "/run.json"),
               testing::AllOf(HasSubstr("\"status\": \"diverged\""), HasSubstr("\"exit_code\": 3")));
-}
-
-TEST(Events, AreToldInTheLogAndInTheRecord) {
-  const TemporaryFolder folder;
-  const Outcome outcome = run_vug("run " + small_rock + " --threads 1 -o " + (folder / "out"));
-  ASSERT_EQ(outcome.exit_code, 0);
-  const std::string record = test::contents((folder / "out") + "/run.json");
-  for (const char* news : {"bonds have failed", "nodes have dissolved", "nodes have been opened by damage"}) {
-    EXPECT_THAT(outcome.output, HasSubstr(news));
-    EXPECT_THAT(record, HasSubstr(news));
-  }
-  // of what there was before a restart nothing is told again
-  const Outcome first = run_vug("run " + small_rock + " --threads 1 --steps 390 -o " + (folder / "parts"));
-  EXPECT_THAT(first.output, HasSubstr(" bonds have failed"));
-  const Outcome rest = run_vug("run " + small_rock + " --threads 1 --resume -o " + (folder / "parts"));
-  EXPECT_EQ(rest.exit_code, 0);
-  EXPECT_THAT(rest.output, HasSubstr("done at"));
-  EXPECT_THAT(rest.output, testing::Not(HasSubstr(" have ")));  // ten steps: no count gains a digit
-}
-
-TEST(Check, ReportsWithoutWriting) {
-  const TemporaryFolder folder;
-  const Outcome outcome = run_command("root=$PWD; cd " + folder.path() +
-                                      " && OMP_PROC_BIND=false $root/" VUG_EXECUTABLE " check $root/" + small_rock);
-  EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* expected : {"relaxation time tau_f", "sub-steps per lattice step", "bytes per node", "fluid nodes"})
-    EXPECT_THAT(outcome.output, HasSubstr(expected));
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-  const Outcome json =
-      run_command("OMP_PROC_BIND=false " VUG_EXECUTABLE " check --json " + small_rock +
-                  " | " VUG_PYTHON " -c \"import json, sys; r = json.load(sys.stdin); print(r['nx'], r['ny'])\"");
-  EXPECT_EQ(json.output, "80 56\n");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Runs the executable as a user would and looks at what it leaves behind.
 #include "unit/temporary_folder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -34,6 +35,15 @@ inline Outcome run_vug(const std::string& arguments) {
 
 /// The case in which everything happens within a few hundred steps.
 inline const std::string small_rock = VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml";
+
+inline int lines_in(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Of the text of a table, without its header.
+inline int rows_in(const std::string& csv) {
+  return lines_in(csv) - 1;
+}
 
 /// Compares every dataset of two run directories bit for bit, and history.csv as text; empty when they are the same.
 inline std::string difference(const std::string& a, const std::string& b) {

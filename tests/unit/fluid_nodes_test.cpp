@@ -2,35 +2,18 @@
 #include "kernels/nodes/fluid_nodes.hpp"
 
 #include "kernels/base/lattice_size.hpp"
-#include "kernels/nodes/opening.hpp"
-#include "kernels/scalar/advective_form.hpp"
+#include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <set>
 #include <vector>
 
 namespace vug {
 namespace {
 
-using ::testing::ElementsAre;
-
-/// Rows of '.', fluid, and '#', solid; the first row is the top.
-Kokkos::View<NodeType*> node_types(const Lattice& lattice, const std::vector<std::string>& rows) {
-  Kokkos::View<NodeType*> type("type", lattice.size());
-  const auto host = Kokkos::create_mirror_view(type);
-  Kokkos::deep_copy(host, NodeType::solid);
-  for (int y = 0; y < lattice.ny; ++y)
-    for (int x = 0; x < lattice.nx; ++x)
-      if (rows[lattice.ny - 1 - y][x] == '.') host(lattice.node(x, y)) = NodeType::fluid;
-  Kokkos::deep_copy(type, host);
-  return type;
-}
+using test::draw;
 
 TEST(Lattice, HaloSurroundsEveryNodeWithoutWrapping) {
   const Lattice lattice(5, 3);
@@ -49,7 +32,7 @@ TEST(Lattice, HaloSurroundsEveryNodeWithoutWrapping) {
 
 TEST(FluidNodes, EverySlotIsPulledExactlyOnceByStreamingOrBounceBack) {
   const Lattice lattice(4, 4);
-  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"....", ".##.", "..#.", "...."}));
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, draw(lattice, {"....", ".##.", "..#.", "...."}));
   ASSERT_EQ(nodes.count, 13);
   const auto source = test::host_copy(nodes.source);
   std::multiset<int> pulled;
@@ -61,7 +44,7 @@ TEST(FluidNodes, EverySlotIsPulledExactlyOnceByStreamingOrBounceBack) {
 
 TEST(FluidNodes, PeriodicSidesJoinAndLeaveNoSideLinks) {
   const Lattice lattice(3, 3);
-  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"...", "...", "..."}), {true, false});
+  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, draw(lattice, {"...", "...", "..."}), {true, false});
   const auto source = test::host_copy(nodes.source);
   const auto side = test::host_copy(nodes.side_links);
   // direction 1 at (0, 1) comes from (2, 1)
@@ -74,7 +57,7 @@ TEST(FluidNodes, PeriodicSidesJoinAndLeaveNoSideLinks) {
 
 TEST(FluidNodes, BirthsAppendInOrderAndKeepNumbers) {
   const Lattice lattice(4, 3);
-  auto type = node_types(lattice, {"####", "#..#", "####"});
+  auto type = draw(lattice, {"####", "#..#", "####"});
   FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type);
   ASSERT_EQ(nodes.count, 2);
   const auto host = Kokkos::create_mirror_view(type);
@@ -94,7 +77,7 @@ TEST(FluidNodes, BirthsAppendInOrderAndKeepNumbers) {
 TEST(FluidNodes, TablesAfterBirthsAreThoseOfAFreshStart) {
   const Lattice lattice(45, 31);
   for (const bool joined : {false, true}) {
-    auto type = node_types(lattice, std::vector<std::string>(31, std::string(45, '#')));
+    auto type = draw(lattice, std::vector<std::string>(31, std::string(45, '#')));
     const auto host = Kokkos::create_mirror_view(type);
     Kokkos::deep_copy(host, type);
     const auto open = [&](int step, int of) {
@@ -138,16 +121,6 @@ TEST(FluidNodes, GrowthKeepsPopulations) {
     for (int i = 0; i < 7; ++i) EXPECT_EQ(moved(q * 32 + i), 10 * q + i);
 }
 
-TEST(Surface, IsTheSolidThatTouchesFluid) {
-  const Lattice lattice(5, 5);
-  const auto type = node_types(lattice, {"#####", "#####", "##.##", "#####", "#####"});
-  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type);
-  Surface surface;
-  find_surface(Exec{}, nodes, type, surface);
-  ASSERT_EQ(surface.count, 8);
-  EXPECT_EQ(test::host_copy(surface.node)(0), lattice.node(1, 1));
-}
-
 /// The list never asks for more than the lattice has, so that slots of nine directions keep numbers that an int holds.
 TEST(FluidNodes, GrowByHalfButNotBeyondTheLattice) {
   EXPECT_EQ(grown_capacity(100, 100, 1000), 1500);
@@ -163,7 +136,7 @@ TEST(FluidNodes, GrowByHalfButNotBeyondTheLattice) {
   }
   // of a lattice that is nearly full
   const Lattice lattice(9, 9);
-  auto type = node_types(lattice, std::vector<std::string>(9, std::string(9, '.')));
+  auto type = draw(lattice, std::vector<std::string>(9, std::string(9, '.')));
   const auto host = test::host_copy(type);
   host(lattice.node(4, 4)) = NodeType::solid;
   Kokkos::deep_copy(type, host);
@@ -174,118 +147,6 @@ TEST(FluidNodes, GrowByHalfButNotBeyondTheLattice) {
   append_births(Exec{}, type, nodes);
   EXPECT_EQ(nodes.count, 81);
   EXPECT_EQ(nodes.capacity, 96);
-}
-
-TEST(BoundaryLinks, CornerDiagonalsBelongToOneSideOnly) {
-  const Lattice lattice(3, 3);
-  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"...", "...", "..."}));
-  int links = 0;
-  for (const Side side : all_sides) links += find_boundary_links(Exec{}, nodes, side, 0, 2, 9).count;
-  const auto side_links = test::host_copy(nodes.side_links);
-  int bits = 0;
-  for (int i = 0; i < nodes.count; ++i) bits += __builtin_popcount(side_links(i));
-  EXPECT_EQ(links, bits);
-  EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::left, 0, 2, 9).count, 9);
-  EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::bottom, 0, 2, 9).count, 7);
-  EXPECT_EQ(find_boundary_links(Exec{}, nodes, Side::top, 1, 1, 5).count, 1);
-}
-
-/// Two by two nodes in an opening, away from the edge and across joined sides.
-TEST(Opening, TakesLinksFromFluidAndSharesItsAreaAmongThem) {
-  const Lattice lattice(6, 5);
-  for (const bool across : {false, true}) {
-    const auto type = node_types(lattice, {"......", "......", "......", "......", "....#."});
-    std::vector<int> inside;
-    for (const int y : {1, 2})
-      for (const int x : {across ? 5 : 2, across ? 0 : 3}) inside.push_back(lattice.node(x, y));
-    const auto host = test::host_copy(type);
-    for (const int n : inside) host(n) = NodeType::opening;
-    Kokkos::deep_copy(type, host);
-    const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, type, {across, false});
-    EXPECT_EQ(nodes.count, 6 * 5 - 4 - 1);
-    // the surface is the square: a link across its left or right face has a horizontal normal
-    const Opening opening = make_opening(lattice, inside, [](const auto& at, const auto&) {
-      return at[1] > 1 && at[1] < 3 ? std::array<double, 2>{1, 0} : std::array<double, 2>{0, 1};
-    });
-    for (const int directions : {5, 9}) {
-      const BoundaryLinks links = find_opening_links(Exec{}, nodes, opening, directions);
-      EXPECT_EQ(links.count, directions == 5 ? 8 : 8 + 12 - 1);  // two a face; the solid node has one of 12 diagonals
-      const auto area = test::host_copy(link_areas(Exec{}, nodes, opening, directions));
-      double total = 0;
-      for (int l = 0; l < links.count; ++l) total += area(l);
-      EXPECT_NEAR(total, 8, 1e-14) << directions;
-      const auto fluid = test::host_copy(links.fluid);
-      const auto direction = test::host_copy(links.direction);
-      const auto side_links = test::host_copy(nodes.side_links);
-      const auto solid_links = test::host_copy(nodes.solid_links);
-      for (int l = 0; l < links.count; ++l) {
-        EXPECT_TRUE(side_links(fluid(l)) >> direction(l) & 1);
-        EXPECT_FALSE(solid_links(fluid(l)) >> direction(l) & 1);
-      }
-    }
-  }
-}
-
-/// The defect of twelve nodes with velocities of some 0.02 in a closed domain, of `steps` steps of the flow.
-template <class Set, class T>
-std::vector<T> defect_of_closed_domain(int steps = 1) {
-  const Lattice lattice(4, 4);
-  const FluidNodes nodes = make_fluid_nodes(Exec{}, lattice, node_types(lattice, {"....", ".##.", "..#.", "...."}));
-  VectorField<T> u("u", nodes.capacity);
-  test::edit(u, [&](const auto& host) {
-    for (int i = 0; i < nodes.count; ++i) {
-      host(i, 0) = T(0.01 * (i % 5) - 0.02);
-      host(i, 1) = T(0.015 * (i % 3) - 0.01);
-    }
-  });
-  ScalarField<T> e("e", nodes.capacity);
-  advective_defect<Set>(Exec{}, nodes, Displacement<T>(u, steps), e);
-  const auto host = test::host_copy(e);
-  return {host.data(), host.data() + nodes.count};
-}
-
-/// Not only to the digits that numbers near one have.
-template <class Set, class T>
-void expect_no_sum() {
-  const std::vector<T> e = defect_of_closed_domain<Set, T>();
-  const double sum = std::accumulate(e.begin(), e.end(), 0.0), eps = std::numeric_limits<T>::epsilon();
-  EXPECT_LT(std::abs(sum), 0.1 * eps) << "in units of the last digit of one: " << sum / eps;
-  EXPECT_GT(*std::max_element(e.begin(), e.end()), 1e-3);
-}
-
-TEST(AdvectiveDefect, SumsToZeroOverAClosedDomain) {
-  expect_no_sum<D2Q5, double>();
-  expect_no_sum<D2Q5, float>();
-  expect_no_sum<D2Q9, double>();
-  expect_no_sum<D2Q9, float>();
-}
-
-TEST(AdvectiveDefect, IsThriceThatOfOneStepWhereAScalarTakesThree) {
-  const std::vector<double> once = defect_of_closed_domain<D2Q5, double>(),
-                            thrice = defect_of_closed_domain<D2Q5, double>(3);
-  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(thrice[i], 3 * once[i], 1e-15);
-}
-
-TEST(OpenLinks, AreThoseThatWereMarkedHoweverManyOfANode) {
-  const Exec exec;
-  const Lattice lattice(33, 3);  // several links of a node, and nodes side by side
-  const FluidNodes nodes = make_fluid_nodes(exec, lattice, node_types(lattice, std::vector(3, std::string(33, '.'))));
-  const auto expect_marked = [&](const auto& is_marked) {
-    const auto open = test::host_copy(nodes.open_links), beyond = test::host_copy(nodes.side_links);
-    const auto node = test::host_copy(nodes.node);
-    for (int i = 0; i < nodes.count; ++i)
-      for (int q = 0; q < 9; ++q)
-        EXPECT_EQ(open(i) >> q & 1, is_marked(lattice.y(node(i)), q) ? beyond(i) >> q & 1 : 0) << i << " " << q;
-  };
-  constexpr SideOrder order{Side::bottom, Side::top, Side::left, Side::right};
-  const auto mark = [&](Side side) {
-    mark_open(exec, nodes, find_boundary_links(exec, nodes, side, 0, side_length(lattice, side) - 1, D2Q9::Q, order));
-  };
-  expect_marked([](int, int) { return false; });
-  mark(Side::bottom);  // which has the diagonal links of its corners
-  expect_marked([](int y, int q) { return y == 0 && D2Q9::c(q, 1) < 0; });
-  for (const Side side : all_sides) mark(side);  // some for the second time
-  expect_marked([](int, int) { return true; });
 }
 
 }  // namespace

@@ -145,7 +145,6 @@ TEST(MeshReader, KnowsTheTrianglesOfNamedSurfaces) {
 }
 
 /// A surface of format 4.1 lists all groups that it is in.
-/// surface.
 TEST(MeshReader, KnowsASurfaceInSeveralGroups) {
   std::string text = with(square_41, "2\n1 7 \"crack\"", "4\n1 7 \"crack\"\n2 9 \"all\"\n2 3 \"left\"");
   text = with(text, "3 0 0 0 1 1 0 1 8 2 4 5", "3 0 0 0 1 1 0 3 8 -3 9 2 4 5");

@@ -1,9 +1,7 @@
 // Solutes and their reaction as a case gives them: amounts in mol, rates in m/s, temperatures in K.
-#include "coupling/events.hpp"
+#include "support/acid_column.hpp"
 #include "support/coupled_run.hpp"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,38 +11,11 @@
 namespace vug {
 namespace {
 
+using test::acid_column;
+
 constexpr int nx = 12, rock_rows = 6, fluid_rows = 10;
 constexpr double dx = 2.5e-4, dt = 1e-5, width = nx * dx, depth = fluid_rows * dx, gas_constant = 8.31446261815324;
 
-/// Ten cells of fluid on six of rock; acid comes in from above.
-const std::string column = R"(
-[lattice]
-size = [0.003, 0.004]
-spacing = 2.5e-4
-time_step = 1e-5
-[time]
-steps = 100000
-[geometry]
-type = "shapes"
-[[geometry.shapes]]
-type = "rectangle"
-from = [0, 0]
-to = [0.003, 0.0015]
-[solute]
-[[solute.species]]
-name = "acid"
-diffusivity = 5e-4
-initial = 2000
-[reaction]
-reactant = "acid"
-rate_constant = 0.3
-[boundary.left]
-solute = { type = "periodic" }
-[boundary.right]
-solute = { type = "periodic" }
-[boundary.top]
-solute = { type = "concentration", concentration = { acid = 2500 } }
-)";
 const std::string heat = R"(
 [heat]
 fluid_diffusivity = 1.4e-3
@@ -81,7 +52,7 @@ double exact_flux(double rate) {
 
 TEST(ReactionInSI, RateConstantIsInMetresPerSecond) {
   for (const std::string interval : {"1", "2"}) {
-    test::CoupledRun run(column, {"accuracy.solute_interval=" + interval});
+    test::CoupledRun run(acid_column, {"accuracy.solute_interval=" + interval});
     EXPECT_NEAR(flux_into_wall(run) / exact_flux(0.3), 1, 1e-9) << interval;
     EXPECT_NEAR(run.now("reactive_area_m2_per_m"), width, 1e-15);
     const std::vector<double> concentration = run.nodes("concentration_acid");
@@ -93,15 +64,15 @@ TEST(ReactionInSI, RateConstantIsInMetresPerSecond) {
 }
 
 TEST(ReactionInSI, DamkohlerNumberIsRateTimesLengthOverDiffusivity) {
-  std::string by_number = column;
+  std::string by_number = acid_column;
   by_number.replace(by_number.find("rate_constant = 0.3"), 19, "damkohler = 2.5\nlength = 0.004");
   test::CoupledRun run(by_number);
   EXPECT_NEAR(flux_into_wall(run) / exact_flux(2.5 * 5e-4 / 0.004), 1, 1e-9);
 }
 
 TEST(ReactionInSI, WallHasTheTemperatureOfTheCaseWhereThereIsNoHeat) {
-  test::CoupledRun run(
-      column, {"reaction.temperature=340", "reaction.activation_energy=41000", "reaction.reference_temperature=310"});
+  test::CoupledRun run(acid_column, {"reaction.temperature=340", "reaction.activation_energy=41000",
+                                     "reaction.reference_temperature=310"});
   EXPECT_NEAR(flux_into_wall(run) / exact_flux(arrhenius_of(0.3, 41000, 340, 310)), 1, 1e-7);
 }
 
@@ -110,7 +81,7 @@ TEST(ReactionInSI, HotFaceReactsAtItsOwnTemperature) {
   const double fluid = 950 * 4200 * 1.4e-3 / depth, rock = 2600 * 900 * 5e-3 / (rock_rows * dx);  // W/(m2 K)
   const double face = (rock * 420 + fluid * 300) / (rock + fluid);
   for (const std::string intervals : {"1", "2"}) {
-    test::CoupledRun run(column + heat,
+    test::CoupledRun run(acid_column + heat,
                          {"reaction.activation_energy=41000", "reaction.reference_temperature=310",
                           "accuracy.heat_interval=" + intervals, "accuracy.solute_interval=" + intervals});
     EXPECT_NEAR(flux_into_wall(run, 16000) / exact_flux(arrhenius_of(0.3, 41000, face, 310)), 1, 1e-7) << intervals;
@@ -121,14 +92,14 @@ TEST(ReactionInSI, HotFaceReactsAtItsOwnTemperature) {
 TEST(ReactionInSI, SlowReactionTellsTheTemperatureOfTheFace) {
   const double fluid = 950 * 4200 * 1.4e-3 / depth, rock = 2600 * 900 * 5e-3 / (rock_rows * dx);
   const double face = (rock * 420 + fluid * 300) / (rock + fluid);
-  test::CoupledRun run(column + heat, {"reaction.activation_energy=41000", "reaction.reference_temperature=310",
-                                       "reaction.rate_constant=1e-6"});
+  test::CoupledRun run(acid_column + heat, {"reaction.activation_energy=41000", "reaction.reference_temperature=310",
+                                            "reaction.rate_constant=1e-6"});
   EXPECT_NEAR(flux_into_wall(run, 16000) / exact_flux(arrhenius_of(1e-6, 41000, face, 310)), 1, 1e-7);
 }
 
 /// A + rock = B to an equilibrium, with different diffusivities: three resistances in series.
 TEST(ReactionInSI, ProductComesOutAsTheAcidGoesIn) {
-  const std::string both = column + "[[solute.species]]\nname = \"salt\"\ndiffusivity = 8e-4\ninitial = 0\n";
+  const std::string both = acid_column + "[[solute.species]]\nname = \"salt\"\ndiffusivity = 8e-4\ninitial = 0\n";
   const double flux = 2500 / (depth / 5e-4 + 1 / 0.3 + depth / 8e-4 / 1.7);
   for (const std::string wall : {"kinetic", "paper"}) {
     test::CoupledRun run(
@@ -149,7 +120,7 @@ TEST(ReactionInSI, ProductComesOutAsTheAcidGoesIn) {
 /// Solid goes with the acid, molar volume by mole, and is missing from the nodes of the surface.
 TEST(ReactionInSI, RockLosesItsMolarVolume) {
   const double molar_volume = 3.7e-5;
-  test::CoupledRun run(column, {"reaction.molar_volume=3.7e-5"});
+  test::CoupledRun run(acid_column, {"reaction.molar_volume=3.7e-5"});
   run.steps(2000);
   const double mol = -run.gain("acid", "reaction"), volume = molar_volume * mol;  // per m
   EXPECT_GT(mol, 0);
@@ -206,50 +177,6 @@ solute = { type = "periodic" }
       EXPECT_NEAR((run.gain("acid", "injected") - in) / carried, 1, 1e-11) << interval << set;
       EXPECT_NEAR((run.gain("acid", "outflow") - out) / -carried, 1, 1e-11) << interval << set;
       EXPECT_NEAR(run.now("acid_stored_mol_per_m"), 1500 * 0.003 * 0.002, 1e-9);
-    }
-}
-
-/// Product in excess makes the reaction run backwards: rock grows where it is, which is told once, also after a
-/// restart.
-TEST(ReactionInSI, RockThatGrowsInPlaceIsToldOnce) {
-  for (const double salt : {6000.0, 1000.0}) {
-    Simulation simulation(
-        parse_scene(column, "case.toml",
-                    {"reaction.product=salt", "reaction.equilibrium_constant=1", "reaction.molar_volume=1e-5",
-                     fmt::format("solute.species.1={{ name = \"salt\", diffusivity = 5e-4, initial = {} }}", salt)}));
-    simulation.begin();
-    Events events(simulation);
-    for (int step = 0; step < 100; ++step) simulation.step();
-    const std::vector<std::string> news = events.look_at_row(simulation, simulation.history());
-    if (salt < 2000) {
-      EXPECT_TRUE(news.empty());
-      continue;
-    }
-    ASSERT_EQ(news.size(), 1u);
-    EXPECT_THAT(news[0], testing::HasSubstr("warning: rock has grown on the whole"));
-    EXPECT_TRUE(events.look_at_row(simulation, simulation.history()).empty());
-    EXPECT_TRUE(Events(simulation, news).look_at_row(simulation, simulation.history()).empty());
-  }
-}
-
-/// What came in and what has left, through sides or openings, in any of the two ways; told once.
-TEST(ReactionInSI, BreakthroughIsToldOfSidesAndOpenings) {
-  Simulation simulation(parse_scene(column, "case.toml", {}));
-  simulation.begin();
-  for (const std::string in : {"injected", "shape_well"})
-    for (const std::string out : {"outflow", "shape_drain"}) {
-      Events events(simulation);
-      const auto row = [&](double left) {
-        return std::vector<HistoryValue>{{"acid_gain_" + in + "_mol_per_m", 2},
-                                         {"acid_gain_" + out + "_mol_per_m", -left},
-                                         {"acid_gain_reaction_mol_per_m", -1},
-                                         {"salt_gain_" + out + "_mol_per_m", -1}};
-      };
-      EXPECT_TRUE(events.look_at_row(simulation, row(0.019)).empty());
-      EXPECT_THAT(
-          events.look_at_row(simulation, row(0.021)),
-          testing::ElementsAre(testing::HasSubstr("breakthrough of acid: 1.1 % of what was injected has left")));
-      EXPECT_TRUE(events.look_at_row(simulation, row(0.1)).empty());
     }
 }
 

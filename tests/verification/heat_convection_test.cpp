@@ -157,8 +157,6 @@ TEST(ColdInflow, StaysBetweenTheTemperaturesOfWaterAndRock) {
     for (int x = 0; x < nx; ++x)
       if (const int y = 14 + x / 6; !solid(x, y)) fastest = std::max(fastest, std::abs(flow.at(x, y).ux));
   }
-  if (std::getenv("VUG_PRINT"))
-    std::printf("cold inflow: lowest %.5f highest %.5f fastest %.3f\n", lowest, highest, fastest);
   EXPECT_GT(fastest, 0.03);
   EXPECT_LT(box.theta()[14 * nx + 5], 0.5) << "cold water has come in";
   EXPECT_GE(lowest, -0.01);
