@@ -28,9 +28,9 @@ const char* const resting =
     "mechanics.rest_tolerance=1 --set rock.element_size=2e-3 --set mechanics.local_damping=0.8"
     " --set mechanics.bond.normal_strength=6e6";
 
-class SameBits : public testing::TestWithParam<std::string> {};
+class SameBitsOfRuns : public testing::TestWithParam<std::string> {};
 
-TEST_P(SameBits, OnASecondRunAndWithTwoThreads) {
+TEST_P(SameBitsOfRuns, OnASecondRunAndWithTwoThreads) {
   const TemporaryFolder folder;
   const std::string choice = std::string(" --set ") + GetParam();
   run(folder / "one", "--threads 1" + choice);
@@ -58,11 +58,11 @@ void stop_and_resume(const std::string& choice, const std::vector<int>& stops) {
   }
 }
 
-TEST_P(SameBits, AfterARestartAcrossBirthsAndCracks) {
+TEST_P(SameBitsOfRuns, AfterARestartAcrossBirthsAndCracks) {
   stop_and_resume(GetParam(), {60, 200, 340});
 }
 
-INSTANTIATE_TEST_SUITE_P(Choices, SameBits,
+INSTANTIATE_TEST_SUITE_P(Choices, SameBitsOfRuns,
                          testing::Values("accuracy.precision=double", "accuracy.precision=single",
                                          "accuracy.flow_tolerance=0.5 --set accuracy.guard_interval=10",
                                          // no divisors of the steps of a restart

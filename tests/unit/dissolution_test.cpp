@@ -93,7 +93,7 @@ TEST(MarkDissolved, LeavesThePixelsThatStillHoldSolid) {
   EXPECT_EQ(solid(box, 0, 1), 1e-300);
 }
 
-TEST(Births, MeanIsThatOfTheOldNeighboursAndIsWrittenDown) {
+TEST(SoluteBirths, MeanIsThatOfTheOldNeighboursAndIsWrittenDown) {
   Box box = box_of({"###", ".#.", "#.#"});
   set_concentration(box, 0, 1, 0.1);
   set_concentration(box, 2, 1, 0.4);
@@ -104,7 +104,7 @@ TEST(Births, MeanIsThatOfTheOldNeighboursAndIsWrittenDown) {
   EXPECT_NEAR(sum_in_order(box.created), 0.4, 1e-15);
 }
 
-TEST(Births, SplitSharesWhatTheOldNeighboursHave) {
+TEST(SoluteBirths, SplitSharesWhatTheOldNeighboursHave) {
   Box box = box_of({"###", ".#.", "#.#"});
   set_concentration(box, 0, 1, 0.1);
   set_concentration(box, 2, 1, 0.4);
@@ -117,7 +117,7 @@ TEST(Births, SplitSharesWhatTheOldNeighboursHave) {
   EXPECT_EQ(sum_in_order(box.created), 0);
 }
 
-TEST(Births, ManyAroundOneNodeLeaveItsShareAndNothingNegative) {
+TEST(SoluteBirths, ManyAroundOneNodeLeaveItsShareAndNothingNegative) {
   Box box = box_of({"###", "#.#", "###"});
   set_concentration(box, 1, 1, 1);
   for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {2, 1}, {1, 2}}) set_solid(box, x, y, 0);
@@ -127,7 +127,7 @@ TEST(Births, ManyAroundOneNodeLeaveItsShareAndNothingNegative) {
   EXPECT_NEAR(box.acid_total(), 1, 1e-15);
 }
 
-TEST(Births, NewbornsDoNotSeeEachOther) {
+TEST(SoluteBirths, NewbornsDoNotSeeEachOther) {
   // the right one touches only the left newborn and begins empty
   for (const BirthFill fill : {BirthFill::mean, BirthFill::split}) {
     Box box = box_of({"####", ".###", "####"}, 0.6);
@@ -140,7 +140,7 @@ TEST(Births, NewbornsDoNotSeeEachOther) {
   }
 }
 
-TEST(Births, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
+TEST(SoluteBirths, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
   Box box = box_of({"##", ".#"}, 0.6);
   set_entry(box.type, box.lattice.node(1, 1), NodeType::fluid);
   set_solid(box, 1, 1, 0);
@@ -153,7 +153,7 @@ TEST(Births, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
   EXPECT_EQ(sum_in_order(box.created), 0);
 }
 
-TEST(Births, ASolidThatVanishesAltogetherLeavesOnlyFluid) {
+TEST(SoluteBirths, ASolidThatVanishesAltogetherLeavesOnlyFluid) {
   Box box = box_of({"....", ".##.", "...."}, 1);
   box.k = 0.5;
   const double start = box.acid_total() - box.solid_total();

@@ -67,7 +67,7 @@ TEST(Streaming, InPlaceIsTwoLatticesAfterAnyNumberOfSteps) {
     for (int q = 0; q < 9; ++q) EXPECT_NEAR(populations(in_place, i)[q], populations(two, i)[q], 1e-16);
 }
 
-TEST(Births, InTheMiddleOfTwoStepsInPlaceAreThoseOfTwoLattices) {
+TEST(FlowBirths, InTheMiddleOfTwoStepsInPlaceAreThoseOfTwoLattices) {
   const Lattice lattice(6, 5);
   const auto before = draw(lattice, {"......", ".##...", ".##...", "......", "...#.."});
   const auto after = draw(lattice, {"......", "......", ".#....", "......", "......"});

@@ -182,7 +182,7 @@ TEST(OutflowBoundary, PassesUniformFlowUnchangedWhateverItsDirection) {
   }
 }
 
-TEST(Births, TakeTheMeanOfOldNeighboursInAnyOrder) {
+TEST(FlowBirths, TakeTheMeanOfOldNeighboursInAnyOrder) {
   const Lattice lattice(4, 3);
   Flow<double> flow(lattice, draw(lattice, {"..##", "..##", "..##"}), {false, false});
   flow.set([](int x, int y) { return Macroscopic<double>{0.1 * x + 0.01 * y, 0.02, 0.01}; });
@@ -202,7 +202,7 @@ TEST(Births, TakeTheMeanOfOldNeighboursInAnyOrder) {
   EXPECT_NEAR(flow.mass() - before, low + middle, 1e-15);
 }
 
-TEST(Births, GrowingTheCapacityKeepsTheState) {
+TEST(FlowBirths, GrowingTheCapacityKeepsTheState) {
   const Lattice lattice(9, 9);
   Flow<float> flow(lattice, test::shape(lattice, [](int x, int) { return x > 1; }), {false, false});
   flow.set([](int x, int y) { return Macroscopic<double>{0.1 * x + 0.01 * y, 0.02, -0.01 * y}; });

@@ -24,7 +24,7 @@ TEST(PathwayAperture, GrowsLinearlyWithDamage) {
 }
 
 /// One bond along y = 4 through one particle that owns the whole 8 x 8 lattice.
-struct OneBond {
+struct BondOfAPathway {
   Lattice lattice{8, 8};
   Kokkos::View<NodeType*> type{"type", std::size_t(Lattice(8, 8).size())};
   ScalarField<double> volume{"volume", std::size_t(Lattice(8, 8).size())};
@@ -33,7 +33,7 @@ struct OneBond {
   NodeGroups particle;
   PathwayNodes nodes;
 
-  OneBond() {
+  BondOfAPathway() {
     Kokkos::deep_copy(type, NodeType::solid);
     const auto v = Kokkos::create_mirror_view(volume);
     for (int y = 0; y < 8; ++y)
@@ -78,7 +78,7 @@ struct OneBond {
 };
 
 TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
-  OneBond rock;
+  BondOfAPathway rock;
   PathwayOpener opener(rock.lattice, rock.nodes, SolidSpread(rock.particle, test::no_neighbours(1)));
   const double before = rock.total();
   const auto open = [&](double d_m) {
@@ -106,7 +106,7 @@ TEST(PathwayOpener, OpensWithDamageNeverClosesAndKeepsTheSolidVolume) {
 
 /// Given in metres, a width may be less than a cell: the row of the line opens and conducts by the cubic law.
 TEST(PathwayOpener, OpensARowForASlotNarrowerThanACell) {
-  OneBond rock;
+  BondOfAPathway rock;
   rock.nodes.cubic = true;
   PathwayOpener opener(rock.lattice, rock.nodes, SolidSpread(rock.particle, test::no_neighbours(1)));
   for (const auto& [d_m, rows] : {std::pair{0.003, 0}, {0.1, 1}, {1 / 3.0, 1}, {0.9, 2}, {1.0, 3}}) {
@@ -124,7 +124,7 @@ TEST(PathwayOpener, OpensARowForASlotNarrowerThanACell) {
 
 /// Its nodes stay open and must be dragged, also where it closes at once and for good.
 TEST(PathwayOpener, SeesACrackThatIsNarrowerThanItHasBeen) {
-  OneBond rock;
+  BondOfAPathway rock;
   PathwayOpener opener(rock.lattice, rock.nodes, SolidSpread(rock.particle, test::no_neighbours(1)));
   const auto narrow = [&](double d_m) {
     Kokkos::deep_copy(rock.d_m, d_m);
@@ -139,7 +139,7 @@ TEST(PathwayOpener, SeesACrackThatIsNarrowerThanItHasBeen) {
 
 /// A crack half a cell wide: one row is open, and its resistance is that of the cubic law and of what acid adds.
 TEST(Slits, HaveTheResistanceOfTheCrackThatAcidWidens) {
-  OneBond rock;
+  BondOfAPathway rock;
   Geometry geometry;
   geometry.lattice = rock.lattice;
   geometry.type = rock.type;

@@ -52,7 +52,7 @@ void expect_insulated(bool rock, double D, ScalarVelocitySet set, Side side) {
   EXPECT_LT(off, most) << (rock ? "rock" : "fluid") << ", D " << D << ' ' << test::name_of(set);
 }
 
-TEST(Outflow, ConductsNothing) {
+TEST(ScalarOutflow, ConductsNothing) {
   for (const ScalarVelocitySet set : test::velocity_sets)
     for (const Side side : {Side::right, Side::top})
       for (const double D : {0.02, 1.0 / 6, 0.8}) {
@@ -61,7 +61,7 @@ TEST(Outflow, ConductsNothing) {
       }
 }
 
-TEST(Outflow, LetsNothingDiffuseOut) {
+TEST(ScalarOutflow, LetsNothingDiffuseOut) {
   for (const double D : {0.01, 1.0 / 6, 0.8}) {
     ReactiveBox<D2Q5, double> box(n, 3, [](int, int) { return false; }, solute_parameters(D), 0, {false, true});
     box.give_concentration(Side::left, [](int) { return 1.0; });
@@ -100,7 +100,7 @@ double off_wave(const Field& field) {
 
 /// What flows along the side is not what is taken back. Looked at beside the wave in the middle, which knows nothing of
 /// the side yet. In fluid D2Q9 loses what its diagonals conduct along the side in the nodes beside it (docs/model.md).
-TEST(Outflow, LeavesConductionAlongTheSide) {
+TEST(ScalarOutflow, LeavesConductionAlongTheSide) {
   for (const ScalarVelocitySet set : test::velocity_sets)
     for (const bool rock : {false, true})
       for (const double D : {0.02, 1.0 / 6, 0.8}) {
@@ -121,7 +121,7 @@ TEST(Outflow, LeavesConductionAlongTheSide) {
 }
 
 /// In rock, where nothing flows, an outflow is an insulated side at any diffusivity.
-TEST(Outflow, OfRockIsAnInsulatedSide) {
+TEST(ScalarOutflow, OfRockIsAnInsulatedSide) {
   for (const ScalarVelocitySet set : test::velocity_sets)
     for (const double D : {0.02, 2.0, 1e3}) {
       const auto after = [&](HeatCondition condition) {
@@ -162,7 +162,7 @@ void expect_wave_of_solute(double D) {
   EXPECT_LT(off, most) << "D " << D;
 }
 
-TEST(Outflow, OfSolutesLeavesDiffusionAlongTheSide) {
+TEST(ScalarOutflow, OfSolutesLeavesDiffusionAlongTheSide) {
   for (const double D : {0.02, 1.0 / 6, 0.8}) expect_wave_of_solute(D);
 }
 
