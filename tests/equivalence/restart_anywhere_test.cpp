@@ -4,6 +4,7 @@
 #include "support/minerals_of_small_rock.hpp"
 #include "support/rock_settings.hpp"
 #include "support/run_vug.hpp"
+#include "support/states.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +16,8 @@ namespace {
 constexpr std::int64_t last = 160;  // births at steps 55 and 135, cracks all the while
 const std::vector<std::int64_t> stops{1, 17, 60, 64, 139, 151};
 
-using Bytes = std::vector<std::byte>;
-using State = std::map<std::string, Bytes>;
-
-State state_of(Simulation& simulation) {
-  State state;
-  for (const StateBlock& block : simulation.state().blocks) state[block.name] = block.saved();
-  return state;
-}
+using test::State;
+using test::state_of;
 
 /// Everything that a run writes at this step.
 std::map<std::string, std::vector<double>> results_of(const Simulation& simulation) {
@@ -83,9 +78,7 @@ TEST_P(RestartAnywhere, GivesTheSameBits) {
   EXPECT_EQ(difference(end, state_of(stopping)), "") << "disturbed by saving";
   for (const auto& [stop, state] : saved) {
     Simulation resumed(scene);
-    resumed.restore([&](StateList& list) {
-      for (const StateBlock& block : list.blocks) block.load_all(state.at(block.name));
-    });
+    test::restore(resumed, state);
     EXPECT_EQ(difference(state, state_of(resumed)), "") << "restored at step " << stop;
     advance(resumed, scene, stop + 1);
     EXPECT_EQ(difference(next[stop], results_of(resumed)), "") << "one step after step " << stop;

@@ -14,6 +14,8 @@
 namespace vug {
 namespace {
 
+using test::rows_in;
+
 /// Six runs of a channel, of which two cannot work: their fluid is far too fast for the lattice.
 std::string study_file(const test::TemporaryFolder& folder, const std::string& more = "") {
   const std::string path = folder / "study.toml";
@@ -25,10 +27,6 @@ std::string study_file(const test::TemporaryFolder& folder, const std::string& m
   return path;
 }
 
-int rows_of(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) - 1;
-}
-
 TEST(Sweep, HasOneTableForAnyNumberOfRunsAtOnce) {
   const test::TemporaryFolder folder;
   const std::string study = study_file(folder);
@@ -36,11 +34,11 @@ TEST(Sweep, HasOneTableForAnyNumberOfRunsAtOnce) {
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "two") + " -j 2 --quiet").exit_code, 3);
   const std::string table = test::contents(folder / "one/table.csv");
   EXPECT_EQ(table, test::contents(folder / "two/table.csv"));
-  EXPECT_EQ(rows_of(table), 4) << table;
+  EXPECT_EQ(rows_in(table), 4) << table;
   EXPECT_TRUE(table.starts_with("run,flow.viscosity,flow.body_force,time_s,step_1,")) << table;
   EXPECT_NE(table.find("\n0002,1e-06,\"[ 0.002, 0 ]\",3,3000,"), std::string::npos) << table;
   const std::string failures = test::contents(folder / "one/failures.csv");
-  EXPECT_EQ(rows_of(failures), 2) << failures;
+  EXPECT_EQ(rows_in(failures), 2) << failures;
   EXPECT_NE(failures.find("diverged"), std::string::npos) << failures;
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "one") + " --quiet").exit_code, 2) << "asks first";
 }
@@ -127,8 +125,8 @@ TEST(Sweep, WritesAnArrayForSlurmWhoseMembersMakeTheSameTable) {
     test::run_command("SLURM_ARRAY_TASK_ID=" + std::to_string(member) + " bash " + (folder / "array.sh"));
     if (member != 1) continue;
     EXPECT_EQ(test::run_vug(make_table).exit_code, 3);
-    EXPECT_EQ(rows_of(test::contents(folder / "array/table.csv")), 2);
-    EXPECT_EQ(rows_of(test::contents(folder / "array/failures.csv")), 4);
+    EXPECT_EQ(rows_in(test::contents(folder / "array/table.csv")), 2);
+    EXPECT_EQ(rows_in(test::contents(folder / "array/failures.csv")), 4);
     EXPECT_FALSE(std::filesystem::exists(folder / "array/runs/0003")) << "it runs nothing";
   }
   EXPECT_EQ(test::run_vug(make_table).exit_code, 3);

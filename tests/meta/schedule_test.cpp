@@ -4,6 +4,7 @@
 #include "coupling/simulation.hpp"
 #include "support/minerals_of_small_rock.hpp"
 #include "support/run_vug.hpp"
+#include "support/states.hpp"
 
 #include <gmock/gmock.h>
 
@@ -14,14 +15,10 @@
 namespace vug {
 namespace {
 
-using State = std::map<std::string, std::vector<std::byte>>;
-
-State state_of(const Parts& parts) {
+test::State state_of(const Parts& parts) {
   StateList list;
   for (const auto& module : parts.modules) module->state(list);
-  State state;
-  for (const StateBlock& block : list.blocks) state[block.name] = block.saved();
-  return state;
+  return test::saved(list);
 }
 
 /// Of the names that tasks write, the longest that this one begins with; empty: none.
@@ -74,7 +71,7 @@ TEST_P(ScheduleOf, HoldsForWhatStepsChange) {
     for (const auto& module : parts->modules) {
       std::vector<Task> own;
       module->tasks(own);
-      const State before = state_of(*parts);
+      const test::State before = state_of(*parts);
       module->step(exec, clock);
       for (const auto& [field, bytes] : state_of(*parts)) {
         if (bytes == before.at(field)) continue;

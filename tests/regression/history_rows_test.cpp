@@ -16,16 +16,13 @@ std::string history_of(const test::TemporaryFolder& folder, const std::string& o
   return test::contents(folder / "run/history.csv");
 }
 
-int rows(const std::string& history) {
-  return static_cast<int>(std::count(history.begin(), history.end(), '\n')) - 1;
-}
-
 TEST(HistoryRows, AreAboutFourHundredUnlessStepsAreFew) {
   const test::TemporaryFolder folder;
-  EXPECT_EQ(rows(history_of(folder, " --set time.steps=60000 --set output.interval_steps=60000")), 401);
-  EXPECT_EQ(rows(history_of(folder, " --overwrite --set time.steps=2000 --set output.interval_steps=1000")), 21);
-  EXPECT_EQ(rows(history_of(folder, " --overwrite --set time.steps=50 --set output.interval_steps=25")), 3);
-  EXPECT_EQ(rows(history_of(
+  EXPECT_EQ(test::rows_in(history_of(folder, " --set time.steps=60000 --set output.interval_steps=60000")), 401);
+  EXPECT_EQ(test::rows_in(history_of(folder, " --overwrite --set time.steps=2000 --set output.interval_steps=1000")),
+            21);
+  EXPECT_EQ(test::rows_in(history_of(folder, " --overwrite --set time.steps=50 --set output.interval_steps=25")), 3);
+  EXPECT_EQ(test::rows_in(history_of(
                 folder,
                 " --overwrite --set time.steps=50 --set output.interval_steps=50 --set output.history_interval=0.01")),
             6);

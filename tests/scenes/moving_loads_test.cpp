@@ -2,6 +2,7 @@
 #include "support/coupled_run.hpp"
 #include "support/host_copy.hpp"
 #include "support/overheard.hpp"
+#include "support/states.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -93,11 +94,7 @@ TEST(MovingLoads, GoOnWithTheSameBitsFromAStateTakenAnywhere) {
     half.begin();
     for (int step = 0; step < 60; ++step) whole.step();
     for (int step = 0; step < stop; ++step) half.step();
-    std::map<std::string, std::vector<std::byte>> state;
-    for (const StateBlock& block : half.state().blocks) state[block.name] = block.saved();
-    rest.restore([&](StateList& list) {
-      for (const StateBlock& block : list.blocks) block.load_all(state.at(block.name));
-    });
+    test::restore(rest, test::state_of(half));
     for (int step = stop; step < 60; ++step) rest.step();
     const auto a = whole.history(), b = rest.history();
     ASSERT_EQ(a.size(), b.size());

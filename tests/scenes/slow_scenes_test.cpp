@@ -3,6 +3,7 @@
 #include "coupling/events.hpp"
 #include "coupling/output_schedule.hpp"
 #include "coupling/simulation.hpp"
+#include "support/states.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -252,13 +253,6 @@ TEST(SlowScenes, TimePassesWhenTheRockIsGone) {
   EXPECT_LE(static_cast<double>(simulation.clock().step), 86400 / 2e-4 / 1000);
 }
 
-using State = std::map<std::string, std::vector<std::byte>>;
-State state_of(Simulation& simulation) {
-  State state;
-  for (const StateBlock& block : simulation.state().blocks) state[block.name] = block.saved();
-  return state;
-}
-
 TEST(SlowScenes, GoOnWithTheSameBitsAfterARestartAtAnyStep) {
   const Scene scene = scene_of(wall, {"accuracy.dissolution_tolerance=5e-2"});
   Simulation whole(scene);
@@ -268,16 +262,14 @@ TEST(SlowScenes, GoOnWithTheSameBitsAfterARestartAtAnyStep) {
   };
   for (const std::int64_t stop : {3333, 9090, 12345}) {
     advance(whole, stop);
-    const State saved = state_of(whole);
+    const test::State saved = test::state_of(whole);
     Simulation resumed(scene);
-    resumed.restore([&](StateList& list) {
-      for (const StateBlock& block : list.blocks) block.load_all(saved.at(block.name));
-    });
+    test::restore(resumed, saved);
     EXPECT_EQ(now(resumed, "dissolved_volume_m3_per_m"), now(whole, "dissolved_volume_m3_per_m"));
     advance(resumed, stop + 2000);
     advance(whole, stop + 2000);
     EXPECT_GT(whole.clock().ahead, 0);
-    EXPECT_TRUE(state_of(resumed) == state_of(whole)) << stop;
+    EXPECT_TRUE(test::state_of(resumed) == test::state_of(whole)) << stop;
   }
   EXPECT_GT(now(whole, "nodes_dissolved_1"), 0);
 }

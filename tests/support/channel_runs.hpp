@@ -33,8 +33,7 @@ inline void expect_refused(const Outcome& outcome, const std::string& reason) {
 }
 
 inline int rows_of(const std::string& folder) {
-  const std::string text = contents(folder + "/history.csv");
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) - 1;
+  return rows_in(contents(folder + "/history.csv"));
 }
 
 }  // namespace vug::test
