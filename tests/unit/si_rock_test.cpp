@@ -1,6 +1,7 @@
 // Stress on the sides of the rock, supports and the rock beyond, in SI: a case's rock against Hooke's law.
 #include "dem_support.hpp"
 #include "support/coupled_run.hpp"
+#include "support/mean_strain.hpp"
 #include "support/rock_output.hpp"
 
 #include <gtest/gtest.h>
@@ -45,19 +46,6 @@ std::string side(const std::string& name, const std::string& traction, double ke
          " }\nheat = { type = \"temperature\", temperature = " + std::to_string(kelvin) + " }\n";
 }
 
-/// Strain along an axis: slope of the displacements of all triangles over their places.
-double strain(const test::CoupledRun& run, int axis) {
-  const auto place = test::host_copy(run.rock().particles().x0);
-  const auto u = test::host_copy(run.rock().particles().u);  // that of the preload too
-  const int n = run.rock().particles().count;
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (int i = 0; i < n; ++i) {
-    x += place(i, axis) / n, y += u(i, axis) / n;
-    xx += place(i, axis) * place(i, axis) / n, xy += place(i, axis) * u(i, axis) / n;
-  }
-  return (xy - x * y) / (xx - x * x);
-}
-
 /// Mean displacement of the triangles whose centroid is near the right or upper end.
 double displacement_of_end(const test::CoupledRun& run, int axis) {
   const auto place = test::host_copy(run.rock().particles().x0);
@@ -74,8 +62,8 @@ TEST(RockInSI, IsCompressedByTheStressOnItsSides) {
   for (const auto& [x, held_x, y, held_y] : stressed_and_held) {
     const test::CoupledRun run(block + side(x, "normal_stress = 5e6") + side(held_x, "support = \"roller\"") +
                                side(y, "normal_stress = 7.5e6") + side(held_y, "support = \"roller\""));
-    EXPECT_NEAR(strain(run, 0) / (-(5e6 - poisson * 7.5e6) / young), 1, 0.03) << x;
-    EXPECT_NEAR(strain(run, 1) / (-(7.5e6 - poisson * 5e6) / young), 1, 0.03) << y;
+    EXPECT_NEAR(test::mean_strain(run.rock(), 0) / (-(5e6 - poisson * 7.5e6) / young), 1, 0.03) << x;
+    EXPECT_NEAR(test::mean_strain(run.rock(), 1) / (-(7.5e6 - poisson * 5e6) / young), 1, 0.03) << y;
     // what holds the rock carries the stress on the other side, N/m
     const double push_x = run.rock().reaction(x == "right" ? RockSide::left : RockSide::right).x;
     const double push_y = run.rock().reaction(y == "top" ? RockSide::bottom : RockSide::top).y;
@@ -86,15 +74,15 @@ TEST(RockInSI, IsCompressedByTheStressOnItsSides) {
 
 TEST(RockInSI, TensionOnASideStretchesIt) {
   const test::CoupledRun run(block + side("right", "normal_stress = -2e6") + side("left", "support = \"roller\""));
-  EXPECT_NEAR(strain(run, 0) / (2e6 / young), 1, 0.03);
-  EXPECT_NEAR(strain(run, 1) / (-poisson * 2e6 / young), 1, 0.03);
+  EXPECT_NEAR(test::mean_strain(run.rock(), 0) / (2e6 / young), 1, 0.03);
+  EXPECT_NEAR(test::mean_strain(run.rock(), 1) / (-poisson * 2e6 / young), 1, 0.03);
 }
 
 TEST(RockInSI, GrowsFreelyWhenWarmed) {
   test::CoupledRun run(block + side("left", "support = \"free\"", 370) + side("right", "support = \"free\"", 370) +
                        side("bottom", "support = \"free\"", 370) + side("top", "support = \"free\"", 370));
   run.steps(600);
-  for (const int axis : {0, 1}) EXPECT_NEAR(strain(run, axis) / (1e-5 * 50), 1, 1e-3);
+  for (const int axis : {0, 1}) EXPECT_NEAR(test::mean_strain(run.rock(), axis) / (1e-5 * 50), 1, 1e-3);
   for (const double stress : test::of_bonds(run.rock(), "stress")) EXPECT_NEAR(stress, 0, 1e-3 * 1e-5 * 50 * young);
 }
 

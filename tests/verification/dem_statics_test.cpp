@@ -1,6 +1,7 @@
 // Bodies that have come to rest: thermal strain, stiffness, preload.
 #include "dem_support.hpp"
 #include "support/record.hpp"
+#include "support/tectonic_loads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -133,11 +134,7 @@ TEST(ElasticBlock, HasTheModulusAndPoissonRatioOfTheLaboratory) {
 }
 
 TEST(Preload, LeavesTheTectonicStressInTheRockAndNothingBroken) {
-  Loads loads;  // rollers on the left and at the bottom, 5 MPa from the right, 7.5 MPa from the top
-  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.traction[static_cast<std::size_t>(RockSide::right)] = {-5e6, 0};
-  loads.traction[static_cast<std::size_t>(RockSide::top)] = {0, -7.5e6};
+  Loads loads = test::tectonic();
   const double width = 0.05, height = 0.035;
   Mechanics rock(test::block(width, height, 2.5e-3, 0.2), {}, loads);
   const PreloadReport report = rock.preload(Exec(), 5 * width / 3300);

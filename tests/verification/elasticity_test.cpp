@@ -1,6 +1,7 @@
 // Elasticity of bonded rock: E and nu against the bonds that should give them, and layers against laminate theory.
 #include "dem/elasticity.hpp"
 
+#include "support/mean_strain.hpp"
 #include "support/specimens.hpp"
 
 #include <gtest/gtest.h>
@@ -9,15 +10,6 @@ namespace {
 
 using namespace vug;
 using namespace vug::test;
-
-/// Slope of component c of the displacements over coordinate x_c, by least squares over all particles.
-double strain(const Mechanics& rock, int c) {
-  const auto x0 = host_copy(rock.particles().x0), u = host_copy(rock.particles().u);
-  double n = 0, sx = 0, su = 0, sxx = 0, sxu = 0;
-  for (int i = 0; i < rock.particles().count; ++i)
-    n += 1, sx += x0(i, c), su += u(i, c), sxx += x0(i, c) * x0(i, c), sxu += x0(i, c) * u(i, c);
-  return (n * sxu - sx * su) / (n * sxx - sx * sx);
-}
 
 /// A block on rollers at the left and the bottom, at rest under a stress on its right or its top.
 Mechanics pressed(const Assembly& block, const MechanicsParameters& parameters, RockSide side, double stress) {
@@ -40,7 +32,7 @@ TEST(Elasticity, OfGeneratedRockIsThatGiven) {
     EXPECT_NEAR(elasticity_of(parameters.bond).poisson_ratio, nu, 1e-12);
     EXPECT_NEAR(elasticity_of(parameters.bond).young_modulus, 40e9, 1);
     const Mechanics rock = pressed(block, parameters, RockSide::top, 1e6);
-    const double young = 1e6 / strain(rock, 1), poisson = -strain(rock, 0) / strain(rock, 1);
+    const double young = 1e6 / mean_strain(rock, 1), poisson = -mean_strain(rock, 0) / mean_strain(rock, 1);
     record("elasticity", {{"nu", nu}, {"young", young / 40e9}, {"poisson", poisson}});
     std::printf("    nu %.3f: E %.4f of that given, nu %.4f\n", nu, young / 40e9, poisson);
     EXPECT_NEAR(young, 40e9, 0.02 * 40e9);

@@ -1,6 +1,7 @@
 // What the choices that make the mechanics cheaper cost in accuracy: mass scaling, the length of a sub-step, the
 // quasi-static preload.
 #include "support/specimens.hpp"
+#include "support/tectonic_loads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -151,12 +152,7 @@ struct Preloaded {
 };
 
 Preloaded preloaded(double ramp_time, double damping) {
-  Loads loads;
-  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.traction[static_cast<std::size_t>(RockSide::right)] = {-5e6, 0};
-  loads.traction[static_cast<std::size_t>(RockSide::top)] = {0, -7.5e6};
-  Mechanics rock(block(0.05, 0.035, 2.5e-3, 0.2), {}, loads);
+  Mechanics rock(block(0.05, 0.035, 2.5e-3, 0.2), {}, tectonic());
   const PreloadReport report = rock.preload(Exec(), ramp_time, damping);
   return {report, host_copy(rock.particles().u)};
 }

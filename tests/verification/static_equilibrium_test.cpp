@@ -1,6 +1,7 @@
 // Static equilibrium by a direct solver: against the balance of forces, and against waiting until waves have died away.
 #include "dem/edges.hpp"
 #include "dem_support.hpp"
+#include "support/tectonic_loads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +11,9 @@ namespace {
 
 using namespace vug;
 using vug::test::host_copy;
+using vug::test::tectonic;
 
 constexpr double width = 0.05, height = 0.035;
-
-/// Rollers on the left and at the bottom, 5 MPa from the right, 7.5 MPa from the top.
-Loads tectonic() {
-  Loads loads;
-  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
-  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
-  loads.traction[static_cast<std::size_t>(RockSide::right)] = {-5e6, 0};
-  loads.traction[static_cast<std::size_t>(RockSide::top)] = {0, -7.5e6};
-  return loads;
-}
 
 /// A crooked crack from the left side to the middle.
 Assembly cracked_block() {
