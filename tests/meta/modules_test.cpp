@@ -2,13 +2,12 @@
 #include "coupling/simulation.hpp"
 #include "support/minerals_of_small_rock.hpp"
 #include "support/overheard.hpp"
+#include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace vug {
 namespace {
@@ -52,15 +51,9 @@ class Watch {
   inline static Watch* watching_ = nullptr;
 };
 
-std::string small_rock_text() {
-  std::ostringstream text;
-  text << std::ifstream(VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml").rdbuf();
-  return text.str();
-}
-
 /// The small rock without some of its tables.
 Scene scene_without(const std::set<std::string>& tables) {
-  Scene scene = parse_scene(small_rock_text(), "small_rock.toml");
+  Scene scene = parse_scene(test::contents(test::small_rock), "small_rock.toml");
   if (tables.count("flow")) scene.flow.reset();
   if (tables.count("heat")) scene.heat.reset();
   if (tables.count("solute")) scene.solute.reset();
@@ -127,7 +120,7 @@ TEST(AbsentKeys, AllocateNothingAndLaunchNothing) {
 
 TEST(AbsentDissolution, OfRockThatOnlyReactsAllocatesNothingAndBooksNoSolid) {
   const Watch watch;
-  Simulation simulation(parse_scene(small_rock_text(), "small_rock.toml", {"reaction.molar_volume=0"}));
+  Simulation simulation(parse_scene(test::contents(test::small_rock), "small_rock.toml", {"reaction.molar_volume=0"}));
   simulation.begin();
   for (int step = 0; step < 20; ++step) simulation.step();
   EXPECT_FALSE(watch.saw("vug::chemical_damage"));
@@ -144,7 +137,8 @@ TEST(AbsentMinerals, AllocateNothingAndLaunchNothing) {
 
 TEST(PresentMinerals, AreSeenByTheSameWatchAndStayOnTheDevice) {
   std::optional<Watch> setup(std::in_place);
-  Simulation simulation(parse_scene(small_rock_text(), "small_rock.toml", test::minerals_of_small_rock()));
+  Simulation simulation(
+      parse_scene(test::contents(test::small_rock), "small_rock.toml", test::minerals_of_small_rock()));
   for (const char* label : {"vug::minerals::of_node", "vug::reactive_wall::mineral"})
     EXPECT_TRUE(setup->saw(label)) << label;
   setup.reset();
@@ -158,7 +152,7 @@ TEST(PresentMinerals, AreSeenByTheSameWatchAndStayOnTheDevice) {
 
 TEST(PresentKeys, AreSeenByTheSameWatchAndStayOnTheDevice) {
   Simulation simulation(
-      parse_scene(small_rock_text(), "small_rock.toml",
+      parse_scene(test::contents(test::small_rock), "small_rock.toml",
                   {"flow.gravity=[0,-9.81]", "flow.thermal_expansion=1e-3", "flow.viscosity_activation_energy=8000",
                    "output.forces=true", "output.flows=true", "boundary.injection.flow.pressure=[[0,1e5],[1e-4,20e6]]",
                    "boundary.injection.heat.temperature=[[0,400],[1e-4,288]]"}));

@@ -3,7 +3,7 @@
 
 #include "coupling/output_schedule.hpp"
 #include "kernels/base/require.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/run_vug.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -140,14 +140,13 @@ TEST(Twins, OfAPictureTakeLargerSquaresOfPixels) {
                InputError);
 }
 
-const std::string rock_file = VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml";
 const std::vector<std::string> rock_intervals{"accuracy.update_interval=6",   "accuracy.wall_interval=15",
                                               "accuracy.heat_interval=4",     "accuracy.solute_interval=2",
                                               "accuracy.exchange_interval=1", "accuracy.precision=single"};
 
 /// A coarser lattice would be another rock.
 TEST(TwinsOfRock, HaveHalfTheIntervalsOnTheSameLattice) {
-  const Scene scene = read_scene(rock_file, rock_intervals);
+  const Scene scene = read_scene(test::small_rock, rock_intervals);
   const Twins found = find_twins(scene);
   EXPECT_EQ(found.ratio, 0);
   ASSERT_EQ(found.twins.size(), 1u);
@@ -164,14 +163,15 @@ TEST(TwinsOfRock, HaveHalfTheIntervalsOnTheSameLattice) {
 }
 
 TEST(TwinsOfRock, HaveHalfTheToleranceWhereThatChoosesIntervals) {
-  const Twins found = find_twins(read_scene(rock_file, {"accuracy.tolerance=4e-3", "accuracy.precision=single"}));
+  const Twins found =
+      find_twins(read_scene(test::small_rock, {"accuracy.tolerance=4e-3", "accuracy.precision=single"}));
   ASSERT_EQ(found.twins.size(), 1u);
   EXPECT_DOUBLE_EQ(found.twins[0].scene.accuracy.tolerance, 2e-3);
   EXPECT_EQ(found.twins[0].scene.accuracy.precision, Precision::double_precision);
 }
 
 TEST(TwinsOfRock, AreNoneWhereEveryStepIsTaken) {
-  EXPECT_THROW(find_twins(read_scene(rock_file, {"accuracy.preset=reference"})), InputError);
+  EXPECT_THROW(find_twins(read_scene(test::small_rock, {"accuracy.preset=reference"})), InputError);
 }
 
 /// Of first order in the interval: half of the error is left, and the bar is a quarter longer than all of it.
@@ -205,7 +205,7 @@ TEST(ErrorBarsOfRock, StandBesideItsHistory) {
   options.directory = folder / "run";
   std::vector<std::string> overrides = rock_intervals;
   overrides.insert(overrides.end(), {"time.steps=30", "output.interval=2.5e-5"});
-  const std::string report = run_with_error_bars(read_scene(rock_file, overrides), options);
+  const std::string report = run_with_error_bars(read_scene(test::small_rock, overrides), options);
   EXPECT_NE(report.find("one comparison only"), std::string::npos) << report;
   EXPECT_NE(report.find("-                  no bar: the one comparison agrees"), std::string::npos) << report;
   const History run = read_history(options.directory + "/history.csv");

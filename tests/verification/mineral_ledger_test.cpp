@@ -2,14 +2,13 @@
 #include "kernels/base/require.hpp"
 #include "support/coupled_run.hpp"
 #include "support/minerals_of_small_rock.hpp"
+#include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -187,11 +186,9 @@ TEST(MineralRock, IsRefusedWhereNoNodeIsLeftToAMineral) {
 
 /// Pathways that damage opens hand their solid on, within each mineral.
 TEST(MineralLedger, OfEachClosesWherePathwaysOpen) {
-  std::ostringstream text;
-  text << std::ifstream(VUG_SOURCE_DIR "/tests/cases/coupled/small_rock.toml").rdbuf();
   std::vector<std::string> choices = test::minerals_of_small_rock();
   choices.emplace_back("reaction.rate_constant=30");
-  test::CoupledRun run(text.str(), choices);
+  test::CoupledRun run(test::contents(test::small_rock), choices);
   run.steps(400);
   EXPECT_GT(run.now("nodes_dissolved_1"), 10);
   EXPECT_GT(run.now("nodes_opened_by_damage_1"), 100);
