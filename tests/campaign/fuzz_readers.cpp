@@ -7,7 +7,7 @@
 #include "kernels/base/require.hpp"
 #include "mutator.hpp"
 #include "readers.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <Kokkos_Core.hpp>
 

@@ -5,7 +5,7 @@
 #include "io/image_reader.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/scene.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <png.h>
 

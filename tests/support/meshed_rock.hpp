@@ -1,6 +1,6 @@
 #pragma once
 // Rock of a few triangles given by hand, and which nodes lie in them by plain geometry.
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>
 

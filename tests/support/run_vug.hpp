@@ -1,6 +1,6 @@
 #pragma once
 // Runs the executable as a user would and looks at what it leaves behind.
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Files that are no valid case, each refused with one clear line; and damage at random, which never does worse than
 // that.
 #include "support/refused_in_child.hpp"
+#include "support/temporary_folder.hpp"
 #include "unit/case_files.hpp"
-#include "unit/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "coupling/geometry.hpp"
 #include "coupling/rock.hpp"
 #include "kernels/base/require.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // Blocks of bytes in a checkpoint: in pieces, and with kills at any moment.
 #include "io/checkpoint.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "kernels/base/require.hpp"
 #include "support/host_copy.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "kernels/base/require.hpp"
 #include "support/made_field.hpp"
 #include "support/refused_in_child.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

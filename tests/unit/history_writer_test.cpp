@@ -2,7 +2,7 @@
 
 #include "io/history_reader.hpp"
 #include "kernels/base/require.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "io/detail/image_rows.hpp"
 #include "io/image_reader.hpp"
 #include "kernels/base/require.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cstdlib>
 

@@ -3,7 +3,7 @@
 
 #include "io/assembly_quality.hpp"
 #include "kernels/base/require.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

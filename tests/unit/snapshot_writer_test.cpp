@@ -4,7 +4,7 @@
 
 #include "kernels/base/require.hpp"
 #include "support/made_field.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "io/history_reader.hpp"
 #include "kernels/base/require.hpp"
 #include "support/meshed_rock.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

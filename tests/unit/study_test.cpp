@@ -4,7 +4,7 @@
 #include "kernels/base/require.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

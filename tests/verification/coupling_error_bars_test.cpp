@@ -1,6 +1,6 @@
 // Error bars against answers that are known: they hold the true error, and are not much wider.
 #include "coupling/error_bars.hpp"
-#include "unit/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
