@@ -5,7 +5,6 @@
 #include "kernels/reaction/solid_share.hpp"
 #include "ranks/traffic.hpp"
 
-
 namespace vug {
 
 namespace {

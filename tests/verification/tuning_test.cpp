@@ -1,7 +1,7 @@
 // Settings from a tolerance: what is promised of the chosen ones is found again by runs of their own.
-#include "coupling/history_difference.hpp"
 #include "coupling/tuning.hpp"
 
+#include "coupling/history_difference.hpp"
 #include "io/override_scene.hpp"
 #include "kernels/base/require.hpp"
 #include "support/rows.hpp"
