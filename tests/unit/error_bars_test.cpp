@@ -1,11 +1,9 @@
-// Error bars: the law, the lattices that are compared, and what is left out.
+// Error bars: the law, what they say beside a run, and what is left out.
 #include "coupling/error_bars.hpp"
 
-#include "coupling/output_schedule.hpp"
 #include "kernels/base/require.hpp"
-#include "support/run_vug.hpp"
+#include "support/heated_slab.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +11,8 @@
 
 namespace vug {
 namespace {
+
+using namespace test;
 
 TEST(ErrorBar, OfAPureOrderIsAQuarterLongerThanTheError) {
   for (const double order : {0.5, 1.0, 1.5, 2.0})
@@ -56,122 +56,6 @@ TEST(ErrorBar, IsNotZeroWhereTwoOfThreeLatticesAgree) {
     EXPECT_NEAR(error_bar(1, 1, coarser, 2).bar, 0.4, 1e-12);
     EXPECT_FALSE(error_bar(1, 1, coarser, 2).order);
   }
-}
-
-const std::string slab = R"(
-[lattice]
-size = [0.024, 0.012]
-spacing = 1e-3
-time_step = 1e-2
-[time]
-steps = 64
-[geometry]
-type = "open"
-[heat]
-fluid_diffusivity = 1e-6
-solid_diffusivity = 1e-6
-[boundary.left]
-heat = { type = "temperature", temperature = 320 }
-[output]
-interval_steps = 16
-)";
-
-class CaseFile {
- public:
-  explicit CaseFile(const std::string& text) { std::ofstream(path()) << text; }
-  std::string path() const { return folder_ / "case.toml"; }
-  Scene scene(const std::vector<std::string>& overrides = {}) const { return read_scene(path(), overrides); }
-  const test::TemporaryFolder& folder() const { return folder_; }
-
- private:
-  test::TemporaryFolder folder_;
-};
-
-TEST(Twins, KeepTheTimeTheSizeAndTheLatticeDiffusivity) {
-  const CaseFile file(slab);
-  const Scene scene = file.scene();
-  const Twins found = find_twins(scene);
-  EXPECT_EQ(found.ratio, 2);
-  ASSERT_EQ(found.twins.size(), 2u);
-  for (const Twin& twin : found.twins) {
-    const Scene& coarse = twin.scene;
-    EXPECT_NEAR(coarse.lattice.time_step / std::pow(coarse.lattice.spacing, 2),
-                scene.lattice.time_step / std::pow(scene.lattice.spacing, 2), 1e-9);
-    EXPECT_NEAR(static_cast<double>(last_step(coarse)) * coarse.lattice.time_step, 0.64, 1e-12);
-    EXPECT_NEAR(static_cast<double>(*coarse.output.interval_steps) * coarse.lattice.time_step, 0.16, 1e-12);
-  }
-  EXPECT_EQ(found.twins[0].scene.lattice.nx, 12);
-  EXPECT_EQ(found.twins[1].scene.lattice.ny, 3);
-}
-
-TEST(Twins, TakeAnotherRatioWhereTwoDoesNotFit) {
-  const CaseFile file(slab);
-  EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.027, 0.018]"})).ratio, 1.5);
-  EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.027, 0.018]"})).twins.size(), 2u);
-  EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.028, 0.014]"})).twins.size(), 1u);
-  EXPECT_THROW(find_twins(file.scene({"lattice.size=[0.029, 0.013]"})), InputError);
-}
-
-/// The slab with a picture of `columns` x `rows` pixels whose middle third is rock.
-Scene pictured(const CaseFile& file, int columns, int rows, const std::vector<std::string>& more = {}) {
-  std::ofstream picture(file.folder() / "a.raw", std::ios::binary);
-  for (int n = 0; n < columns * rows; ++n)
-    picture.put(n % columns >= columns / 3 && n % columns < 2 * columns / 3 ? '\0' : '\xff');
-  picture.close();
-  std::vector<std::string> set{"geometry.type=image", "geometry.file=a.raw",
-                               fmt::format("geometry.raw_size=[{}, {}]", columns, rows),
-                               fmt::format("geometry.pixel_size={}", 0.024 / columns), "heat.solid_diffusivity=4e-6"};
-  set.insert(set.end(), more.begin(), more.end());
-  return file.scene(set);
-}
-
-TEST(Twins, OfAPictureTakeLargerSquaresOfPixels) {
-  const CaseFile file(slab);
-  const Twins found = find_twins(pictured(file, 24, 12));
-  EXPECT_EQ(found.ratio, 2);
-  ASSERT_EQ(found.twins.size(), 2u);
-  EXPECT_EQ(found.twins[0].scene.geometry.image.coarsen, 2);
-  EXPECT_EQ(found.twins[1].scene.geometry.image.coarsen, 4);
-  const Twins finer = find_twins(pictured(file, 48, 24, {"geometry.coarsen=2"}));
-  EXPECT_EQ(finer.twins[0].scene.geometry.image.coarsen, 4);
-  // 27 x 18 cells have the ratio 1.5, but no cell is 1.5 pixels wide; 3 is possible
-  EXPECT_EQ(find_twins(pictured(file, 27, 18, {"lattice.size=[0.027, 0.018]", "geometry.pixel_size=1e-3"})).ratio, 3);
-  EXPECT_THROW(find_twins(pictured(file, 25, 35, {"lattice.size=[0.025, 0.035]", "geometry.pixel_size=1e-3"})),
-               InputError);
-}
-
-const std::vector<std::string> rock_intervals{"accuracy.update_interval=6",   "accuracy.wall_interval=15",
-                                              "accuracy.heat_interval=4",     "accuracy.solute_interval=2",
-                                              "accuracy.exchange_interval=1", "accuracy.precision=single"};
-
-/// A coarser lattice would be another rock.
-TEST(TwinsOfRock, HaveHalfTheIntervalsOnTheSameLattice) {
-  const Scene scene = read_scene(test::small_rock, rock_intervals);
-  const Twins found = find_twins(scene);
-  EXPECT_EQ(found.ratio, 0);
-  ASSERT_EQ(found.twins.size(), 1u);
-  const Scene& finer = found.twins[0].scene;
-  EXPECT_EQ(finer.accuracy.update_interval, 3);
-  EXPECT_EQ(finer.accuracy.wall_interval, 7);
-  EXPECT_EQ(finer.accuracy.heat_interval, 2);
-  EXPECT_EQ(finer.accuracy.solute_interval, 1);
-  EXPECT_EQ(finer.accuracy.exchange_interval, 1);
-  EXPECT_EQ(finer.accuracy.precision, Precision::double_precision);
-  EXPECT_EQ(finer.lattice.nx, scene.lattice.nx);
-  EXPECT_EQ(finer.lattice.time_step, scene.lattice.time_step);
-  EXPECT_EQ(last_step(finer), last_step(scene));
-}
-
-TEST(TwinsOfRock, HaveHalfTheToleranceWhereThatChoosesIntervals) {
-  const Twins found =
-      find_twins(read_scene(test::small_rock, {"accuracy.tolerance=4e-3", "accuracy.precision=single"}));
-  ASSERT_EQ(found.twins.size(), 1u);
-  EXPECT_DOUBLE_EQ(found.twins[0].scene.accuracy.tolerance, 2e-3);
-  EXPECT_EQ(found.twins[0].scene.accuracy.precision, Precision::double_precision);
-}
-
-TEST(TwinsOfRock, AreNoneWhereEveryStepIsTaken) {
-  EXPECT_THROW(find_twins(read_scene(test::small_rock, {"accuracy.preset=reference"})), InputError);
 }
 
 /// Of first order in the interval: half of the error is left, and the bar is a quarter longer than all of it.
