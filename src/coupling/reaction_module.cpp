@@ -138,8 +138,9 @@ void ReactionModule<T, Set>::step(const Exec& exec, const Clock& clock) {
 template <class T, class Set>
 void ReactionModule<T, Set>::book(const Exec& exec) {
   gather_links();
-  if (dissolves_) keep_largest_losses(exec);
-  for (Attack<T>& attack : attacks_) book_turnover(exec, geometry_.surface, attack.wall, attack.links, attack.sums);
+  for (Attack<T>& attack : attacks_)
+    book_turnover(exec, geometry_.surface, attack.wall, attack.links, attack.sums, wall_losses_,
+                  &attack == &attacks_.front());
 }
 
 template <class T, class Set>

@@ -5,6 +5,7 @@
 #include "coupling/pore_growth.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/reaction/reactive_wall.hpp"
+#include "kernels/reaction/surface_losses.hpp"
 
 namespace vug {
 
@@ -97,8 +98,6 @@ class ReactionModule final : public Module, public Concerned {
   /// Gathers the turnover of the links on all ranks.
   void gather_links() const;
   void make_room_for_losses(const Exec& exec);
-  /// Keeps the largest loss of each surface node between two looks, before it is booked.
-  void keep_largest_losses(const Exec& exec);
   Owners owners_of_links(const Attack<T>& attack) const;
   /// Determines which links this rank has, the surface nodes from which they lead, and the nodes whose temperature they
   /// need.
@@ -164,10 +163,8 @@ class ReactionModule final : public Module, public Concerned {
   bool watches_;                 ///< changes are watched (accuracy.tolerance)
   double watched_ = 0;           ///< volume that had dissolved at the last look, m3/m
   int solute_interval_;          ///< lattice steps per solute step, as used for the rates
-  ScalarField<double> loss_{"vug::reaction::loss", 0};           ///< (surface) for largest_loss
-  ScalarField<double> recent_{"vug::reaction::recent_loss", 0};  ///< (surface) since the last look; 0 between looks
-  ScalarField<double> largest_{"vug::reaction::largest_loss",
-                               0};  ///< (surface) largest loss between two looks so far, cells
+  ScalarField<double> loss_{"vug::reaction::loss", 0};  ///< (surface) for largest_loss
+  SurfaceLosses wall_losses_;  ///< from one look for dissolved nodes to the next; empty where nothing dissolves
   bool dissolves_;
   double initial_volume_ = 0;  ///< pixels
 };

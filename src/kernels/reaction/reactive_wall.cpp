@@ -1,6 +1,7 @@
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/reactive_wall_step.hpp"
+#include "kernels/reaction/surface_losses.hpp"
 
 namespace vug {
 
@@ -51,6 +52,8 @@ struct BookTurnover {
   bool apart;  ///< acid, product and solid differ
   Solid kind;
   ReactionLedger ledger;
+  SurfaceLosses losses;
+  bool first;  ///< reactant of this booking
 
   KOKKOS_FORCEINLINE_FUNCTION static double take(double& amount) {
     const double taken = amount;
@@ -79,6 +82,7 @@ struct BookTurnover {
     kind.note(n, acid);
     ledger.V(n) -= volume;
     ledger.dissolved(n) += volume;
+    losses.note(s, volume, first);
     if (ledger.released.extent(0) > 0) ledger.released(n) += apart ? product : acid;
     return acid;
   }
@@ -113,18 +117,24 @@ void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wa
 
 template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
-                   const ReactionLedger& ledger) {
+                   const ReactionLedger& ledger, const SurfaceLosses& losses, bool first) {
   const bool apart = wall.law != ReactiveWallLaw::kinetic;
   const auto launch = [&](const auto& kind) {
-    add_per_block(
-        exec, "vug::reactive_wall::book", surface.count,
-        BookTurnover<T, std::decay_t<decltype(kind)>>{surface.node, surface.count, links, apart, kind, ledger},
-        ledger.consumed);
+    add_per_block(exec, "vug::reactive_wall::book", surface.count,
+                  BookTurnover<T, std::decay_t<decltype(kind)>>{surface.node, surface.count, links, apart, kind, ledger,
+                                                                losses, first},
+                  ledger.consumed);
   };
   if (wall.minerals.of_node.extent(0) > 0)
     launch(ManySolids{wall.minerals, ledger.acid});
   else
     launch(OneSolid{wall.molar_volume});
+}
+
+template <class T>
+void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                   const ReactionLedger& ledger) {
+  book_turnover(exec, surface, wall, links, ledger, {}, true);
 }
 
 #define VUG_INSTANTIATE(T, Set)                                                                                     \
@@ -147,5 +157,9 @@ template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, co
                             const ReactionLedger&);
 template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
                             const ReactionLedger&);
+template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
+                            const ReactionLedger&, const SurfaceLosses&, bool);
+template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
+                            const ReactionLedger&, const SurfaceLosses&, bool);
 
 }  // namespace vug
