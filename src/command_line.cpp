@@ -49,7 +49,8 @@ void describe_run(CLI::App& app, CommandLine& line) {
   take_case(*line.run, line);
   line.run->add_option("-o,--output", line.directory, "Run directory (default: runs/<name of the case file>)");
   take_overrides(*line.run, line);
-  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps")->check(fault_of_count);
+  line.run->add_option("--steps", line.steps, "Stop after this many lattice steps, also beyond the end of the case")
+      ->check(fault_of_count);
   take_threads(*line.run, line);
   CLI::Option* resume =
       line.run->add_flag("--resume", line.resume, "Continue from the newest checkpoint of the run directory, if any");

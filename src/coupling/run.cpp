@@ -33,7 +33,7 @@ class Run {
         options_(options),
         ranks_(options.ranks),
         book_(scene, options),
-        last_(std::min(options.steps.value_or(last_step(scene)), last_step(scene))),
+        last_(options.steps.value_or(last_step(scene))),
         simulation_(scene, options.ranks) {
     require_fields(simulation_.fields(), scene.output.fields);
   }
@@ -90,8 +90,25 @@ class Run {
     if (const std::string other = book_.go_on_from(*checkpoint); !other.empty()) notes_.push_back("warning: " + other);
     if (last_ < checkpoint->step())
       notes_.push_back(fmt::format("note: --steps {}: the run is at step {} already", last_, checkpoint->step()));
+    if (const std::string moved = moved_end(); !moved.empty()) {
+      notes_.push_back("note: " + moved);
+      book_.record().events.push_back(fmt::format("step {}, {}", checkpoint->step(), moved));
+    }
     last_ = std::max(last_, checkpoint->step());
     resumed_at_ = checkpoint->step();
+  }
+
+  /// A text that says from where to where the end of the run has been moved; empty where it has not.
+  std::string moved_end() const {
+    const auto text = [](const TimeSection& time) {
+      return time.end ? fmt::format("{:g} s", *time.end) : fmt::format("step {}", *time.steps);
+    };
+    const auto moved = [](const std::string& from, const std::string& to) {
+      return from == to ? "" : fmt::format("the end of the run is moved from {} to {}", from, to);
+    };
+    if (options_.steps && *options_.steps > last_step(scene_))
+      return moved(fmt::format("step {}", last_step(scene_)), fmt::format("step {}", *options_.steps));
+    return book_.former_end() ? moved(text(*book_.former_end()), text(scene_.time)) : "";
   }
 
   /// Whether a stop is requested on any of the ranks.

@@ -1,5 +1,6 @@
 #include "coupling/run_book.hpp"
 
+#include "io/later_end.hpp"
 #include "kernels/base/require.hpp"
 #include "ranks/traffic.hpp"
 
@@ -19,11 +20,21 @@ RunFolder::Use use_of(const RunOptions& options) {
   return options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh;
 }
 
-/// Text on what differs between the case and the run that `held` describes: an input file, else the case itself.
-std::string what_has_changed(const RunRecord& record, const RunSummary& held) {
+/// The end of the run in the folder `path`, which is of another text of the case. Throws InputError where more differs
+/// than the end, or where that is earlier now.
+TimeSection end_of_the_run(const std::string& path, const RunSummary& held, const Scene& scene,
+                           const RunRecord& record) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path, what));
+  };
   for (const InputFile& input : record.inputs)
-    if (held.inputs.find(input.hash) == std::string::npos) return input.path + " has changed since";
-  return "the text of the case or a --set differs";
+    if (held.inputs.find(input.hash) == std::string::npos) refuse(input.path + " has changed since");
+  const RunOrigin origin = read_run_origin(path);
+  const std::optional<TimeSection> before = time_of_same_case(scene, origin.case_text, origin.overrides);
+  if (!before) refuse("the text of the case or a --set differs");
+  if (scene.time.end ? *scene.time.end < *before->end : *scene.time.steps < *before->steps)
+    refuse("its end is later; --steps stops it earlier");
+  return *before;
 }
 
 /// "vug 0.1.0 (commit 8b0c4f9, GCC 12.2.0, OpenMP)", of a RunRecord or a RunOrigin.
@@ -38,21 +49,19 @@ RunBook::RunBook(const Scene& scene, const RunOptions& options)
     : options_(options),
       recorded_(scene, options.directory, use_of(options),
                 "--resume continues it, --overwrite replaces it, -o DIR leaves it alone", options.ranks.first()),
-      owner_(owner()) {
+      owner_(owner(scene)) {
   record().ranks = options.ranks.size();
 }
 
 /// The case and this run, or the run that it continues. Throws InputError where that run is of another case; nothing is
 /// changed then.
-CheckpointOwner RunBook::owner() {
+CheckpointOwner RunBook::owner(const Scene& scene) {
   const std::string hash = case_hash(record().case_text, record().overrides, record().inputs);
   if (!options_.resume) return {hash, record().run};
   const RunFolder* folder = recorded_.folder();
   if (!folder || !folder->held()) return {hash, ""};
   const RunSummary& held = *folder->held();
-  if (held.case_hash != hash)
-    throw InputError(fmt::format("{}: holds a run of another case, which this one cannot continue: {}", path(),
-                                 what_has_changed(record(), held)));
+  if (held.case_hash != hash) former_end_ = end_of_the_run(path(), held, scene, record());
   record().run = held.run;
   return {hash, held.run};
 }
@@ -60,9 +69,11 @@ CheckpointOwner RunBook::owner() {
 std::optional<Checkpoint> RunBook::latest_checkpoint() const {
   const Ranks& ranks = options_.ranks;
   std::optional<Checkpoint> found;
-  if (ranks.first()) found = Checkpoint::latest(checkpoints(), owner_);
+  // of a run whose name is known, any: those from before its end was moved have the hash of the case as it was then
+  if (ranks.first())
+    found = Checkpoint::latest(checkpoints(), owner_.run.empty() ? owner_ : CheckpointOwner{"", owner_.run});
   const std::string path = ranks.told(found ? found->path() : "");
-  if (!ranks.first() && !path.empty()) found = Checkpoint::open(path, owner_);
+  if (!ranks.first() && !path.empty()) found = Checkpoint::open(path, {});
   return found;
 }
 

@@ -32,6 +32,8 @@ class RunBook {
   /// Where another build of vug has written it, returns a line that says so and keeps this as an event; otherwise
   /// returns an empty line.
   std::string go_on_from(const Checkpoint& checkpoint);
+  /// The end that the run had when it was last written, where the case gives it a later one.
+  const std::optional<TimeSection>& former_end() const { return former_end_; }
   /// Number of rows in the history at the newest checkpoint.
   std::int64_t rows() const { return rows_; }
   /// Makes this run a new one. Throws InputError where this would destroy a run that could be continued.
@@ -54,12 +56,13 @@ class RunBook {
 
  private:
   std::string checkpoints() const { return path() + "/checkpoint"; }
-  CheckpointOwner owner();
+  CheckpointOwner owner(const Scene& scene);
   StateList own_state();
   void note(const Clock& clock, const Progress& progress);
 
   const RunOptions& options_;
   RecordedRun recorded_;
+  std::optional<TimeSection> former_end_;
   CheckpointOwner owner_;
   std::int64_t rows_ = 0;
 };

@@ -47,7 +47,8 @@ Checkpoint Checkpoint::open(const std::string& path, const CheckpointOwner& owne
   checkpoint.step_ = header.step;
   checkpoint.time_ = header.time;
   checkpoint.run_ = header.owner.run;
-  if (header.owner.case_hash != owner.case_hash) in.fail("the checkpoint belongs to another case");
+  if (!owner.case_hash.empty() && header.owner.case_hash != owner.case_hash)
+    in.fail("the checkpoint belongs to another case");
   if (!owner.run.empty() && header.owner.run != owner.run) in.fail("the checkpoint belongs to another run");
   const auto count = in.word<std::uint64_t>();
   for (std::uint64_t i = 0; i < count; ++i) {

@@ -16,7 +16,7 @@ class BinaryFile;
 
 /// The case and the run to which a state belongs.
 struct CheckpointOwner {
-  std::string case_hash;  ///< of case, overrides and input files (io/run_record.hpp)
+  std::string case_hash;  ///< of case, overrides and input files (io/run_record.hpp); empty: any case
   std::string run;        ///< the run that wrote it; empty: any run
 };
 

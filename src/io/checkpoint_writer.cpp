@@ -71,7 +71,7 @@ bool is_of(const CheckpointOwner& owner, const fs::path& path) {
     if (!detail::begins_as_checkpoint(file)) return false;
     detail::CheckpointReader in(file, file.size());
     const detail::CheckpointHeader header = detail::read_header(in);
-    return header.owner.run == owner.run && header.owner.case_hash == owner.case_hash;
+    return header.owner.run == owner.run;  // the hash is another one where the end of the run has been moved
   } catch (const std::runtime_error&) {
     return false;
   }
