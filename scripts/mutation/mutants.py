@@ -51,9 +51,9 @@ NO_LAWS = {
         nodes/fluid_surface.cpp nodes/source_windows.hpp nodes/streaming.hpp packs/portable.hpp""",
     "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp parameters.hpp require_edges.cpp
         require_parameters.cpp rock_share.cpp""",
-    "coupling": """check.cpp check_text.cpp choices.cpp explain.cpp flow_ranks.cpp fluid_picture.cpp geometry.cpp laboratory_report.cpp
-        laboratory_run.cpp mechanics_ranks.cpp memory_need.cpp reaction_ranks.cpp recorded_run.cpp run.cpp run_book.cpp run_files.cpp
-        run_sum.hpp shared_field.cpp solute_ranks.cpp split.cpp tasks.cpp""",
+    "coupling": """check.cpp check_text.cpp choices.cpp dimensionless.cpp explain.cpp flow_ranks.cpp fluid_picture.cpp
+        geometry.cpp laboratory_report.cpp laboratory_run.cpp mechanics_ranks.cpp memory_need.cpp reaction_ranks.cpp
+        recorded_run.cpp run.cpp run_book.cpp run_files.cpp run_sum.hpp shared_field.cpp solute_ranks.cpp split.cpp tasks.cpp""",
     "io": """assembly_quality.cpp case_reader.cpp case_tables_boundary.cpp case_tables_domain.cpp case_tables_fluid.cpp
         case_tables_gauge.cpp case_tables_rock.cpp checkpoint.cpp detail/check_boundaries.cpp detail/check_laboratory.cpp
         detail/check_minerals.cpp detail/check_names.cpp detail/check_places.cpp detail/check_scales.cpp

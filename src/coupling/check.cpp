@@ -115,6 +115,7 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   report.bytes = allocated_bytes() - before;
   const Parts& parts = simulation.parts();
   report.limits = simulation.limits();
+  report.dimensionless = dimensionless_numbers(scene);
   require_fields(simulation.fields(), scene.output.fields);
   history_columns(scene, simulation);  // refuses two of one name
   report.warnings = warnings_of(scene, parts, parts.paths);

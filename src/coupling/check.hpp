@@ -1,5 +1,6 @@
 #pragma once
 // `vug check`: derived numbers, size and cost of a case, before it is run.
+#include "coupling/dimensionless.hpp"
 #include "coupling/limits.hpp"
 #include "coupling/task.hpp"
 #include "io/image_reader.hpp"
@@ -15,6 +16,7 @@ namespace vug {
 /// Derived numbers, size and cost of a case.
 struct CheckReport {
   LimitTable limits;
+  DimensionlessNumbers dimensionless;
   std::vector<Task> schedule;  ///< empty for a laboratory test
   std::string explanation;     ///< its numbers in lattice units (explain.hpp); empty for a laboratory test
   std::vector<std::string> warnings;

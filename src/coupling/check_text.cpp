@@ -62,6 +62,11 @@ std::string to_text(const CheckReport& report) {
   for (const Limit& limit : report.limits)
     fmt::format_to(out, "{:<10} {:<42} {:>12.5g} {:<9} {}\n", limit.module, limit.name, limit.value, limit.unit,
                    range_of(limit));
+  if (!report.dimensionless.numbers.empty()) {
+    fmt::format_to(out, "\ndimensionless numbers with {}\n", report.dimensionless.scales);
+    for (const DimensionlessNumber& number : report.dimensionless.numbers)
+      fmt::format_to(out, "  {:<40} {:>12.5g}  {}\n", number.name, number.value, number.definition);
+  }
   for (const std::string& choice : report.choices) fmt::format_to(out, "choice: {}\n", choice);
   for (const Limit& limit : report.limits)
     if (!limit.inside()) fmt::format_to(out, "warning: {}\n", warning_of(limit));
@@ -91,6 +96,13 @@ std::string to_json(const CheckReport& report) {
                    i ? "," : "", json_string(limit.module), json_string(limit.name), json_number(limit.value),
                    json_string(limit.unit), json_number(limit.low), json_number(limit.high), limit.inside(),
                    json_string(limit.advice));
+  }
+  fmt::format_to(out, "\n  ],\n  \"dimensionless_scales\": {},\n  \"dimensionless\": [",
+                 json_string(report.dimensionless.scales));
+  for (std::size_t i = 0; i < report.dimensionless.numbers.size(); ++i) {
+    const DimensionlessNumber& number = report.dimensionless.numbers[i];
+    fmt::format_to(out, "{}\n    {{\"name\": {}, \"value\": {}, \"definition\": {}}}", i ? "," : "",
+                   json_string(number.name), json_number(number.value), json_string(number.definition));
   }
   const auto list = [&](const char* name, const std::vector<std::string>& lines) {
     fmt::format_to(out, "\n  ],\n  \"{}\": [", name);
