@@ -1,6 +1,6 @@
 #include "coupling/dimensionless.hpp"
 
-#include "coupling/schedule.hpp"
+#include "coupling/output_schedule.hpp"
 
 #include <fmt/format.h>
 

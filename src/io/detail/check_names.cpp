@@ -52,8 +52,12 @@ std::string documented_name(const std::string& name, const std::vector<std::stri
   return wildcard != names.end() ? *wildcard : "";
 }
 
-/// Another table that has a key of this name, for a key in the wrong table.
+/// The table of this name, or another table that has a key of this name, for a key in the wrong table.
 std::string elsewhere(const std::string& name, const NameTree& tree) {
+  if (const auto own = tree.find(name); own != tree.end()) {
+    const bool repeated = own->second.front() == "N";
+    return fmt::format(" ({0}{1}{2} is a table of its own)", repeated ? "[[" : "[", name, repeated ? "]]" : "]");
+  }
   for (const auto& [table, names] : tree) {
     if (!table.empty() && std::find(names.begin(), names.end(), name) != names.end()) {
       return fmt::format(" (table \"{}\" has a key of this name)", table);
