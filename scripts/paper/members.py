@@ -14,6 +14,7 @@ CHOICES = {
     "c_d 0.6": ["damage.pathway_factor=0.6"],
     "least aperture 2 cells": ["damage.minimum_aperture=2"],
     "least aperture 5 cells": ["damage.minimum_aperture=5"],
+    "pathways wider by c_d h": ['damage.pathway_widening="added"'],
     "as wide as cracks gape": ['damage.aperture="opening"'],
     "T0 237.15 K, as printed": ["reaction.reference_temperature=237.15"],
     "l_c 0.1 m": ["reaction.length=0.1"],

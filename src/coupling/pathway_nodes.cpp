@@ -75,9 +75,11 @@ PathwayNodes pathway_nodes(const Scene& scene, const Lattice& lattice, const Ass
                            const std::vector<bool>& solid) {
   const PathwayWidths widths(scene);
   std::vector<double> open(closed.size());
-  for (std::size_t b = 0; b < open.size(); ++b)
-    open[b] = std::max(
-        {scene.damage->pathway_factor * bonds.spacing[b] / scene.lattice.spacing, widths.of_broken, closed[b]});
+  const bool added = scene.damage->widening == PathwayWidening::added;
+  for (std::size_t b = 0; b < open.size(); ++b) {
+    const double by_damage = scene.damage->pathway_factor * bonds.spacing[b] / scene.lattice.spacing;
+    open[b] = std::max({added ? closed[b] + by_damage : by_damage, widths.of_broken, closed[b]});
+  }
   const auto strips = bond_strips(scene, lattice, assembly, bonds, raster, open);
   const std::vector<double> slope = slopes_of(assembly, bonds);
   std::vector<bool> wanted = solid;

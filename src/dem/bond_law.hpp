@@ -1,6 +1,7 @@
 #pragma once
 // The cohesive bond at one integration point: strengths, the unified linear traction-separation law and the resulting
 // damage. Stresses in Pa, openings in m, tension and opening positive. Equation numbers are the paper's.
+#include "dem/parameters.hpp"
 #include "kernels/base/base.hpp"
 
 namespace vug {
@@ -13,21 +14,39 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double at_most(double bound, double x) {
   return x < bound ? x : bound;
 }
 
-/// Share of the strength left at chemical damage d_c (Eqs. 27, 29): f1 = -0.83 d2 + 0.017 d + 0.98, divided by f1(0) if
-/// normalised.
-KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_strength_factor(double d_c, bool normalised) {
-  return ((-0.83 * d_c + 0.017) * d_c + 0.98) / (normalised ? 0.98 : 1.0);
+/// The fit at chemical damage d_c.
+KOKKOS_FORCEINLINE_FUNCTION constexpr double value_of(const QuadraticFit& fit, double d_c) {
+  return (fit.square * d_c + fit.linear) * d_c + fit.constant;
 }
 
-/// d_c at which the fit of f2 has its minimum. Beyond it, dissolved rock would become tougher, so f2 is held constant.
-inline constexpr double chemical_energy_turning_point = 3.34 / (2 * 5.29);
-
-/// Share of the fracture energy left at d_c (Eqs. 27, 29): f2 = 5.29 d2 - 3.34 d + 1.01 up to its minimum, then
-/// constant; divided by f2(0) if normalised.
-KOKKOS_FORCEINLINE_FUNCTION constexpr double chemical_energy_factor(double d_c, bool normalised) {
-  const double d = d_c < chemical_energy_turning_point ? d_c : chemical_energy_turning_point;
-  return ((5.29 * d - 3.34) * d + 1.01) / (normalised ? 1.01 : 1.0);
+/// d_c from 0 to 1 at which a fit that falls at first has its minimum, 1 if it falls all the way.
+constexpr double turning_point(const QuadraticFit& fit) {
+  return fit.square > 0 && -fit.linear < 2 * fit.square ? -fit.linear / (2 * fit.square) : 1;
 }
+
+/// The fits of a ChemicalDamageLaw as they act on a bond (Eqs. 27, 29).
+struct ChemicalFactors {
+  QuadraticFit f1, f2;
+  double f1_unit, f2_unit;  ///< by which they are divided: their values at d_c = 0 if normalised, else 1
+  double turning;           ///< d_c beyond which f2 would rise and dissolved rock become tougher; f2 is constant there
+  double failure_at;        ///< a bond fails at this d_c
+
+  explicit ChemicalFactors(const ChemicalDamageLaw& law)
+      : f1(law.strength),
+        f2(law.energy),
+        f1_unit(law.normalised ? law.strength.constant : 1),
+        f2_unit(law.normalised ? law.energy.constant : 1),
+        turning(turning_point(law.energy)),
+        failure_at(law.failure_at) {}
+
+  /// Share of the strength left at d_c.
+  KOKKOS_FORCEINLINE_FUNCTION double strength(double d_c) const { return value_of(f1, d_c) / f1_unit; }
+  /// Share of the fracture energy left at d_c.
+  KOKKOS_FORCEINLINE_FUNCTION double energy(double d_c) const {
+    const double d = d_c < turning ? d_c : turning;
+    return value_of(f2, d) / f2_unit;
+  }
+};
 
 /// Shear strength by Mohr-Coulomb: c + tan(phi) <-sigma_n>. Compression increases it, tension does not reduce it.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double shear_strength(double cohesion, double tan_phi, double sigma_n) {

@@ -23,7 +23,7 @@ template <class Law, class Keeper>
 struct BondModel {
   Law laws;
   ContactParameters contact;
-  ChemicalDamageLaw chemical;
+  ChemicalFactors chemical;
   double expansion;
   double dt;
   Particles particles;
@@ -39,8 +39,8 @@ struct BondModel {
   KOKKOS_FORCEINLINE_FUNCTION BondPoint material(int k, double d_c) const {
     const BondParameters& law = laws.of(k);
     const double inverse_length = 1 / (law.length_factor * bonds.spacing(k));
-    const double f1 = chemical_strength_factor(d_c, chemical.normalised);
-    const double f2 = chemical_energy_factor(d_c, chemical.normalised);
+    const double f1 = chemical.strength(d_c);
+    const double f2 = chemical.energy(d_c);
     return {law.normal_modulus * (1 - d_c) * inverse_length,
             law.tangential_modulus * (1 - d_c) * inverse_length,
             f1 * bonds.normal_strength(k),

@@ -45,10 +45,11 @@ void compute_forces(const Queue& queue, const MechanicsParameters& parameters, d
                     const Bonds& bonds, const Contacts& contacts, const Keeper& accounts, const ForceGroups& only) {
   const double expansion = parameters.thermal_expansion;
   const auto launch_law = [&](auto law) {
-    launch_with(queue,
-                BondModel<decltype(law), Keeper>{std::move(law), parameters.contact, parameters.chemical, expansion, dt,
-                                                 particles, bonds, accounts},
-                ContactForces<Keeper>{parameters.contact, expansion, dt, particles, contacts, accounts}, only);
+    launch_with(
+        queue,
+        BondModel<decltype(law), Keeper>{std::move(law), parameters.contact, ChemicalFactors(parameters.chemical),
+                                         expansion, dt, particles, bonds, accounts},
+        ContactForces<Keeper>{parameters.contact, expansion, dt, particles, contacts, accounts}, only);
   };
   if (bonds.elasticity.given())
     launch_law(LawOfEach{parameters.bond, bonds.elasticity});

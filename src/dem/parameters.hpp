@@ -30,10 +30,17 @@ struct ContactParameters {
   double radius_factor = 0.1;             ///< sphero radius over the smallest inradius of the assembly
 };
 
-/// Effect of dissolution on bonds (Eqs. 26-29).
+/// The polynomial square d_c^2 + linear d_c + constant.
+struct QuadraticFit {
+  double square, linear, constant;
+};
+
+/// Effect of dissolution on bonds (Eqs. 26-29); the default fits are those of the paper's sandstone (Eq. 29).
 struct ChemicalDamageLaw {
   bool normalised = true;    ///< divide f1, f2 by their values at d_c = 0, so that d_c = 0 is Table 1 exactly
   double failure_at = 0.95;  ///< a bond fails at this d_c
+  QuadraticFit strength{-0.83, 0.017, 0.98};  ///< f1; positive for d_c < 1
+  QuadraticFit energy{5.29, -3.34, 1.01};     ///< f2; likewise, and must not rise from d_c = 0
 };
 
 /// Material of a region that differs from the rest of the rock; scatter and length factor are those of the rock.

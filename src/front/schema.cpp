@@ -53,14 +53,16 @@ std::string number_schema(const KeyDescription& key) {
 }
 
 std::string value_schema(const KeyDescription& key) {
-  const auto pair = [](const std::string& of) {
-    return fmt::format("{{\"type\": \"array\", \"items\": {}, \"minItems\": 2, \"maxItems\": 2}}", of);
+  const auto several = [](int n, const std::string& of) {
+    return fmt::format("{{\"type\": \"array\", \"items\": {}, \"minItems\": {}, \"maxItems\": {}}}", of, n, n);
   };
+  const auto pair = [&](const std::string& of) { return several(2, of); };
   const auto list = [](const std::string& of) { return fmt::format("{{\"type\": \"array\", \"items\": {}}}", of); };
   const std::string whole = fmt::format("{{\"type\": \"integer\"{}}}", limits_of(key.range));
   if (key.type == "number") return number_schema(key);
   if (key.type == "whole number") return whole;
   if (key.type == "two numbers") return pair(number_schema(key));
+  if (key.type == "three numbers") return several(3, number_schema(key));
   if (key.type == "two whole numbers") return pair(whole);
   const auto or_table = [](const std::string& value) {
     return fmt::format("{{\"anyOf\": [{}, {{\"type\": \"array\", \"items\": {{\"type\": \"array\"}}}}]}}", value);

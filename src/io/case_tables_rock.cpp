@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 namespace vug {
 namespace {
 
@@ -136,6 +139,23 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   return mechanics;
 }
 
+namespace {
+
+/// Reads the coefficients of f1 or f2. Throws InputError where nothing would be left already below d_c = 1.
+void read_fit(const TomlCursor& table, const char* key, QuadraticFit& fit) {
+  std::array<double, 3> given{fit.square, fit.linear, fit.constant};
+  table.read(key, given, unit::none);
+  fit = {given[0], given[1], given[2]};
+  const double turning = fit.square > 0 ? std::clamp(-fit.linear / (2 * fit.square), 0.0, 1.0) : 0;
+  for (const double d : {0.0, turning, 1.0}) {  // one of these is where the fit is lowest
+    const double value = (fit.square * d + fit.linear) * d + fit.constant;
+    if (value < 0 || (d < 1 && value == 0))
+      table.fail(key, fmt::format("gives {:.3g} at d_c = {:.3g}, and must be positive from 0 to 1", value, d));
+  }
+}
+
+}  // namespace
+
 DamageSection read_damage(const TomlCursor& table, bool in_metres, ChemicalDamageLaw& chemical) {
   DamageSection damage;
   table.read("pathway_factor", damage.pathway_factor, unit::none, range::between(0, 10));
@@ -153,6 +173,12 @@ DamageSection read_damage(const TomlCursor& table, bool in_metres, ChemicalDamag
     table.read("residual_aperture", damage.residual_aperture, unit::metre, range::not_negative);
   else
     table.refuse("residual_aperture", "is of damage.aperture = \"opening\"");
+  table.choose("pathway_widening", damage.widening,
+               {{"largest", PathwayWidening::largest}, {"added", PathwayWidening::added}});
+  read_fit(table, "strength_fit", chemical.strength);
+  read_fit(table, "energy_fit", chemical.energy);
+  if (chemical.energy.linear > 0)
+    table.fail("energy_fit", "rises from d_c = 0 (its second number is positive): dissolved rock would be tougher");
   table.read("normalised", chemical.normalised);
   table.read("failure_at", chemical.failure_at, unit::none, range::positive_to(1));
   return damage;

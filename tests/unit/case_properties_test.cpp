@@ -138,6 +138,7 @@ TEST(CaseProperties, EveryNumberRefusesWhatIsNoNumberOfItsRange) {
         const bool points = known->type == "list of points";
         if (points && std::string(value) == "[]") continue;                       // no points: refused as too few
         if (known->type == "list of whole numbers" && value[0] == '[') continue;  // as many labels as there are
+        if (known->type == "three numbers" && value == "[1, 2, 3]") continue;
         const std::string changed = text.with(line.number, fmt::format("{} = {}", line.key, value));
         EXPECT_THAT(testing_cases::refusal(changed, text.path), HasSubstr(fmt::format("{}.{}", line.table, line.key)));
       }

@@ -45,6 +45,8 @@ TEST(CaseRemarks, NotchesThatDamageWidensAreRemarked) {
               Not(Contains(widened)));
   // c_d times the distance of the centroids, edge / sqrt(3)
   EXPECT_THAT(warnings({"damage.pathway_factor=1"}), ElementsAre(HasSubstr("lower damage.pathway_factor to keep")));
+  EXPECT_THAT(warnings({"rock.notches.0.aperture=4", "damage.pathway_factor=1e-9"}), Not(Contains(widened)));
+  EXPECT_THAT(warnings({"rock.notches.0.aperture=4", "damage.pathway_widening=added"}), Contains(widened));
   EXPECT_THAT(warnings({"rock.notches.0.aperture=0"}), Not(Contains(widened)));  // closed: what damage gives it
 }
 

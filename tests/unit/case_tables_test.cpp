@@ -88,6 +88,24 @@ TEST(CaseTables, BondsGetTheFractureEnergiesOverThePathRatio) {
   EXPECT_DOUBLE_EQ(scene.mechanics->parameters.bond.fracture_energy_II, 51.2);
 }
 
+TEST(CaseTables, FitsOfChemicalDamageAreThoseOfTheCase) {
+  const auto law_of = [](const std::vector<std::string>& set) {
+    return shipped("quickstart.toml", set).mechanics->parameters.chemical;
+  };
+  const ChemicalDamageLaw printed = law_of({});
+  EXPECT_EQ(std::vector({printed.strength.square, printed.strength.linear, printed.strength.constant}),
+            std::vector({-0.83, 0.017, 0.98}));
+  EXPECT_EQ(std::vector({printed.energy.square, printed.energy.linear, printed.energy.constant}),
+            std::vector({5.29, -3.34, 1.01}));
+  const ChemicalDamageLaw own = law_of({"damage.strength_fit=[0, -1, 1]", "damage.energy_fit=[1, -2, 1.5]"});
+  EXPECT_EQ(std::vector({own.strength.square, own.strength.linear, own.strength.constant}), std::vector({0., -1., 1.}));
+  EXPECT_EQ(std::vector({own.energy.square, own.energy.linear, own.energy.constant}), std::vector({1., -2., 1.5}));
+  // 0 at d_c = 1 is allowed, before it is not: 4 d^2 - 4 d + 1 is 0 at 0.5
+  EXPECT_THROW(law_of({"damage.strength_fit=[4, -4, 1]"}), InputError);
+  EXPECT_THROW(law_of({"damage.strength_fit=[0, -1, 0]"}), InputError);
+  EXPECT_THROW(law_of({"damage.energy_fit=[0, 1, 1]"}), InputError);
+}
+
 TEST(CaseTables, AnAbsentTableIsPhysicsNotModelled) {
   const Scene scene = parsed("");
   EXPECT_TRUE(scene.flow.has_value());

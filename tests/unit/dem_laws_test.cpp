@@ -14,13 +14,35 @@ namespace {
 using namespace vug;
 
 TEST(ChemicalDamage, FunctionsAreThePapersWithAHeldEnergy) {
-  EXPECT_DOUBLE_EQ(chemical_strength_factor(0, false), 0.98);
-  EXPECT_DOUBLE_EQ(chemical_energy_factor(0, false), 1.01);
-  EXPECT_DOUBLE_EQ(chemical_strength_factor(0, true), 1);
-  EXPECT_DOUBLE_EQ(chemical_energy_factor(0, true), 1);
-  EXPECT_NEAR(chemical_strength_factor(0.3, false), 0.9104, 1e-12);
-  EXPECT_NEAR(chemical_energy_factor(0.3, false), 0.4841, 1e-12);
-  EXPECT_NEAR(chemical_energy_factor(1, false), 0.4828, 1e-4);  // the minimum, not 2.96
+  const ChemicalFactors raw(ChemicalDamageLaw{.normalised = false}), normalised(ChemicalDamageLaw{});
+  EXPECT_DOUBLE_EQ(raw.strength(0), 0.98);
+  EXPECT_DOUBLE_EQ(raw.energy(0), 1.01);
+  EXPECT_DOUBLE_EQ(normalised.strength(0), 1);
+  EXPECT_DOUBLE_EQ(normalised.energy(0), 1);
+  EXPECT_NEAR(raw.strength(0.3), 0.9104, 1e-12);
+  EXPECT_NEAR(raw.energy(0.3), 0.4841, 1e-12);
+  EXPECT_NEAR(raw.energy(1), 0.4828, 1e-4);  // the minimum, not 2.96
+  constexpr double turning = 3.34 / (2 * 5.29);
+  for (double d = 0; d <= 1; d += 1.0 / 64) {  // every bit of the fits as printed
+    const double held = d < turning ? d : turning;
+    EXPECT_EQ(normalised.strength(d), ((-0.83 * d + 0.017) * d + 0.98) / 0.98) << d;
+    EXPECT_EQ(normalised.energy(d), ((5.29 * held - 3.34) * held + 1.01) / 1.01) << d;
+  }
+}
+
+/// Values by hand: f1 = 2 - d, so that 1.5/2 is left at d = 0.5; f2 = 4 d^2 - 4 d + 2 with its minimum 1 at d = 0.5.
+TEST(ChemicalDamage, FitsMayBeThoseOfAnotherRock) {
+  const ChemicalDamageLaw law{.strength = {0, -1, 2}, .energy = {4, -4, 2}};
+  const ChemicalFactors factors(law);
+  EXPECT_DOUBLE_EQ(factors.strength(0.5), 0.75);
+  EXPECT_DOUBLE_EQ(factors.strength(1), 0.5);
+  EXPECT_DOUBLE_EQ(factors.energy(0.25), 0.625);
+  EXPECT_DOUBLE_EQ(factors.energy(0.5), 0.5);
+  EXPECT_DOUBLE_EQ(factors.energy(1), 0.5);                                  // constant beyond the minimum
+  const ChemicalFactors falling(ChemicalDamageLaw{.energy = {1, -2.5, 2}});  // its minimum at 1.25 is outside
+  EXPECT_DOUBLE_EQ(falling.energy(1), 0.25);
+  const ChemicalFactors bent(ChemicalDamageLaw{.energy = {-1, 0, 2}});  // no minimum
+  EXPECT_DOUBLE_EQ(bent.energy(1), 0.5);
 }
 
 /// Eqs. 12 and 26: d' = d_m + d_c - d_m d_c, and the modulus keeps 1 - d'; in compression d_c alone weakens it.

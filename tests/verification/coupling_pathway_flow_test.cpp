@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace vug {
 namespace {
@@ -134,11 +135,13 @@ TEST(CrackedBond, TakesOnlyItsWidthOfTheRock) {
   }
 }
 
-/// The aperture of a bond that has failed is c_d times the distance of the centroids on its sides.
+/// The aperture of a bond that has failed is c_d times the distance of the centroids on its sides; with "added", so
+/// much more than the one cell of its notch.
 TEST(CrackedBond, OpensToTheShareOfTheCentroidsDistanceThatTheCaseGives) {
-  for (const double factor : {0.3, 0.6}) {
-    test::CoupledRun run(cracked_rock,
-                         {"damage.minimum_aperture=1", "damage.pathway_factor=" + std::to_string(factor)});
+  for (const auto& [factor, widening, notch] :
+       {std::tuple{0.3, "largest", 0}, {0.6, "largest", 0}, {0.3, "added", 1}, {0.6, "added", 1}}) {
+    test::CoupledRun run(cracked_rock, {"damage.minimum_aperture=1", "damage.pathway_factor=" + std::to_string(factor),
+                                        std::string("damage.pathway_widening=") + widening});
     run.steps(20);
     const auto solid = run.nodes("solid_fraction");
     const Bonds& bonds = run.rock().bonds();
@@ -152,7 +155,7 @@ TEST(CrackedBond, OpensToTheShareOfTheCentroidsDistanceThatTheCaseGives) {
       const double middle = (assembly.vertices[vertex(k, 0)][0] + assembly.vertices[vertex(k, 1)][0]) / 2;
       int open = 0;
       for (int y = 0; y < 41; ++y) open += solid[static_cast<std::size_t>(y * 80 + int(middle / 2.5e-4))] == 0;
-      const double aperture = factor * spacing(k) / 2.5e-4;
+      const double aperture = notch + factor * spacing(k) / 2.5e-4;
       EXPECT_NEAR(open, aperture, 1) << "bond " << k;
       if (aperture > std::floor(aperture) + 0.15) {
         EXPECT_EQ(open, std::ceil(aperture)) << "bond " << k;  // in its middle

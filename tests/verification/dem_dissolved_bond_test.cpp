@@ -1,6 +1,8 @@
 // One bond of which acid has taken a share: what that leaves of stiffness, strengths and energies, and when it fails.
 #include "support/one_bond.hpp"
 
+#include <tuple>
+
 namespace {
 
 using namespace vug;
@@ -46,6 +48,20 @@ TEST_F(OneBond, DissolutionWeakensItByTheFitsThemselvesIfTheyAreNotNormalised) {
   EXPECT_GT(stress_at(0.999 * end, 0)[0], 0);
   EXPECT_EQ(stress_at(1.001 * end, 0)[0],
             0);  // a straight line down to there: the energy is half its length times strength
+}
+
+/// With fits of its own: f1 = 2 - d and f2 = 4 d^2 - 4 d + 2 leave 0.75 and 0.5 at d_c = 0.5, and f2 no more at 0.6.
+TEST_F(OneBond, DissolutionWeakensItByTheFitsOfItsRock) {
+  parameters.chemical.strength = {0, -1, 2};
+  parameters.chemical.energy = {4, -4, 2};
+  for (const auto& [d_c, strength_share, energy_share] : {std::tuple{0.5, 0.75, 0.5}, {0.6, 0.7, 0.5}}) {
+    const Assembly pair = vug::test::pair_of_triangles(l);
+    particles = make_particles(pair, parameters);
+    bonds = make_bonds(pair, particles, parameters);
+    Kokkos::deep_copy(bonds.d_c, d_c);
+    const double energy = 20 * energy_share, end = 2 * energy / (15e6 * strength_share);
+    EXPECT_NEAR(work_until(1.01 * end, 0), energy, 1e-6 * energy) << d_c;
+  }
 }
 
 /// It takes the fracture energies by f2 (Eq. 29).

@@ -53,6 +53,7 @@ class TomlCursor {
     if (own) value = *own;
   }
   void read(std::string_view key, Point& value, Unit unit, Range range = range::any) const;
+  void read(std::string_view key, std::array<double, 3>& value, Unit unit, Range range = range::any) const;
   void read(std::string_view key, std::vector<Point>& value, Unit unit, Range range = range::any) const;
   /// A number, or a table over time, [[s, value], ...].
   void read(std::string_view key, TimeTable& value, Unit unit, Range range = range::any) const;

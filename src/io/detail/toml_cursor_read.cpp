@@ -34,6 +34,15 @@ void TomlCursor::read(std::string_view key, Point& value, Unit unit, Range range
   }
 }
 
+void TomlCursor::read(std::string_view key, std::array<double, 3>& value, Unit unit, Range range) const {
+  const auto* found = look_up({std::string(key), "three numbers", std::string(unit.symbol),
+                               fmt::format("[{:g}, {:g}, {:g}]", value[0], value[1], value[2]), range.text()});
+  if (found == nullptr) return;
+  const auto& array = array_of(*found, inside(key), 3, "an array of three numbers");
+  for (std::size_t i = 0; i < 3; ++i)
+    value[i] = number(*array.get(i), fmt::format("{}.{}", inside(key), i), unit, range);
+}
+
 void TomlCursor::read(std::string_view key, std::vector<Point>& value, Unit unit, Range range) const {
   const auto* found = look_up({std::string(key), "list of points", std::string(unit.symbol), "-", range.text()});
   if (found == nullptr) return;

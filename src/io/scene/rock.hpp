@@ -85,8 +85,12 @@ struct MechanicsSection {
 
 /// What determines the aperture of a damaged bond's pathway: d_m and c_d (paper), or how far its faces have parted.
 enum class ApertureLaw { damage, opening };
+/// How wide a pathway that the rock has from the start becomes by damage: the larger of its own width and that of a
+/// broken bond, or their sum.
+enum class PathwayWidening { largest, added };
 struct DamageSection {
   ApertureLaw aperture = ApertureLaw::damage;
+  PathwayWidening widening = PathwayWidening::largest;
   double pathway_factor = 0.2;            ///< c_d: aperture of a broken bond over the distance of its centroids
   double minimum_aperture = 3;            ///< cells
   std::optional<double> minimum_width{};  ///< m, only with RockSection::pathway_width, which is its default
