@@ -1,5 +1,6 @@
 #include "coupling/rock_fields.hpp"
 
+#include "dem/dissolved_rock.hpp"
 #include "dem/mean_stress.hpp"
 #include "kernels/base/host_and_device.hpp"
 
@@ -48,10 +49,19 @@ void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<s
     return [fraction = on_host(particles.solid_fraction)](std::size_t i, int) { return is_gone(fraction(i)) ? 1 : 0; };
   });
   vector(list.particles, "force", "N/m", particles.force);
+  const auto is_asked_for = [&](const std::string& name) {
+    return std::find(asked_for.begin(), asked_for.end(), name) != asked_for.end();
+  };
+  if (is_asked_for("mass"))
+    add(list.particles, "mass", "kg/m", 1, [particles] {
+      return [mass = on_host(particles.mass), fraction = on_host(particles.solid_fraction)](std::size_t i, int) {
+        return is_gone(fraction(i)) ? 0 : mass(i) * mass_fraction(fraction(i));
+      };
+    });
   constexpr std::array stress_components{"stress_xx", "stress_yy", "stress_xy"};
   for (int c = 0; c < 3; ++c) {
     const std::string name = stress_components[static_cast<std::size_t>(c)];
-    if (std::find(asked_for.begin(), asked_for.end(), name) == asked_for.end()) continue;
+    if (!is_asked_for(name)) continue;
     add(list.particles, name, "Pa", 1, [particles, bonds, c] {
       return [stress = on_host(stress_of_triangles(Exec(), particles, bonds)), c](std::size_t i, int) {
         return stress(i, c);

@@ -16,7 +16,7 @@ using vug::test::host_copy;
 
 std::vector<double> read(const Mechanics& rock, const std::string& name) {
   FieldList list;
-  add_rock_fields(rock, list);
+  add_rock_fields(rock, list, {"mass"});
   for (const Field& field : list.particles) {
     if (field.name != name) continue;
     std::vector<double> values(static_cast<std::size_t>(field.components * rock.particles().count));
@@ -55,6 +55,23 @@ TEST(RockFields, TellWhichTrianglesAreGone) {
   fraction(0) = 0.051, fraction(1) = 0.049;
   Kokkos::deep_copy(rock.particles().solid_fraction, fraction);
   EXPECT_EQ(read(rock, "gone"), (std::vector<double>{0, 1}));
+}
+
+/// A triangle moves with the mass that is left of it, but at least a fifth (docs/model.md).
+TEST(RockFields, GiveTheMassOnRequest) {
+  MechanicsParameters parameters;
+  parameters.density = 2000;
+  Mechanics rock(test::pair_of_triangles(2e-3), parameters, {});
+  const double whole = 2000 * std::sqrt(3.0) / 4 * 4e-6;  // of an equilateral triangle, per m
+  for (const auto& [left, share] : {std::pair{1.0, 1.0}, {0.5, 0.5}, {0.1, 0.2}, {0.01, 0.0}}) {
+    const auto fraction = host_copy(rock.particles().solid_fraction);
+    fraction(0) = left;
+    Kokkos::deep_copy(rock.particles().solid_fraction, fraction);
+    EXPECT_NEAR(read(rock, "mass")[0], share * whole, 1e-12 * whole) << left;
+  }
+  FieldList unasked;
+  add_rock_fields(rock, unasked);
+  for (const Field& field : unasked.particles) EXPECT_NE(field.name, "mass");
 }
 
 }  // namespace
