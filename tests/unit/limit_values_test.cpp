@@ -189,7 +189,7 @@ TEST(LimitValues, OfAReactionAreItsDamkohlerNumbersAndWhatAcidDissolves) {
   EXPECT_NEAR(of(limits, "reaction", "volume dissolved per volume").value, 50 * 4e-5 * 1000 / 2, 1e-9);
   const LimitTable as_fast_as_the_fluid = limits_of({"accuracy.dissolution_factor=1", "reaction.molar_volume=4e-3"});
   EXPECT_NEAR(of(as_fast_as_the_fluid, "reaction", "volume dissolved per volume").value, 2, 1e-9);
-  EXPECT_FALSE(of(as_fast_as_the_fluid, "reaction", "volume dissolved per volume").inside());
+  EXPECT_TRUE(of(as_fast_as_the_fluid, "reaction", "volume dissolved per volume").inside()) << "no limit at factor 1";
 }
 
 /// As a resumed run asks for them: the factor is then that of the checkpoint.
