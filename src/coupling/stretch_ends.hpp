@@ -1,6 +1,6 @@
 #pragma once
-// Where one stretch of a side ends and another begins: what velocities along the side do there. docs/model.md, "Walls
-// that slide".
+// Where one stretch of a side ends and another begins: what velocities along the side do there (docs/model.md,
+// "Velocity sides and moving walls").
 #include "coupling/stretch_links.hpp"
 
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
 // Small cases of which error bars are made: a slab heated from one side, the same as a picture, intervals of a rock.
+#include "io/scene.hpp"
 #include "support/run_vug.hpp"
 
 #include <fmt/format.h>
