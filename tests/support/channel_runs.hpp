@@ -36,4 +36,11 @@ inline int rows_of(const std::string& folder) {
   return rows_in(contents(folder + "/history.csv"));
 }
 
+/// The line of run.json with a key; empty where there is none.
+inline std::string line_of(const std::string& folder, const std::string& key) {
+  const std::string record = contents(folder + "/run.json");
+  const auto at = record.find("\n  \"" + key + "\": ");
+  return at == std::string::npos ? "" : record.substr(at, record.find('\n', at + 1) - at);
+}
+
 }  // namespace vug::test
