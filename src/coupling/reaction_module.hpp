@@ -5,7 +5,6 @@
 #include "coupling/pore_growth.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/reaction/reactive_wall.hpp"
-#include "kernels/reaction/surface_losses.hpp"
 
 namespace vug {
 

@@ -1,7 +1,6 @@
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/reactive_wall_step.hpp"
-#include "kernels/reaction/surface_losses.hpp"
 
 namespace vug {
 
@@ -131,12 +130,6 @@ void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall&
     launch(OneSolid{wall.molar_volume});
 }
 
-template <class T>
-void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
-                   const ReactionLedger& ledger) {
-  book_turnover(exec, surface, wall, links, ledger, {}, true);
-}
-
 #define VUG_INSTANTIATE(T, Set)                                                                                     \
   template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,               \
                                                       const ReactiveWall&, const UniformRate&,                      \
@@ -153,10 +146,6 @@ template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const
                          const ScalarField<double>&);
 template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
                          const ScalarField<double>&);
-template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
-                            const ReactionLedger&);
-template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
-                            const ReactionLedger&);
 template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
                             const ReactionLedger&, const SurfaceLosses&, bool);
 template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,

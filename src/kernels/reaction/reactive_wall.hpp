@@ -8,6 +8,7 @@
 #include "kernels/base/choices.hpp"
 #include "kernels/reaction/link_area.hpp"
 #include "kernels/reaction/reaction.hpp"
+#include "kernels/reaction/surface_losses.hpp"
 #include "kernels/solute/solute.hpp"
 
 namespace vug {
@@ -151,11 +152,11 @@ struct ReactionLedger {
   ScalarField<double> acid;  ///< (dense node) acid that reacted with it; needed only with minerals
 };
 
-/// Moves what the links have turned over to the ledger. Call it before the solid volume is read and before the links
-/// are listed anew.
+/// Moves what the links have turned over to the ledger, and notes it in `losses`; `first`: no other reactant has been
+/// booked before in this booking. Call it before the solid volume is read and before the links are listed anew.
 template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
-                   const ReactionLedger& ledger);
+                   const ReactionLedger& ledger, const SurfaceLosses& losses = {}, bool first = true);
 
 /// loss(s) += what the links have taken off surface node s since the last booking, pixels.
 template <class T>

@@ -1,6 +1,6 @@
 #pragma once
 // How much rock the nodes of a surface lose from one booking to the next.
-#include "kernels/reaction/reactive_wall.hpp"
+#include "kernels/base/base.hpp"
 
 namespace vug {
 
@@ -17,10 +17,5 @@ struct SurfaceLosses {
     if (all > largest(s)) largest(s) = all;
   }
 };
-
-/// book_turnover that also notes the losses.
-template <class T>
-void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
-                   const ReactionLedger& ledger, const SurfaceLosses& losses, bool first);
 
 }  // namespace vug
