@@ -1,21 +1,34 @@
 # What every target of vug is compiled with: C++20, warnings (errors with VUG_WERROR), this machine's vector
-# instructions. Finite-math flags are refused: the guards of a run rest on NaN being NaN. So is nvcc's -use_fast_math, which
-# fuses products and sums and rounds divisions as it likes.
+# instructions. Finite-math flags are refused: the guards of a run rest on NaN being NaN. So are flags after which the
+# compiler rearranges sums, and nvcc's -use_fast_math, which fuses products and sums and rounds divisions as it likes; and
+# compilers of which it is not known how they are kept from doing so unasked.
 include_guard(GLOBAL)
 
-set(_werror OFF)
-if(DEFINED ENV{CI})
-  set(_werror ON)
-endif()
-option(VUG_WERROR "Treat warnings as errors (on where CI is set in the environment)" ${_werror})
+option(VUG_WERROR "Treat warnings as errors (scripts/test and scripts/ci-matrix do where CI is set)" OFF)
 option(VUG_NATIVE "On x86-64: compile for this machine's processor" ON)
 option(VUG_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
-if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} $ENV{CXXFLAGS}" MATCHES "-ffast-math|-ffinite-math-only|-Ofast")
-  message(FATAL_ERROR "vug detects diverging runs by NaN: -ffast-math, -ffinite-math-only and -Ofast are refused")
+set(_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} ${CMAKE_CXX_FLAGS_RELWITHDEBINFO} ${CMAKE_CXX_FLAGS_MINSIZEREL} ${CMAKE_CXX_FLAGS_DEBUG} $ENV{CXXFLAGS}")
+if(_flags MATCHES "-ffast-math|-ffinite-math-only|-Ofast|-fp-model[= ]*fast|-ffp-model=(fast|aggressive)")
+  message(FATAL_ERROR "vug detects diverging runs by NaN: -ffast-math, -ffinite-math-only, -Ofast and -fp-model=fast are refused")
 endif()
-if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} $ENV{CXXFLAGS} $ENV{NVCC_PREPEND_FLAGS} $ENV{NVCC_APPEND_FLAGS}" MATCHES "-use_fast_math")
+if(_flags MATCHES "-funsafe-math-optimizations|-fassociative-math")
+  message(FATAL_ERROR "vug's results have the same bits in every kernel: -funsafe-math-optimizations and -fassociative-math are refused")
+endif()
+if("${_flags} $ENV{NVCC_PREPEND_FLAGS} $ENV{NVCC_APPEND_FLAGS}" MATCHES "-use_fast_math")
   message(FATAL_ERROR "vug's results have the same bits in every kernel: -use_fast_math is refused")
+endif()
+
+# What keeps a compiler from fusing a product with a sum. A node may fall to the vector or to the scalar part of a loop, or
+# to one of two kernels of a GPU, in which it would fuse others: unfused, where a node stands in a list changes no bits.
+# Without the first two a square root or a choice between two values keeps a loop from vectorising; results and NaN stay.
+set(_arithmetic -fno-math-errno -fno-trapping-math -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "IntelLLVM")
+  list(PREPEND _arithmetic -fp-model=precise)  # unasked it takes -fp-model=fast
+elseif(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  message(FATAL_ERROR "The compiler is ${CMAKE_CXX_COMPILER} (\"${CMAKE_CXX_COMPILER_ID}\" to CMake). vug is compiled by GCC, "
+    "Clang (also a vendor's) or Intel's icpx: of others it is not known here how they are kept from fast arithmetic, after "
+    "which results and the search for NaN are not what they should be. Choose one by -DCMAKE_CXX_COMPILER=g++.")
 endif()
 
 add_library(vug_options INTERFACE)
@@ -36,17 +49,9 @@ if(VUG_BACKEND STREQUAL "CUDA")
   # nor can it evaluate fmt's format strings while compiling: they are checked when they are used
   target_compile_definitions(vug_options INTERFACE FMT_CONSTEVAL= FMT_USE_CONSTEXPR=1)
 endif()
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  # without them a square root or a choice between two values keeps a loop from vectorising; results and NaN stay
-  target_compile_options(vug_options INTERFACE -fno-math-errno -fno-trapping-math)
-endif()
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  # A node may fall to the vector or to the scalar part of a loop, or to one of two kernels of a GPU, in which the compiler
-  # would fuse other products with other sums: unfused, where a node stands in a list changes no bits.
-  target_compile_options(vug_options INTERFACE -ffp-contract=off)
-endif()
+target_compile_options(vug_options INTERFACE ${_arithmetic})
 if(VUG_BACKEND STREQUAL "CUDA")
-  target_compile_options(vug_options INTERFACE --fmad=false)  # the same for the device
+  target_compile_options(vug_options INTERFACE --fmad=false)  # nothing is fused on the device either
 endif()
 if(VUG_NATIVE AND NOT VUG_BACKEND STREQUAL "CUDA" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(vug_options INTERFACE -march=native -mprefer-vector-width=512)
