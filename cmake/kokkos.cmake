@@ -134,7 +134,8 @@ function(vug_gpu_compiler OUT)
   endif()
 endfunction()
 
-# Makes Kokkos::kokkos available for back end VUG_BACKEND (SERIAL, OPENMP, CUDA, HIP).
+# Makes Kokkos::kokkos available for back end VUG_BACKEND (SERIAL, OPENMP, CUDA, HIP). One that is built here is built with
+# the user's CMAKE_CXX_FLAGS and toolchain file, as vug itself, and lies in a folder of its own for each of these.
 macro(vug_provide_kokkos)
   string(TOLOWER "${VUG_BACKEND}" _backend)
   set(_key "${_backend}-${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}")
@@ -143,6 +144,11 @@ macro(vug_provide_kokkos)
   endif()
   if(VUG_GPU_ARCH)
     string(APPEND _key "-${VUG_GPU_ARCH}")
+  endif()
+  if(NOT "${CMAKE_CXX_FLAGS}${CMAKE_TOOLCHAIN_FILE}" STREQUAL "")
+    string(MD5 _flags "${CMAKE_CXX_FLAGS};${CMAKE_TOOLCHAIN_FILE}")
+    string(SUBSTRING "${_flags}" 0 8 _flags)
+    string(APPEND _key "-flags${_flags}")
   endif()
   vug_gpu_compiler(_gpu_compiler)
   string(APPEND _key "${_gpu_compiler}")
@@ -182,11 +188,14 @@ function(vug_build_kokkos PREFIX BACKEND)
   if(VUG_GPU_ARCH)
     list(APPEND options -DKokkos_ARCH_${VUG_GPU_ARCH}=ON)
   endif()
+  if(CMAKE_TOOLCHAIN_FILE)
+    list(APPEND options "-DCMAKE_TOOLCHAIN_FILE=${CMAKE_TOOLCHAIN_FILE}")
+  endif()
   message(STATUS "Building Kokkos of ${source} for ${VUG_BACKEND} (once)")
   set(binary "${PREFIX}-build")
   file(MAKE_DIRECTORY "${VUG_DEPS_DIR}")
   foreach(step
-      "${CMAKE_COMMAND};-S;${source};-B;${binary};-G;${CMAKE_GENERATOR};-DCMAKE_BUILD_TYPE=Release;-DCMAKE_CXX_STANDARD=20;-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER};-DCMAKE_INSTALL_PREFIX=${PREFIX};-DCMAKE_POSITION_INDEPENDENT_CODE=ON;${options}"
+      "${CMAKE_COMMAND};-S;${source};-B;${binary};-G;${CMAKE_GENERATOR};-DCMAKE_BUILD_TYPE=Release;-DCMAKE_CXX_STANDARD=20;-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER};-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS};-DCMAKE_INSTALL_PREFIX=${PREFIX};-DCMAKE_POSITION_INDEPENDENT_CODE=ON;${options}"
       "${CMAKE_COMMAND};--build;${binary};--target;install;--parallel")
     execute_process(COMMAND ${step} RESULT_VARIABLE failed OUTPUT_FILE "${PREFIX}.log" ERROR_FILE "${PREFIX}.err")
     if(failed)

@@ -55,10 +55,12 @@ vug_install_packages() {
   rm -f "$log"
 }
 
-# Configures and builds the given preset: -D... go to CMake, further arguments to the build tool.
+# Configures and builds the given preset: -D... go to CMake, further arguments to the build tool. In CI a warning is an
+# error.
 vug_build() {
   local preset=$1 options=()
   shift
+  [[ -z ${CI+set} ]] || options+=(-DVUG_WERROR=ON)
   while [[ ${1:-} == -D* ]]; do
     options+=("$1")
     shift

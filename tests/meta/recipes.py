@@ -21,7 +21,7 @@ else:
 
 words = {line.split()[0] for line in (ROOT / "Containerfile").read_text().replace("\\\n", " ").splitlines()
          if line and not line.startswith("#")}
-if not words <= {"FROM", "ENV", "RUN", "COPY", "WORKDIR", "ENTRYPOINT"}:
+if not words <= {"FROM", "ARG", "ENV", "RUN", "COPY", "WORKDIR", "ENTRYPOINT"}:
     sys.exit(f"packaging/Containerfile: unknown words in {words}")
 # What was built here must not travel into a container: podman reads the one name, docker the other.
 for name in (".containerignore", ".dockerignore"):

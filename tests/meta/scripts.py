@@ -95,6 +95,27 @@ class Scripts(unittest.TestCase):
                                 (["--overwrite"], "run case.toml -o runs/case --overwrite\nplot runs/case\n")):
             self.assertEqual(self.call(script, "case.toml", *words).stdout, expected)
 
+    def test_what_run_configures(self):
+        """Warnings are errors in CI only; where there is no dpkg, and so perhaps no GoogleTest, there are no tests."""
+        tools = self.folder / "bin"
+        for name, text in (("bin/cmake", 'echo "$@" >>called'), ("scripts/plot", ":"), ("build/openmp/src/vug", ":"),
+                           *((f"bin/{name}", "echo ii") for name in ("ninja", "c++", "python3", "dpkg-query"))):
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / name).write_text("#!/bin/bash\n" + text + "\n")
+            os.chmod(self.folder / name, 0o755)
+        for name in ("basename", "dirname", "mkdir"):
+            (tools / name).symlink_to(shutil.which(name))
+        for name in ("run", "setup.bash"):
+            shutil.copy(ROOT / "scripts" / name, self.folder / "scripts")
+        for environment, configured in (({}, ""), ({"CI": "1"}, " -DVUG_WERROR=ON")):
+            (self.folder / "called").unlink(missing_ok=True)
+            done = self.call("/bin/bash", "scripts/run", env={"PATH": str(tools)} | environment)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"--preset openmp{configured}\n", (self.folder / "called").read_text())
+        (tools / "dpkg-query").unlink()
+        self.call("/bin/bash", "scripts/run", env={"PATH": str(tools)})
+        self.assertIn("--preset openmp -DVUG_TESTS=OFF\n", (self.folder / "called").read_text())
+
     def test_matrix_reports_what_fails_and_goes_on(self):
         """The cuda part has a folder of its own, since CMake keeps options; what ends a part ends no other."""
         for name, text in (("scripts/setup.bash", "set -euo pipefail\nvug_root=$PWD\nvug_fail() { exit 1; }\n"
