@@ -63,8 +63,10 @@ class Field:
         return values_of(self._dataset, key)
 
     def __array__(self, dtype=None, copy=None):
+        if copy is False:
+            raise ValueError(f"{self.name} lies on disk: there are no values of it without a copy")
         values = self.values
-        return values if dtype is None else values.astype(dtype)
+        return values if dtype is None else values.astype(dtype, copy=False)
 
     def to_xarray(self):
         """A DataArray with coordinates and units, where xarray is installed."""

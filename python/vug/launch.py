@@ -38,8 +38,8 @@ def _call(words):
     """Runs vug; returns what it has printed, passes its warnings on, raises what it ended with."""
     program = executable()
     try:
-        child = subprocess.Popen([program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                 env=os.environ | {"VUG_ENDS_WITH_PARENT": "1"})
+        child = subprocess.Popen([program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+                                 errors="replace", env=os.environ | {"VUG_ENDS_WITH_PARENT": "1"})
     except OSError as error:
         raise VugError(f"{program}: cannot be run as vug: {error.strerror}") from None
     stop = None
@@ -95,8 +95,8 @@ def _toml(value):
 
 
 def _overrides(overrides):
-    """--set words of {"flow.viscosity": 1e-3, "boundary.left.flow": {"type": "pressure", "pressure": 1e5}}."""
-    return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={_toml(value)}")]
+    """--set words, in UTF-8 whatever the locale, of {"flow.viscosity": 1e-3, "boundary.left.flow": {"type": "pressure", "pressure": 1e5}}."""
+    return [word for key, value in (overrides or {}).items() for word in ("--set", f"{key}={_toml(value)}".encode())]
 
 
 def run(case, directory=None, overrides=None, *, steps=None, threads=None, resume=False, overwrite=False,

@@ -20,7 +20,7 @@ class Records:
 
     def __getitem__(self, name):
         path = self.folder / f"{name}.jsonl"
-        return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+        return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
 
 
 class Section(NamedTuple):

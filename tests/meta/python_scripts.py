@@ -35,12 +35,17 @@ class Called(unittest.TestCase):
         return done.stdout
 
 
+# As if another Python had come first, which would not do either: whichever this one is, it starts no further one.
+AFTER_ANOTHER = {"VUG_FIRST_PYTHON": "/opt/python3: h5py is missing"}
+
+
 class Packages(Called):
     def test_an_older_python_is_told(self):
         (self.folder / "sitecustomize.py").write_text("import sys\nsys.version_info = (3, 9, 18)\n")
         for script in NEED_PACKAGES:
-            says = f"{pathlib.Path(script).name}: needs Python 3.11 or later, this is 3.9\n"
-            self.require(1, ROOT / script, "--help", says=says, PYTHONPATH=str(self.folder))
+            says = (f"{pathlib.Path(script).name}: /opt/python3: h5py is missing; {sys.executable}: "
+                    "needs Python 3.11 or later, this is 3.9\n")
+            self.require(1, ROOT / script, "--help", says=says, PYTHONPATH=str(self.folder), **AFTER_ANOTHER)
         self.require(1, "-c", "try:\n  import vug\nexcept ImportError as error: raise SystemExit(str(error))",
                      says="vug needs Python 3.11", PYTHONPATH=f"{self.folder}:{ROOT / 'python'}")
 
@@ -50,9 +55,21 @@ class Packages(Called):
             for module in ("h5py", "matplotlib", "numpy"):
                 (self.folder / f"{module}.py").write_text(text)
             for script in NEED_PACKAGES:
-                done = self.call(ROOT / script, "--help", PYTHONPATH=str(self.folder))
+                done = self.call(ROOT / script, "--help", PYTHONPATH=str(self.folder), **AFTER_ANOTHER)
                 self.assertRegex(done.stderr, rf"\A{pathlib.Path(script).name}: .*\n\Z")
                 self.assertIn(says, done.stderr)
+
+    def test_a_python_without_packages_gives_way_to_that_of_the_distribution(self):
+        """A virtual environment of it, which is the same file; its PYTHONPATH is not taken along."""
+        system = "/usr/bin/python3"
+        if subprocess.run([system, "-c", "import h5py, matplotlib, tomllib"], capture_output=True, check=False).returncode:
+            self.skipTest("the distribution's Python has no packages")
+        subprocess.run([system, "-m", "venv", "--without-pip", self.folder / "venv"], check=True)
+        (self.folder / "numpy.py").write_text("raise ImportError('of the first Python')")
+        for script in NEED_PACKAGES:
+            done = subprocess.run([self.folder / "venv/bin/python3", "-B", ROOT / script, "--help"], capture_output=True,
+                                  text=True, check=False, env=os.environ | {"PYTHONPATH": str(self.folder)})
+            self.assertRegex(done.stdout, r"\Ausage: ", done.stderr)
 
     def test_help_is_help(self):
         for script in (*NEED_PACKAGES, "perf/processors", "perf/report_gpu", "perf/report_step", "perf/sweep_cost",

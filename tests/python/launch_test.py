@@ -64,6 +64,15 @@ class Launch(unittest.TestCase):
         with self.assertRaisesRegex(vug.CaseError, 'unknown (key|table) "haet"'):
             vug.check("cases/poiseuille.toml", {"haet": heat})
 
+    def test_text_is_utf_8_whatever_the_locale(self):
+        """The name of a key that vug repeats, in a locale that has no such letter."""
+        code = ("import vug\ntry: vug.check('cases/poiseuille.toml', {'flow': {'vi\\u015bcosity': 1}})\n"
+                "except vug.CaseError as error: print(ascii(str(error)))")
+        for locale in ("C", "C.UTF-8"):
+            environment = {"LC_ALL": locale, "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0", "PYTHONPATH": str(root / "python")}
+            done = subprocess.run([sys.executable, "-B", "-c", code], capture_output=True, text=True, env=os.environ | environment)
+            self.assertIn("unknown key \"flow.vi\\u015bcosity\"", done.stdout, done.stderr)
+
     def test_a_program_that_is_none_is_one_line(self):
         for place in ("/nonexistent/vug", "/tmp"):
             with mock.patch.dict(os.environ, VUG=place), \

@@ -112,6 +112,15 @@ class OpenRuns(unittest.TestCase):
             with self.assertRaisesRegex(vug.FileTrouble, f"history.csv:3: .*{problem}"):
                 vug.History(path)
 
+    def test_fields_become_arrays_of_numpy(self):
+        """As of numpy 2, to which a field says that it cannot do without a copy."""
+        pressure = self.run_case("cases/poiseuille.toml", steps=20)[-1]["pressure"]
+        np.testing.assert_array_equal(np.asarray(pressure), pressure.values)
+        self.assertEqual(np.asarray(pressure, dtype=np.float32).dtype, np.float32)
+        np.testing.assert_array_equal(pressure.__array__(copy=True), pressure.values)
+        with self.assertRaisesRegex(ValueError, "pressure lies on disk"):
+            pressure.__array__(copy=False)
+
     def test_fields_become_arrays_of_xarray(self):
         run = self.run_case("cases/poiseuille.toml", steps=2)
         try:
