@@ -24,6 +24,7 @@ class Vug(CMakePackage):
     depends_on("hdf5 +hl~mpi")
     depends_on("eigen@3.4:")
     depends_on("fmt@9:")
+    depends_on("fmt@9:10", when="+cuda")
     depends_on("tomlplusplus@3:")
     depends_on("cli11@2:")
     depends_on("libpng")

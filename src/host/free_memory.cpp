@@ -1,5 +1,6 @@
 #include "host/free_memory.hpp"
 
+#include "host/control_groups.hpp"
 #include "host/this_process.hpp"
 
 #include <array>
@@ -45,22 +46,11 @@ double free_in_group(const std::string& folder, const char* limit, const char* u
 /// The least free memory over the groups from that of this process up to the root, in either version of control groups.
 double free_in_groups() {
   double least = unlimited;
-  std::ifstream groups("/proc/self/cgroup");
-  std::string line;
-  while (std::getline(groups, line)) {
-    const auto first = line.find(':'), second = line.find(':', first + 1);
-    if (second == std::string::npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1);
-    const bool unified = controllers.empty();
-    if (!unified && controllers != "memory") continue;
-    for (std::string path = line.substr(second + 1);; path.erase(path.rfind('/'))) {
-      const double found = unified
-                               ? free_in_group("/sys/fs/cgroup" + path, "memory.max", "memory.current", "inactive_file")
-                               : free_in_group("/sys/fs/cgroup/memory" + path, "memory.limit_in_bytes",
-                                               "memory.usage_in_bytes", "total_inactive_file");
-      if (found < least) least = found;
-      if (path.rfind('/') == std::string::npos) break;
-    }
+  for (const auto& [folder, unified] : control_groups("memory")) {
+    const double found =
+        unified ? free_in_group(folder, "memory.max", "memory.current", "inactive_file")
+                : free_in_group(folder, "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file");
+    if (found < least) least = found;
   }
   return least;
 }

@@ -1,5 +1,6 @@
 #include "host/threads.hpp"
 
+#include "host/control_groups.hpp"
 #include "host/idle_processors.hpp"
 #include "kernels/base/require.hpp"
 
@@ -86,10 +87,10 @@ int threads_of_a_region(int count) {
 }
 
 /// Remark that there are more threads than processors that they may use, if a launcher, a batch system or `taskset` has
-/// restricted these or several processes share them. Too many threads of one process on a whole machine are taken as
-/// intended.
-std::string remark_on_processors(int count, int sharing) {
-  const int processors = omp_get_num_procs();
+/// restricted these, a control group limits their time, or several processes share them. Too many threads of one
+/// process on a whole machine are taken as intended.
+std::string remark_on_processors(int count, int sharing, int granted) {
+  const int bound_to = omp_get_num_procs(), processors = granted > 0 ? std::min(granted, bound_to) : bound_to;
   const bool bound = processors < sysconf(_SC_NPROCESSORS_ONLN);
   if (count * sharing <= processors || (!bound && sharing == 1)) return "";
   const std::string threads = (sharing > 1 ? std::to_string(sharing) + " processes of " : "") + std::to_string(count);
@@ -118,12 +119,17 @@ ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
     choice.remark = "threads: " + std::to_string(count) + " instead of " + std::to_string(asked) + ": " + why;
   };
   choice.count = asked;
-  if (asked > most_threads)
+  const bool said = wanted > 0 || std::getenv("KOKKOS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
+  const int granted = granted_processors();
+  if (const int share = std::max(1, granted / sharing); granted > 0 && !said && share < asked)
+    fewer(share, "the control group (of a container or a batch job) grants the time of " + std::to_string(granted) +
+                     (granted == 1 ? " processor" : " processors") + (sharing > 1 ? " to all ranks" : "") +
+                     "; --threads insists");
+  if (choice.count > most_threads)
     fewer(std::min(omp_get_num_procs(), most_threads),
           "at most " + std::to_string(most_threads) + " are possible; this is one per processor");
   if (choice.count > omp_get_thread_limit()) fewer(omp_get_thread_limit(), "OMP_THREAD_LIMIT allows no more");
   constexpr double while_looking = 0.15;  // s
-  const bool said = wanted > 0 || std::getenv("KOKKOS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
   if (looks_around && !said && choice.count > 1)
     if (const int idle = idle_processors(while_looking); idle > 0 && idle < choice.count)
       fewer(idle,
@@ -133,7 +139,7 @@ ThreadChoice choose_threads(int wanted, bool looks_around, int sharing) {
   omp_set_num_threads(choice.count);
   if (const int given = threads_of_a_region(choice.count); given < choice.count) fewer(given, "OpenMP gives no more");
   omp_set_num_threads(choice.count);
-  if (choice.remark.empty()) choice.remark = remark_on_processors(choice.count, sharing);
+  if (choice.remark.empty()) choice.remark = remark_on_processors(choice.count, sharing, granted);
 #else
   (void)wanted;
   (void)looks_around;

@@ -16,10 +16,10 @@ struct ThreadChoice {
 
 /// Chooses `wanted` threads, or for 0 what KOKKOS_NUM_THREADS, OMP_NUM_THREADS or the number of processors says, as far
 /// as OpenMP grants them, and passes the number to OpenMP. Where nothing is specified and `looks_around` is set,
-/// processors that other programs keep busy are left to them (idle_processors.hpp). Where `sharing` processes were
-/// started together and may use the same processors, each takes its part of them. Throws InputError when a variable of
-/// Kokkos's environment is not what Kokkos can read, or when the system refuses the threads. Called once, before Kokkos
-/// starts.
+/// there are no more than the control groups of the process grant (control_groups.hpp), and processors that other
+/// programs keep busy are left to them (idle_processors.hpp). Where `sharing` processes were started together and may
+/// use the same processors, each takes its part of them. Throws InputError when a variable of Kokkos's environment is
+/// not what Kokkos can read, or when the system refuses the threads. Called once, before Kokkos starts.
 ThreadChoice choose_threads(int wanted, bool looks_around = false, int sharing = 1);
 
 }  // namespace vug

@@ -42,7 +42,9 @@ std::optional<int> number_of(const char* variable) {
 }  // namespace
 
 int processes_started() {
-  const char* const by_slurm = std::getenv("PMIX_RANK") ? "SLURM_STEP_NUM_TASKS" : "PMIX_SIZE";
+  // PMIx, and on machines of Cray older Slurm, say the rank and leave the number to Slurm
+  const bool slurm_counts = std::getenv("PMIX_RANK") || std::getenv("PALS_RANKID");
+  const char* const by_slurm = slurm_counts ? "SLURM_STEP_NUM_TASKS" : "PMIX_SIZE";
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", by_slurm})
     if (const std::optional<int> count = number_of(variable)) return *count;
   return 1;

@@ -1,10 +1,12 @@
 #include "study/pool.hpp"
 
+#include "host/control_groups.hpp"
 #include "host/interruption.hpp"
 #include "host/this_process.hpp"
 #include "io/message.hpp"
 #include "kernels/base/require.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -114,8 +116,8 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
 int processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
-  const int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-  return count > 0 ? count : 1;
+  const int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1, granted = granted_processors();
+  return std::max(1, granted > 0 ? std::min(count, granted) : count);
 }
 
 }  // namespace vug

@@ -78,6 +78,11 @@ TEST(ExitCodes, ProcessesThatMpiDoesNotKnowGiveTwo) {
   EXPECT_THAT(refused.output, HasSubstr("vug: srun started 2 processes that MPI does not know: srun --mpi=pmix"));
   EXPECT_EQ(lines_in(refused.output), 1);
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  for (const char* rank : {"PMIX_RANK", "PALS_RANKID"}) {  // MPI knows them: Slurm says how many
+    const Outcome without_mpi = with("SLURM_STEP_NUM_TASKS=2 " + std::string(rank) + "=0", run);
+    EXPECT_EQ(without_mpi.exit_code, 2) << rank << without_mpi.output;
+    EXPECT_THAT(without_mpi.output, HasSubstr("2 processes were started together, but this vug has no MPI"));
+  }
   for (const char* environment : {"SLURM_STEP_NUM_TASKS=2 PMI_RANK=0", "SLURM_STEP_NUM_TASKS=1"})
     EXPECT_EQ(with(environment, run + " --overwrite").exit_code, 0) << environment;
   test::write_text(folder / "study.toml",

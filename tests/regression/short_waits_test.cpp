@@ -34,8 +34,10 @@ std::string environment_of_a_run() {
 }
 
 TEST(Waits, AreShort) {
-  const Variable policy("OMP_WAIT_POLICY", nullptr), spin("GOMP_SPINCOUNT", nullptr);
-  EXPECT_THAT(environment_of_a_run(), testing::HasSubstr("GOMP_SPINCOUNT=10000"));
+  const Variable policy("OMP_WAIT_POLICY", nullptr), spin("GOMP_SPINCOUNT", nullptr), block("KMP_BLOCKTIME", nullptr);
+  const std::string environment = environment_of_a_run() + '\0';
+  EXPECT_THAT(environment, testing::HasSubstr("GOMP_SPINCOUNT=10000"));
+  EXPECT_THAT(environment, testing::HasSubstr(std::string("\0KMP_BLOCKTIME=1\0", 17)));
 }
 
 TEST(Waits, AreAsTheUserSays) {
@@ -46,6 +48,8 @@ TEST(Waits, AreAsTheUserSays) {
   }
   const Variable policy("OMP_WAIT_POLICY", nullptr), mine("GOMP_SPINCOUNT", "77");
   EXPECT_THAT(environment_of_a_run(), testing::HasSubstr("GOMP_SPINCOUNT=77"));
+  const Variable none("GOMP_SPINCOUNT", nullptr), my_block("KMP_BLOCKTIME", "33");
+  EXPECT_THAT(environment_of_a_run(), testing::HasSubstr("KMP_BLOCKTIME=33"));
 }
 
 }  // namespace

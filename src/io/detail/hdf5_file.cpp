@@ -76,7 +76,7 @@ hid_t access_properties(const std::string& path) {
   static const bool quiet = has_room() && H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   if (!quiet) throw FileError(path + ": the HDF5 library does not start");
   const hid_t properties = check(H5Pcreate(H5P_FILE_ACCESS), path, "open");
-#if H5_VERSION_GE(1, 10, 7)
+#if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 11, 0))  // 1.12.0 has no such function
   check(H5Pset_file_locking(properties, false, true), path, "open");
 #endif
   check(H5Pset_fclose_degree(properties, H5F_CLOSE_STRONG), path, "open");
