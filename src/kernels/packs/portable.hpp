@@ -200,7 +200,7 @@ class PortablePack {
       for (int w = 0; w < int{sizeof(V) / sizeof(long long)}; ++w) any |= above[w];
       return any != 0;
     } else {
-      return is_any_above(a.low, b.low) | is_any_above(a.high, b.high);
+      return int{is_any_above(a.low, b.low)} | int{is_any_above(a.high, b.high)};  // neither is skipped
     }
   }
 };
