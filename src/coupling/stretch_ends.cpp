@@ -145,4 +145,9 @@ double entered_for(Side other, const StretchEnd& end, std::array<double, 2> velo
   return 6 * D2Q9::w(diagonal) * end.other_share * inward;
 }
 
+double passed_along(const StretchLinks& boundary, int e, std::array<double, 2> velocity) {
+  const int along = is_upright(boundary.stretch.side), diagonal = D2Q5::Q;
+  return 6 * D2Q9::w(diagonal) * (e == lower ? velocity[along] : -velocity[along]);
+}
+
 }  // namespace vug

@@ -20,4 +20,9 @@ std::array<double, 2> velocity_at_end(const StretchLinks& boundary, const Stretc
 /// velocity.
 double entered_for(Side other, const StretchEnd& end, std::array<double, 2> velocity);
 
+/// Volume, cells per step, that enters by the link at end `e` (0 or 1) of `boundary`, where the fluid has this
+/// velocity, only because it moves along the side: 6 w u_t, u_t towards the stretch. As much leaves by the link of the
+/// stretch beyond on the same side, so that it crosses neither.
+double passed_along(const StretchLinks& boundary, int e, std::array<double, 2> velocity);
+
 }  // namespace vug

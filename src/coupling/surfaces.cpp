@@ -97,14 +97,20 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     if (wanted.flows && is_open(flow))
       add_value(row, stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * sum_in_order(d.gain));
     if (!wanted.flows || flow.kind != FlowBoundaryKind::velocity) continue;
-    for (const StretchEnd& end :
-         d.boundary.ends) {  // at a corner, its link also has what enters through the other side
-      if (end.link < 0 || end.beyond != StretchEnd::Beyond::corner) continue;
+    for (int e = 0; e < 2; ++e) {
+      const StretchEnd& end = d.boundary.ends[e];
+      if (end.link < 0 || end.other < 0) continue;
       const StretchLinks& other = boundaries_[end.other];
-      if (!is_open(other.stretch.conditions.flow)) continue;
-      const double entered = kg_per_s * entered_for(other.stretch.side, end, given_velocity(other, clock.time()));
-      add_value(row, stretch.name + "_mass_flow_kg_per_m_s", -entered);
-      add_value(row, other.stretch.name + "_mass_flow_kg_per_m_s", entered);
+      const auto theirs = given_velocity(other, clock.time());
+      if (end.beyond == StretchEnd::Beyond::same_side) {
+        const auto at_end = velocity_at_end(d.boundary, end, given_velocity(d.boundary, clock.time()), theirs);
+        add_value(row, stretch.name + "_mass_flow_kg_per_m_s", -kg_per_s * passed_along(d.boundary, e, at_end));
+      } else if (is_open(
+                     other.stretch.conditions.flow)) {  // the link at a corner also has what enters through the other
+        const double entered = kg_per_s * entered_for(other.stretch.side, end, theirs);
+        add_value(row, stretch.name + "_mass_flow_kg_per_m_s", -entered);
+        add_value(row, other.stretch.name + "_mass_flow_kg_per_m_s", entered);
+      }
     }
   }
   for (const DressedBoundary<T>& d : dressed) {

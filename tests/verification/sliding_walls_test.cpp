@@ -172,5 +172,24 @@ TEST(SlidingWalls, RatesAtACornerAreGivenInFull) {
   }
 }
 
+/// What only moves along the side, from one stretch into the next one, enters through neither.
+TEST(SlidingWalls, FlowsBesideThemAreThoseThatCrossTheSide) {
+  for (const bool lies : {false, true}) {
+    Box box{lies};
+    box.side("bottom", "wall", u, 0);
+    box.text += fmt::format(
+        "[[boundary.injection]]\nname = \"in\"\nside = \"{}\"\ncentre = {}\nwidth = {}\n"
+        "flow = {{ type = \"velocity\", flow_rate = 3e-5 }}\n",
+        box.name("bottom"), 5 * dx, 4 * dx);
+    box.part("top", "out", 2, 5, "velocity", u, u / 4).part("top", "back", 5, 9, "velocity", -u / 3, -u / 8);
+    box.text += "[boundary." + box.name("right") + "]\nflow = { type = \"pressure\", pressure = 3e5 }\n";
+    test::CoupledRun run(box.text);
+    run.steps(50);
+    EXPECT_NEAR(run.now("injection_in_mass_flow_kg_per_m_s") / density, 3e-5, 1e-15) << lies;
+    EXPECT_NEAR(run.now("injection_out_mass_flow_kg_per_m_s") / density, -3 * dx * u / 4, 1e-15) << lies;
+    EXPECT_NEAR(run.now("injection_back_mass_flow_kg_per_m_s") / density, 4 * dx * u / 8, 1e-15) << lies;
+  }
+}
+
 }  // namespace
 }  // namespace vug
