@@ -1,5 +1,6 @@
 #include "coupling/error_bars.hpp"
 
+#include "coupling/history_difference.hpp"
 #include "coupling/recorded_run.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
@@ -71,7 +72,7 @@ const char* remark(const ErrorBar& error) {
     case Convergence::none:
       return "warning: does not converge; use a finer lattice";
     case Convergence::rounding:
-      return "rounding of the other amounts of its balance: 0";
+      return "rounding of larger amounts: 0";
     case Convergence::unknown:
       return "one comparison only: no order";
   }
@@ -113,7 +114,8 @@ void write(const ErrorBars& bars, const std::string& path) {
 
 }  // namespace
 
-ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding) {
+ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding,
+                          double sound) {
   ErrorBars bars;
   bars.time = run.time();
   std::vector<double> others(twins.size());
@@ -140,6 +142,8 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
       if (size > 0 && size <= rounding * largest_of_balance(run, balance))
         last = {last.bar, std::nullopt, Convergence::rounding};
     }
+    if (is_rounding_of_velocity(run, static_cast<int>(c), sound, std::max(rounding, rounding_share)))
+      last = {last.bar, std::nullopt, Convergence::rounding};
     bars.names.push_back(name);
     bars.value.push_back(run.values[c]);
     bars.bar.push_back(std::move(bar));
@@ -177,7 +181,8 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
   }
   if (histories.empty()) return left_out + "no error bars: there is nothing to compare with\n";
   const bool coarse = scene.accuracy.precision == Precision::single_precision;
-  const ErrorBars bars = find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12);
+  const ErrorBars bars =
+      find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12, speed_of_sound(scene.lattice));
   write(bars, own.directory + "/error_bars.csv");
   return report(bars) + left_out;
 }

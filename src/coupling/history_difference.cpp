@@ -34,7 +34,20 @@ bool is_still(const std::vector<double>& values) {
   return largest_change(values) <= 1e-9 * size;
 }
 
-std::vector<int> columns_of(const History& history, const std::vector<std::string>& wanted) {
+/// The column of the other component, where a column is a component of the mean velocity; otherwise -1.
+int other_component(const History& history, int column) {
+  const std::string x = "mean_velocity_x_m/s", y = "mean_velocity_y_m/s", &name = history.names[column];
+  return name == x ? history.find(y) : name == y ? history.find(x) : -1;
+}
+
+/// The largest change by which differences in a column are divided.
+double scale_of(const History& history, int column) {
+  const double own = largest_change(history.values[column]);
+  const int other = other_component(history, column);
+  return other < 0 ? own : std::max(own, largest_change(history.values[other]));
+}
+
+std::vector<int> columns_of(const History& history, const std::vector<std::string>& wanted, double sound) {
   std::vector<int> columns;
   for (const std::string& name : wanted) {
     const int column = history.find(name);
@@ -43,18 +56,35 @@ std::vector<int> columns_of(const History& history, const std::vector<std::strin
     columns.push_back(column);
   }
   for (std::size_t c = 0; wanted.empty() && c < history.names.size(); ++c)
-    if (is_amount(history.names[c])) columns.push_back(static_cast<int>(c));
+    if (const int column = static_cast<int>(c);
+        is_amount(history.names[c]) && !is_rounding_of_velocity(history, column, sound))
+      columns.push_back(column);
   return columns;
 }
 
 }  // namespace
 
-Difference largest_difference(const History& reference, const History& other, const std::vector<std::string>& columns) {
+double speed_of_sound(const LatticeSection& lattice) {
+  return lattice.spacing / (std::sqrt(3.0) * lattice.time_step);
+}
+
+bool is_rounding_of_velocity(const History& history, int column, double sound, double share) {
+  const int other = other_component(history, column), mach = history.find("largest_mach_1");
+  if (other < 0) return false;
+  double larger = largest_change(history.values[other]);
+  if (mach >= 0)
+    for (const double value : history.values[mach]) larger = std::max(larger, value * sound);
+  const double own = largest_change(history.values[column]);
+  return own > 0 && own <= share * larger;
+}
+
+Difference largest_difference(const History& reference, const History& other, const std::vector<std::string>& columns,
+                              double sound) {
   Difference largest;
-  for (const int c : columns_of(reference, columns)) {
+  for (const int c : columns_of(reference, columns, sound)) {
     const std::vector<double>& truth = reference.values[c];
-    if (is_still(truth)) continue;
-    const double change = largest_change(truth);
+    if (is_still(truth) || is_rounding_of_velocity(reference, c, 0)) continue;
+    const double change = scale_of(reference, c);
     const std::vector<double>& found = other.values.at(other.find(reference.names[c]));  // settings may add columns
     for (std::size_t row = 0; row < truth.size(); ++row) {
       const double difference = std::abs(found.at(row) - truth[row]) / change;

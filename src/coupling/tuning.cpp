@@ -73,10 +73,15 @@ Pilot fly(const Scene& scene, std::int64_t steps) {
 class Pilots {
  public:
   Pilots(const Scene& scene, const TuningOptions& options)
-      : scene_(scene), options_(options), settings_(settings_of(scene)), steps_(steps_of_a_pilot(scene, options)) {
+      : scene_(scene),
+        options_(options),
+        settings_(settings_of(scene)),
+        steps_(steps_of_a_pilot(scene, options)),
+        sound_(speed_of_sound(scene.lattice)) {
     reference_ = fly(scene_of(std::vector<std::size_t>(settings_.size(), 0)), steps_);
     ++count_;
-    largest_difference(reference_.history, reference_.history, options_.columns);  // throws for an unknown column
+    largest_difference(reference_.history, reference_.history, options_.columns,
+                       sound_);  // throws for an unknown column
   }
 
   /// The difference for the case as it is, or with these rungs.
@@ -85,7 +90,7 @@ class Pilots {
     try {
       const Pilot pilot = fly(rungs ? scene_of(*rungs) : scene_, steps_);
       cost = pilot.cost / reference_.cost;
-      return largest_difference(reference_.history, pilot.history, options_.columns);
+      return largest_difference(reference_.history, pilot.history, options_.columns, sound_);
     } catch (const StabilityError&) {
       return {infinite, ""};
     } catch (const InputError&) {  // an interval that is too long for this lattice
@@ -110,6 +115,7 @@ class Pilots {
   const TuningOptions& options_;
   std::vector<Setting> settings_;
   std::int64_t steps_;
+  double sound_;  ///< m/s
   Pilot reference_;
   int count_ = 0;
 };

@@ -151,6 +151,21 @@ TEST(ErrorBars, OfRoundingSayThatTheyAreNone) {
   EXPECT_EQ(of_gain(4e-9, 1e-9), Convergence::none);
 }
 
+/// Nothing flows across a symmetric channel, and in a closed cavity nothing on the whole.
+TEST(ErrorBars, OfAMeanVelocityThatIsRoundingSayThatTheyAreNone) {
+  const auto history = [](double x, double y) {
+    return History{{"time_s", "largest_mach_1", "mean_velocity_x_m/s", "mean_velocity_y_m/s"},
+                   {{0, 1}, {0, 0.1}, {0, x}, {0, y}}};
+  };
+  const auto bars = [&](double x, double y, double sound) {
+    return find_error_bars(history(x, y), {history(1.1 * x, 3 * y), history(1.4 * x, 2 * y)}, 2, 1e-12, sound).last;
+  };
+  EXPECT_EQ(bars(2, 3e-19, 0).at(0).error.convergence, Convergence::monotone);
+  EXPECT_EQ(bars(2, 3e-19, 0).at(1).error.convergence, Convergence::rounding);
+  EXPECT_EQ(bars(2, 3e-3, 0).at(1).error.convergence, Convergence::none);
+  for (const int axis : {0, 1}) EXPECT_EQ(bars(2e-18, 3e-19, 4).at(axis).error.convergence, Convergence::rounding);
+}
+
 TEST(ErrorBarsOfARun, LeaveOutALatticeOnWhichNoRunHolds) {
   // stirred by 0.15 cells per step, and by 0.3 and 0.6 on the coarser lattices: above 0.5 none is begun
   const CaseFile file(R"(
