@@ -1,6 +1,5 @@
 #pragma once
 // What is wrong with the state of a run although it goes on: for the log and for run.json.
-#include "coupling/geometry.hpp"
 #include "io/time_table.hpp"
 #include "kernels/base/base.hpp"
 
@@ -21,10 +20,6 @@ class Concerned {
   /// What is wrong at present. Called by all ranks after each guard; may wait for the device.
   virtual std::vector<Concern> concerns(const Exec& exec) const = 0;
 };
-
-/// Key of a boundary in the case: "boundary.left", "boundary.shape.well", "boundary.injection"; with the name of an
-/// injection as in columns of the history: "boundary.injection_acid".
-std::string key_of(const Stretch& stretch);
 
 /// Boundaries whose given flux draws or puts in: the key of the first of each, else empty.
 struct GivenFluxes {

@@ -102,6 +102,16 @@ double growth_of(const std::vector<HistoryValue>& row) {
   return there > 0 ? won / there : 0;
 }
 
+/// Whether a line of look_at_concerns is about `what` itself, not about something whose name only begins like it: of H2
+/// instead of H.
+bool tells_of(const std::string& line, const std::string& what) {
+  const std::string mark = "warning: " + what;
+  const auto found = line.find(mark);
+  if (found == std::string::npos) return false;
+  const auto end = found + mark.size();
+  return end == line.size() || line[end] == ' ' || line[end] == ':';
+}
+
 }  // namespace
 
 Events::Events(const Simulation& simulation, const std::vector<std::string>& earlier, bool reversible)
@@ -132,7 +142,7 @@ std::vector<std::string> Events::look_at_concerns(const Simulation& simulation) 
     const auto* concerned = dynamic_cast<const Concerned*>(module.get());
     if (!concerned) continue;
     for (const Concern& concern : concerned->concerns(Exec{})) {
-      const auto tells = [&](const std::string& line) { return line.find(concern.what) != std::string::npos; };
+      const auto tells = [&](const std::string& line) { return tells_of(line, concern.what); };
       if (std::any_of(earlier_.begin(), earlier_.end(), tells) || !next_.try_emplace(concern.what, 0).second) continue;
       news.push_back(at(simulation.clock()) + "warning: " + concern.what + concern.detail);
     }

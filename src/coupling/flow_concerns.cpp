@@ -13,7 +13,9 @@ namespace {
 bool draws(const Stretch& stretch) {
   const FlowBoundary& flow = stretch.conditions.flow;
   if (flow.kind != FlowBoundaryKind::velocity) return false;
-  if (flow.has_rate()) return flow.peak_rate(1) < 0;
+  if (flow.has_rate())
+    return (flow.flow_rate && flow.flow_rate->lowest() < 0) ||
+           (flow.mass_flow_rate && flow.mass_flow_rate->lowest() < 0);
   if (stretch.opening) return flow.speed.lowest() < 0;
   const TimeTable& across = flow.velocity[is_upright(stretch.side) ? 0 : 1];
   return stretch.side == Side::left || stretch.side == Side::bottom ? across.lowest() < 0 : across.highest() > 0;
@@ -23,6 +25,12 @@ bool draws(const Stretch& stretch) {
 
 template <class T>
 std::vector<Concern> FlowModule<T>::concerns(const Exec& exec) const {
+  // without a side that has a pressure, the level of all pressures is arbitrary; from 0, pressures below it are meant
+  const bool known = std::any_of(boundaries_.begin(), boundaries_.end(), [](const StretchLinks& boundary) {
+    const FlowBoundaryKind kind = boundary.stretch.conditions.flow.kind;
+    return kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::outflow;
+  });
+  if (!known || section_.initial_pressure == 0) return {};
   const auto by = std::find_if(boundaries_.begin(), boundaries_.end(),
                                [](const StretchLinks& boundary) { return draws(boundary.stretch); });
   if (by == boundaries_.end()) return {};
@@ -35,7 +43,7 @@ std::vector<Concern> FlowModule<T>::concerns(const Exec& exec) const {
   if (absolute >= -noise * (highest - lowest)) return {};
   return {{"absolute pressures below 0",
            fmt::format(" (down to {:.3g} Pa): {} draws faster than the pressures of the case can drive the fluid",
-                       absolute, key_of(by->stretch))}};
+                       absolute, by->stretch.key)}};
 }
 
 template std::vector<Concern> FlowModule<float>::concerns(const Exec&) const;

@@ -19,12 +19,12 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     if (is_upright(side)) return {side == Side::left ? 0.0 : lattice.nx, along};
     return {along, side == Side::bottom ? 0.0 : lattice.ny};
   };
-  const auto add = [&](const std::string& name, Side side, int first, int last, const BoundarySection& conditions,
-                       double centre) {
-    if (first <= last) stretches.push_back({name, side, first, last, conditions, nullptr, middle(side, centre)});
+  const auto add = [&](const std::string& name, const std::string& key, Side side, int first, int last,
+                       const BoundarySection& conditions, double centre) {
+    if (first <= last) stretches.push_back({name, side, first, last, conditions, nullptr, middle(side, centre), key});
   };
   const auto side = [&](Side which, int length, const BoundarySection& conditions) {
-    const char* name = name_of(which);
+    const std::string name = name_of(which), key = "boundary." + name;
     const auto cell = [&](double at) { return first_cell(at / lattice.spacing); };
     std::vector<const InjectionSection*> here;
     for (const InjectionSection& injection : scene.injections)
@@ -34,11 +34,11 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     for (const InjectionSection* injection : here) {
       const int first = std::clamp(cell(injection->centre - injection->width / 2), begin, length - 1);
       const int last = std::clamp(cell(injection->centre + injection->width / 2) - 1, first, length - 1);
-      add(name, which, begin, first - 1, conditions, length / 2.0);
-      add(injection->name, which, first, last, injection->conditions, (first + last + 1) / 2.0);
+      add(name, key, which, begin, first - 1, conditions, length / 2.0);
+      add(injection->name, injection->key, which, first, last, injection->conditions, (first + last + 1) / 2.0);
       begin = last + 1;
     }
-    add(name, which, begin, length - 1, conditions, length / 2.0);
+    add(name, key, which, begin, length - 1, conditions, length / 2.0);
   };
   side(Side::left, lattice.ny, scene.left);
   side(Side::right, lattice.ny, scene.right);
@@ -50,7 +50,8 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
 std::vector<Stretch> boundary_stretches(const Scene& scene, const Geometry& geometry) {
   std::vector<Stretch> stretches = boundary_stretches(scene);
   for (const InnerOpening& opening : geometry.openings)
-    stretches.push_back({opening.name, Side::left, 0, -1, opening.conditions, &opening.nodes, opening.centre});
+    stretches.push_back(
+        {opening.name, Side::left, 0, -1, opening.conditions, &opening.nodes, opening.centre, opening.key});
   return stretches;
 }
 

@@ -18,6 +18,7 @@ struct InnerOpening {
   Opening nodes;
   BoundarySection conditions;
   std::array<double, 2> centre{0, 0};  ///< of the area in its outline, cells
+  std::string key{};                   ///< of its table in the case: "boundary.shape.well"
 };
 
 /// The lattice: node types, the list of fluid nodes with its link tables, the wet surface of the rock.
@@ -44,6 +45,7 @@ struct Stretch {
   BoundarySection conditions;
   const Opening* opening = nullptr;    ///< of the geometry; then side, first and last mean nothing
   std::array<double, 2> centre{0, 0};  ///< of the whole side, the injection or the opening, cells
+  std::string key{};                   ///< of its table in the case: "boundary.left", "boundary.shape.well"
 };
 
 /// The four sides, divided where injections are.

@@ -65,9 +65,8 @@ std::vector<Concern> HeatModule<T>::concerns(const Exec& exec) const {
   const auto add = [&](const std::string& key, const HeatBoundary& heat) {
     if (heat.kind == HeatCondition::flux) given.add(key, heat.flux);
   };
-  for (const Stretch& stretch : stretches_) add(key_of(stretch), stretch.conditions.heat);
-  for (const InnerOpening& opening : geometry_.openings)
-    add("boundary.shape." + opening.name.substr(6), opening.conditions.heat);
+  for (const Stretch& stretch : stretches_) add(stretch.key, stretch.conditions.heat);
+  for (const InnerOpening& opening : geometry_.openings) add(opening.key, opening.conditions.heat);
   constexpr double absurd = 1e5;  // K
   const HeatExtremes seen = extremes(exec);
   const double lowest = seen.lowest + units_.reference_temperature;

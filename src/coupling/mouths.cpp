@@ -103,19 +103,17 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
     const auto injection = std::find_if(scene.injections.begin(), scene.injections.end(),
                                         [&](const InjectionSection& own) { return own.name == stretch.name; });
     const bool injects = injection != scene.injections.end();
-    Mouth mouth{stretch.opening ? "boundary.shape." + stretch.name.substr(6)
-                : injects       ? injection->key
-                                : "boundary." + stretch.name,
-                stretch.opening                ? &geometry.openings[opening++].conditions
-                : injects                      ? &injection->conditions
-                : stretch.side == Side::left   ? &scene.left
-                : stretch.side == Side::right  ? &scene.right
-                : stretch.side == Side::bottom ? &scene.bottom
-                                               : &scene.top};
+    Mouth mouth{stretch.key, stretch.opening                ? &geometry.openings[opening++].conditions
+                             : injects                      ? &injection->conditions
+                             : stretch.side == Side::left   ? &scene.left
+                             : stretch.side == Side::right  ? &scene.right
+                             : stretch.side == Side::bottom ? &scene.bottom
+                                                            : &scene.top};
     if (stretch.opening)
       look_beside_opening(*stretch.opening, geometry, picture, mouth);
     else
       look_beside_side(stretch, picture, mouth);
+    if (!stretch.opening) mouth.side = stretch.side;
     if (scene.flow) {
       const FlowBoundary& flow = mouth.conditions->flow;
       const auto inflow = [&flow, stretch, cells = mouth.total_length(), density = scene.flow->density,

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Mouth {
   std::vector<std::array<double, 2>> push{};
   /// Largest prescribed speed at one point, lattice units; infinite where the shares of a rate have no positive sum.
   double peak_speed = 0;
+  std::optional<Side> side{};  ///< of the lattice; none for an opening
 
   double total_length() const { return std::accumulate(length.begin(), length.end(), 0.0); }
 

@@ -149,7 +149,8 @@ std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& latti
     openings.push_back({"shape_" + shape.name,
                         make_opening(lattice, nodes[o], normal, outline_over_faces(shape.form, scene.lattice, normal)),
                         section.conditions,
-                        std::visit([&](const auto& form) { return point_in_cells(centre_of(form), dx); }, shape.form)});
+                        std::visit([&](const auto& form) { return point_in_cells(centre_of(form), dx); }, shape.form),
+                        "boundary.shape." + shape.name});
   }
   return openings;
 }

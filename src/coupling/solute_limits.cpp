@@ -124,7 +124,7 @@ std::vector<Concern> SoluteModule<T, Set>::concerns(const Exec& exec) const {
     const SpeciesState<T>& s = species_[n];
     GivenFluxes given;
     for (const StretchLinks& boundary : s.boundaries)
-      if (const TimeTable* flux = flux_of(boundary, s.section.name)) given.add(key_of(boundary.stretch), *flux);
+      if (const TimeTable* flux = flux_of(boundary, s.section.name)) given.add(boundary.stretch.key, *flux);
     if (given.draws.empty() && given.puts_in.empty()) continue;
     const FieldRange range = range_of(exec, s);
     const double scale = std::max({s.section.initial / units_.concentration, range.max, 0.0});
