@@ -50,7 +50,7 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   if (factor_ > 1 && !varies_)  // a factor that the run chooses is limited by its tolerance
     table.push_back({"reaction", per_acid, most, "1", 0, 0.1 + 1e-9,
                      "lower accuracy.dissolution_factor: the error is about a third of this (docs/accuracy.md)"});
-  else if (dissolves_)  // Concerns tell of a node that loses more than it has
+  else if (dissolves_)  // concerns() warns where the surface follows too late, or more dissolves than there is
     table.push_back({"reaction", per_acid, most / factor_, "1", 0, std::numeric_limits<double>::infinity(), ""});
   if (section_.wall == ReactiveWallLaw::paper && Set::Q == D2Q9::Q)
     table.push_back({"reaction", "diffusivity for the paper's wall on D2Q9",

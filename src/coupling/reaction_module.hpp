@@ -97,6 +97,9 @@ class ReactionModule final : public Module, public Concerned {
   /// Gathers the turnover of the links on all ranks.
   void gather_links() const;
   void make_room_for_losses(const Exec& exec);
+  /// Volume that has dissolved although no node had it, over all that has dissolved. Before a look has come, only what
+  /// exceeds all rock is known. Called after gather_links().
+  double overdrawn_share() const;
   Owners owners_of_links(const Attack<T>& attack) const;
   /// Determines which links this rank has, the surface nodes from which they lead, and the nodes whose temperature they
   /// need.
