@@ -1,4 +1,5 @@
 // Bounds of the flow's speed, its limits, and the guard against divergence.
+#include "coupling/driving_pressure.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/plane_waves.hpp"
@@ -85,21 +86,47 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
 
 template <class T>
 std::string FlowModule<T>::advice_on_divergence() const {
-  const double pressure = largest_pressure(), speed = std::max(prescribed_speed(), paths_.passage_speed);
+  const double pressure = driving_pressure(), speed = std::max(prescribed_speed(), paths_.passage_speed);
   if (pressure > 0 && std::sqrt(2 * pressure) >= speed)
     return "lower the pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)";
   return speed > 0 ? "lower the prescribed velocity or the time step" : "lower what drives the flow or the time step";
 }
 
 template <class T>
-double FlowModule<T>::largest_pressure() const {
-  double highest = 0;
+double FlowModule<T>::pressure_difference() const {
+  std::vector<Span> given;
   for (const StretchLinks& boundary : boundaries_)
-    if (boundary.stretch.conditions.flow.kind == FlowBoundaryKind::pressure)
-      for (const double pressure :
-           {boundary.stretch.conditions.flow.pressure.lowest(), boundary.stretch.conditions.flow.pressure.highest()})
-        highest = std::max(highest, std::abs(units_.lattice_pressure(pressure)));
-  return highest;
+    if (const FlowBoundary& flow = boundary.stretch.conditions.flow; flow.kind == FlowBoundaryKind::pressure)
+      given.push_back(pressures_of(flow, units_));
+  return largest_drive(given, {});
+}
+
+template <class T>
+double FlowModule<T>::driving_pressure() const {
+  const Lattice& lattice = geometry_.lattice;
+  std::array<double, 2> force{};  // where sides are joined, it has no potential
+  for (int axis = 0; axis < 2; ++axis)
+    if (!geometry_.fluid.periodic[axis])
+      force[axis] = section_.body_force[axis] / (units_.acceleration() * units_.pressure_scale);
+  const auto potentials = [&](std::array<double, 2> from, std::array<double, 2> to) {
+    Span span;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double begin = -force[axis] * from[axis], end = -force[axis] * to[axis];
+      span = {span.low + std::min(begin, end), span.high + std::max(begin, end)};
+    }
+    return span;
+  };
+  std::vector<Span> mouths;
+  for (const StretchLinks& boundary : boundaries_) {
+    const Stretch& stretch = boundary.stretch;
+    if (stretch.conditions.flow.kind != FlowBoundaryKind::pressure) continue;
+    std::array<double, 2> from = stretch.centre, to = stretch.centre;
+    if (!stretch.opening) from[is_upright(stretch.side)] = stretch.first;
+    if (!stretch.opening) to[is_upright(stretch.side)] = stretch.last + 1.0;
+    const Span pressures = pressures_of(stretch.conditions.flow, units_), along = potentials(from, to);
+    mouths.push_back({pressures.low + along.low, pressures.high + along.high});
+  }
+  return largest_drive(mouths, potentials({0, 0}, {double(lattice.nx), double(lattice.ny)}));
 }
 
 template <class T>
@@ -117,24 +144,21 @@ double FlowModule<T>::prescribed_speed() const {
 
 template <class T>
 double FlowModule<T>::lowest_viscosity() const {
-  if (!section_.viscosity_varies()) return viscosity();
-  return std::min({section_.viscosity, section_.viscosity_at(range_.coldest), section_.viscosity_at(range_.hottest)}) /
-         units_.diffusivity();
+  return section_.lowest_viscosity(range_.coldest, range_.hottest) / units_.diffusivity();
 }
 
 template <class T>
 double FlowModule<T>::largest_speed() const {
   const double prescribed = std::max(prescribed_speed(), paths_.passage_speed);
-  const double limit = section_.speed_limit > 0 ? section_.speed_limit : speed_bound;
   const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
-  const double pressed = speed_of_pressure(largest_pressure(), paths_.viscous_speed, lowest_viscosity());
-  return driven ? limit : std::min(limit, prescribed + buoyant_speed_ + pressed);
+  const double pressed = speed_of_pressure(driving_pressure(), paths_.viscous_speed, lowest_viscosity());
+  return driven ? speed_limit() : std::min(speed_limit(), prescribed + buoyant_speed_ + pressed);
 }
 
 template <class T>
 void FlowModule<T>::limits(LimitTable& table) const {
   const double nu = section_.viscosity / units_.diffusivity();
-  const double highest = largest_pressure();
+  const double highest = pressure_difference();
   const double lowest_tau = lowest_relaxation_time(section_.collision, highest);
   const auto viscosity = [&](const std::string& where, double value) {
     table.push_back({"flow", "relaxation time tau_f" + where, 0.5 + 3 * value, "1", lowest_tau - 1e-9, 2.5,
@@ -152,11 +176,11 @@ void FlowModule<T>::limits(LimitTable& table) const {
   table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
                    "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
   if (highest > 0)  // where no wall holds the fluid back, the pressures drive any speed in the end
-    table.push_back(
-        {"flow", "Mach number that the pressures drive",
-         std::sqrt(3.0) * speed_of_pressure(highest, std::isfinite(paths_.viscous_speed) ? paths_.viscous_speed : 0,
-                                            lowest_viscosity()),
-         "1", 0, 0.9, "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+    table.push_back({"flow", "Mach number that the pressures drive",
+                     std::sqrt(3.0) * speed_of_pressure(driving_pressure(),
+                                                        std::isfinite(paths_.viscous_speed) ? paths_.viscous_speed : 0,
+                                                        lowest_viscosity()),
+                     "1", 0, 0.9, "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
   const auto prescribed = [&](const char* name, double speed) {
     if (speed > 0)
       table.push_back({"flow", name, std::sqrt(3.0) * speed, "1", 0, largest_prescribed_mach,

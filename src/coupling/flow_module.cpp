@@ -23,7 +23,8 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
       geometry_(geometry),
       paths_(paths),
       varies_(scene.accuracy.chooses_intervals()),
-      fills_slowly_(has_cracks_below_a_cell(scene)) {
+      fills_slowly_(has_cracks_below_a_cell(scene)),
+      pores_open_(scene.damage || rock_dissolves(scene)) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
   step_.collision = section_.collision;
   step_.rates = relaxation_rates(section_.collision, tau);
@@ -196,7 +197,9 @@ template <class T>
 void FlowModule<T>::watch(const Exec& exec, const Clock& clock, Changes& changes) {
   constexpr double margin = 2;
   changes.speed = largest_speed();
-  if (clock.time() >= raised_) changes.speed = std::min(*changes.speed, margin * extremes(exec).speed);
+  if (clock.time() < raised_) return;
+  // in pores that have opened, fluid may be faster than the paths at the start allow
+  changes.speed = std::min(pores_open_ ? speed_limit() : *changes.speed, margin * extremes(exec).speed);
 }
 
 template <class T>

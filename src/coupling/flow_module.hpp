@@ -69,7 +69,11 @@ class FlowModule final : public Module, public Concerned {
   const VectorField<T>& face_excess(const Exec& exec, int interval);
 
  private:
-  double largest_pressure() const;
+  /// Largest difference between the given pressures, or from the initial one, lattice units.
+  double pressure_difference() const;
+  /// The part of it that drives fluid: where a body force acts, the difference of p - f.x (driving_pressure.hpp).
+  double driving_pressure() const;
+  double speed_limit() const { return section_.speed_limit > 0 ? section_.speed_limit : speed_bound; }
   double prescribed_speed() const;
   double lowest_viscosity() const;  ///< lattice units, in the range of temperatures
   std::string advice_on_divergence() const;
@@ -116,6 +120,7 @@ class FlowModule final : public Module, public Concerned {
   std::deque<Carrier<T>> carriers_;
   bool varies_;        ///< whether intervals of carriers change (accuracy.tolerance)
   bool fills_slowly_;  ///< cracks may be far narrower than a cell: velocities do not show that their pressure changes
+  bool pores_open_;    ///< rock may become fluid, so that paths_ are not those of the whole run
   double raised_ = 0;  ///< s, from when on all conditions have their final values
   SteadyFlow<T> steady_;
   /// Values that other ranks compute: populations that our sweep pulls; populations that leave through links that we

@@ -1,5 +1,8 @@
 #include "coupling/force_speed.hpp"
 
+#include "coupling/driving_pressure.hpp"
+#include "coupling/temperature_range.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,6 +74,23 @@ bool is_open_through(const View& view, const std::vector<Mouth>& mouths, const s
                      [&](int p) { return std::find(at[1].begin(), at[1].end(), p) != at[1].end(); });
 }
 
+/// Largest acceleration along an axis between open sides, lattice units: that of the body force f and, where both ends
+/// have given pressures, of their difference, |f + (p_0 - p_1)/L|. A fluid at rest under its weight has none.
+double acceleration_between_sides(const View& view, const std::vector<Mouth>& mouths, double f,
+                                  const LatticeUnits& units) {
+  std::array<std::optional<Span>, 2> at;
+  for (const Mouth& mouth : mouths) {
+    if (!mouth.side || is_upright(*mouth.side) != (view.axis == 0) || !mouth.yields() || mouth.nodes.empty()) continue;
+    const FlowBoundary& flow = mouth.conditions->flow;
+    if (flow.kind != FlowBoundaryKind::pressure) return std::abs(f);  // an outflow adapts its pressure
+    std::optional<Span>& end = at[*mouth.side == Side::left || *mouth.side == Side::bottom ? 0 : 1];
+    end = end ? end->with(pressures_of(flow, units)) : pressures_of(flow, units);
+  }
+  if (!at[0] || !at[1]) return std::abs(f);
+  const double length = view.length();
+  return std::max(std::abs(f + (at[0]->low - at[1]->high) / length), std::abs(f + (at[0]->high - at[1]->low) / length));
+}
+
 /// Largest speed times viscosity over acceleration, of one line of pores after the other in series; 0: blocked. Pores
 /// of width w across the flow conduct w^3/12 each.
 double speed_in_series(const View& view, const std::vector<double>& across) {
@@ -94,17 +114,18 @@ double speed_in_series(const View& view, const std::vector<double>& across) {
 
 double body_force_speed(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
                         const std::vector<int>& piece, const LatticeUnits& units) {
-  const double viscosity = scene.flow->viscosity / units.diffusivity();
+  const double viscosity = lowest_viscosity(scene) / units.diffusivity();
   const double steps = scene.time.steps ? static_cast<double>(*scene.time.steps)
                        : scene.time.end ? *scene.time.end / units.time_step
                                         : infinite;
   double most = 0;
   for (int axis = 0; axis < 2; ++axis) {
-    const double g = std::abs(scene.flow->body_force[axis]) / (units.acceleration() * units.pressure_scale);
-    if (g == 0) continue;
+    const double f = scene.flow->body_force[axis] / (units.acceleration() * units.pressure_scale);
+    if (f == 0) continue;
     const View along{picture, axis}, over{picture, 1 - axis};
     const Ends ends = ends_of(scene, axis);
     if (!ends.joined && !is_open_through(along, mouths, piece)) continue;
+    const double g = ends.joined ? std::abs(f) : acceleration_between_sides(along, mouths, f, units);
     const std::vector<double> length = widths(along, ends), across = widths(over, ends_of(scene, 1 - axis));
     double widest = 0;
     for (std::size_t n = 0; n < length.size(); ++n) widest = std::max(widest, std::min(length[n], across[n]));

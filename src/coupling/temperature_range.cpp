@@ -29,4 +29,10 @@ TemperatureRange temperature_range(const Scene& scene) {
   return range;
 }
 
+double lowest_viscosity(const Scene& scene) {
+  if (!scene.heat) return scene.flow->viscosity;
+  const TemperatureRange range = temperature_range(scene);
+  return scene.flow->lowest_viscosity(range.coldest, range.hottest);
+}
+
 }  // namespace vug

@@ -15,4 +15,7 @@ TemperatureRange named_range(const Scene& scene);
 /// The same with the difference that a heat flux maintains across a layer of fluid as thick as the lattice is long.
 TemperatureRange temperature_range(const Scene& scene);
 
+/// Lowest kinematic viscosity in the temperature_range, m2/s. `scene` has [flow].
+double lowest_viscosity(const Scene& scene);
+
 }  // namespace vug

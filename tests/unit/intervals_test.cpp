@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <map>
@@ -123,6 +124,36 @@ TEST(Tolerance, HoldsGrowingRockAsLongAsDissolvingRock) {
     EXPECT_LE(growing_rock.at(name), dissolving_rock.at(name)) << name << ": acid that is given back changes by more";
   }
   EXPECT_GT(dissolving_rock.at("update_interval_1"), 8);
+}
+
+/// A slit of 4 cells that has become a channel of 20: fluid is faster than any pressure could drive it in the slit.
+TEST(Tolerance, FollowsTheFlowInPoresThatHaveOpened) {
+  const double nu = 1 / 15.0, pressure = 0.15 * 8 * nu * 20 / (20 * 20);
+  Simulation run(parse_scene(
+      fmt::format("[lattice]\nsize = [20, 20]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 8000\n[geometry]\n"
+                  "type = \"shapes\"\nbackground = \"solid\"\n[[geometry.shapes]]\ntype = \"rectangle\"\nmaterial = "
+                  "\"fluid\"\nfrom = [0, 8]\nto = [20, 12]\n[flow]\ndensity = 1\nviscosity = {}\n"
+                  "initial_pressure = 0\nspeed_limit = 0.5\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n"
+                  "initial = 1\n[reaction]\nreactant = \"A\"\nrate_constant = 0.1\nmolar_volume = 0.3\n"
+                  "[accuracy]\ntolerance = 0.05\npreset = \"careful\"\n[boundary.left]\n"
+                  "flow = {{ type = \"pressure\", pressure = {}, ramp_time = 2000 }}\n"
+                  "solute = {{ type = \"concentration\", concentration = {{ A = 1 }} }}\n[boundary.right]\n"
+                  "flow = {{ type = \"pressure\", pressure = 0 }}\n",
+                  nu, pressure),
+      "a.toml"));
+  run.begin();
+  for (int step = 0; step < 6000; ++step) run.step();
+  double mach = 0;
+  for (const HistoryValue& value : run.history())
+    if (value.name == "largest_mach_1") mach = value.value;
+  const double speed = mach / std::sqrt(3.0);
+  ASSERT_GT(speed, 1.2 * std::sqrt(2 * pressure)) << "Bernoulli's, the bound in the slit";
+  for (const auto& module : run.parts().modules) {
+    if (module->name() != "flow") continue;
+    Changes changes;
+    module->watch(Exec{}, run.clock(), changes);
+    EXPECT_NEAR(*changes.speed, std::min(0.5, 2 * speed), 1e-6);
+  }
 }
 
 TEST(LargestForceChange, IsThatOfOneTriangleSinceTheLastCall) {

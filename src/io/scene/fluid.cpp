@@ -3,6 +3,7 @@
 #include "io/time_table.hpp"
 #include "kernels/base/gas_constant.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug {
@@ -18,6 +19,14 @@ double FlowSection::viscosity_at(double temperature) const {
   }
   return viscosity *
          std::exp(viscosity_activation_energy / gas_constant * (1 / temperature - 1 / reference_temperature));
+}
+
+double FlowSection::lowest_viscosity(double coldest, double hottest) const {
+  if (!viscosity_varies()) return viscosity;
+  double lowest = std::min(viscosity_at(coldest), viscosity_at(hottest));
+  for (const auto& [kelvin, nu] : viscosity_table)
+    if (kelvin > coldest && kelvin < hottest) lowest = std::min(lowest, nu);
+  return lowest;
 }
 
 }  // namespace vug

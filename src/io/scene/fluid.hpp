@@ -27,6 +27,8 @@ struct FlowSection {
   bool viscosity_varies() const { return viscosity_activation_energy != 0 || !viscosity_table.empty(); }
   /// Kinematic viscosity at a temperature (K), m2/s: nu exp(E_a / R (1/T - 1/T_0)), or from the table.
   double viscosity_at(double temperature) const;
+  /// Lowest kinematic viscosity between two temperatures (K), m2/s: at one of them or at a point of the table between.
+  double lowest_viscosity(double coldest, double hottest) const;
 
   /// S_p >= 1 for coarse lattices: the lattice flows under the gauge pressures of the case divided by S_p; the fluid's
   /// force on the rock, and every pressure that is written out, is multiplied by it (docs/model.md).
