@@ -36,6 +36,12 @@ class Run {
         last_(options.steps.value_or(last_step(scene))),
         simulation_(scene, options.ranks) {
     require_fields(simulation_.fields(), scene.output.fields);
+    if (!simulation_.parts().ageing || !scene.time.end || last_ <= last_step(scene)) return;
+    notes_.push_back(
+        fmt::format("note: --steps {}: a run with accuracy.dissolution_tolerance ends at the age of {:g} s "
+                    "(time.end) at the latest",
+                    last_, *scene.time.end));
+    last_ = last_step(scene);
   }
 
   void operator()() {
@@ -48,7 +54,7 @@ class Run {
     std::ostream* const log = options_.progress ? options_.progress : options_.warnings;
     Progress progress(log ? *log : silent, options_.terminal && options_.progress,
                       {simulation_.clock().step, last_, scene_.lattice.time_step, simulation_.updates_per_step(),
-                       options_.progress == nullptr});
+                       options_.progress == nullptr, simulation_.clock().ahead});
     try {
       warn(progress);
       advance(progress);
@@ -88,9 +94,13 @@ class Run {
     if (simulation_.clock().step != checkpoint->step())
       throw FileError(checkpoint->path() + ": the checkpoint is of another step than it says");
     if (const std::string other = book_.go_on_from(*checkpoint); !other.empty()) notes_.push_back("warning: " + other);
+    // the end that --steps has moved beyond that of the case stays
+    const std::int64_t former = std::max(last_step(scene_), book_.former_last_step());
+    if (!options_.steps) last_ = former;
     if (last_ < checkpoint->step())
-      notes_.push_back(fmt::format("note: --steps {}: the run is at step {} already", last_, checkpoint->step()));
-    if (const std::string moved = moved_end(); !moved.empty()) {
+      notes_.push_back(fmt::format("note: {} {}: the run is at step {} already",
+                                   options_.steps ? "--steps" : "end at step", last_, checkpoint->step()));
+    if (const std::string moved = moved_end(former, checkpoint->step()); !moved.empty()) {
       notes_.push_back("note: " + moved);
       book_.record().events.push_back(fmt::format("step {}, {}", checkpoint->step(), moved));
     }
@@ -98,17 +108,21 @@ class Run {
     resumed_at_ = checkpoint->step();
   }
 
-  /// A text that says from where to where the end of the run has been moved; empty where it has not.
-  std::string moved_end() const {
+  /// A text that says from where to where the end of the run has been moved; empty where it has not, or where no step
+  /// follows from it. `former`: its last step until now; `at`: the step that it has reached.
+  std::string moved_end(std::int64_t former, std::int64_t at) const {
     const auto text = [](const TimeSection& time) {
       return time.end ? fmt::format("{:g} s", *time.end) : fmt::format("step {}", *time.steps);
     };
     const auto moved = [](const std::string& from, const std::string& to) {
       return from == to ? "" : fmt::format("the end of the run is moved from {} to {}", from, to);
     };
-    if (options_.steps && *options_.steps > last_step(scene_))
-      return moved(fmt::format("step {}", last_step(scene_)), fmt::format("step {}", *options_.steps));
-    return book_.former_end() ? moved(text(*book_.former_end()), text(scene_.time)) : "";
+    const std::optional<TimeSection>& of_case = book_.former_end();
+    if (options_.steps && last_ > last_step(scene_))
+      return last_ > at
+                 ? moved(of_case ? text(*of_case) : fmt::format("step {}", former), fmt::format("step {}", last_))
+                 : "";
+    return of_case && last_step(scene_) > at ? moved(text(*of_case), text(scene_.time)) : "";
   }
 
   /// Whether a stop is requested on any of the ranks.

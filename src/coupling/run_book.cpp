@@ -77,6 +77,13 @@ std::optional<Checkpoint> RunBook::latest_checkpoint() const {
   return found;
 }
 
+std::int64_t RunBook::former_last_step() const {
+  const RunFolder* folder = recorded_.folder();
+  const bool counts = folder && folder->held() && !former_end_;
+  const std::string last = options_.ranks.told(counts ? folder->held()->last_step : "");
+  return std::strtoll(last.c_str(), nullptr, 10);
+}
+
 std::string RunBook::go_on_from(const Checkpoint& checkpoint) {
   RunRecord& record = recorded_.record();
   owner_.run = record.run = checkpoint.run();

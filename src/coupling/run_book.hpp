@@ -34,6 +34,9 @@ class RunBook {
   std::string go_on_from(const Checkpoint& checkpoint);
   /// The end that the run had when it was last written, where the case gives it a later one.
   const std::optional<TimeSection>& former_end() const { return former_end_; }
+  /// The last step that the run in the folder was given, the same on all ranks; 0 where it is not known, or where the
+  /// case has another end now.
+  std::int64_t former_last_step() const;
   /// Number of rows in the history at the newest checkpoint.
   std::int64_t rows() const { return rows_; }
   /// Makes this run a new one. Throws InputError where this would destroy a run that could be continued.

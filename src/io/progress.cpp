@@ -30,7 +30,8 @@ Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::functi
       start_(clock_()),
       shown_(start_),
       step_(run.first_step),
-      window_{{start_, run.first_step, static_cast<double>(run.first_step) * run.time_step}} {
+      ahead_(run.ahead),
+      window_{{start_, run.first_step, simulated()}} {
   shown_fraction_ = fraction();
 }
 

@@ -24,6 +24,7 @@ class Progress {
     double time_step = 0;         ///< s
     double updates_per_step = 0;  ///< lattice-node updates of all fields together
     bool quiet = false;           ///< warnings only
+    double ahead = 0;             ///< s, at the first step, as for update()
   };
   Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds);
 
@@ -60,7 +61,7 @@ class Progress {
   std::function<double()> clock_;
   double start_, shown_, interval_ = 5;
   std::int64_t step_;
-  double ahead_ = 0, shown_fraction_ = 0;
+  double ahead_, shown_fraction_ = 0;
   double updates_ = 0;  // so far
   std::deque<Sample> window_;
 };
