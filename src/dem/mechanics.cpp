@@ -5,6 +5,7 @@
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "host/interruption.hpp"
+#include "host/this_process.hpp"
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
@@ -18,6 +19,7 @@ namespace vug {
 namespace {
 
 constexpr int steps_between_stops = 100000;  // sub-steps between two looks at requests to stop
+constexpr double longest_wait = 10;          // s until a lattice step ends that a stop waits for
 
 /// Checks the parameters, and sets thermal_expansion to the largest of all materials: those of particles are relative
 /// to it.
@@ -148,9 +150,13 @@ void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock, 
   for (int done = 0; done < times; done += together) {
     if (share_) share_->follow_pairs(exec);
     std::int64_t looked = 0;
+    const double start = steady_seconds();
     for (std::int64_t s = 0; s < all;) {
       if (!share_ && s - looked >= steps_between_stops) {  // ranks have to agree, which they do between calls
-        throw_if_stop_requested();
+        // after the lattice step, the run saves a checkpoint; only where that is far away, what was done since the last
+        // one is given up
+        const double left = (steady_seconds() - start) / static_cast<double>(s) * static_cast<double>(all - s);
+        if (left > longest_wait) throw_if_stop_requested();
         looked = s;
       }
       const int most = static_cast<int>(std::min<std::int64_t>(all - s, std::numeric_limits<int>::max()));
