@@ -1,6 +1,7 @@
 #include "coupling/dimensionless.hpp"
 
 #include "coupling/output_schedule.hpp"
+#include "io/form.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,8 @@ namespace vug {
 
 namespace {
 
-/// Largest velocity that a side, an injection or an opening prescribes, m/s; of a flow rate, its mean over the stretch.
+/// Largest velocity that a side, an injection or an opening prescribes, m/s; of a flow rate, its mean over the stretch
+/// or the outline of the shape.
 double largest_prescribed_speed(const Scene& scene) {
   double largest = 0;
   const auto look = [&](const FlowBoundary& flow, double length) {
@@ -24,7 +26,8 @@ double largest_prescribed_speed(const Scene& scene) {
   look(scene.bottom.flow, scene.lattice.length_x);
   look(scene.top.flow, scene.lattice.length_x);
   for (const InjectionSection& injection : scene.injections) look(injection.conditions.flow, injection.width);
-  for (const OpeningSection& opening : scene.openings) look(opening.conditions.flow, 0);
+  for (const OpeningSection& opening : scene.openings)
+    look(opening.conditions.flow, outline_length(scene.geometry.shapes[opening.shape].form));
   return largest;
 }
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <numbers>
 
 namespace vug {
 namespace {
@@ -103,6 +104,18 @@ TEST(Dimensionless, AFlowRateGivesAMeanSpeed) {
   EXPECT_NEAR(
       numbers_of(reacting + ("[boundary.injection]\nside = \"left\"\ncentre = 0.002\nwidth = 0.001\n" + rate)).at("Re"),
       80, 1e-12);
+}
+
+/// The rate of a well is spread over its outline.
+TEST(Dimensionless, AFlowRateOfAShapeGivesAMeanSpeed) {
+  std::string text = reacting;
+  text.insert(text.find("centre = [0.004"), "name = \"well\"\n");
+  for (const char* rate : {"flow_rate = 8e-5", "mass_flow_rate = 8e-2"})
+    EXPECT_NEAR(numbers_of(text + "[boundary.right]\nflow = { type = \"outflow\" }\n[boundary.shape.well]\nflow = { " +
+                           "type = \"velocity\", " + rate + " }\n")
+                    .at("Re"),
+                8e-5 / (2 * std::numbers::pi * 0.0008) * 0.004 / 4e-6, 1e-9)
+        << rate;
 }
 
 TEST(Dimensionless, NumbersAreInBothFormsOfTheReport) {
