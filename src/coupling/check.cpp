@@ -21,37 +21,71 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace vug {
 
 namespace {
 
 constexpr int warm_up_steps = 3;
-constexpr int most_steps = 200;
-constexpr double enough = 0.2;  // s, duration of the measurement
+constexpr int most_measured = 200;
+constexpr int longest_stretch = 1000;
+constexpr double enough = 0.2;   // s, duration of the measurement
+constexpr double patience = 20;  // s by the clock after which a measurement ends in the middle of its steps
+
+/// The intervals, of more than a step, of what the case has, with their keys. One step where they are chosen during the
+/// run, since that begins with it.
+std::vector<std::pair<const char*, int>> due_intervals(const Scene& scene) {
+  const AccuracySection& accuracy = scene.accuracy;
+  std::vector<std::pair<const char*, int>> due;
+  if (scene.laboratory || accuracy.chooses_intervals()) return due;
+  const auto add = [&](bool there, const char* key, int interval) {
+    if (there && interval > 1) due.emplace_back(key, interval);
+  };
+  add(scene.heat.has_value(), "heat_interval", accuracy.heat_interval);
+  add(scene.solute.has_value(), "solute_interval", accuracy.solute_interval);
+  add(scene.flow && scene.mechanics, "exchange_interval", accuracy.exchange_interval);
+  add(scene.reaction || scene.mechanics, "update_interval", accuracy.update_interval);
+  return due;
+}
 
 /// Measures a few steps. Other work on the machine increases the wall time and, with several threads that wait for each
 /// other, the processor time as well. The time of the fastest batch is therefore taken as that on a free machine.
 /// `take_steps(count)` takes `count` steps.
 template <class Steps>
-void measure_steps(const Steps& take_steps, CheckReport& report) {
+void measure_steps(const Scene& scene, const Steps& take_steps, CheckReport& report) {
+  const MeasuredSteps wanted = steps_to_measure(scene);
   take_steps(warm_up_steps);
   report.threads = shares_host_memory ? Exec().concurrency() : 1;
   const auto now = [&] { return work_seconds() / report.threads; };
   const double start = now();
   const double wall_start = steady_seconds();
   double fastest = std::numeric_limits<double>::infinity();
-  for (double before = start; report.measured_steps < most_steps && before - start < enough;) {
-    take_steps(CheckReport::batch);
-    report.measured_steps += CheckReport::batch;
+  const auto impatient = [&] { return steady_seconds() - wall_start > patience; };
+  double before = start;
+  do {
+    int taken = 0;
+    while (taken < wanted.count && !(taken > 0 && impatient())) {
+      const int some = std::min(10, wanted.count - taken);
+      take_steps(some);
+      taken += some;
+    }
+    report.measured_steps += taken;
     const double after = now();
-    fastest = std::min(fastest, after - before);
+    if (taken == wanted.count && wanted.in_proportion) {
+      fastest = std::min(fastest, after - before);
+      report.batch = taken;
+    }
     before = after;
-  }
+  } while (wanted.in_proportion && report.measured_steps + wanted.count <= most_measured && before - start < enough &&
+           !impatient());
   const double mean = (now() - start) / report.measured_steps;
   const double mean_wall = (steady_seconds() - wall_start) / report.measured_steps;
-  report.seconds_per_step = time_of_a_step(fastest / CheckReport::batch, mean, mean_wall);
+  report.seconds_per_step = time_of_a_step(report.batch > 0 ? fastest / report.batch : mean, mean, mean_wall);
   report.slowed_by = report.seconds_per_step > 0 ? mean_wall / report.seconds_per_step : 1;
+  for (const auto& [key, interval] : due_intervals(scene))
+    if (interval > report.measured_steps) report.not_due.push_back(fmt::format("accuracy.{} = {}", key, interval));
 }
 
 /// Computes the shares of joined pores and writes the picture.
@@ -90,7 +124,8 @@ CheckReport check_specimen(const Scene& scene) {
   report.particles = rock.particles().count;
   report.bonds = rock.bonds().count;
   report.steps = std::llround(longest_test(scene, specimen) / dt);
-  measure_steps([&](int count) { rock.advance(Exec(), dt, count); }, report);
+  measure_steps(
+      scene, [&](int count) { rock.advance(Exec(), dt, count); }, report);
   report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
   report.at_most = true;
   report.precision = "double";
@@ -139,13 +174,25 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
     for (int step = 0; step < count; ++step) simulation.step();
     simulation.catch_up();
   };
-  measure_steps(take_steps, report);
+  measure_steps(scene, take_steps, report);
   report.seconds = report.seconds_per_step * static_cast<double>(report.steps);
   const AccuracySection& accuracy = scene.accuracy;  // steps are measured at the start, where intervals are shortest
   report.at_most = accuracy.dissolution_tolerance > 0 || accuracy.flow_tolerance > 0 || accuracy.chooses_intervals();
   report.precision = scene.accuracy.precision == Precision::single_precision ? "single" : "double";
   report.preset = scene.accuracy.preset;
   return report;
+}
+
+MeasuredSteps steps_to_measure(const Scene& scene) {
+  constexpr int least = 10;
+  std::int64_t cycle = 1;
+  int longest = least;
+  for (const auto& [key, interval] : due_intervals(scene)) {
+    if (cycle <= most_measured) cycle = std::lcm(cycle, interval);
+    longest = std::max(longest, interval);
+  }
+  if (cycle > most_measured) return {std::min(longest, longest_stretch), false};
+  return {static_cast<int>((least + cycle - 1) / cycle * cycle), true};
 }
 
 double time_of_a_step(double fastest, double mean, double mean_wall) {

@@ -5,6 +5,7 @@
 #include "kernels/base/base.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
 
@@ -51,9 +52,11 @@ std::string to_text(const CheckReport& report) {
   if (report.at_most) text += "at most ";
   fmt::format_to(out, "{} steps of {:.3g} ms on a free machine: about {}\n", report.steps,
                  1e3 * report.seconds_per_step, duration(report.seconds));
-  fmt::format_to(out, "  measured: the fastest {} of the first {} steps, {}\n", CheckReport::batch,
-                 report.measured_steps,
+  const std::string fastest = report.batch > 0 ? fmt::format("fastest {} of the ", report.batch) : "";
+  fmt::format_to(out, "  measured: the {}first {} steps, {}\n", fastest, report.measured_steps,
                  shares_host_memory ? fmt::format("processor time, threads: {}", report.threads) : "by the clock");
+  if (!report.not_due.empty())
+    fmt::format_to(out, "  too few for {}, whose time is not in it\n", fmt::join(report.not_due, ", "));
   if (report.slowed_by > busy)
     fmt::format_to(out, "  the machine is busy: by the clock they took {:.3g} times as long in the mean\n",
                    report.slowed_by);

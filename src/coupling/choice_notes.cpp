@@ -83,23 +83,28 @@ std::vector<std::string> notes_without_mechanics(const Scene& scene) {
   return notes;
 }
 
-}  // namespace
-
-std::vector<std::string> choice_notes(const Scene& scene) {
+/// Notes for a case with mechanics.
+std::vector<std::string> notes_of_rock(const Scene& scene) {
   std::vector<std::string> notes;
-  if (scene.accuracy.chooses_intervals()) {
-    notes.push_back(
-        fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] during the run; "
-                    "docs/tuning.md has measured speeds and errors",
-                    scene.accuracy.tolerance));
-    if (scene.mechanics && scene.mechanics->scaling_chosen) notes.push_back(mass_scaling_note(scene));
-    return notes;
-  }
-  if (!scene.mechanics) return notes_without_mechanics(scene);
   for (const MeasuredChoice& choice : measured_choices())
     if (is_of_rock(choice) && choice.made(scene)) notes.push_back(on_the_rock(choice));
   for (const MeasuredLadder& ladder : measured_ladders())
     if (const double value = ladder.chosen(scene); value != 0) note_unknown(ladder.key, value, ladder.measured, notes);
+  return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> choice_notes(const Scene& scene) {
+  const auto notes_of = [&] { return scene.mechanics ? notes_of_rock(scene) : notes_without_mechanics(scene); };
+  if (!scene.accuracy.chooses_intervals()) return notes_of();
+  std::vector<std::string> notes{
+      fmt::format("accuracy.tolerance = {:g} chooses the intervals of [accuracy] during the run; docs/tuning.md has "
+                  "measured speeds and errors",
+                  scene.accuracy.tolerance)};
+  for (std::string& note : notes_of())
+    if (note.starts_with("precision = ")) notes.push_back(std::move(note));
+  if (scene.mechanics && scene.mechanics->scaling_chosen) notes.push_back(mass_scaling_note(scene));
   return notes;
 }
 

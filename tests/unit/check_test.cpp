@@ -44,6 +44,53 @@ TEST(Check, SaysWhatItMeasured) {
   EXPECT_THAT(text, testing::Not(HasSubstr("that the pressures drive")));
 }
 
+/// Heat that is computed in every 32nd step only takes about a 32nd of the time, not none of it.
+TEST(Check, MeasuresWhatIsDueAtIntervals) {
+  const auto report = [](const std::string& set) {
+    return check_case(parse_scene(test::heated_disc, "a.toml", {set}));
+  };
+  const CheckReport every = report("accuracy.heat_interval=1"), seldom = report("accuracy.heat_interval=32");
+  EXPECT_EQ(seldom.measured_steps % 32, 0);
+  EXPECT_EQ(seldom.batch, 32);
+  EXPECT_GT(32 * seldom.seconds_per_step, every.seconds_per_step / 4);
+  EXPECT_LT(seldom.seconds_per_step, every.seconds_per_step / 4);
+  const CheckReport never = report("accuracy.heat_interval=900");
+  EXPECT_GT(900 * never.seconds_per_step, every.seconds_per_step / 4);
+  EXPECT_EQ(never.batch, 0);
+  EXPECT_THAT(to_text(never), HasSubstr("measured: the first 900 steps, "));
+  EXPECT_THAT(to_text(never), testing::Not(HasSubstr("too few")));
+}
+
+TEST(Check, CountsTheStepsThatHoldAllIntervals) {
+  const auto counted = [](const std::vector<std::string>& intervals, const std::string& text = obstacle) {
+    std::vector<std::string> set{"time.steps=1000000"};
+    for (const std::string& interval : intervals) set.push_back("accuracy." + interval);
+    const MeasuredSteps found = steps_to_measure(parse_scene(text, "a.toml", set));
+    return std::pair{found.count, found.in_proportion};
+  };
+  const std::string reacts = obstacle + "[reaction]\nreactant = \"A\"\nrate_constant = 1e-3\nmolar_volume = 1e-3\n";
+  EXPECT_EQ(counted({}), std::pair(10, true));
+  EXPECT_EQ(counted({"heat_interval=4"}), std::pair(12, true));
+  EXPECT_EQ(counted({"heat_interval=4", "solute_interval=6"}), std::pair(12, true));
+  EXPECT_EQ(counted({"heat_interval=200"}), std::pair(200, true));
+  EXPECT_EQ(counted({"heat_interval=7", "solute_interval=31"}), std::pair(31, false));
+  EXPECT_EQ(counted({"update_interval=300"}), std::pair(10, true)) << "nothing to look at";
+  EXPECT_EQ(counted({"update_interval=300"}, reacts), std::pair(300, false));
+  EXPECT_EQ(counted({"update_interval=1000000"}, reacts), std::pair(1000, false));
+  EXPECT_EQ(counted({"preset=\"fast\""}, reacts), std::pair(20, true));
+  EXPECT_EQ(counted({"tolerance=1e-3", "heat_interval=64"}), std::pair(10, true)) << "begins with every step";
+}
+
+/// What is not in the time is said.
+TEST(Check, SaysWhichIntervalItsMeasurementLacks) {
+  const CheckReport report = check_case(
+      parse_scene(obstacle + "[reaction]\nreactant = \"A\"\nrate_constant = 1e-3\nmolar_volume = 1e-3\n", "a.toml",
+                  {"lattice.size=[40, 20]", "geometry.shapes.0.centre=[20, 10]", "geometry.shapes.0.radius=5",
+                   "accuracy.update_interval=2000"}));
+  EXPECT_EQ(report.measured_steps, 1000);
+  EXPECT_THAT(to_text(report), HasSubstr("too few for accuracy.update_interval = 2000, whose time is not in it"));
+}
+
 /// Where the clock of the processor ticks coarsely, the fastest batch takes no time.
 TEST(Check, TimeOfAStepIsThatOfTheFinestClockThatTicked) {
   EXPECT_EQ(time_of_a_step(1, 2, 3), 1);
@@ -66,7 +113,7 @@ TEST(Check, SaysAtMostWhereStepsMayTurnOutCheaper) {
 TEST(RowWeights, CountPopulationsOverTheirIntervals) {
   const auto weights = [](const std::string& intervals) {
     const Scene scene = parse_scene(
-        "[lattice]\nsize = [10, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 1\n[flow]\nviscosity = 0.1\n"
+        "[lattice]\nsize = [10, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 8\n[flow]\nviscosity = 0.1\n"
         "[heat]\nfluid_diffusivity = 0.01\nsolid_diffusivity = 0.01\n[[solute.species]]\nname = \"A\"\n"
         "diffusivity = 0.01\n[[solute.species]]\nname = \"B\"\ndiffusivity = 0.01\n[geometry]\ntype = \"shapes\"\n"
         "[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = [4, 0]\nto = [10, 2]\n[accuracy]\n" +
