@@ -1,4 +1,5 @@
 // The heat with intervals that are chosen during the run (accuracy.tolerance).
+#include "coupling/amount_share.hpp"
 #include "coupling/heat_module.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/scalar/turning.hpp"
@@ -48,7 +49,7 @@ void HeatModule<T>::watch(const Exec& exec, const Clock&, Changes& changes) {
   const Split& split = geometry_.split;
   for (const ScalarField<double>& sums : {change, amount})
     if (!split.alone()) split.make_whole(split.of_rows(), sums);
-  changes.heat = share_of(sum_in_order(change), sum_in_order(amount));
+  changes.heat = amount_share(sum_in_order(change), sum_in_order(amount));
 }
 
 template <class T>

@@ -21,7 +21,7 @@ Intervals longest_intervals(const AccuracySection& accuracy) {
 }
 
 IntervalChooser::IntervalChooser(const Scene& scene, const Intervals& most, const Intervals& safe)
-    : most_(most), safe_(safe) {
+    : given_(scene), most_(most), safe_(safe) {
   const double share = scene.accuracy.tolerance;
   const bool heat = scene.heat.has_value(), rock = scene.mechanics.has_value(), walls = scene.reaction.has_value();
   const auto at_walls = [](const Changes& c) { return std::max({c.heat, c.solute, c.solid}); };
@@ -33,7 +33,8 @@ IntervalChooser::IntervalChooser(const Scene& scene, const Intervals& most, cons
   std::erase_if(rules_, [](const Rule& rule) { return !rule.there; });
 }
 
-bool IntervalChooser::choose(const Changes& changes, const Intervals& stable, const Clock& clock) {
+bool IntervalChooser::choose(Changes changes, const Intervals& stable, const Clock& clock) {
+  given_.raise(changes, clock, look_interval);
   const Intervals& bound = wary_looks_ > 0 ? safe_ : stable;
   wary_looks_ = std::max(0, wary_looks_ - 1);
   const double since_start = 1 / static_cast<double>(clock.step + 1);

@@ -1,6 +1,7 @@
 #pragma once
 // Chooses intervals during a run (accuracy.tolerance).
 #include "coupling/clock.hpp"
+#include "coupling/given_changes.hpp"
 #include "coupling/history_value.hpp"
 #include "coupling/intervals.hpp"
 #include "io/field_list.hpp"
@@ -33,8 +34,9 @@ class IntervalChooser {
   const Intervals& most() const { return most_; }
   /// Whether a look is due before the step that follows.
   bool due(const Clock& clock) const { return clock.every(look_interval); }
-  /// Chooses from what has changed since the last look, at most `stable`. Returns whether an interval has changed.
-  bool choose(const Changes& changes, const Intervals& stable, const Clock& clock);
+  /// Chooses from what has changed since the last look and from what given values do until the next, at most `stable`.
+  /// Returns whether an interval has changed.
+  bool choose(Changes changes, const Intervals& stable, const Clock& clock);
   /// To be called when a pathway has opened, through which fluid may move fast: intervals are limited to `safe` until
   /// looks have seen its speed.
   void be_wary() { wary_looks_ = 2; }
@@ -61,6 +63,7 @@ class IntervalChooser {
   /// Takes over new intervals and notes those that have changed. Returns whether any has.
   bool go_on_with(const Intervals& next, const Clock& clock);
 
+  GivenChanges given_;
   std::vector<Rule> rules_;
   Intervals most_, safe_, now_;
   int wary_looks_ = 0;

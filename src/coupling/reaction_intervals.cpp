@@ -1,4 +1,5 @@
 // The reactions where intervals are chosen during the run (accuracy.tolerance).
+#include "coupling/amount_share.hpp"
 #include "coupling/reaction_module.hpp"
 
 #include <algorithm>
@@ -17,12 +18,12 @@ void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) 
   for (Attack<T>& attack : attacks_) {  // acid that reacts in a step of the solutes is booked at its beginning
     const double reacted = consumed(attack);
     changes.solute =
-        std::max(changes.solute, share_of(std::abs(reacted - attack.watched), solutes_.total(*attack.reactant)));
+        std::max(changes.solute, amount_share(std::abs(reacted - attack.watched), solutes_.total(*attack.reactant)));
     attack.watched = reacted;
   }
   if (!dissolves_) return;
   const double paid = this->paid();
-  changes.solid = share_of(std::abs(paid - watched_), std::abs(paid));
+  changes.solid = amount_share(std::abs(paid - watched_), std::abs(paid));
   watched_ = paid;
 }
 

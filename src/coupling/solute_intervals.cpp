@@ -1,4 +1,5 @@
 // The solutes with intervals that are chosen during the run (accuracy.tolerance).
+#include "coupling/amount_share.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/solute_totals.hpp"
@@ -41,7 +42,7 @@ void SoluteModule<T, Set>::watch(const Exec& exec, const Clock&, Changes& change
     const ScalarField<double> change("vug::solute::change", block_count(fluid.capacity));
     add_change<T>(exec, fluid, s.fields.C, compared_, s.watched, change);
     geometry_.split.make_whole(geometry_.split.of_blocks(), change);
-    changes.solute = std::max(changes.solute, share_of(sum_in_order(change), total(s)));
+    changes.solute = std::max(changes.solute, amount_share(sum_in_order(change), total(s)));
   }
   compared_ = fluid.count;
 }

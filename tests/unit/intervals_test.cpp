@@ -1,5 +1,7 @@
 // How long an interval may be, and what a case says of it.
+#include "coupling/amount_share.hpp"
 #include "coupling/force_change.hpp"
+#include "coupling/given_changes.hpp"
 #include "coupling/interval_chooser.hpp"
 #include "coupling/simulation.hpp"
 #include "kernels/base/require.hpp"
@@ -12,6 +14,7 @@
 #include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -32,6 +35,79 @@ TEST(NextInterval, DoublesWhereThereIsRoomAndShrinksAtOnce) {
 TEST(ShareOf, IsAllWhereThereIsNothingYet) {
   EXPECT_EQ(share_of(0, 0), 1);
   EXPECT_EQ(share_of(1, 4), 0.25);
+}
+
+TEST(AmountShare, IsNothingWhereThereIsExactlyNone) {
+  EXPECT_EQ(amount_share(0, 0), 0);
+  EXPECT_EQ(amount_share(1, 0), 1) << "all of it is gone";
+  EXPECT_EQ(amount_share(1, 4), 0.25);
+  EXPECT_EQ(amount_share(0, -1), 1) << "less than none";
+  EXPECT_EQ(amount_share(NAN, NAN), 1);
+}
+
+TEST(Steepest, IsTheLargestSlopeInAStretch) {
+  const TimeTable table({1, 2, 4, 5}, {0, 6, 4, 4});
+  EXPECT_EQ(steepest(table, 0, 10), 6);
+  EXPECT_EQ(steepest(table, 0, 1), 0) << "it begins at the end";
+  EXPECT_EQ(steepest(table, 0, 1.1), 6);
+  EXPECT_EQ(steepest(table, 2, 10), 1) << "it falls as well";
+  EXPECT_EQ(steepest(table, 1.9, 2.1), 6);
+  EXPECT_EQ(steepest(table, 4, 9), 0);
+  EXPECT_EQ(steepest(TimeTable(3), 0, 10), 0);
+}
+
+/// Share by which given values change in ten steps of 0.1 s, of heat, solutes and forces.
+std::vector<double> raised(const Scene& scene, std::int64_t step) {
+  Changes changes;
+  GivenChanges(scene).raise(changes, Clock{step, 0.1}, 10);
+  EXPECT_EQ(changes.solid, 0);
+  return {changes.heat, changes.solute, changes.force};
+}
+
+TEST(GivenChanges, AreThoseOfTheStepsToComeOverTheLargestDistanceFromRest) {
+  const auto values = [](double heat, double solute, double force) { return std::vector<double>{heat, solute, force}; };
+  Scene scene;
+  scene.heat.emplace().initial_temperature = 300;
+  scene.flow.emplace().initial_pressure = 100;
+  scene.solute.emplace();
+  scene.mechanics.emplace();
+  EXPECT_EQ(raised(scene, 0), values(0, 0, 0));
+
+  scene.left.heat.temperature = TimeTable({0, 4, 5}, {300, 300, 280});
+  EXPECT_EQ(raised(scene, 0), values(0, 0, 0)) << "the steps end before";
+  EXPECT_EQ(raised(scene, 40), values(1, 0, 0)) << "20 K in 1 s, of 20";
+  EXPECT_EQ(raised(scene, 35), values(1, 0, 0)) << "at its steepest";
+  EXPECT_EQ(raised(scene, 50), values(0, 0, 0)) << "it lies behind";
+  scene.left.heat.temperature = {};
+
+  scene.top.solute.concentration["A"] = TimeTable({0, 2}, {8, 2});
+  EXPECT_EQ(raised(scene, 0), values(0, 0.375, 0)) << "3 per s, of 8";
+  scene.top.solute.concentration.clear();
+  scene.top.solute.flux["A"] = TimeTable({0, 2}, {0, -2});
+  EXPECT_EQ(raised(scene, 0), values(0, 0.5, 0));
+  scene.top.solute.flux.clear();
+  scene.top.heat.flux = TimeTable({0, 4}, {0, 1});
+  EXPECT_EQ(raised(scene, 0), values(0.25, 0, 0));
+  scene.top.heat.flux = {};
+
+  const TimeTable table({0, 4}, {100, 300});  // a half per s of 200 Pa, a sixth per s of 300
+  scene.injections.resize(1);
+  FlowBoundary& flow = scene.injections[0].conditions.flow;
+  flow.pressure = table;
+  EXPECT_EQ(raised(scene, 0), values(0.25, 0.25, 0.25)) << "the flow carries and pushes";
+  flow.pressure = {};
+  for (int kind = 0; kind < 5; ++kind) {
+    FlowBoundary other;
+    if (kind < 2) other.velocity[kind] = TimeTable({0, 4}, {1, 2});
+    if (kind == 2) other.speed = TimeTable({0, 4}, {1, 2});
+    if (kind == 3) other.flow_rate = TimeTable({0, 4}, {1, 2});
+    if (kind == 4) other.mass_flow_rate = TimeTable({0, 4}, {1, 2});
+    flow = other;
+    EXPECT_EQ(raised(scene, 0), values(0.125, 0.125, 0.125)) << kind;
+  }
+  scene.mechanics.reset();
+  scene.solute.reset();
+  EXPECT_EQ(raised(scene, 0), values(0.125, 0, 0)) << "nothing else is held";
 }
 
 TEST(LongestIntervals, ArePowersOfTwoThatEndWithALook) {
@@ -200,6 +276,22 @@ TEST(Tolerance, PassesForcesOnAtEveryStepWhileARampPushes) {
   EXPECT_EQ(interval_at(1024 + 130), 1);
   EXPECT_EQ(interval_at(1024 + 258), 1);
   EXPECT_GE(interval_at(3072 + 1024), 8);
+}
+
+/// A species that nobody injects, and heat that never comes, hold nothing back.
+TEST(Tolerance, IsNotHeldByWhatThereIsNoneOf) {
+  const std::string diffusing =
+      "[lattice]\nsize = [24, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 2000\n"
+      "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\ninitial_temperature = 300\n"
+      "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\ninitial = 1\n"
+      "[[solute.species]]\nname = \"B\"\ndiffusivity = 0.1\n"
+      "[boundary.left]\nsolute = { type = \"concentration\", concentration = { A = 1.5 } }\n"
+      "[accuracy]\ntolerance = 1e-2\n";
+  Simulation simulation(parse_scene(diffusing, "a.toml"));
+  simulation.begin();
+  for (int step = 0; step < 2000; ++step) simulation.step();
+  EXPECT_EQ(simulation.intervals().heat, 8) << "the longest that is stable";
+  EXPECT_EQ(simulation.intervals().solute, 8);
 }
 
 TEST(Tolerance, SeesAcidThatIsGivenBack) {

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 namespace vug {
 namespace {
@@ -164,17 +165,51 @@ TEST(Tolerance, MakesRockNoHeavierThanItsLoadsBear) {
   }
 }
 
-/// The looks are 128 steps apart: what happens all at once is seen at the next.
-TEST(Tolerance, FallsBackWhenSomethingHappens) {
+/// A jump of a given value is known in advance: the look before it shortens what it acts on.
+TEST(Tolerance, FallsBackBeforeAGivenValueJumps) {
   const Scene scene = parse_scene(slab + with_tolerance(1e-2), "case.toml",
                                   {"boundary.left.solute.concentration.A=[[0, 1], [4000, 1], [4010, 4]]"});
   const History found = run(scene, 4480);
-  EXPECT_EQ(column(found, "solute_interval_1")[31], 8) << "at step 3968";
+  EXPECT_EQ(column(found, "solute_interval_1")[30], 8) << "at step 3840";
+  EXPECT_EQ(column(found, "solute_interval_1")[31], 1) << "at step 3968";
   EXPECT_LE(column(found, "solute_interval_1")[32], 2) << "at step 4096";
   Simulation simulation(scene);
-  for (int step = 0; step < 4100; ++step) simulation.step();
+  for (int step = 0; step < 4000; ++step) simulation.step();
   ASSERT_NE(simulation.chooser(), nullptr);
-  EXPECT_THAT(simulation.chooser()->news().back(), testing::HasSubstr("step 4095, 4095 s: solute_interval 8 -> "));
+  EXPECT_THAT(simulation.chooser()->news().back(), testing::HasSubstr("step 3967, 3967 s: solute_interval 8 -> 1"));
+}
+
+/// As much as its period is that of the looks, which find it where it was.
+TEST(Tolerance, FollowsValuesThatOscillateWithTheLooks) {
+  std::string table = "[[0, 300]";
+  for (int turn = 1; turn <= 100; ++turn) table += fmt::format(", [{}, {}]", 64 * turn, turn % 2 ? 330 : 300);
+  const std::vector<std::string> swing{"boundary.left.heat.temperature=" + table + "]"};
+  const History found = run(parse_scene(slab + with_tolerance(1e-2), "case.toml", swing), 6400);
+  for (const double interval : column(found, "heat_interval_1")) EXPECT_LE(interval, 2) << "4 tolerances in 64 steps";
+  const Difference error = largest_difference(run(parse_scene(slab + finest, "case.toml", swing), 6400), found, {});
+  std::printf("    off by %.1e (%s)\n", error.value, error.column.c_str());
+  EXPECT_LE(error.value, 1e-2) << error.column;
+}
+
+/// What there was none of for thousands of steps: acid that a table brings, and its product where a flow carries it to
+/// the first grain.
+TEST(Tolerance, HoldsWhereSomethingArrivesLate) {
+  const std::vector<std::string> late{
+      "solute.species=[{ name = \"A\", diffusivity = 0.1 }, { name = \"B\", diffusivity = 0.1 }]", "reaction.product=B",
+      "boundary.left.solute.concentration.A=[[0, 0], [3000, 0], [3010, 1]]"};
+  std::vector<std::string> far = late;
+  far.front() = "solute.species=[{ name = \"A\", diffusivity = 0.01 }, { name = \"B\", diffusivity = 0.01 }]";
+  for (const auto& [name, scene, set] : {std::tuple{"slab", slab, late}, {"grains", grains, far}}) {
+    const History truth = run(parse_scene(scene + finest, "case.toml", set), 7680);
+    for (const double tolerance : {1e-3, 1e-2}) {
+      const History found = run(parse_scene(scene + with_tolerance(tolerance), "case.toml", set), 7680);
+      const Difference error = largest_difference(truth, found, {});
+      std::printf("    %s, tolerance %g: %.1e (%s), solutes every %g steps before they come\n", name, tolerance,
+                  error.value, error.column.c_str(), column(found, "solute_interval_1")[22]);
+      EXPECT_LE(error.value, tolerance) << name << ", " << error.column;
+      if (tolerance == 1e-2) EXPECT_GE(column(found, "solute_interval_1")[22], 4) << name;
+    }
+  }
 }
 
 /// Largest deviation from a uniform concentration in a flow that starts up between inert grains.
