@@ -1,6 +1,7 @@
 #include "coupling/tuning.hpp"
 
 #include "coupling/history_difference.hpp"
+#include "coupling/interval_chooser.hpp"
 #include "coupling/output_schedule.hpp"
 #include "coupling/simulation.hpp"
 #include "host/interruption.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <ostream>
 
 namespace vug {
@@ -34,6 +36,25 @@ std::int64_t steps_of_a_pilot(const Scene& scene, const TuningOptions& options) 
   return std::max<std::int64_t>(1, std::min(wanted, all));
 }
 
+/// Lattice steps after which all intervals of a case that delay what rows show have just ended. Where a pilot of
+/// `steps` is too short for those of forces and pores as well, those of heat and solutes; where for these too,
+/// steps_of_a_row.
+std::int64_t common_interval(const Scene& scene, std::int64_t steps) {
+  const AccuracySection& given = scene.accuracy;
+  const Intervals all = given.chooses_intervals()
+                            ? longest_intervals(given)
+                            : Intervals{given.heat_interval, given.solute_interval, given.wall_interval,
+                                        given.exchange_interval, given.update_interval};
+  std::int64_t common = 1;
+  if (scene.heat) common = std::lcm(common, all.heat);
+  if (scene.solute) common = std::lcm(common, all.solute);
+  const std::int64_t shown = common;
+  if (scene.mechanics && scene.flow) common = std::lcm(common, all.exchange);
+  if (scene.reaction || scene.mechanics) common = std::lcm(common, all.update);
+  constexpr int fewest_rows = 4;
+  return common * fewest_rows <= steps ? common : shown <= steps ? shown : steps_of_a_row;
+}
+
 struct Pilot {
   History history;
   double cost = 0;  ///< time of its steps, s: processor time, on a GPU by the clock
@@ -47,10 +68,15 @@ void add_row(const std::vector<HistoryValue>& row, History& history) {
   for (std::size_t c = 0; c < row.size(); ++c) history.values[c].push_back(row[c].value);
 }
 
-/// Runs the first `steps` of a scene. Throws StabilityError where they are unstable.
-Pilot fly(const Scene& scene, std::int64_t steps) {
-  const std::int64_t rows = std::max<std::int64_t>(1, std::min(rows_of_a_pilot, steps / steps_of_a_row));
-  const std::int64_t row = std::max<std::int64_t>(1, steps / rows / steps_of_a_row * steps_of_a_row);
+/// The steps of a pilot between two rows: about a twentieth of its steps, a multiple of `unit`, where it has as many.
+std::int64_t row_of(std::int64_t steps, std::int64_t unit) {
+  const std::int64_t rows = std::max<std::int64_t>(1, std::min(rows_of_a_pilot, steps / unit));
+  return std::max<std::int64_t>(1, steps / rows / unit * unit);
+}
+
+/// Runs the first `steps` of a scene, with a row every `row` of them and one of the last. Throws StabilityError where
+/// they are unstable.
+Pilot fly(const Scene& scene, std::int64_t steps, std::int64_t row) {
   Simulation simulation(scene);
   Pilot pilot;
   simulation.begin();
@@ -78,24 +104,24 @@ class Pilots {
         settings_(settings_of(scene)),
         steps_(steps_of_a_pilot(scene, options)),
         sound_(speed_of_sound(scene.lattice)) {
-    reference_ = fly(scene_of(std::vector<std::size_t>(settings_.size(), 0)), steps_);
+    reference_ = fly(finest(), steps_, row_of(steps_, steps_of_a_row));
     ++count_;
     largest_difference(reference_.history, reference_.history, options_.columns,
                        sound_);  // throws for an unknown column
   }
 
-  /// The difference for the case as it is, or with these rungs.
-  Difference operator()(const std::vector<std::size_t>* rungs, double& cost) {
+  /// The difference for the case as it is, at rows where its own intervals have just ended.
+  Difference as_it_is(double& cost) {
+    const std::int64_t own = common_interval(scene_, steps_);
+    if (steps_of_a_row % own == 0) return of(scene_, reference_, steps_, row_of(steps_, steps_of_a_row), cost);
+    const std::int64_t row = row_of(steps_, own), steps = steps_ / row * row;
     ++count_;
-    try {
-      const Pilot pilot = fly(rungs ? scene_of(*rungs) : scene_, steps_);
-      cost = pilot.cost / reference_.cost;
-      return largest_difference(reference_.history, pilot.history, options_.columns, sound_);
-    } catch (const StabilityError&) {
-      return {infinite, ""};
-    } catch (const InputError&) {  // an interval that is too long for this lattice
-      return {infinite, ""};
-    }
+    return of(scene_, fly(finest(), steps, row), steps, row, cost);
+  }
+
+  /// The difference with these rungs.
+  Difference operator()(const std::vector<std::size_t>& rungs, double& cost) {
+    return of(scene_of(rungs), reference_, steps_, row_of(steps_, steps_of_a_row), cost);
   }
 
   const std::vector<Setting>& settings() const { return settings_; }
@@ -103,6 +129,21 @@ class Pilots {
   int count() const { return count_; }
 
  private:
+  Difference of(const Scene& scene, const Pilot& reference, std::int64_t steps, std::int64_t row, double& cost) {
+    ++count_;
+    try {
+      const Pilot pilot = fly(scene, steps, row);
+      cost = pilot.cost / reference.cost;
+      return largest_difference(reference.history, pilot.history, options_.columns, sound_);
+    } catch (const StabilityError&) {
+      return {infinite, ""};
+    } catch (const InputError&) {  // an interval that is too long for this lattice
+      return {infinite, ""};
+    }
+  }
+
+  Scene finest() const { return scene_of(std::vector<std::size_t>(settings_.size(), 0)); }
+
   Scene scene_of(const std::vector<std::size_t>& rungs) const {
     std::vector<std::string> overrides;
     if (scene_.accuracy.tolerance > 0) overrides.push_back("accuracy.tolerance=0");  // rungs are no longest intervals
@@ -127,7 +168,7 @@ TunedSetting climb(Pilots& pilots, std::size_t s, double allowed, const TuningOp
   while (tuned.chosen + 1 < tuned.setting.rungs.size()) {
     rungs[s] = tuned.chosen + 1;
     double cost = 0;
-    const Difference difference = pilots(&rungs, cost);
+    const Difference difference = pilots(rungs, cost);
     if (options.progress)
       *options.progress << fmt::format("{} = {}: {:.1e} {}\n", tuned.setting.key, tuned.setting.rungs[rungs[s]],
                                        difference.value, difference.column);
@@ -166,14 +207,14 @@ Tuning tune(const Scene& given, const TuningOptions& options) {
   Pilots pilots(scene, options);
   Tuning tuning;
   tuning.steps = pilots.steps();
-  tuning.error_of_case = pilots(nullptr, tuning.cost_of_case).value;
+  tuning.error_of_case = pilots.as_it_is(tuning.cost_of_case).value;
   std::vector<std::size_t> rungs;
   for (std::size_t s = 0; s < pilots.settings().size(); ++s) {
     tuning.settings.push_back(climb(pilots, s, options.tolerance / 2, options));
     rungs.push_back(tuning.settings.back().seen ? tuning.settings.back().chosen : as_in_case);
   }
   while (true) {
-    const Difference together = pilots(&rungs, tuning.cost);
+    const Difference together = pilots(rungs, tuning.cost);
     tuning.error = together.value;
     tuning.worst = together.column;
     if (options.progress) *options.progress << fmt::format("together: {:.1e}\n", together.value);

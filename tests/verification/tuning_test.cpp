@@ -161,6 +161,23 @@ TEST(Tuning, OfACaseWithAToleranceIsThatWithout) {
   EXPECT_LT(with.error_of_case, 1e-2) << "chosen as it goes";
 }
 
+/// An interval that is no divisor of 40 is compared where it ends: 7 costs no more than 8, which is one.
+TEST(Tuning, ComparesTheCaseWhereItsOwnIntervalsEnd) {
+  const auto tuned = [](const std::string& set) {
+    TuningOptions options;
+    options.tolerance = 1e-300;  // pilots of the first rungs only
+    options.steps = 400;
+    options.columns = {"heat_stored_J_per_m"};
+    return tune(override_scene(slab(), {"accuracy.update_interval=1", set}), options);
+  };
+  const Tuning seven = tuned("accuracy.heat_interval=7"), eight = tuned("accuracy.heat_interval=8");
+  std::printf("    heat_interval 7: %.1e, 8: %.1e\n", seven.error_of_case, eight.error_of_case);
+  EXPECT_LT(seven.error_of_case, 1.2 * eight.error_of_case);
+  EXPECT_GT(seven.error_of_case, 0.5 * eight.error_of_case);
+  EXPECT_EQ(seven.pilots, eight.pilots + 1);
+  EXPECT_GT(seven.cost_of_case, 0);
+}
+
 TEST(Tuning, KnowsTheSettingsOfTheModulesThereAre) {
   std::vector<std::string> keys;
   for (const Setting& setting : settings_of(slab())) keys.push_back(setting.key);
