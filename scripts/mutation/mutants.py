@@ -25,9 +25,11 @@ LAWS = {
         integrate.cpp laboratory.cpp linear_rock.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
         mechanics_preload.cpp monitors.cpp particles.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp
         static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
-    "coupling": """ageing.hpp ageing_module.cpp build_modules.cpp chemical_damage.cpp chemical_damage.hpp concerns.cpp corner_contacts.cpp
-        error_bars.cpp events.cpp face_temperature.hpp flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
-        flow_limits.cpp flow_module.cpp flow_paths.cpp force_change.cpp force_speed.cpp grid_convergence.hpp
+    "coupling": """ageing.hpp ageing_looks.hpp ageing_module.cpp amount_share.hpp build_modules.cpp chemical_damage.cpp
+        chemical_damage.hpp concerns.cpp corner_contacts.cpp error_bars.cpp events.cpp face_temperature.hpp
+        flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
+        flow_limits.cpp flow_module.cpp flow_paths.cpp force_change.cpp force_speed.cpp given_changes.cpp
+        grid_convergence.hpp
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp heat_setup.cpp history_difference.cpp
         initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp
         mouths.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
@@ -52,7 +54,7 @@ NO_LAWS = {
     "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp parameters.hpp require_edges.cpp
         require_parameters.cpp rock_share.cpp""",
     "coupling": """check.cpp check_text.cpp choices.cpp dimensionless.cpp explain.cpp flow_ranks.cpp fluid_picture.cpp
-        geometry.cpp laboratory_report.cpp laboratory_run.cpp mechanics_ranks.cpp memory_need.cpp reaction_ranks.cpp
+        geometry.cpp interval_warnings.cpp laboratory_report.cpp laboratory_run.cpp mechanics_ranks.cpp memory_need.cpp reaction_ranks.cpp
         recorded_run.cpp run.cpp run_book.cpp run_files.cpp run_sum.hpp shared_field.cpp solute_ranks.cpp split.cpp tasks.cpp""",
     "io": """assembly_quality.cpp case_reader.cpp case_tables_boundary.cpp case_tables_domain.cpp case_tables_fluid.cpp
         case_tables_gauge.cpp case_tables_rock.cpp checkpoint.cpp detail/check_boundaries.cpp detail/check_laboratory.cpp

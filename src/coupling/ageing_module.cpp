@@ -1,25 +1,14 @@
 #include "coupling/ageing_module.hpp"
 
+#include "coupling/ageing_looks.hpp"
 #include "coupling/shared_field.hpp"
 #include "io/each_boundary.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/solute_totals.hpp"
 
 #include <limits>
-#include <numeric>
 
 namespace vug {
-
-namespace {
-
-/// Lattice steps between looks: at least ten steps of the solutes, and such that the walls are booked at each look.
-int look_interval(const AccuracySection& accuracy) {
-  constexpr int solute_steps = 10;
-  const int both = std::lcm(accuracy.update_interval, accuracy.solute_interval);
-  return both * std::max(1, (solute_steps * accuracy.solute_interval + both - 1) / both);
-}
-
-}  // namespace
 
 std::vector<double> moments_of(const Scene& scene) {
   std::vector<double> moments;

@@ -27,7 +27,7 @@ size = [0.08, 0.04]
 spacing = 2e-3
 time_step = 1e-3
 [time]
-steps = 1
+steps = 4
 [geometry]
 type = "shapes"
 [[geometry.shapes]]
