@@ -12,8 +12,8 @@ struct Intervals {
 };
 
 /// Shares by which the quantities that intervals hold have changed since the last look: temperatures, concentrations,
-/// the dissolved volume, the fluid's force on the rock. 0 for what the scene does not have; 1 where there is nothing
-/// yet.
+/// the dissolved volume, the fluid's force on the rock. 0 for what the scene does not have and for what there is none
+/// of (amount_share.hpp); 1 where there is no force yet.
 struct Changes {
   double heat = 0, solute = 0, solid = 0, force = 0;
   std::optional<double> speed{};  ///< bound of the fluid's speed until the next look, lattice units
