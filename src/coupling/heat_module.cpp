@@ -145,6 +145,7 @@ void HeatModule<T>::step(const Exec& exec, const Clock& clock) {
     created_.settle(exec);
     for (const LongSum& side : entered_) side.settle(exec);
   }
+  fields_.rounding = rounding_of_step<T>((clock.step + 1) / interval_);
   set_values(clock.time());
   populations_.exchange<T, 1>(exec, {fields_.g});
   fill_heat_openings<T>(exec, fields_, openings_, crossing());

@@ -84,7 +84,7 @@ auto solute_collision(const SoluteParameters& p, const Vector2& u) {
       c += g[q];
       for (const int axis : {0, 1}) flux[axis] += Set::c(q, axis) * g[q];
     }
-    SoluteCollision<double, Set>(p).template relax<true>(g, c, u[0], u[1], flux[0] - c * u[0], flux[1] - c * u[1]);
+    SoluteCollision<double, Set>(p).template relax<true>(0, g, c, u[0], u[1], flux[0] - c * u[0], flux[1] - c * u[1]);
   });
 }
 
@@ -94,7 +94,7 @@ auto heat_collision(double diffusivity, const Vector2& u) {
   return jacobian<Set>({}, [&](Populations<Set>& g) {
     Populations<Set> arrived;
     std::copy(g, g + Set::Q, arrived);
-    conduct_node<double, Set>(g, arrived, rates.fluid, [](int, double pulled, double) { return pulled; });
+    conduct_node<double, Set>(g, arrived, rates.fluid, {}, 0, [](int, double pulled, double) { return pulled; });
     double temperature = 0;
     for (const double part : g) temperature += part;
     const Convection<double, Set> law{rates.fluid};

@@ -122,7 +122,8 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   const FluidNodes& fluid = geometry_.fluid;
   conditions_.clear();
   const StepTimes times{clock.time(), units_.time_step, interval_};
-  for (const SpeciesState<T>& s : species_) {
+  for (SpeciesState<T>& s : species_) {
+    s.fields.rounding = rounding_of_step<T>((clock.step + 1) / interval_);
     if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries)
       conditions_.push_back(condition(s, boundary, times, boundary.gain.recent()));

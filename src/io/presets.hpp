@@ -53,7 +53,7 @@ inline MechanicsSection mechanics_of(Preset preset) {
 }
 
 /// The preset that suits a tolerance in everything but the intervals, with an error well below it (docs/accuracy.md):
-/// how the rock moves, and the precision, where `single` costs 2e-3 if transport is slow.
+/// how the rock moves, and the precision: in `single` a flow that hardly changes any more is rounded short of its end.
 inline Preset preset_of(double tolerance) {
   return tolerance >= 2e-4 ? Preset::fast : tolerance >= 5e-5 ? Preset::balanced : Preset::careful;
 }

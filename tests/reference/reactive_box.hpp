@@ -10,6 +10,7 @@
 #include "support/dress_one.hpp"
 #include "support/host_copy.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <random>
 #include <string>
@@ -39,6 +40,7 @@ struct ReactiveBox {
   bool has_product = false, use_normals = false;
   bool given_product = false;  ///< the product is held at 0 where the acid is given
   ReactiveWall wall;
+  std::int64_t steps = 0;  ///< done by step()
   double k = 0;
   double links_for = -1;  ///< the k that links.conductance is for
   std::vector<GivenSide> given;
@@ -103,6 +105,7 @@ struct ReactiveBox {
   }
 
   void step() {
+    acid.rounding = product.rounding = rounding_of_step<T>(++steps);
     for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, g.C_b, acid, g.gain);
     if (given_product)
       for (const GivenSide& g : given) dress_concentration<Set>(exec, nodes, g.links, 0.0, product, g.product_gain);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -113,6 +114,7 @@ class HeatBox {
   void run(int steps) {
     if (!closed_) close();
     for (int step = 0; step < steps; ++step) {
+      fields.rounding = rounding_of_step<T>(++steps_done_);
       for (int axis = 0; axis < 2; ++axis)
         if (periodic_[axis]) join_heat_sides(exec, fields, axis);
       fill_heat_sides<T>(exec, fields, sides);
@@ -163,6 +165,7 @@ class HeatBox {
  private:
   std::array<bool, 2> periodic_;
   bool closed_ = false;
+  std::int64_t steps_done_ = 0;
   std::vector<Side> given_;
   std::vector<FillProfile<T>> profiles_;
 

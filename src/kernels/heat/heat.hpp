@@ -8,6 +8,7 @@
 #include "kernels/launch/row_launch.hpp"
 #include "kernels/nodes/fluid_rows.hpp"
 #include "kernels/scalar/displacement.hpp"
+#include "kernels/scalar/rounding.hpp"
 
 #include <array>
 #include <optional>
@@ -78,6 +79,7 @@ struct HeatFields {
   int bands = 0;  ///< number of bands of rows that a step in place does side by side (heat_bands.hpp); 0 on a GPU
   ScalarField<T> lines;                        ///< (band, line, x) what they set aside
   std::array<bool, 2> periodic{false, false};  ///< which sides are joined, as given to set_heat_geometry
+  StepRounding<T> rounding{};                  ///< of the next step
 };
 
 /// Temperature of a node, deviation from the reference: the sum of its populations, which every step conserves and

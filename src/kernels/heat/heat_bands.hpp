@@ -114,12 +114,14 @@ struct ConductBand {
     const T* pulled[Set::Q];  ///< what arrives at it
     T* kept[Set::Q];          ///< where it sets aside what moves upwards; not set for other directions
     const std::uint8_t* kind;
+    int node;  ///< dense index at x = 0
   };
 
   KOKKOS_FORCEINLINE_FUNCTION Row row_at(int y, bool is_last, int turn, const BandLines<T, Set>& lines) const {
     const int nx = bands.lattice.nx, pitch = bands.lattice.pitch, node = bands.lattice.node(0, y);
     Row row;
     row.kind = &matter.kind(node);
+    row.node = node;
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) {
       row.g[q] = bands.row(q, y);
@@ -149,7 +151,7 @@ struct ConductBand {
   /// Conducts a row and calls conducted(x) when the nodes before x are done.
   template <class Conducted>
   KOKKOS_FORCEINLINE_FUNCTION void conduct(const Row& row, const Matter& local, const Conducted& conducted) const {
-    const int nx = bands.lattice.nx, pitch = bands.lattice.pitch;
+    const int nx = bands.lattice.nx, pitch = bands.lattice.pitch, first = row.node;
     T before = row.g[1][-1];  // moves to the right, from the node before the segment
     for (int start = 0; start < nx; start += segment) {
       const int n = nx - start < segment ? nx - start : segment;
@@ -178,7 +180,7 @@ struct ConductBand {
           if (Set::c(q, 1) > 0) row.kept[q][start + x] = g[q];
         }
         if (!Matter::computed(here)) continue;
-        local.conduct(g, pulled, row.kind[start + x], here, beyond);
+        local.conduct(first + start + x, g, pulled, row.kind[start + x], here, beyond);
         VUG_UNROLL
         for (int q = 0; q < Set::Q; ++q) row.g[q][start + x] = g[q];
       }

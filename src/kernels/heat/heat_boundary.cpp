@@ -140,7 +140,7 @@ struct FillSides {
   }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
-    e.template visit<T>([&](const auto& law) {
+    e.template visit<T>(links.rounding, [&](const auto& law) {
       run(FillSide<T, std::decay_t<decltype(law)>, Links>{law, e, links, solid});
     });
   }

@@ -8,6 +8,7 @@ namespace vug {
 /// Data of one link that crosses a side, for its law.
 template <class T>
 struct SideLink {
+  int node;    ///< dense index
   T leaving;   ///< A, the population that leaves through it, or that a mirror sends back through it
   T inward;    ///< the node's own population of the opposite direction
   T weight;    ///< w of the velocity set
@@ -23,8 +24,9 @@ template <class T>
 struct FluxIn {
   static constexpr bool mirrors = true, looks_inside = false, has_plane = false;
   T fluid_flux, solid_flux;
+  Rounding<T> rounding;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    return link.leaving + link.share * (link.solid ? solid_flux : fluid_flux);
+    return rounding.sum(link.leaving, link.share * (link.solid ? solid_flux : fluid_flux), link.node);
   }
 };
 
@@ -88,15 +90,15 @@ struct ConditionOf {
   double* entered;  ///< (item)
 
   template <class T, class Visit>
-  KOKKOS_FUNCTION void visit(const Visit& visit) const {
+  KOKKOS_FUNCTION void visit(const Rounding<T>& rounding, const Visit& visit) const {
     switch (condition) {
       case HeatCondition::adiabatic:
       case HeatCondition::periodic:  // has no links of its own
-        return visit(FluxIn<T>{0, 0});
+        return visit(FluxIn<T>{0, 0, rounding});
       case HeatCondition::temperature:
         return visit(TemperatureIn<T>{static_cast<T>(2 * value)});
       case HeatCondition::flux:
-        return visit(FluxIn<T>{static_cast<T>(value), static_cast<T>(value / capacity_ratio)});
+        return visit(FluxIn<T>{static_cast<T>(value), static_cast<T>(value / capacity_ratio), rounding});
       case HeatCondition::convection:
         return visit(ConvectionIn<T>{static_cast<T>(value), static_cast<T>(transfer),
                                      static_cast<T>(transfer / capacity_ratio)});
@@ -132,11 +134,13 @@ struct HeatLinks {
   DenseNeighbour around;
   HeatCrossing<T> through;
   ScalarField<T> g;
+  Rounding<T> rounding;
 
   /// What arrives at a node through its link q by a law, when `leaving` leaves. With `level` the slope counts as 0.
   template <class Law>
   KOKKOS_FORCEINLINE_FUNCTION T arriving(const Law& law, int node, int q, T leaving, T share, bool level) const {
-    SideLink<T> link{leaving,
+    SideLink<T> link{node,
+                     leaving,
                      g(Set::opposite(q) * around.lattice.size() + node),
                      static_cast<T>(Set::w(q)),
                      kinds.share(node, share),
@@ -156,7 +160,7 @@ void visit_links(const HeatFields<T>& fields, const HeatCrossing<T>& crossing, c
   visit_velocity_set(fields.velocity_set, [&](auto set) {
     visit_kinds(fields, [&](const auto& kinds) {
       visit(HeatLinks<T, decltype(set), std::decay_t<decltype(kinds)>>{
-          kinds, {fields.lattice, fields.periodic}, crossing, fields.g});
+          kinds, {fields.lattice, fields.periodic}, crossing, fields.g, fields.rounding.at_links});
     });
   });
 }

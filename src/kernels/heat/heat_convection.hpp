@@ -77,10 +77,11 @@ struct ConvectRows {
     for (int q = 1; q < Set::Q; ++q) {
       const Pack<T> carried = P::blend(pack.closed[q - 1], at.law.carried(q, temperature, ux, uy), Pack<T>{});
       const Pack<T> change = T(Set::w(q)) * at.law.change(added, carried);
-      P::store(g + q * at.plane, P::load(g + q * at.plane) + change);
-      rest -= change;
+      const Pack<T> before = P::load(g + q * at.plane), after = before + change;
+      P::store(g + q * at.plane, after);
+      rest -= at.rounding.gained(before, after, change);
     }
-    P::store(g, P::load(g) + rest);
+    P::store(g, at.rounding.sum(P::load(g), rest, pack.node));
     P::add_to(sum, added);
   }
 };

@@ -3,6 +3,7 @@
 #include "kernels/base/unroll.hpp"
 #include "kernels/heat/conjugate_link.hpp"
 #include "kernels/heat/heat.hpp"
+#include "kernels/scalar/rounding.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"
 
 namespace vug {
@@ -12,21 +13,22 @@ namespace vug {
 /// and `own` what left the node for it; the collision relaxes the odd part with s, the even part with s_plus towards
 /// w_q T. With Lambda = 1/4, s_plus = 2 - s, so
 ///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
-/// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it to
-/// the last digit at any precision.
+/// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it.
 template <class T, class Set, class Link>
-KOKKOS_FORCEINLINE_FUNCTION void conduct_node(T (&g)[Set::Q], const T (&pulled)[Set::Q], T s, const Link& link) {
+KOKKOS_FORCEINLINE_FUNCTION void conduct_node(T (&g)[Set::Q], const T (&pulled)[Set::Q], T s,
+                                              const Rounding<T>& rounding, int node, const Link& link) {
   T in[Set::Q];
   T temperature = g[0];
   VUG_UNROLL
   for (int q = 1; q < Set::Q; ++q) temperature += in[q] = link(q, pulled[q], g[Set::opposite(q)]);
   const T even = (2 - s) * temperature;
-  g[0] = temperature;
+  RestPopulation<T, T> rest(g[0], temperature);
   VUG_UNROLL
   for (int q = 1; q < Set::Q; ++q) {
     g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
-    g[0] -= g[q];
+    rest.replace(in[q], g[q]);
   }
+  g[0] = rest.value(rounding, node);
 }
 
 /// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
@@ -44,21 +46,23 @@ KOKKOS_FORCEINLINE_FUNCTION T solid_beyond(T beyond, T solid) {
 template <class T, class Set, bool Openings>
 struct TwoPhases {
   T fluid_rate, rate_step, reflection;
+  Rounding<T> rounding;
   Kokkos::View<const std::uint8_t*> kind;
 
   explicit TwoPhases(const HeatFields<T>& fields)
       : fluid_rate(fields.rates.fluid),
         rate_step(fields.rates.solid - fields.rates.fluid),
         reflection(fields.rates.reflection),
+        rounding(fields.rounding.at_nodes),
         kind(fields.solid) {}
   KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(k); }
   KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return solid_beyond<T, Set, Openings>(there, here); }
   KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return !Openings || here <= 1; }
-  KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t, T here,
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(int node, T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t, T here,
                                            const T (&there)[Set::Q]) const {
-    conduct_node<T, Set>(g, pulled, fluid_rate + here * rate_step, [&](int q, T arrived, T own) VUG_INLINED {
-      return conjugate_link(arrived, own, reflection, here, there[q]);
-    });
+    conduct_node<T, Set>(g, pulled, fluid_rate + here * rate_step, rounding, node,
+                         [&](int q, T arrived, T own)
+                             VUG_INLINED { return conjugate_link(arrived, own, reflection, here, there[q]); });
   }
 };
 
@@ -67,15 +71,19 @@ template <class T, class Set>
 struct ManyMinerals {
   Kokkos::View<const std::uint8_t*> kind;
   Kokkos::View<const double*> capacity, rate;
+  Rounding<T> rounding;
 
   explicit ManyMinerals(const HeatFields<T>& fields)
-      : kind(fields.matter.of_node), capacity(fields.matter.capacity), rate(fields.matter.rate) {}
+      : kind(fields.matter.of_node),
+        capacity(fields.matter.capacity),
+        rate(fields.matter.rate),
+        rounding(fields.rounding.at_nodes) {}
   KOKKOS_FORCEINLINE_FUNCTION T staged(std::uint8_t k) const { return static_cast<T>(capacity(k)); }
   KOKKOS_FORCEINLINE_FUNCTION static T beyond(T there, T here) { return there > 0 ? there : here; }
   KOKKOS_FORCEINLINE_FUNCTION static bool computed(T here) { return here > 0; }
-  KOKKOS_FORCEINLINE_FUNCTION void conduct(T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t k, T here,
+  KOKKOS_FORCEINLINE_FUNCTION void conduct(int node, T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t k, T here,
                                            const T (&there)[Set::Q]) const {
-    conduct_node<T, Set>(g, pulled, static_cast<T>(rate(k)), [&](int q, T arrived, T own) VUG_INLINED {
+    conduct_node<T, Set>(g, pulled, static_cast<T>(rate(k)), rounding, node, [&](int q, T arrived, T own) VUG_INLINED {
       return conjugate_link_of(arrived, own, here, there[q]);
     });
   }
@@ -103,7 +111,7 @@ struct Conduct {
       pulled[q] = g(q * plane + from);
       beyond[q] = matter.beyond(matter.staged(matter.kind(from)), here);
     }
-    matter.conduct(own, pulled, kind, here, beyond);
+    matter.conduct(node, own, pulled, kind, here, beyond);
     VUG_UNROLL
     for (int q = 0; q < Set::Q; ++q) g_next(q * plane + node) = own[q];
   }
@@ -161,6 +169,7 @@ struct Convection {
 template <class T, class Set>
 struct Advect {
   Convection<T, Set> law;
+  Rounding<T> rounding;
   int plane;
   IndexList node;
   Kokkos::View<const std::uint16_t*> solid_links, side_links, open_links;
@@ -183,11 +192,11 @@ struct Advect {
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const T carried = walled >> q & 1u ? T(0) : law.carried(q, temperature, u(i, 0), u(i, 1));
-      const T change = T(Set::w(q)) * law.change(added, carried);
-      g(q * plane + n) += change;
-      rest -= change;
+      const T change = T(Set::w(q)) * law.change(added, carried), before = g(q * plane + n);
+      g(q * plane + n) = before + change;
+      rest -= rounding.gained(before, before + change, change);
     }
-    g(n) += rest;
+    g(n) = rounding.sum(g(n), rest, n);
     lagged(i) = excess;
     return static_cast<double>(added);
   }
@@ -198,6 +207,7 @@ template <class T, class Set>
 Advect<T, Set> advect_body(const FluidNodes& nodes, const Displacement<T>& u, const ScalarField<T>& defect,
                            const ScalarField<T>& lagged, const HeatFields<T>& fields) {
   return {{fields.rates.fluid},
+          fields.rounding.at_links,
           fields.lattice.size(),
           nodes.node,
           nodes.solid_links,

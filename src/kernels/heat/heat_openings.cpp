@@ -42,7 +42,7 @@ struct FillOpenings {
   }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& e, const Run& run) const {
-    e.template visit<T>([&](const auto& law) {
+    e.template visit<T>(links.rounding, [&](const auto& law) {
       run(FillOpening<T, std::decay_t<decltype(law)>, Links>{law, e, links, rows});
     });
   }

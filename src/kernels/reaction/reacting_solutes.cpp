@@ -54,7 +54,8 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
         const int block = sweep_block_size<std::decay_t<decltype(flow)>>(nodes.count);
         visit_rock<T, Set>(wall, [&](const auto& rock) {
           using Step = KineticStep<T, std::decay_t<decltype(rock)>, std::decay_t<decltype(its_product)>>;
-          const detail::ScatteredLoop<Step> react{{rock, links, reactant.fields.h, its_product}};
+          const detail::ScatteredLoop<Step> react{
+              {rock, links, reactant.fields.h, its_product, reactant.fields.rounding.at_links}};
           for_each_block(exec, "vug::solute::advance_and_react", nodes.share(),
                          SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},
                          blocks_at_a_time * block);

@@ -14,8 +14,9 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     visit_rock<T, Set>(wall, [&](const auto& rock) {
       using Rock = std::decay_t<decltype(rock)>;
       if (wall.law == ReactiveWallLaw::kinetic)
-        for_each_scattered(exec, label, links.share(),
-                           KineticStep<T, Rock, Product>{rock, links, reactant.h, its_product});
+        for_each_scattered(
+            exec, label, links.share(),
+            KineticStep<T, Rock, Product>{rock, links, reactant.h, its_product, reactant.rounding.at_links});
       else
         for_each_node(exec, label, links.share(),
                       PaperStep<T, Set, Rock, Product>{rock, T(wall.D_reactant), T(wall.D_product), nodes.capacity,

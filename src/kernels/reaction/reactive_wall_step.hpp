@@ -23,13 +23,14 @@ struct KineticStep {
   ReactiveLinks<T> links;
   ScalarField<T> h;
   Product product;
+  Rounding<T> rounding;
   KOKKOS_FUNCTION void operator()(int l) const {
     const int slot = links.slot(l);
     T A2 = 0;
     if constexpr (Product::exists) A2 = product.h(slot);
     const T J = rock.flux(links, l, h(slot), A2);
-    h(slot) -= J;
-    if constexpr (Product::exists) product.h(slot) = A2 + rock.yield(links, l) * J;
+    h(slot) = rounding.sum(h(slot), -J, l);
+    if constexpr (Product::exists) product.h(slot) = rounding.sum(A2, rock.yield(links, l) * J, l);
     links.acid(l) += double(J);
   }
 };

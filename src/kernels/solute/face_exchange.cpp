@@ -13,6 +13,7 @@ struct FaceExchange {
   T half;  ///< half the flow steps in a step of the species
   Kokkos::View<const T*> C;
   ScalarField<T> h;
+  Rounding<T> rounding;
 
   KOKKOS_FUNCTION double operator()(int i) const {
     T sum = 0;
@@ -22,7 +23,7 @@ struct FaceExchange {
       sum += (q < 3 ? excess(i, q - 1) : -excess(next, q - 3)) * (C(next) - C(i));
     }
     const T before = h(i);
-    h(i) += half * sum;
+    h(i) = rounding.sum(before, half * sum, i);
     return static_cast<double>(h(i) - before);  // the change after rounding
   }
 };
@@ -31,7 +32,8 @@ template <class T>
 void exchange_at_faces(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& excess, int steps,
                        const SoluteFields<T>& s, const ScalarField<double>& correction) {
   add_per_block(exec, "vug::face_exchange::exchange", nodes.share(),
-                FaceExchange<T>{nodes.source, nodes.capacity, excess, T(0.5) * static_cast<T>(steps), s.C, s.h},
+                FaceExchange<T>{nodes.source, nodes.capacity, excess, T(0.5) * static_cast<T>(steps), s.C, s.h,
+                                s.rounding.at_links},
                 correction);
 }
 

@@ -17,6 +17,7 @@ struct ResistInSlits {
   Flow flow;
   Kokkos::View<const T*> C;
   ScalarField<T> h;
+  Rounding<T> rounding;
   int turned;
 
   KOKKOS_FUNCTION void operator()(int k) const {
@@ -44,7 +45,7 @@ struct ResistInSlits {
     const double r = reflected_share(Set::w(q), D, Kokkos::fmax(conductance, 0.5 * Kokkos::fabs(way)));
     const T before = h(out);
     h(out) = T(double(before) - r * (double(before) - double(h(in)) - flows));
-    h(in) = T(double(h(in)) + (double(before) - double(h(out))));
+    h(in) = rounding.sum(h(in), before - h(out), i);
   }
 };
 
@@ -52,10 +53,10 @@ template <class Set, class T>
 void resist_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& slits, const SoluteCarrier<T>& carrier,
                      const SoluteParameters& parameters, const SoluteFields<T>& s) {
   visit_flow(carrier, [&](const auto& flow) {
-    for_each_node(
-        exec, "vug::solute::resist_in_slits", slits.count,
-        ResistInSlits<T, Set, std::decay_t<decltype(flow)>>{slits, nodes.source, nodes.capacity, nodes.share(),
-                                                            parameters.diffusivity(), flow, s.C, s.h, s.turned});
+    for_each_node(exec, "vug::solute::resist_in_slits", slits.count,
+                  ResistInSlits<T, Set, std::decay_t<decltype(flow)>>{slits, nodes.source, nodes.capacity,
+                                                                      nodes.share(), parameters.diffusivity(), flow,
+                                                                      s.C, s.h, s.rounding.at_links, s.turned});
   });
 }
 

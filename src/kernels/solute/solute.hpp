@@ -8,6 +8,7 @@
 #include "kernels/base/velocity_set.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/scalar/displacement.hpp"
+#include "kernels/scalar/rounding.hpp"
 
 #include <optional>
 
@@ -36,9 +37,10 @@ SoluteParameters turning_parameters(const SoluteParameters& parameters, double s
 /// Populations and concentration of one species on the fluid nodes.
 template <class T>
 struct SoluteFields {
-  ScalarField<T> h;  ///< (q * capacity + fluid) post-collision populations, outgoing
-  int turned = 0;    ///< 1 after an odd number of steps (streaming.hpp); belongs to h in a checkpoint
-  ScalarField<T> C;  ///< (fluid) concentration of the last sweep
+  ScalarField<T> h;            ///< (q * capacity + fluid) post-collision populations, outgoing
+  int turned = 0;              ///< 1 after an odd number of steps (streaming.hpp); belongs to h in a checkpoint
+  ScalarField<T> C;            ///< (fluid) concentration of the last sweep
+  StepRounding<T> rounding{};  ///< of the next step
 };
 
 /// Fields of one species for `nodes`, at rest with a uniform concentration.

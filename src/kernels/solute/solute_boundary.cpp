@@ -21,7 +21,10 @@ template <class T>
 struct FluxRule {
   const double* area;
   double flux;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int, T out) const { return out + T(area[link] * flux); }
+  Rounding<T> rounding;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int, T out) const {
+    return rounding.sum(out, T(area[link] * flux), i);
+  }
 };
 
 /// h_in = h*_in of the same node - outflow_slope(tau_1) w_q (C - C_before). The slot of h*_in depends on whether
@@ -64,7 +67,7 @@ struct DressSolutes {
     else if (c.kind == Kind::concentration)
       run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing}});
     else
-      run(DressLinks<T, FluxRule<T>>{c, c.h, capacity, {c.part, c.value}});
+      run(DressLinks<T, FluxRule<T>>{c, c.h, capacity, {c.part, c.value, c.rounding}});
   }
 };
 
@@ -101,7 +104,7 @@ template <class T>
 SoluteCondition<T> condition(typename SoluteCondition<T>::Kind kind, const BoundaryLinks& links,
                              const SoluteFields<T>& s, const ScalarField<double>& gain, const double* part,
                              double value) {
-  return {{links, gain}, kind, s.turned, s.h.data(), s.C.data(), part, value, 0};
+  return {{links, gain}, kind, s.turned, s.h.data(), s.C.data(), part, value, 0, s.rounding.at_links};
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct SoluteCondition : DressedLinks {
   const double* part = nullptr;  ///< (link) area of a flux
   double value = 0;
   T slope = 0;  ///< outflow_slope(tau_1)
+  Rounding<T> rounding{};
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b, where A is the outgoing population; where fluid

@@ -3,6 +3,7 @@
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/streaming.hpp"
+#include "kernels/scalar/rounding.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"
 #include "kernels/solute/solute.hpp"
 
@@ -49,26 +50,29 @@ void visit_flow(const SoluteCarrier<T>& carrier, const Visit& visit) {
 template <class T, class Set>
 struct SoluteCollision {
   T rate_h, rate_difference;
+  Rounding<T> rounding;
 
-  explicit SoluteCollision(const SoluteParameters& p)
-      : rate_h(T(1 / p.tau_h)), rate_difference(T(1 / p.tau_h - 1 / p.tau_1)) {}
+  explicit SoluteCollision(const SoluteParameters& p, const Rounding<T>& rounding_ = {})
+      : rate_h(T(1 / p.tau_h)), rate_difference(T(1 / p.tau_h - 1 / p.tau_1)), rounding(rounding_) {}
 
-  /// Relaxes populations g with the sum c; (x, y) is J - C u. The population at rest is C less the others: rounded
-  /// weights do not add up to one, and the difference (5e-17 of C in double, 3e-8 in float) would be gained or lost at
-  /// every node in every step.
+  /// Relaxes populations g of node i, of which c is the sum together with what is `added` to them; (x, y) is J - C u.
+  /// The population at rest is what remains of c: rounded weights do not add up to one, and the difference (5e-17 of C
+  /// in double, 3e-8 in float) would be gained or lost at every node in every step.
   template <bool moves, class V>
-  KOKKOS_FORCEINLINE_FUNCTION void relax(V (&g)[Set::Q], const V& c, const V& ux, const V& uy, V x, V y) const {
+  KOKKOS_FORCEINLINE_FUNCTION void relax(int i, V (&g)[Set::Q], const V& c, const V& ux, const V& uy, V x, V y,
+                                         const V& added = {}) const {
     x *= rate_difference;
     y *= rate_difference;
-    V rest = c;
+    RestPopulation<T, V> rest(g[0], c, added);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       V wc = T(Set::w(q)) * c;
       if constexpr (moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
+      const V before = g[q];
       g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * along(q, x, y);
-      rest -= g[q];
+      rest.replace(before, g[q]);
     }
-    g[0] = rest;
+    g[0] = rest.value(rounding, i);
   }
 };
 
@@ -110,23 +114,23 @@ struct SoluteSweep {
     }
     if constexpr (Flow::advective_form) {
       const V e = fetch<V>(&flow.e(i));
-      const V before = g[0];
-      g[0] -= c * e / (T(1) + e);
-      added = g[0] - before;  // the change after rounding
+      const V change = -c * e / (T(1) + e);
+      added = Rounding<T>::to_nearest ? g[0] + change - g[0] : change;  // what the population at rest holds of it
       c += added;
     }
     put(&C(i), c);
-    collide(i, g, c, flux_x, flux_y);
+    collide(i, g, c, added, flux_x, flux_y);
     return added;
   }
 
   template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[Set::Q], const V& c, const V& flux_x, const V& flux_y) const {
+  KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[Set::Q], const V& c, const V& added, const V& flux_x,
+                                           const V& flux_y) const {
     if constexpr (Flow::moves) {
       const V ux = flow.u.steps * fetch<V>(&flow.u.u(i, 0)), uy = flow.u.steps * fetch<V>(&flow.u.u(i, 1));
-      collision.template relax<true>(g, c, ux, uy, flux_x - c * ux, flux_y - c * uy);
+      collision.template relax<true>(i, g, c, ux, uy, flux_x - c * ux, flux_y - c * uy, added);
     } else {
-      collision.template relax<false>(g, c, V{}, V{}, flux_x, flux_y);
+      collision.template relax<false>(i, g, c, V{}, V{}, flux_x, flux_y, added);
     }
   }
 };
@@ -180,7 +184,7 @@ template <class Set, class T, class Slots, class Flow>
 SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SoluteParameters& p, const SoluteFields<T>& s,
                                               Flow flow) {
   if constexpr (Flow::moves) flow.u.steps *= static_cast<T>(p.carried);
-  return {slots, s.h, s.C, SoluteCollision<T, Set>(p), flow};
+  return {slots, s.h, s.C, SoluteCollision<T, Set>(p, s.rounding.at_nodes), flow};
 }
 
 /// The body(first, last) with which a host sweeps a block of sweep_block_size nodes.

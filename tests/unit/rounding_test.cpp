@@ -1,0 +1,142 @@
+// Sums that are right in the mean over many steps.
+#include "kernels/scalar/rounding.hpp"
+
+#include "kernels/packs/pack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace vug {
+namespace {
+
+float last_place(float a) {
+  return std::nextafter(std::abs(a), std::numeric_limits<float>::infinity()) - std::abs(a);
+}
+
+const std::vector<float> numbers{1.1F, 1.0F, 0.5F, -0.5F, -3.3F, std::nextafter(2.0F, 0.0F), 1e-6F, 7e20F};
+const std::vector<double> parts{0.0, 1e-3, -0.1, 0.3, 0.45, -0.7, 1.3, 5.25};  // of the last place
+
+constexpr int items = 64;
+
+TEST(Rounding, HasTheExactMean) {
+  for (const float a : numbers)
+    for (const double part : parts) {
+      const float b = static_cast<float>(part) * last_place(a);
+      const int n = 4096;
+      double gained = 0;
+      for (int step = 0; step < n; ++step)
+        for (int item = 0; item < items; ++item)
+          gained += double(rounding_of_step<float>(step).at_nodes.sum(a, b, item)) - double(a);
+      EXPECT_NEAR(gained / n / items / double(last_place(a)), part, 2e-3) << a;
+    }
+}
+
+TEST(Rounding, LosesNothingOfWhatIsBelowTheLastPlace) {
+  const int n = 20000;
+  for (const float a : numbers)
+    for (const double part : parts) {
+      const float b = static_cast<float>(part) * last_place(a);
+      double mean = 0;
+      for (int item = 0; item < items; ++item) {
+        float grown = a;
+        for (int step = 0; step < n; ++step) grown = rounding_of_step<float>(step).at_links.sum(grown, b, item);
+        mean += double(grown) / items;
+      }
+      const double exact = double(a) + n * double(b), walk = 0.5 * std::sqrt(n / items);
+      EXPECT_NEAR(mean, exact, (part == 0 ? 0 : 4 * walk) * double(last_place(static_cast<float>(exact))))
+          << a << " and " << part;
+    }
+}
+
+TEST(Rounding, LeavesExactSumsAlone) {
+  for (int step = 0; step < 1000; ++step) {
+    const Rounding<float> rounding = rounding_of_step<float>(step).at_nodes;
+    for (const float a : numbers) {
+      EXPECT_EQ(rounding.sum(a, 0.0F, step), a);
+      EXPECT_EQ(rounding.sum(a, -a, step), 0.0F);
+      EXPECT_EQ(rounding.sum(a, a, step), 2 * a);
+    }
+  }
+}
+
+TEST(Rounding, IsAnOrdinarySumInDoublePrecision) {
+  for (int step = 0; step < 100; ++step)
+    EXPECT_EQ(rounding_of_step<double>(step).at_nodes.sum(1.1, 0.3e-16, step), 1.1 + 0.3e-16);
+}
+
+TEST(Rounding, IsToTheNearestByDefault) {
+  for (int item = 0; item < items; ++item) {
+    EXPECT_EQ(Rounding<float>{}.sum(1.1F, 0.49F * last_place(1.1F), item), 1.1F);
+    EXPECT_EQ(Rounding<float>{}.sum(1.1F, 0.51F * last_place(1.1F), item), 1.1F + last_place(1.1F));
+  }
+}
+
+/// Largest distance of sorted shifts from those that divide (-1/2, 1/2) evenly.
+double unevenness(std::vector<double> shifts) {
+  std::sort(shifts.begin(), shifts.end());
+  const double n = static_cast<double>(shifts.size());
+  double largest = 0;
+  for (std::size_t k = 0; k < shifts.size(); ++k)
+    largest = std::max(largest, std::abs(shifts[k] - ((static_cast<double>(k) + 0.5) / n - 0.5)));
+  return largest;
+}
+
+TEST(Rounding, ShiftsByAllPartsOfTheLastPlace) {
+  for (const int item : {0, 1, 1000000}) {
+    std::vector<double> nodes, links;
+    for (int step = 0; step < 10000; ++step) {
+      const StepRounding<float> rounding = rounding_of_step<float>(step);
+      nodes.push_back(double(rounding.at_nodes.shift<float>(item)));
+      links.push_back(double(rounding.at_links.shift<float>(item)));
+    }
+    EXPECT_LT(unevenness(nodes), 0.02);  // 5 / (2 sqrt(10000)) is 0.025
+    EXPECT_LT(unevenness(links), 0.02);
+  }
+  for (int step = 0; step < 100; ++step) {
+    std::vector<double> neighbours;
+    for (int item = 0; item < 100; ++item)
+      neighbours.push_back(double(rounding_of_step<float>(step).at_nodes.shift<float>(5000 + item)));
+    EXPECT_LT(unevenness(neighbours), 0.03);
+  }
+}
+
+TEST(RestPopulation, ConservesTheSumOfPopulationsInTheMean) {
+  const int n = 1000;
+  for (const float added : {0.0F, 3e-9F}) {
+    double sum = 0;
+    for (int step = 0; step < n; ++step)
+      for (int node = 0; node < items; ++node) {
+        RestPopulation<float, float> rest(0.3F, 0.5F + added, added);
+        rest.replace(0.1F, 0.1F + 7e-9F);
+        rest.replace(0.1F, 0.09999F);
+        sum += double(rest.value(rounding_of_step<float>(step).at_nodes, node));
+      }
+    const double others = (double(0.1F + 7e-9F) - double(0.1F)) + (double(0.09999F) - double(0.1F));
+    EXPECT_NEAR(sum / n / items, double(0.3F) + double(added) - others, 1e-10);
+  }
+  RestPopulation<double, double> exact(0.3, 0.5);
+  exact.replace(0.1, 0.2);
+  EXPECT_EQ(exact.value({}, 0), 0.5 - 0.2);
+}
+
+#if !defined(__CUDACC__) && !defined(__HIPCC__)
+TEST(Rounding, OfPacksIsThatOfNumbers) {
+  float a[pack_size], b[pack_size];
+  for (int l = 0; l < pack_size; ++l) {
+    a[l] = numbers[l];
+    b[l] = static_cast<float>(parts[l]) * last_place(a[l]);
+  }
+  for (int step = 0; step < 100; ++step) {
+    const Rounding<float> rounding = rounding_of_step<float>(step).at_nodes;
+    const Pack<float> sum = rounding.sum(PackOf<float>::load(a), PackOf<float>::load(b), 77 * step);
+    for (int l = 0; l < pack_size; ++l) EXPECT_EQ(sum[l], rounding.sum(a[l], b[l], 77 * step + l));
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace vug
