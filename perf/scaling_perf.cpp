@@ -53,7 +53,7 @@ Step heat_step(const FluidNodes& nodes) {
 
 template <class T>
 Step solute_step(const FluidNodes& nodes) {
-  auto fields = std::make_shared<SoluteFields<T>>(make_solute_fields<T, D2Q5>(Exec{}, nodes, 0.5));
+  auto fields = std::make_shared<SoluteFields<T>>(make_solute_fields<D2Q5, T>(Exec{}, nodes, 0.5));
   const VectorField<T> u("u", nodes.capacity);
   Kokkos::deep_copy(u, T(1e-3));
   const SoluteParameters parameters = solute_parameters(0.02);

@@ -25,8 +25,8 @@ struct SoluteSetting {
   explicit SoluteSetting(const Geometry& geometry)
       : type(node_types(geometry, lattice)),
         nodes(make_fluid_nodes(exec, lattice, type)),
-        acid(make_solute_fields<T, Set>(exec, nodes, 0.5)),
-        product(make_solute_fields<T, Set>(exec, nodes, 0.1)),
+        acid(make_solute_fields<Set, T>(exec, nodes, 0.5)),
+        product(make_solute_fields<Set, T>(exec, nodes, 0.1)),
         u("u", nodes.capacity),
         e("e", nodes.capacity) {
     Kokkos::deep_copy(u, T(0.001));

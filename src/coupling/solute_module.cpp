@@ -32,7 +32,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
     SpeciesState<T> state;
     state.section = section;
     state.parameters = parameters_of(section);
-    state.fields = make_solute_fields<T, Set>(exec, geometry.fluid, section.initial / units.concentration);
+    state.fields = make_solute_fields<Set, T>(exec, geometry.fluid, section.initial / units.concentration);
     for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
       const SoluteBoundaryKind kind = stretch.conditions.solute.kind;
       if (kind != SoluteBoundaryKind::no_flux && kind != SoluteBoundaryKind::periodic)

@@ -111,9 +111,6 @@ void warm_particles_to(const Exec& exec, const IndexList& particles, double valu
                 StoreValue{particles, value, change});
 }
 
-template void warm_particles(const Exec&, const NodeGroups&, const ScalarField<float>&, double,
-                             const ScalarField<double>&, const std::optional<IndexList>&);
-template void warm_particles(const Exec&, const NodeGroups&, const ScalarField<double>&, double,
-                             const ScalarField<double>&, const std::optional<IndexList>&);
+VUG_COMPILE_FOR_NUMBERS(warm_particles)
 
 }  // namespace vug

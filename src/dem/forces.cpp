@@ -68,11 +68,8 @@ void compute_contact_forces(const Exec& exec, const MechanicsParameters& paramet
   gather_drag(exec, particles.count, bonds, contacts, accounts);
 }
 
-template void compute_forces(const Queue&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                             const Contacts&, const NoAccounts&, const ForceGroups&);
-template void compute_forces(const Queue&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                             const Contacts&, const Accounts&, const ForceGroups&);
-template void compute_contact_forces(const Exec&, const MechanicsParameters&, double, const Particles&, const Bonds&,
-                                     const Contacts&, const Accounts&);
+VUG_COMPILE(compute_forces<NoAccounts>)
+VUG_COMPILE(compute_forces<Accounts>)
+VUG_COMPILE(compute_contact_forces<Accounts>)
 
 }  // namespace vug

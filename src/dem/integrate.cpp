@@ -95,9 +95,7 @@ void integrate(const Queue& queue, const StepControl& control, const Bonds& bond
     launch(queue, label, in_turn(particles.count, std::move(gather), std::move(move)));
 }
 
-template void integrate(const Queue&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
-                        const Particles&, const NoAccounts&, const Groups*);
-template void integrate(const Queue&, const StepControl&, const Bonds&, const Contacts&, const BoundaryLoads&,
-                        const Particles&, const Accounts&, const Groups*);
+VUG_COMPILE(integrate<NoAccounts>)
+VUG_COMPILE(integrate<Accounts>)
 
 }  // namespace vug

@@ -65,7 +65,7 @@ std::uint64_t solute_digest(bool advective) {
   const Lattice lattice(nx, ny);
   test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false});
   flow.set([](int x, int y) { return Macroscopic<double>{0, 0.03 * noise(y, x), 0.02 * noise(x, 3)}; });
-  SoluteFields<T> s = make_solute_fields<T, Set>(flow.exec, flow.nodes, 0.3);
+  SoluteFields<T> s = make_solute_fields<Set, T>(flow.exec, flow.nodes, 0.3);
   const ScalarField<T> e("e", flow.nodes.capacity);
   const ScalarField<double> correction("correction", block_count(flow.nodes.count));
   advective_defect<Set>(flow.exec, flow.nodes, flow.fields.u, e);
@@ -84,7 +84,7 @@ std::uint64_t faces_digest() {
   const Lattice lattice(nx, ny);
   test::Flow<T> flow(lattice, test::shape(lattice, is_rock), {true, false});
   flow.set([](int x, int y) { return Macroscopic<double>{0, 0.03 * noise(y, x), 0.02 * noise(x, 3)}; });
-  SoluteFields<T> s = make_solute_fields<T, D2Q5>(flow.exec, flow.nodes, 0.3);
+  SoluteFields<T> s = make_solute_fields<D2Q5, T>(flow.exec, flow.nodes, 0.3);
   const VectorField<T> excess("excess", flow.nodes.capacity);
   const ScalarField<double> correction("correction", block_count(flow.nodes.count));
   for (int t = 0; t < 5; ++t) {

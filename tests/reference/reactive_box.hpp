@@ -2,7 +2,7 @@
 // A reacting pixel domain for tests: everything of the solute side wired together as a run wires it.
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/dissolution.hpp"
-#include "kernels/reaction/reactive_wall.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/surface_normal.hpp"
 #include "kernels/solute/solute.hpp"
 #include "kernels/solute/solute_totals.hpp"
@@ -68,11 +68,11 @@ struct ReactiveBox {
     Kokkos::deep_copy(V, V_host);
     nodes = make_fluid_nodes(exec, lattice, type, periodic);
     find_surface(exec, nodes, type, surface);
-    acid = make_solute_fields<T, Set>(exec, nodes, C0);
+    acid = make_solute_fields<Set, T>(exec, nodes, C0);
   }
 
   void add_product(double C0 = 0) {
-    product = make_solute_fields<T, Set>(exec, nodes, C0);
+    product = make_solute_fields<Set, T>(exec, nodes, C0);
     has_product = true;
   }
 

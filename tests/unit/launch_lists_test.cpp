@@ -91,7 +91,7 @@ bool dress_between_outflows(int gap) {
   const Lattice lattice(gap, 40);
   const FluidNodes nodes =
       make_fluid_nodes(exec, lattice, test::shape(lattice, [](int, int) { return false; }), {false, true});
-  const SoluteFields<double> s = make_solute_fields<double, D2Q5>(exec, nodes, 1);
+  const SoluteFields<double> s = make_solute_fields<D2Q5, double>(exec, nodes, 1);
   const ScalarField<double> expected("expected", s.h.extent(0));
   const auto h = Kokkos::create_mirror_view(expected);
   for (std::size_t i = 0; i < h.extent(0); ++i) h(i) = std::sin(1.0 + static_cast<double>(i));
@@ -159,7 +159,7 @@ TEST(OutflowAroundASlot, HasTheSameBitsInWhateverOrderItsLinksRun) {
   const Opening opening = make_opening(lattice, inside, [](const auto&, const auto& out) { return out; });
   const auto dress_links = [&](auto set, bool in_order) {
     using Set = decltype(set);
-    const SoluteFields<double> s = make_solute_fields<double, Set>(exec, nodes, 1);
+    const SoluteFields<double> s = make_solute_fields<Set, double>(exec, nodes, 1);
     const auto h = Kokkos::create_mirror_view(s.h);
     for (std::size_t i = 0; i < h.extent(0); ++i) h(i) = std::sin(1.0 + static_cast<double>(i));
     Kokkos::deep_copy(s.h, h);

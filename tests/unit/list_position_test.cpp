@@ -36,7 +36,7 @@ struct Shifted {
     });
     flow.step.body_force = {T(1e-4), T(-3e-5)};
     if (collision == Collision::bgk) warm();
-    solute = make_solute_fields<T, D2Q9>(flow.exec, flow.nodes, 1.0);
+    solute = make_solute_fields<D2Q9, T>(flow.exec, flow.nodes, 1.0);
     defect = ScalarField<T>("defect", flow.nodes.capacity);
     const ScalarField<double> correction("correction", block_count(flow.nodes.capacity));
     for (int t = 0; t < steps; ++t) {

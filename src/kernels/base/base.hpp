@@ -25,7 +25,14 @@ template <class T>
 using VectorField = Kokkos::View<T* [2], Kokkos::LayoutLeft>;  ///< (item, axis), each component contiguous
 using IndexList = Kokkos::View<int*>;                          ///< (item)
 
-/// Templates are compiled for these numbers and velocity sets.
+/// Compiles a function template for these arguments.
+#define VUG_COMPILE(...) template decltype(__VA_ARGS__) __VA_ARGS__;
+/// The same for both numbers, or for both numbers and velocity sets: name<Set, T>.
+#define VUG_COMPILE_FOR_NUMBERS(name) VUG_COMPILE(name<float>) VUG_COMPILE(name<double>)
+#define VUG_COMPILE_FOR_SETS(name) \
+  VUG_COMPILE(name<D2Q5, float>)   \
+  VUG_COMPILE(name<D2Q9, float>) VUG_COMPILE(name<D2Q5, double>) VUG_COMPILE(name<D2Q9, double>)
+/// Members of class templates are compiled for these numbers and velocity sets.
 #define VUG_FOR_NUMBERS(INSTANTIATE) INSTANTIATE(float) INSTANTIATE(double)
 #define VUG_FOR_NUMBERS_AND_SETS(INSTANTIATE) \
   INSTANTIATE(float, D2Q5) INSTANTIATE(float, D2Q9) INSTANTIATE(double, D2Q5) INSTANTIATE(double, D2Q9)

@@ -55,7 +55,6 @@ void face_excess(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>&
                 FaceExcess<T>{fields.f, nodes.source, nodes.capacity, T(fields.turned ? -1 : 1), fields.u, excess});
 }
 
-template void face_excess(const Exec&, const FluidNodes&, const FlowFields<float>&, const VectorField<float>&);
-template void face_excess(const Exec&, const FluidNodes&, const FlowFields<double>&, const VectorField<double>&);
+VUG_COMPILE_FOR_NUMBERS(face_excess)
 
 }  // namespace vug

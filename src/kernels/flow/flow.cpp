@@ -236,7 +236,6 @@ void collide_and_stream(const Exec& exec, const FluidNodes& nodes, FlowFields<T>
   }
 }
 
-template void collide_and_stream(const Exec&, const FluidNodes&, FlowFields<float>&, const FlowStep<float>&);
-template void collide_and_stream(const Exec&, const FluidNodes&, FlowFields<double>&, const FlowStep<double>&);
+VUG_COMPILE_FOR_NUMBERS(collide_and_stream)
 
 }  // namespace vug

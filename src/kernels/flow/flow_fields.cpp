@@ -97,14 +97,11 @@ void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fi
   add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T, D2Q9>{fields.f, nodes.capacity}, total);
 }
 
-#define VUG_INSTANTIATE(T)                                                                   \
-  template FlowFields<T> make_flow_fields(const Exec&, const FluidNodes&);                   \
-  template void settle(const Exec&, const FluidNodes&, int, FlowFields<T>&);                 \
-  template void fit_to_capacity(const Exec&, const FluidNodes&, int, FlowFields<T>&);        \
-  template ScalarField<T> densities(const Exec&, const FluidNodes&, const FlowFields<T>&);   \
-  template void initialise_births(const Exec&, const FluidNodes&, int, int, FlowFields<T>&); \
-  template void add_mass(const Exec&, const FluidNodes&, const FlowFields<T>&, const ScalarField<double>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(make_flow_fields)
+VUG_COMPILE_FOR_NUMBERS(settle)
+VUG_COMPILE_FOR_NUMBERS(fit_to_capacity)
+VUG_COMPILE_FOR_NUMBERS(densities)
+VUG_COMPILE_FOR_NUMBERS(initialise_births)
+VUG_COMPILE_FOR_NUMBERS(add_mass)
 
 }  // namespace vug

@@ -90,11 +90,8 @@ double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorFi
   return speed2 > 0 ? Kokkos::sqrt(change2 / speed2) : 0;
 }
 
-template double velocity_change(const Exec&, const FluidNodes&, const VectorField<float>&, const VectorField<float>&);
-template double velocity_change(const Exec&, const FluidNodes&, const VectorField<double>&, const VectorField<double>&);
-template FieldRange field_range(const Exec&, const ScalarField<float>&, const Share&, double, double);
-template FieldRange field_range(const Exec&, const ScalarField<double>&, const Share&, double, double);
-template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<float>&, double, double);
-template FlowExtremes flow_extremes(const Exec&, const FluidNodes&, const FlowFields<double>&, double, double);
+VUG_COMPILE_FOR_NUMBERS(velocity_change)
+VUG_COMPILE_FOR_NUMBERS(field_range)
+VUG_COMPILE_FOR_NUMBERS(flow_extremes)
 
 }  // namespace vug

@@ -115,15 +115,9 @@ LinkMean mean_at_links(const Exec& exec, const BoundaryLinks& links, const Scala
   return mean;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                       \
-  template ScalarField<T> outgoing_populations(const Exec&, const FluidNodes&, const BoundaryLinks&,             \
-                                               const ScalarField<T>&);                                           \
-  template void restore_outgoing(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<T>&,    \
-                                 const ScalarField<T>&);                                                         \
-  template LinkForce force_on_links(const Exec&, const FluidNodes&, const BoundaryLinks&, const ScalarField<T>&, \
-                                    const ScalarField<T>&, std::array<double, 2>);                               \
-  template LinkMean mean_at_links(const Exec&, const BoundaryLinks&, const ScalarField<T>&, const VectorField<T>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(outgoing_populations)
+VUG_COMPILE_FOR_NUMBERS(restore_outgoing)
+VUG_COMPILE_FOR_NUMBERS(force_on_links)
+VUG_COMPILE_FOR_NUMBERS(mean_at_links)
 
 }  // namespace vug

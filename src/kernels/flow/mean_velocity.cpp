@@ -17,7 +17,6 @@ void add_velocity(const Exec& exec, const FluidNodes& nodes, const VectorField<T
   add_per_block(exec, "vug::flow::add_velocity", nodes.count, ComponentOfVelocity<T>{u, axis}, total);
 }
 
-template void add_velocity(const Exec&, const FluidNodes&, const VectorField<float>&, int, const ScalarField<double>&);
-template void add_velocity(const Exec&, const FluidNodes&, const VectorField<double>&, int, const ScalarField<double>&);
+VUG_COMPILE_FOR_NUMBERS(add_velocity)
 
 }  // namespace vug

@@ -180,11 +180,6 @@ void exchange_momentum(const Exec& exec, const FlowFields<T>& fields, const Wall
     for_each_team(exec, "vug::momentum_exchange::gather", groups, 32, exchange);
 }
 
-template void exchange_momentum(const Exec&, const FlowFields<float>&, const WallLinks&, double, double,
-                                const VectorField<double>&, const ScalarField<double>&,
-                                const std::optional<IndexList>&);
-template void exchange_momentum(const Exec&, const FlowFields<double>&, const WallLinks&, double, double,
-                                const VectorField<double>&, const ScalarField<double>&,
-                                const std::optional<IndexList>&);
+VUG_COMPILE_FOR_NUMBERS(exchange_momentum)
 
 }  // namespace vug

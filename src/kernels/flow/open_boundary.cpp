@@ -266,7 +266,6 @@ void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondit
   for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
 }
 
-template void dress(const Exec&, const FluidNodes&, std::span<const FlowCondition>, const FlowFields<float>&);
-template void dress(const Exec&, const FluidNodes&, std::span<const FlowCondition>, const FlowFields<double>&);
+VUG_COMPILE_FOR_NUMBERS(dress)
 
 }  // namespace vug

@@ -104,13 +104,7 @@ void add_slit_drag(const Exec& exec, const FluidNodes& nodes, const SlitNodes& s
                                torque});
 }
 
-#define VUG_INSTANTIATE(T)                                                                                  \
-  template void drag_in_slits(const Exec&, const FluidNodes&, const SlitNodes&, double, const FlowStep<T>&, \
-                              FlowFields<T>&);                                                              \
-  template void add_slit_drag(const Exec&, const FluidNodes&, const SlitNodes&, double, const FlowStep<T>&, \
-                              const FlowFields<T>&, const VectorField<double>&, double, double, double,     \
-                              const VectorField<double>&, const ScalarField<double>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(drag_in_slits)
+VUG_COMPILE_FOR_NUMBERS(add_slit_drag)
 
 }  // namespace vug

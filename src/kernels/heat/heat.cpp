@@ -236,18 +236,13 @@ HeatFields<T> make_heat_fields(const Exec& exec, const Lattice& lattice, const H
   return fields;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                          \
-  template HeatRates<T> heat_rates<T>(const HeatParameters&);                                                       \
-  template void set_heat_rates(const HeatParameters&, double, HeatFields<T>&);                                      \
-  template void stretch_lagged(const Exec&, const Share&, double, const ScalarField<T>&);                           \
-  template HeatFields<T> make_heat_fields<T>(const Exec&, const Lattice&, const HeatParameters&,                    \
-                                             const Kokkos::View<NodeType*>&, std::array<bool, 2>, double, bool,     \
-                                             const Kokkos::View<const std::uint8_t*>&, const std::optional<Rows>&); \
-  template void take_temperatures(const Exec&, const HeatFields<T>&, const ScalarField<T>&);                        \
-  template ScalarField<T> temperatures(const Exec&, const HeatFields<T>&);                                          \
-  template void set_heat_bands(const Exec&, int, HeatFields<T>&);                                                   \
-  template void set_heat_geometry(const Exec&, const Kokkos::View<NodeType*>&, std::array<bool, 2>, HeatFields<T>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(heat_rates)
+VUG_COMPILE_FOR_NUMBERS(set_heat_rates)
+VUG_COMPILE_FOR_NUMBERS(stretch_lagged)
+VUG_COMPILE_FOR_NUMBERS(make_heat_fields)
+VUG_COMPILE_FOR_NUMBERS(take_temperatures)
+VUG_COMPILE_FOR_NUMBERS(temperatures)
+VUG_COMPILE_FOR_NUMBERS(set_heat_bands)
+VUG_COMPILE_FOR_NUMBERS(set_heat_geometry)
 
 }  // namespace vug

@@ -187,10 +187,7 @@ void join_heat_sides(const Exec& exec, const HeatFields<T>& fields, int axis) {
   });
 }
 
-#define VUG_INSTANTIATE(T)                                                                                             \
-  template void fill_heat_sides(const Exec&, const HeatFields<T>&, std::span<const HeatSide>, const HeatCrossing<T>&); \
-  template void join_heat_sides(const Exec&, const HeatFields<T>&, int);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(fill_heat_sides)
+VUG_COMPILE_FOR_NUMBERS(join_heat_sides)
 
 }  // namespace vug

@@ -69,12 +69,7 @@ HeatOpening make_heat_opening(const Exec& exec, const HeatFields<T>& fields, con
   return made;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                  \
-  template void fill_heat_openings(const Exec&, const HeatFields<T>&, std::span<const HeatOpening>,         \
-                                   const HeatCrossing<T>&);                                                 \
-  template HeatOpening make_heat_opening(const Exec&, const HeatFields<T>&, const Kokkos::View<NodeType*>&, \
-                                         std::array<bool, 2>, const Opening&, HeatCondition, double);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(fill_heat_openings)
+VUG_COMPILE_FOR_NUMBERS(make_heat_opening)
 
 }  // namespace vug

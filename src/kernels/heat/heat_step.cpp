@@ -85,12 +85,7 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
   }
 }
 
-#define VUG_INSTANTIATE(T)                                                                                   \
-  template void conduct(const Exec&, HeatFields<T>&, const ScalarField<T>&);                                 \
-  template void conduct_and_advect(const Exec&, const FluidNodes&, const FluidRows&, const Displacement<T>&, \
-                                   const ScalarField<T>&, const ScalarField<T>&, HeatFields<T>&,             \
-                                   const ScalarField<double>&, const ScalarField<T>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(conduct)
+VUG_COMPILE_FOR_NUMBERS(conduct_and_advect)
 
 }  // namespace vug

@@ -131,14 +131,9 @@ HeatExtremes heat_extremes(const Exec& exec, const HeatFields<T>& fields) {
   return {static_cast<double>(lowest), static_cast<double>(highest), not_finite};
 }
 
-#define VUG_INSTANTIATE(T)                                                                       \
-  template void add_heat_energy(const Exec&, const HeatFields<T>&, const ScalarField<double>&);  \
-  template void add_birth_energy(const Exec&, const HeatFields<T>&, const IndexList&, int, int,  \
-                                 const ScalarField<double>&);                                    \
-  template void add_temperature_change(const Exec&, const HeatFields<T>&, const ScalarField<T>&, \
-                                       const ScalarField<double>&, const ScalarField<double>&);  \
-  template HeatExtremes heat_extremes(const Exec&, const HeatFields<T>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(add_heat_energy)
+VUG_COMPILE_FOR_NUMBERS(add_birth_energy)
+VUG_COMPILE_FOR_NUMBERS(add_temperature_change)
+VUG_COMPILE_FOR_NUMBERS(heat_extremes)
 
 }  // namespace vug

@@ -53,12 +53,8 @@ void set_spread(const Exec& exec, const Share& list, const ScalarField<T>& theta
   for_each_node(exec, "vug::thermal_flow::viscosities", list, SetSpread<T>{theta, law, spread});
 }
 
-#define VUG_INSTANTIATE(T)                                                                                             \
-  template void gather_temperatures(const Exec&, const FluidNodes&, const HeatFields<T>&, int, const ScalarField<T>&); \
-  template void mix_with_before(const Exec&, const FluidNodes&, double, const ScalarField<T>&, const ScalarField<T>&); \
-  template void set_spread(const Exec&, const Share&, const ScalarField<T>&, const ViscosityLaw&,                      \
-                           const ScalarField<T>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(gather_temperatures)
+VUG_COMPILE_FOR_NUMBERS(mix_with_before)
+VUG_COMPILE_FOR_NUMBERS(set_spread)
 
 }  // namespace vug

@@ -214,7 +214,6 @@ ScalarField<T> restride(const Exec& exec, const ScalarField<T>& populations, int
   return moved;
 }
 
-template ScalarField<float> restride(const Exec&, const ScalarField<float>&, int, int, int, int);
-template ScalarField<double> restride(const Exec&, const ScalarField<double>&, int, int, int, int);
+VUG_COMPILE_FOR_NUMBERS(restride)
 
 }  // namespace vug

@@ -226,11 +226,7 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
   }
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                  \
-  template void settle<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&);                           \
-  template void initialise_births<Set, T>(const Exec&, const FluidNodes&, int, int, BirthFill, SoluteFields<T>&, \
-                                          const ScalarField<double>&);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(settle)
+VUG_COMPILE_FOR_SETS(initialise_births)
 
 }  // namespace vug

@@ -87,11 +87,6 @@ void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const S
   }
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                           \
-  template void advance_reacting_solutes<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&, \
-                                                 const ReactiveWall&, const ReactiveLinks<T>&,            \
-                                                 const SteppingSolute<T>&, const SteppingSolute<T>*);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(advance_reacting_solutes)
 
 }  // namespace vug

@@ -110,10 +110,6 @@ void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surfac
                   MineralOfLink<T>{links, surface.node, mineral});
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                              \
-  template void find_reactive_links<Set, T>(const Exec&, const FluidNodes&, const Surface&, ReactiveWallLaw, \
-                                            ReactiveLinks<T>&, const Kokkos::View<const std::uint8_t*>&);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(find_reactive_links)
 
 }  // namespace vug

@@ -131,25 +131,9 @@ void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall&
     launch(OneSolid{wall.molar_volume});
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                     \
-  template void set_conductances<Set, T, UniformRate>(const Exec&, const FluidNodes&, const Surface&,               \
-                                                      const ReactiveWall&, const UniformRate&,                      \
-                                                      const VectorField<double>&, const ReactiveLinks<T>&, double); \
-  template void set_conductances<Set, T, MineralArrhenius<UniformTemperature>>(                                     \
-      const Exec&, const FluidNodes&, const Surface&, const ReactiveWall&,                                          \
-      const MineralArrhenius<UniformTemperature>&, const VectorField<double>&, const ReactiveLinks<T>&, double);    \
-  template void react_at_wall<Set, T>(const Exec&, const FluidNodes&, const ReactiveWall&, const ReactiveLinks<T>&, \
-                                      const SoluteFields<T>&, const SoluteFields<T>*);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(react_at_wall)
 
-template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
-                         const ScalarField<double>&);
-template void add_losses(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
-                         const ScalarField<double>&);
-template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<float>&,
-                            const ReactionLedger&, const SurfaceLosses&, bool);
-template void book_turnover(const Exec&, const Surface&, const ReactiveWall&, const ReactiveLinks<double>&,
-                            const ReactionLedger&, const SurfaceLosses&, bool);
+VUG_COMPILE_FOR_NUMBERS(add_losses)
+VUG_COMPILE_FOR_NUMBERS(book_turnover)
 
 }  // namespace vug

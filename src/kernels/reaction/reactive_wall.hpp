@@ -127,8 +127,7 @@ struct UniformTemperature {
 /// corrects the area of the stair-step; with extent 0 it is not corrected. To be called when the links are new and
 /// again every few steps. `ahead` times the change of the rate since the last call is added: with ahead = 1/2, and as
 /// many steps until the next call, the mean over them is right to second order. The result stays between half and
-/// double the rate. ahead is 0 where the links are new. Instantiated for UniformRate and
-/// MineralArrhenius<UniformTemperature>; for others include reactive_wall_kernel.hpp.
+/// double the rate. ahead is 0 where the links are new. Include reactive_wall_kernel.hpp.
 template <class Set, class T, class Rate>
 void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& surface, const ReactiveWall& wall,
                       const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,

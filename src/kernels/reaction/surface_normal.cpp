@@ -198,7 +198,7 @@ double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& su
   return sum_in_order(total);
 }
 
-template double surface_area<D2Q5>(const Exec&, const FluidNodes&, const Surface&, const VectorField<double>&);
-template double surface_area<D2Q9>(const Exec&, const FluidNodes&, const Surface&, const VectorField<double>&);
+VUG_COMPILE(surface_area<D2Q5>)
+VUG_COMPILE(surface_area<D2Q9>)
 
 }  // namespace vug

@@ -100,9 +100,6 @@ void advective_defect(const Exec& exec, const FluidNodes& nodes, const std::type
     for_each_node(exec, label, nodes.share(), body);
 }
 
-#define VUG_INSTANTIATE(T, Set) \
-  template void advective_defect<Set>(const Exec&, const FluidNodes&, const Displacement<T>&, const ScalarField<T>&, T);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(advective_defect)
 
 }  // namespace vug

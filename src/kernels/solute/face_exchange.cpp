@@ -37,9 +37,6 @@ void exchange_at_faces(const Exec& exec, const FluidNodes& nodes, const VectorFi
                 correction);
 }
 
-template void exchange_at_faces(const Exec&, const FluidNodes&, const VectorField<float>&, int,
-                                const SoluteFields<float>&, const ScalarField<double>&);
-template void exchange_at_faces(const Exec&, const FluidNodes&, const VectorField<double>&, int,
-                                const SoluteFields<double>&, const ScalarField<double>&);
+VUG_COMPILE_FOR_NUMBERS(exchange_at_faces)
 
 }  // namespace vug

@@ -60,10 +60,6 @@ void resist_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes&
   });
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                                 \
-  template void resist_in_slits<Set>(const Exec&, const FluidNodes&, const SlitNodes&, const SoluteCarrier<T>&, \
-                                     const SoluteParameters&, const SoluteFields<T>&);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(resist_in_slits)
 
 }  // namespace vug

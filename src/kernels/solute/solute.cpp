@@ -36,7 +36,7 @@ struct UniformConcentrationAtRest {
   }
 };
 
-template <class T, class Set>
+template <class Set, class T>
 SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration) {
   const bool in_parts = !nodes.share().whole();
   SoluteFields<T> s{zeros<ScalarField<T>>(exec, "vug::solute::h", std::size_t(Set::Q) * nodes.capacity, in_parts), 0,
@@ -73,12 +73,8 @@ void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarri
   s.fields.turned = 1 - s.fields.turned;
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                                        \
-  template SoluteFields<T> make_solute_fields<T, Set>(const Exec&, const FluidNodes&, double);         \
-  template void fit_solute_to_capacity<Set, T>(const Exec&, const FluidNodes&, int, SoluteFields<T>&); \
-  template void advance_solute<Set, T>(const Exec&, const FluidNodes&, const SoluteCarrier<T>&,        \
-                                       const SteppingSolute<T>&);
-VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_SETS(make_solute_fields)
+VUG_COMPILE_FOR_SETS(fit_solute_to_capacity)
+VUG_COMPILE_FOR_SETS(advance_solute)
 
 }  // namespace vug

@@ -44,7 +44,7 @@ struct SoluteFields {
 };
 
 /// Fields of one species for `nodes`, at rest with a uniform concentration.
-template <class T, class Set>
+template <class Set, class T>
 SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration = 0);
 
 /// Moves the fields of the first `count` nodes to the capacity of `nodes`, if that has changed.

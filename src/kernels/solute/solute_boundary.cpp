@@ -161,18 +161,9 @@ bool is_narrow(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& l
   return narrow > 0;
 }
 
-#define VUG_INSTANTIATE(T)                                                                                             \
-  template SoluteCondition<T> concentration_condition(const BoundaryLinks&, double, const SoluteFields<T>&,            \
-                                                      const ScalarField<double>&);                                     \
-  template SoluteCondition<T> flux_condition(const BoundaryLinks&, const ScalarField<double>&, double,                 \
-                                             const SoluteFields<T>&, const ScalarField<double>&);                      \
-  template SoluteCondition<T> outflow_condition(const BoundaryLinks&, const SoluteParameters&, const SoluteFields<T>&, \
-                                                const ScalarField<double>&);                                           \
-  template void dress<D2Q5>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool,                 \
-                            const Crossing<T>&);                                                                       \
-  template void dress<D2Q9>(const Exec&, const FluidNodes&, std::span<const SoluteCondition<T>>, bool,                 \
-                            const Crossing<T>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(concentration_condition)
+VUG_COMPILE_FOR_NUMBERS(flux_condition)
+VUG_COMPILE_FOR_NUMBERS(outflow_condition)
+VUG_COMPILE_FOR_SETS(dress)
 
 }  // namespace vug

@@ -28,13 +28,7 @@ void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<co
   add_per_block(exec, "vug::solute_totals::change", nodes.share(), ChangeOfNode<T>{C, count, before}, total);
 }
 
-#define VUG_INSTANTIATE(T)                                                                        \
-  template void add_change<T>(const Exec&, const FluidNodes&, const Kokkos::View<const T*>&, int, \
-                              const ScalarField<T>&, const ScalarField<double>&);                 \
-  template void add_solute<D2Q5, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&,       \
-                                    const ScalarField<double>&);                                  \
-  template void add_solute<D2Q9, T>(const Exec&, const FluidNodes&, const SoluteFields<T>&, const ScalarField<double>&);
-VUG_FOR_NUMBERS(VUG_INSTANTIATE)
-#undef VUG_INSTANTIATE
+VUG_COMPILE_FOR_NUMBERS(add_change)
+VUG_COMPILE_FOR_SETS(add_solute)
 
 }  // namespace vug
