@@ -11,13 +11,12 @@ LAWS = {
         flow/outflow.hpp flow/outflow_pressure.hpp flow/slit.hpp flow/slit_drag.cpp heat/conjugate_link.hpp heat/heat.cpp
         heat/heat.hpp heat/heat_boundary.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
         heat/heat_openings.cpp heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp
-        nodes/mirror_links.cpp nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp reaction/mineral_sums.cpp
+        nodes/mirror_links.cpp nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp
         reaction/reacting_solutes.cpp reaction/reaction.hpp reaction/reactive_links.cpp reaction/reactive_wall.cpp
         reaction/reactive_wall_kernel.hpp
         reaction/reactive_wall_step.hpp reaction/solid_share.hpp reaction/surface_normal.cpp
-        scalar/advective_form.cpp scalar/outflow_slope.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp
-        solute/face_exchange.cpp solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp
-        solute/solute_totals.cpp""",
+        scalar/advective_form.cpp scalar/outflow_slope.hpp scalar/rounding.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp
+        solute/face_exchange.cpp solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp""",
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp
         bonds.cpp closest_point.hpp cohesion_fit.cpp contact_forces.hpp contact_law.hpp contacts.cpp crack_aperture.cpp
         critical_step.cpp

@@ -4,7 +4,6 @@
 #include "coupling/shared_field.hpp"
 #include "io/each_boundary.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/solute/solute_totals.hpp"
 
 #include <limits>
 

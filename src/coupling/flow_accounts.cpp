@@ -2,7 +2,6 @@
 #include "coupling/flow_module.hpp"
 #include "coupling/read_fields.hpp"
 #include "kernels/flow/guards.hpp"
-#include "kernels/flow/mean_velocity.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "coupling/reaction_module.hpp"
 #include "kernels/base/gas_constant.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/reaction/mineral_sums.hpp"
 
 namespace vug {
 

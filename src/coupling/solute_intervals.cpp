@@ -2,7 +2,6 @@
 #include "coupling/amount_share.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/solute/solute_totals.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,6 @@
 #include "kernels/scalar/advective_form.hpp"
 #include "kernels/solute/face_exchange.hpp"
 #include "kernels/solute/slit_diffusion.hpp"
-#include "kernels/solute/solute_totals.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,6 @@
 #include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_neighbour.hpp"
-#include "kernels/solute/solute_totals.hpp"
 
 namespace vug {
 

@@ -125,14 +125,14 @@ struct Halo::Lists {
     PackHalo<T, n> pack{from.slot, {}, reinterpret_cast<T*>(channel->out.data())};
     UnpackHalo<T, n> unpack{to.slot, {}, reinterpret_cast<const T*>(channel->in.data())};
     for (std::size_t c = 0; c < n; ++c) pack.field[c] = unpack.field[c] = fields[c];
-    for_each_scattered(exec, "vug::halo::pack", from.count(), pack);
+    for_each_node<false>(exec, "vug::halo::pack", from.count(), pack);
     if (!channel->requests.empty()) {
       channel->make_ready(exec);
       const Exchange counted = Exchange::of_neighbours(to.rank.size(), to.count() * n * sizeof(T));
       channel->trade();
       channel->take(exec);
     }
-    for_each_scattered(exec, "vug::halo::unpack", to.count(), unpack);
+    for_each_node<false>(exec, "vug::halo::unpack", to.count(), unpack);
   }
 };
 

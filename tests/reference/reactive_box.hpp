@@ -5,7 +5,6 @@
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/surface_normal.hpp"
 #include "kernels/solute/solute.hpp"
-#include "kernels/solute/solute_totals.hpp"
 #include "support/advance.hpp"
 #include "support/dress_one.hpp"
 #include "support/host_copy.hpp"

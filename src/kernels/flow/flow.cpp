@@ -54,7 +54,7 @@ struct CollideAndStream {
   KOKKOS_FORCEINLINE_FUNCTION Macroscopic<V> moments(int i, const V (&g)[9]) const {
     Macroscopic<V> m = macroscopic(g);
     if constexpr (Force::present) {
-      const auto& here = force.template at<V>(i);
+      const auto& here = law_at<V>(force, i);
       m.ux += here.x / 2;
       m.uy += here.y / 2;
     }
@@ -63,7 +63,7 @@ struct CollideAndStream {
   /// Collides one node, or a pack of consecutive nodes, and stores the velocity.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION void collide(int i, V (&g)[9], const Macroscopic<V>& m) const {
-    relax.template at<V>(i)(g, m, force.template at<V>(i));
+    law_at<V>(relax, i)(g, m, law_at<V>(force, i));
     put(&u(i, 0), m.ux);
     put(&u(i, 1), m.uy);
   }
@@ -151,12 +151,6 @@ struct SweepBlock {
 
 namespace {
 
-template <class T, class Node, class NodePacks>
-SweepBlock<T, Node, NodePacks> sweep_block(const Node& node, const NodePacks& packs,
-                                           const ScalarField<double>& limited) {
-  return {node, packs, limited};
-}
-
 /// One sweep. The parts of its kernel are chosen one after the other: collision (by the caller), force, streaming,
 /// limiter.
 template <class T>
@@ -179,10 +173,7 @@ struct Sweep {
 
   template <class Relaxation, class Force>
   void stream(const Relaxation& relax, const Force& force) const {
-    if (fields.turned)
-      limit(InPlaceFromTurned<D2Q9>{nodes.capacity}, relax, force);
-    else
-      limit(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity}, relax, force);
+    visit_slots<D2Q9>(nodes, fields.turned, [&](const auto& slots) { limit(slots, relax, force); });
     fields.turned = 1 - fields.turned;
   }
 
@@ -198,9 +189,11 @@ struct Sweep {
     const int size = limits ? nodes_per_block : block_of_list(nodes.count);
     const auto run = [&](const auto& node) {
       using Node = std::decay_t<decltype(node)>;
-      if constexpr (runs_on_host)
-        for_each_block(exec, label, nodes.share(), sweep_block<T>(node, packs_of<T>(slots, nodes), step.limited), size);
-      else if constexpr (Node::limits)
+      if constexpr (runs_on_host) {
+        const auto packs = packs_of<T>(slots, nodes);
+        const SweepBlock<T, Node, std::decay_t<decltype(packs)>> block{node, packs, step.limited};
+        for_each_block(exec, label, nodes.share(), block, size);
+      } else if constexpr (Node::limits)
         add_per_block(exec, label, nodes.share(), node, step.limited);
       else
         for_each_node(exec, label, nodes.share(), node);

@@ -84,4 +84,9 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
 template <class T>
 void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, const ScalarField<double>& total);
 
+/// total(block) += sum of u(i, axis) over the block's nodes. The same bits for any number of threads.
+template <class T>
+void add_velocity(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, int axis,
+                  const ScalarField<double>& total);
+
 }  // namespace vug

@@ -7,18 +7,6 @@
 
 namespace vug {
 
-/// Sets a node to rest.
-template <class T>
-struct SetRest {
-  ScalarField<T> f;
-  VectorField<T> u;
-  int capacity;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    for (int q = 0; q < D2Q9::Q; ++q) f(q * capacity + i) = 0;
-    u(i, 0) = u(i, 1) = 0;
-  }
-};
-
 template <class T>
 FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes) {
   const auto populations = static_cast<std::size_t>(D2Q9::Q) * nodes.capacity;
@@ -26,7 +14,6 @@ FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes) {
   FlowFields<T> fields;
   fields.f = zeros<ScalarField<T>>(exec, "vug::flow::f", populations, in_parts);
   fields.u = zeros<VectorField<T>>(exec, "vug::flow::u", nodes.capacity, in_parts);
-  if (in_parts) for_each_node(exec, "vug::flow::rest", nodes.share(), SetRest<T>{fields.f, fields.u, nodes.capacity});
   return fields;
 }
 
@@ -97,11 +84,25 @@ void add_mass(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fi
   add_per_block(exec, "vug::flow::add_mass", nodes.count, SumOfSlots<T, D2Q9>{fields.f, nodes.capacity}, total);
 }
 
+template <class T>
+struct ComponentOfVelocity {
+  VectorField<T> u;
+  int axis;
+  KOKKOS_FUNCTION double operator()(int i) const { return double(u(i, axis)); }
+};
+
+template <class T>
+void add_velocity(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u, int axis,
+                  const ScalarField<double>& total) {
+  add_per_block(exec, "vug::flow::add_velocity", nodes.count, ComponentOfVelocity<T>{u, axis}, total);
+}
+
 VUG_COMPILE_FOR_NUMBERS(make_flow_fields)
 VUG_COMPILE_FOR_NUMBERS(settle)
 VUG_COMPILE_FOR_NUMBERS(fit_to_capacity)
 VUG_COMPILE_FOR_NUMBERS(densities)
 VUG_COMPILE_FOR_NUMBERS(initialise_births)
 VUG_COMPILE_FOR_NUMBERS(add_mass)
+VUG_COMPILE_FOR_NUMBERS(add_velocity)
 
 }  // namespace vug

@@ -1,6 +1,6 @@
 #include "kernels/flow/guards.hpp"
 
-#include "kernels/launch/own_items.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

@@ -65,24 +65,13 @@ struct ForceOfLink {
   }
 };
 
-namespace {
-
-template <class Body>
-double sum_over(const Exec& exec, const std::string& label, const BoundaryLinks& links, const Body& body) {
-  const ScalarField<double> partial(Kokkos::view_alloc(exec, label), block_count(links.count));
-  add_per_block(exec, label, links.count, body, partial);
-  return sum_in_order(partial);
-}
-
-}  // namespace
-
 template <class T>
 LinkForce force_on_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links,
                          const ScalarField<T>& outgoing, const ScalarField<T>& f, std::array<double, 2> centre) {
   const auto sum = [&](int component) {
-    return sum_over(exec, "vug::link_populations::force", links,
-                    ForceOfLink<T>{nodes.around(), nodes.node, links.fluid, links.direction, nodes.capacity, outgoing,
-                                   f, centre[0], centre[1], component});
+    return sum_of_list(exec, "vug::link_populations::force", links.count,
+                       ForceOfLink<T>{nodes.around(), nodes.node, links.fluid, links.direction, nodes.capacity,
+                                      outgoing, f, centre[0], centre[1], component});
   };
   return {sum(0), sum(1), sum(2)};
 }
@@ -107,8 +96,8 @@ struct WeighLink {
 template <class T>
 LinkMean mean_at_links(const Exec& exec, const BoundaryLinks& links, const ScalarField<T>& C, const VectorField<T>& u) {
   const auto sum = [&](bool by_flow, bool times_C) {
-    return sum_over(exec, "vug::link_populations::mean", links,
-                    WeighLink<T>{links.fluid, links.direction, C, u, by_flow, times_C});
+    return sum_of_list(exec, "vug::link_populations::mean", links.count,
+                       WeighLink<T>{links.fluid, links.direction, C, u, by_flow, times_C});
   };
   LinkMean mean{0, 0, sum(false, false), sum(false, true)};
   if (u.extent(0) > 0) mean.flow = sum(true, false), mean.carried = sum(true, true);

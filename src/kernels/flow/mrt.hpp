@@ -69,25 +69,27 @@ struct MomentBasis {
   }
 };
 
+/// The law, or the force, of node i or of a pack of nodes from there on: of one that differs from node to node its
+/// at<V>(i), otherwise itself.
+template <class V, class Law>
+KOKKOS_FORCEINLINE_FUNCTION decltype(auto) law_at(const Law& law, int i) {
+  if constexpr (requires { law.template at<V>(i); })
+    return law.template at<V>(i);
+  else
+    return (law);
+}
+
 /// No body force: costs nothing in the kernel.
 template <class T>
 struct NoForce {
   static constexpr bool present = false;
   T x = 0, y = 0;
-  template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION const NoForce& at(int) const {
-    return *this;
-  }
 };
 /// A body force per volume over the reference density, the same everywhere, lattice units.
 template <class T>
 struct BodyForce {
   static constexpr bool present = true;
   T x, y;
-  template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION const BodyForce& at(int) const {
-    return *this;
-  }
 };
 /// The same with the buoyancy of the node's temperature (Boussinesq): force + per_kelvin theta.
 template <class T>
@@ -114,10 +116,6 @@ struct TwoRelaxationTimes {
   TwoRelaxationTimes(const RelaxationRates& rates) : even(T(rates.s_nu)), odd(T(rates.s_q)) {}
   KOKKOS_FORCEINLINE_FUNCTION TwoRelaxationTimes(const R& even_rate, const R& odd_rate)
       : even(even_rate), odd(odd_rate) {}
-  template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION const TwoRelaxationTimes& at(int) const {
-    return *this;
-  }
 
   template <class V, class Force>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
@@ -166,10 +164,6 @@ struct MultipleRelaxationTimes {
   T s_nu, s_e, s_eps, s_q;
   MultipleRelaxationTimes(const RelaxationRates& r)
       : s_nu(T(r.s_nu)), s_e(T(r.s_e)), s_eps(T(r.s_eps)), s_q(T(r.s_q)) {}
-  template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION const MultipleRelaxationTimes& at(int) const {
-    return *this;
-  }
 
   template <class V, class Force>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {
@@ -215,10 +209,6 @@ template <class T>
 struct Regularised {
   T s_nu;
   Regularised(const RelaxationRates& rates) : s_nu(T(rates.s_nu)) {}
-  template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION const Regularised& at(int) const {
-    return *this;
-  }
 
   template <class V, class Force>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(V (&f)[9], const Macroscopic<V>& m, const Force& force) const {

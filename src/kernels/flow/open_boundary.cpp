@@ -74,23 +74,14 @@ struct DressMirrored {
   }
 };
 
-/// f_in = A + 6 w c_in . u_w.
+/// f_in = A + 6 w c_in . u_w, with a share of the velocity on each link; without `share` all of it.
 template <class T>
 struct VelocityRule {
   T ux, uy;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int, int q, T outgoing) const {
-    return outgoing - T(6 * D2Q9::w(q)) * (T(D2Q9::c(q, 0)) * ux + T(D2Q9::c(q, 1)) * uy);
-  }
-};
-
-/// VelocityRule with a share of the velocity on each link.
-template <class T>
-struct VelocityProfileRule {
-  T ux, uy;
-  const double* share;
-  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int i, int q, T outgoing) const {
-    const T here = T(share[link]);
-    return VelocityRule<T>{here * ux, here * uy}(link, i, q, outgoing);
+  const double* share = nullptr;
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int link, int, int q, T outgoing) const {
+    const T here = share ? T(share[link]) : T(1);
+    return outgoing - T(6 * D2Q9::w(q)) * (T(D2Q9::c(q, 0)) * (here * ux) + T(D2Q9::c(q, 1)) * (here * uy));
   }
 };
 
@@ -104,8 +95,8 @@ struct SlidingRule {
     double u[2] = {share * c.value[0], share * c.value[1]};
     if (c.mirror[link] < 0) u[c.axis] = 0;
     for (int end = 0; end < 2; ++end)
-      if (link == c.end[end])
-        for (int axis = 0; axis < 2; ++axis) u[axis] = c.at_end[end][axis];
+      if (link == c.ends.link[end])
+        for (int axis = 0; axis < 2; ++axis) u[axis] = c.ends.velocity[end][axis];
     return VelocityRule<T>{T(u[0]), T(u[1])}(link, i, q, outgoing);
   }
 };
@@ -138,15 +129,12 @@ struct DressFlow {
 
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    const T x = T(c.value[0]), y = T(c.value[1]);
     if (c.kind == Kind::pressure)
       run(DressMirrored<T, PressureRule<T>>{c, f, u, capacity, {T(3 * c.value[0])}});
     else if (c.kind == Kind::outflow)
       run(DressMirrored<T, OutflowRule<T>>{c, f, u, capacity, {c}});
     else if (c.kind == Kind::velocity)
-      run(DressLinks<T, VelocityRule<T>>{c, f.data(), capacity, {x, y}});
-    else if (c.kind == Kind::velocity_profile)
-      run(DressLinks<T, VelocityProfileRule<T>>{c, f.data(), capacity, {x, y, c.part}});
+      run(DressLinks<T, VelocityRule<T>>{c, f.data(), capacity, {T(c.value[0]), T(c.value[1]), c.part}});
     else if (c.kind == Kind::sliding)
       run(DressLinks<T, SlidingRule<T>>{c, f.data(), capacity, {c}});
     else
@@ -164,9 +152,8 @@ FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mi
 
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
                                  const ScalarField<double>& share, const ScalarField<double>& gain) {
-  const bool uniform = share.extent(0) == 0;
-  FlowCondition made{{links, gain}, uniform ? Kind::velocity : Kind::velocity_profile};
-  made.part = share.data();
+  FlowCondition made{{links, gain}, Kind::velocity};
+  made.part = share.extent(0) > 0 ? share.data() : nullptr;
   for (int axis = 0; axis < 2; ++axis) made.value[axis] = velocity[axis];
   return made;
 }
@@ -178,10 +165,7 @@ FlowCondition sliding_condition(const BoundaryLinks& links, const IndexList& mir
   made.kind = Kind::sliding;
   made.mirror = mirror.data();
   made.axis = along;
-  for (int e = 0; e < 2; ++e) {
-    made.end[e] = ends.link[e];
-    for (int axis = 0; axis < 2; ++axis) made.at_end[e][axis] = ends.velocity[e][axis];
-  }
+  made.ends = ends;
   return made;
 }
 

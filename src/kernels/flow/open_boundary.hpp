@@ -9,16 +9,21 @@
 
 namespace vug {
 
+/// Velocities on the links past the ends of a stretch.
+struct SlidingEnds {
+  int link[2] = {-1, -1};  ///< -1: none
+  double velocity[2][2] = {{0, 0}, {0, 0}};
+};
+
 /// The condition at the links of one stretch, made by the functions below.
 struct FlowCondition : DressedLinks {
-  enum class Kind { none, pressure, outflow, velocity, velocity_profile, sliding, normal_speed };
+  enum class Kind { none, pressure, outflow, velocity, sliding, normal_speed };
   Kind kind = Kind::none;
   const int* mirror = nullptr;   ///< (link) mirror image, for pressures, outflows and what slides
   const double* part = nullptr;  ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
-  int axis = 0;              ///< along the side, of what slides
-  int end[2] = {-1, -1};     ///< links with velocities of their own, of what slides
-  double at_end[2][2] = {};  ///< their velocities
+  int axis = 0;                                                            ///< along the side, of what slides
+  SlidingEnds ends{};                                                      ///< of what slides
   double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< as in OutflowState
   int pieces = 0, longest = 0;                                             ///< as in OutflowState
   const int *order = nullptr, *piece = nullptr, *face = nullptr;           ///< as in OutflowState
@@ -44,12 +49,6 @@ FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mi
 /// whose displacement is neglected.
 FlowCondition velocity_condition(const BoundaryLinks& links, std::array<double, 2> velocity,
                                  const ScalarField<double>& share, const ScalarField<double>& gain);
-
-/// Velocities on the links past the ends of a stretch.
-struct SlidingEnds {
-  int link[2] = {-1, -1};  ///< -1: none
-  double velocity[2][2] = {{0, 0}, {0, 0}};
-};
 
 /// The rule of a velocity on a side, whose component along the axis `along` moves mass along the wall: 6 w velocity
 /// from node to node, by the two links that cross in between. Mass is conserved because a link without an image (beside

@@ -7,18 +7,7 @@
 
 namespace vug {
 
-/// Outward speed at the node of a straight link; 0 for a diagonal one.
-template <class T>
-struct OutwardSpeed {
-  FlowCondition links;
-  VectorField<T> u;
-  KOKKOS_FUNCTION double operator()(int link) const {
-    const int i = links.fluid[link], q = links.direction[link];
-    return q < D2Q5::Q ? D2Q9::c(q, 0) * double(u(i, 0)) + D2Q9::c(q, 1) * double(u(i, 1)) : 0;
-  }
-};
-
-/// OutwardSpeed for all links of each outflow.
+/// Adds up, for each outflow, the outward speeds at the nodes of its straight links.
 template <class T>
 struct OutwardSpeeds {
   using Entry = FlowCondition;
@@ -26,34 +15,31 @@ struct OutwardSpeeds {
   static int count(const FlowCondition& c) { return c.known(); }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    run(OutwardSpeed<T>{c, u});
+    run([c, v = u](int link) {
+      const int i = c.fluid[link], q = c.direction[link];
+      return q < D2Q5::Q ? D2Q9::c(q, 0) * double(v(i, 0)) + D2Q9::c(q, 1) * double(v(i, 1)) : 0;
+    });
   }
 };
 
-/// Sets rho' = 3 c_s (U - U_0), then U_0 += share (U - U_0), where U is the mean outward speed; clears its sums.
-struct SetOutflowLevel {
-  FlowCondition links;
-  double share;
-  KOKKOS_FUNCTION void operator()(int) const {
-    double sum = 0;
-    for (int block = 0; block < block_count(links.count); ++block) {
-      sum += links.total[block];
-      links.total[block] = 0;
-    }
-    const double change = sum / links.faces - links.level[0];
-    links.level[1] = 3 * Kokkos::sqrt(c_s2) * change;
-    links.level[0] += share * change;
-  }
-};
-
-/// SetOutflowLevel for each outflow.
+/// Sets rho' = 3 c_s (U - U_0) of each outflow, then U_0 += share (U - U_0), where U is the mean outward speed; clears
+/// its sums.
 struct SetOutflowLevels {
   using Entry = FlowCondition;
   double share;
   static int count(const FlowCondition& c) { return c.known() > 0 ? 1 : 0; }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    run(SetOutflowLevel{c, share});
+    run([c, kept = share](int) {
+      double sum = 0;
+      for (int block = 0; block < block_count(c.count); ++block) {
+        sum += c.total[block];
+        c.total[block] = 0;
+      }
+      const double change = sum / c.faces - c.level[0];
+      c.level[1] = 3 * Kokkos::sqrt(c_s2) * change;
+      c.level[0] += kept * change;
+    });
   }
 };
 

@@ -1,7 +1,6 @@
 #include "kernels/flow/slit_drag.hpp"
 
 #include "kernels/launch/launch.hpp"
-#include "kernels/launch/own_items.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
@@ -44,16 +43,11 @@ struct DragInSlits {
 template <class T>
 void drag_in_slits(const Exec& exec, const FluidNodes& nodes, const SlitNodes& slits, double viscosity,
                    const FlowStep<T>& step, FlowFields<T>& fields) {
-  const auto run = [&](const auto& slots) {
-    using Slots = std::decay_t<decltype(slots)>;
+  visit_slots<D2Q9>(nodes, !fields.turned, [&](const auto& slots) {  // of the last sweep
     for_each_node(exec, "vug::flow::drag_in_slits", slits.count,
-                  DragInSlits<T, Slots>{slits, {viscosity, step}, fields.f, fields.u, slots, nodes.share()});
-  };
-  // the slots in which the last sweep left its populations
-  if (fields.turned)
-    run(InPlaceFromHome<D2Q9>{nodes.source, nodes.capacity});
-  else
-    run(InPlaceFromTurned<D2Q9>{nodes.capacity});
+                  DragInSlits<T, std::decay_t<decltype(slots)>>{
+                      slits, {viscosity, step}, fields.f, fields.u, slots, nodes.share()});
+  });
 }
 
 template <class T>

@@ -17,11 +17,8 @@ struct ValueOf {
 
 double sum_in_order(const ScalarField<double>& values) {
   if constexpr (!runs_on_host)
-    if (const int n = static_cast<int>(values.extent(0)); n > most_copied) {
-      const ScalarField<double> partial("vug::sum_in_order", block_count(n));
-      add_per_block(Exec{}, "vug::sum_in_order", n, ValueOf{values}, partial);
-      return sum_in_order(partial);
-    }
+    if (const int n = static_cast<int>(values.extent(0)); n > most_copied)
+      return sum_of_list(Exec{}, "vug::sum_in_order", n, ValueOf{values});
   const auto host = on_host(values);
   double sum = 0;
   for (std::size_t i = 0; i < host.extent(0); ++i) sum += host(i);

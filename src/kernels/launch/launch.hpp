@@ -1,7 +1,7 @@
 #pragma once
 // Two launchers for one physics body: on a host, blocks of nodes whose inner loop the compiler vectorises; on a GPU,
 // one node per thread. Sums are taken per block in a fixed order, so their bits do not depend on the thread count.
-#include "kernels/base/base.hpp"
+#include "kernels/launch/own_items.hpp"
 
 #include <algorithm>
 #include <string>
@@ -15,53 +15,30 @@ namespace vug {
 #define VUG_VECTORISE _Pragma("GCC ivdep")
 #endif
 
-inline constexpr int nodes_per_block = 512, shortest_block = 32;
+inline constexpr int shortest_block = 32;
 /// Threads of a GPU that add up a block or a row.
 inline constexpr int threads_per_sum = 256;
-
-KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
-  return (n + nodes_per_block - 1) / nodes_per_block;
-}
 
 /// Total of eight interleaved sums.
 KOKKOS_FORCEINLINE_FUNCTION constexpr double sum_of_lanes(const double (&sum)[8]) {
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// The part of a list of n items that this process computes: all of it, or whole blocks of nodes_per_block. Every item
-/// keeps its place in the list and in its block, and therefore its result to the bit, however many processes share the
-/// list.
-struct Share {
-  int n = 0;
-  int blocks = -1;             ///< number of blocks of this process; -1: all
-  const int* block = nullptr;  ///< (own) their numbers, ascending
-
-  Share(int items) : n(items) {}
-  Share(int items, int count, const int* numbers) : n(items), blocks(count), block(numbers) {}
-  bool whole() const { return blocks < 0; }
-};
-
 namespace detail {
 
 /// Runs the nodes of a block in one loop. It copies the body first: no store of the loop can change a local copy, so
 /// its constants and pointers stay in registers. Inside a kernel, copies of Views count no references.
-template <class Body>
+template <class Body, bool vectorised = true>
 struct NodeLoop {
   Body body;
   KOKKOS_FUNCTION void operator()(int first, int last) const {
     const Body local = body;
-    VUG_VECTORISE
-    for (int i = first; i < last; ++i) local(i);
-  }
-};
-
-/// As NodeLoop, but not vectorised.
-template <class Body>
-struct ScatteredLoop {
-  Body body;
-  KOKKOS_FUNCTION void operator()(int first, int last) const {
-    const Body local = body;
-    for (int i = first; i < last; ++i) local(i);
+    if constexpr (vectorised) {
+      VUG_VECTORISE
+      for (int i = first; i < last; ++i) local(i);
+    } else {
+      for (int i = first; i < last; ++i) local(i);
+    }
   }
 };
 
@@ -103,15 +80,13 @@ struct BlockSum {
   }
 };
 
-/// On a GPU: runs one node of the listed blocks.
+/// On a GPU: runs the item at one place.
 template <class Body>
 struct NodeOfBlocks {
   Body body;
-  int n;
-  const int* listed;
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int i = listed[item / nodes_per_block] * nodes_per_block + item % nodes_per_block;
-    if (i < n) body(i);
+  OwnItems own;
+  KOKKOS_FUNCTION void operator()(int place) const {
+    if (const int i = own(place); i >= 0) body(i);
   }
 };
 
@@ -124,17 +99,25 @@ KOKKOS_FORCEINLINE_FUNCTION void add_by_team(const Team& team, int begin, int en
   Kokkos::single(Kokkos::PerTeam(team), [&] { *total += sum; });
 }
 
-/// On a GPU: adds up a block by a team.
-template <class Body>
+/// The items of a block of a list; league ranks stand for all blocks, or for those listed.
+struct ItemsOfBlock {
+  int n;
+  const int* listed;
+  KOKKOS_FORCEINLINE_FUNCTION int number(int rank) const { return listed ? listed[rank] : rank; }
+  KOKKOS_FORCEINLINE_FUNCTION int begin(int block) const { return block * nodes_per_block; }
+  KOKKOS_FORCEINLINE_FUNCTION int end(int block) const { return begin(block + 1) < n ? begin(block + 1) : n; }
+};
+
+/// On a GPU: adds up a block, or a row, by a team.
+template <class Items, class Body>
 struct TeamSum {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
+  Items items;
   Body body;
-  int n;
   ScalarField<double> total;
-  const int* listed = nullptr;  ///< numbers of the blocks that run; null: all do
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int block = listed ? listed[team.league_rank()] : team.league_rank(), first = block * nodes_per_block;
-    add_by_team(team, first, first + nodes_per_block < n ? first + nodes_per_block : n, body, &total(block));
+    const int k = items.number(team.league_rank());
+    add_by_team(team, items.begin(k), items.end(k), body, &total(k));
   }
 };
 
@@ -173,27 +156,19 @@ void for_each_block(const Exec& exec, const std::string& label, const Share& lis
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, (n + size - 1) / size), blocks);
 }
 
-/// Runs body(i) for the items i of a list. Iterations must be independent. Nothing is fenced.
-template <class Body>
+/// Runs body(i) for the items i of a list. Iterations must be independent. Nothing is fenced. On a host bodies that
+/// read and write scattered addresses are better not `vectorised`: gathers and scatters of vectors take several times
+/// as long as single loads and stores.
+template <bool vectorised = true, class Body>
 void for_each_node(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
   if (list.n <= 0 || list.blocks == 0) return;
   if constexpr (runs_on_host)
-    for_each_block(exec, label, list, detail::NodeLoop<Body>{body}, block_of_list(list.n));
+    for_each_block(exec, label, list, detail::NodeLoop<Body, vectorised>{body}, block_of_list(list.n));
   else if (list.whole())
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.n), body);
   else
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, list.blocks * nodes_per_block),
-                         detail::NodeOfBlocks<Body>{body, list.n, list.block});
-}
-
-/// As for_each_node, for bodies that read and write scattered addresses: on a host, gathers and scatters of vectors
-/// take several times as long as single loads and stores.
-template <class Body>
-void for_each_scattered(const Exec& exec, const std::string& label, const Share& list, const Body& body) {
-  if constexpr (runs_on_host)
-    for_each_block(exec, label, list, detail::ScatteredLoop<Body>{body}, block_of_list(list.n));
-  else
-    for_each_node(exec, label, list, body);
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, OwnItems{list}.places()),
+                         detail::NodeOfBlocks<Body>{body, {list}});
 }
 
 /// Runs body(team) for `count` teams of `threads` threads with `lanes` lanes each, or as many as the back end allows
@@ -221,11 +196,21 @@ void add_per_block(const Exec& exec, const std::string& label, const Share& list
     Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, blocks),
                          Blocks{{body, total}, n, nodes_per_block, list.block});
   } else {
-    for_each_team(exec, label, blocks, threads_per_sum, detail::TeamSum<Body>{body, n, total, list.block});
+    for_each_team(exec, label, blocks, threads_per_sum,
+                  detail::TeamSum<detail::ItemsOfBlock, Body>{{n, list.block}, body, total});
   }
 }
 
 /// Sum of all entries in index order, read on the host: for monitors and ledgers, not inside a step.
 double sum_in_order(const ScalarField<double>& values);
+
+/// Sum of body(i) over the items i of a list of n: the same bits for any number of threads. Waits for the device.
+template <class Body>
+double sum_of_list(const Exec& exec, const std::string& label, int n, const Body& body) {
+  const ScalarField<double> partial(Kokkos::view_alloc(exec, label), block_count(n));
+  add_per_block(exec, label, n, body, partial);
+  exec.fence();
+  return sum_in_order(partial);
+}
 
 }  // namespace vug

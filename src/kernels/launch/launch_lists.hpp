@@ -71,83 +71,41 @@ void for_lists(std::span<const Item> all, const Law& law, const BlockOf& block_o
   }
 }
 
-struct RunBlock {
-  int begin, end;
-  template <class Body>
-  KOKKOS_FUNCTION void operator()(const Body& body) const {
-    NodeLoop<Body>{body}(begin, end);
-  }
-};
-struct RunItem {
-  int item;
-  template <class Body>
-  KOKKOS_FUNCTION void operator()(const Body& body) const {
-    body(item);
-  }
-};
-struct RunByTeam {
-  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  const Team& team;
-  int item;
-  template <class Body>
-  KOKKOS_FUNCTION void operator()(const Body& body) const {
-    body(team, item);
-  }
-};
-struct SumBlock {
-  int begin, end;
-  double* total;
-  template <class Body>
-  KOKKOS_FUNCTION void operator()(const Body& body) const {
-    *total += sum_of_block(body, begin, end);
-  }
-};
-struct SumByTeam {
-  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  const Team& team;
-  int begin, end;
-  double* total;
-  template <class Body>
-  KOKKOS_FUNCTION void operator()(const Body& body) const {
-    add_by_team(team, begin, end, body, total);
-  }
-};
-
 template <class Law>
 struct RunLists {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
   Law law;
   Lists<typename Law::Entry> lists;
   KOKKOS_FUNCTION void operator()(int block) const {
     const auto part = lists.part(block);
-    if constexpr (runs_on_host)
-      law(lists.entry[part.list], RunBlock{part.begin, part.end});
-    else
-      law(lists.entry[part.list], RunItem{part.begin});
+    law(lists.entry[part.list], [&](const auto& body) {
+      if constexpr (runs_on_host)
+        NodeLoop<std::decay_t<decltype(body)>>{body}(part.begin, part.end);
+      else
+        body(part.begin);
+    });
   }
-};
-
-template <class Law>
-struct TeamsOfLists {
-  Law law;
-  Lists<typename Law::Entry> lists;
-  KOKKOS_FUNCTION void operator()(const RunByTeam::Team& team) const {
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
     const auto part = lists.part(team.league_rank());
-    law(lists.entry[part.list], RunByTeam{team, part.begin});
+    law(lists.entry[part.list], [&](const auto& body) { body(team, part.begin); });
   }
 };
 
 template <class Law>
 struct SumLists {
+  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
   Law law;
   Lists<typename Law::Entry> lists;
   KOKKOS_FUNCTION double* total(int list, int begin) const { return lists.entry[list].total + begin / nodes_per_block; }
   KOKKOS_FUNCTION void operator()(int block) const {
-    const auto [list, begin, end] = lists.part(block);
-    law(lists.entry[list], SumBlock{begin, end, total(list, begin)});
+    const auto part = lists.part(block);
+    law(lists.entry[part.list],
+        [&](const auto& body) { *total(part.list, part.begin) += sum_of_block(body, part.begin, part.end); });
   }
-  KOKKOS_FUNCTION void operator()(const SumByTeam::Team& team) const {
-    const auto [list, begin, end] = lists.part(team.league_rank());
-    law(lists.entry[list], SumByTeam{team, begin, end, total(list, begin)});
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const auto part = lists.part(team.league_rank());
+    law(lists.entry[part.list],
+        [&](const auto& body) { add_by_team(team, part.begin, part.end, body, total(part.list, part.begin)); });
   }
 };
 
@@ -173,7 +131,7 @@ void for_each_team_of_lists(const Exec& exec, const std::string& label, std::spa
   detail::for_lists(
       all, law, [](int) { return 1; },
       [&](const auto& lists) {
-        for_each_team(exec, label, lists.blocks(), threads, detail::TeamsOfLists<Law>{law, lists});
+        for_each_team(exec, label, lists.blocks(), threads, detail::RunLists<Law>{law, lists});
       });
 }
 

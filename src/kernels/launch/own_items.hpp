@@ -1,11 +1,30 @@
 #pragma once
-// The items of a list that this process computes, one by one: for reductions, whose order does not matter, and for
-// loops over some of the items.
-#include "kernels/launch/launch.hpp"
+// Lists are computed in blocks, which processes may share: the items of a list that this process computes.
+#include "kernels/base/base.hpp"
 
 namespace vug {
 
-/// Numbers the places in the blocks of this process consecutively.
+inline constexpr int nodes_per_block = 512;
+
+KOKKOS_FORCEINLINE_FUNCTION constexpr int block_count(int n) {
+  return (n + nodes_per_block - 1) / nodes_per_block;
+}
+
+/// The part of a list of n items that this process computes: all of it, or whole blocks of nodes_per_block. Every item
+/// keeps its place in the list and in its block, and therefore its result to the bit, however many processes share the
+/// list.
+struct Share {
+  int n = 0;
+  int blocks = -1;             ///< number of blocks of this process; -1: all
+  const int* block = nullptr;  ///< (own) their numbers, ascending
+
+  Share(int items) : n(items) {}
+  Share(int items, int count, const int* numbers) : n(items), blocks(count), block(numbers) {}
+  bool whole() const { return blocks < 0; }
+};
+
+/// Numbers the places in the blocks of this process consecutively: for reductions, whose order does not matter, and for
+/// loops over single items.
 struct OwnItems {
   Share list;
 

@@ -18,11 +18,7 @@ struct RowOfNodes {
   Body body;
   Lattice lattice;
   KOKKOS_FUNCTION void operator()(int y) const {
-    const Body local = body;
-    const int first = lattice.node(0, y);
-    const int last = lattice.node(lattice.nx, y);
-    VUG_VECTORISE
-    for (int node = first; node < last; ++node) local(node);
+    NodeLoop<Body>{body}(lattice.node(0, y), lattice.node(lattice.nx, y));
   }
 };
 
@@ -39,27 +35,17 @@ struct NodeOfRows {
 /// The items of a row: its nodes, or the entries of a list (EntriesOfRow).
 struct NodesOfRow {
   Lattice lattice;
+  int first_row;
+  KOKKOS_FORCEINLINE_FUNCTION int number(int rank) const { return first_row + rank; }
   KOKKOS_FORCEINLINE_FUNCTION int begin(int y) const { return lattice.node(0, y); }
   KOKKOS_FORCEINLINE_FUNCTION int end(int y) const { return lattice.node(lattice.nx, y); }
 };
 struct EntriesOfRow {
   IndexList first;
+  int first_row;
+  KOKKOS_FORCEINLINE_FUNCTION int number(int rank) const { return first_row + rank; }
   KOKKOS_FORCEINLINE_FUNCTION int begin(int y) const { return first(y); }
   KOKKOS_FORCEINLINE_FUNCTION int end(int y) const { return first(y + 1); }
-};
-
-/// On a GPU: adds up a row by a team.
-template <class Items, class Body>
-struct TeamRowSum {
-  using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  Items items;
-  Body body;
-  int first_row;
-  ScalarField<double> total;
-  KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int y = first_row + team.league_rank();
-    add_by_team(team, items.begin(y), items.end(y), body, &total(y));
-  }
 };
 
 /// On a host: adds up a row in blocks.
@@ -110,7 +96,7 @@ void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice
                          detail::RowSum<Body>{body, lattice, total});
   else
     for_each_team(exec, label, rows.count, threads_per_sum,
-                  detail::TeamRowSum<detail::NodesOfRow, Body>{{lattice}, body, rows.first, total});
+                  detail::TeamSum<detail::NodesOfRow, Body>{{lattice, rows.first}, body, total});
 }
 
 /// On a GPU: the same over the entries of a list that is ordered by rows. Row y has the entries [first(y), first(y +
@@ -120,7 +106,7 @@ void add_per_listed_row(const Exec& exec, const std::string& label, const IndexL
                         const Body& body, const ScalarField<double>& total) {
   if (rows.count <= 0) return;
   for_each_team(exec, label, rows.count, threads_per_sum / 2,  // a row of rock has some hundred fluid nodes
-                detail::TeamRowSum<detail::EntriesOfRow, Body>{{first}, body, rows.first, total});
+                detail::TeamSum<detail::EntriesOfRow, Body>{{first, rows.first}, body, total});
 }
 
 }  // namespace vug

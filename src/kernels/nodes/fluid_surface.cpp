@@ -135,20 +135,8 @@ ScalarField<double> link_areas(const BoundaryLinks& links, int directions,
   return area;
 }
 
-/// Marks all links in one thread, on a host: two links may share a node, and there are few links.
-struct MarkOpenInTurn {
-  int count;
-  IndexList fluid;
-  Kokkos::View<std::uint8_t*> direction;
-  Kokkos::View<std::uint16_t*> open_links;
-  KOKKOS_FUNCTION void operator()(int) const {
-    for (int l = 0; l < count; ++l)
-      open_links(fluid(l)) = static_cast<std::uint16_t>(open_links(fluid(l)) | (1u << direction(l)));
-  }
-};
-
-/// Marks each link in its own thread, on a GPU: atomically sets its bit in the word that holds the masks of two nodes.
-struct MarkOpenAtOnce {
+/// Marks a link: sets its bit in the word that holds the masks of two nodes, atomically because two links may share it.
+struct MarkOpen {
   static_assert(std::endian::native == std::endian::little);
   IndexList fluid;
   Kokkos::View<std::uint8_t*> direction;
@@ -160,15 +148,9 @@ struct MarkOpenAtOnce {
 };
 
 void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links) {
-  const char* label = "vug::fluid_nodes::mark_open";
-  if constexpr (runs_on_host) {
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, 1),
-                         MarkOpenInTurn{links.count, links.fluid, links.direction, nodes.open_links});
-  } else {
-    KOKKOS_ASSERT(nodes.open_links.extent(0) % 2 == 0);
-    for_each_node(exec, label, links.count,
-                  MarkOpenAtOnce{links.fluid, links.direction, reinterpret_cast<unsigned*>(nodes.open_links.data())});
-  }
+  KOKKOS_ASSERT(nodes.open_links.extent(0) % 2 == 0);
+  for_each_node<false>(exec, "vug::fluid_nodes::mark_open", links.count,
+                       MarkOpen{links.fluid, links.direction, reinterpret_cast<unsigned*>(nodes.open_links.data())});
 }
 
 }  // namespace vug

@@ -33,6 +33,15 @@ struct InPlaceFromTurned {
   KOKKOS_FORCEINLINE_FUNCTION int leaving(int q, int i) const { return q * capacity + i; }
 };
 
+/// Calls visit(slots) with the slots in which a sweep finds and leaves populations.
+template <class Set, class Visit>
+void visit_slots(const FluidNodes& nodes, bool turned, const Visit& visit) {
+  if (turned)
+    visit(InPlaceFromTurned<Set>{nodes.capacity});
+  else
+    visit(InPlaceFromHome<Set>{nodes.source, nodes.capacity});
+}
+
 /// As SourcePacks, for populations that are turned.
 template <class T, class Set>
 struct PacksFromTurned {

@@ -26,27 +26,20 @@ struct MarkDissolved {
   }
 };
 
-/// Whether a node may take the overdraft of another: any node, or one of the same mineral.
-struct AnyKin {
-  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int, int) const { return true; }
-};
-struct SameMineral {
-  Kokkos::View<const std::uint8_t*> mineral;
-  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int n, int m) const { return mineral(n) == mineral(m); }
-};
-
 /// Hands the overdrafts of dissolved nodes to their heirs, the solid nodes around them, in equal shares. The shares of
 /// an heir are summed in the order of the directions by its overdrawn neighbour of lowest number, so that nothing is
 /// added twice or in another order.
-template <class Kin>
 struct BequeathOverdraft {
-  Kin kin;
+  Kokkos::View<const std::uint8_t*> mineral;  ///< (dense node) only nodes of the same mineral are heirs; empty: all
   DenseNeighbour lattice;
   IndexList node;
   Kokkos::View<const NodeType*> type;
   ScalarField<double> V;
 
   KOKKOS_FORCEINLINE_FUNCTION bool overdrawn(int n) const { return type(n) == NodeType::fluid && V(n) < 0; }
+  KOKKOS_FORCEINLINE_FUNCTION bool kin(int n, int m) const {
+    return mineral.extent(0) == 0 || mineral(n) == mineral(m);
+  }
 
   /// The neighbour of n along q; -1 outside, and where a direction before q leads to the same node (on a periodic
   /// lattice one or two nodes wide).
@@ -89,11 +82,11 @@ struct BequeathOverdraft {
 
 /// The overdraft of a node of one mineral that has no heir.
 struct LostOfMineral {
-  BequeathOverdraft<SameMineral> bequest;
+  BequeathOverdraft bequest;
   int mineral;
   KOKKOS_FUNCTION double operator()(int s) const {
     const int n = bequest.node(s);
-    const bool lost = bequest.overdrawn(n) && bequest.kin.mineral(n) == mineral && bequest.count_heirs(n) == 0;
+    const bool lost = bequest.overdrawn(n) && bequest.mineral(n) == mineral && bequest.count_heirs(n) == 0;
     return lost ? bequest.V(n) : 0.0;
   }
 };
@@ -114,16 +107,12 @@ int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& sur
   Kokkos::parallel_reduce("vug::dissolution::mark", Kokkos::RangePolicy<Exec>(exec, 0, surface.count),
                           MarkDissolved{surface.node, type, V, surface.count}, count);
   if (count == 0) return 0;
-  if (minerals.of_node.extent(0) > 0) {
-    const BequeathOverdraft<SameMineral> bequest{{minerals.of_node}, nodes.around(), surface.node, type, V};
+  const BequeathOverdraft bequest{minerals.of_node, nodes.around(), surface.node, type, V};
+  if (minerals.of_node.extent(0) > 0)
     for (std::size_t m = 0; m < minerals.lost.size(); ++m)
       add_per_block(exec, "vug::dissolution::lost_of_mineral", surface.count,
                     LostOfMineral{bequest, static_cast<int>(m)}, minerals.lost[m]);
-    add_per_block(exec, "vug::dissolution::bequeath", surface.count, bequest, lost);
-  } else {
-    add_per_block(exec, "vug::dissolution::bequeath", surface.count,
-                  BequeathOverdraft<AnyKin>{{}, nodes.around(), surface.node, type, V}, lost);
-  }
+  add_per_block(exec, "vug::dissolution::bequeath", surface.count, bequest, lost);
   for_each_node(exec, "vug::dissolution::empty", surface.count, EmptyDissolved{surface.node, type, V});
   return count;
 }
@@ -159,8 +148,9 @@ struct BirthNeighbours {
 };
 
 /// Gives one newborn its solute, at rest; returns what was created.
-template <class T, class Set, BirthFill fill>
+template <class T, class Set>
 struct FillNewborn {
+  BirthFill fill;
   BirthNeighbours<T, Set> around;
   ScalarField<T> C;
   KOKKOS_FUNCTION double operator()(int item) const {
@@ -216,14 +206,9 @@ void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int
                        SoluteFields<T>& s, const ScalarField<double>& created) {
   settle<Set>(exec, nodes, first, s);  // the links to newborns were walls until now: their populations are at home
   const BirthNeighbours<T, Set> around{nodes.source, s.h, nodes.capacity, first, last};
-  if (fill == BirthFill::mean) {
-    add_per_block(exec, "vug::dissolution::fill_by_mean", last - first,
-                  FillNewborn<T, Set, BirthFill::mean>{around, s.C}, created);
-  } else {
-    add_per_block(exec, "vug::dissolution::fill_by_split", last - first,
-                  FillNewborn<T, Set, BirthFill::split>{around, s.C}, created);
+  add_per_block(exec, "vug::dissolution::fill", last - first, FillNewborn<T, Set>{fill, around, s.C}, created);
+  if (fill == BirthFill::split)
     for_each_node(exec, "vug::dissolution::charge_neighbours", last - first, ChargeOldNeighbours<T, Set>{around});
-  }
 }
 
 VUG_COMPILE_FOR_SETS(settle)

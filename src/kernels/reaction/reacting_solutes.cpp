@@ -46,7 +46,7 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
                      const SteppingSolute<T>* product) {
   KOKKOS_ASSERT(!product || product->fields.turned == reactant.fields.turned);
   visit_flow(carrier, [&](const auto& flow) {
-    visit_slots<Set>(nodes, reactant.fields, [&](const auto& slots) {
+    visit_slots<Set>(nodes, reactant.fields.turned, [&](const auto& slots) {
       const auto sweep_of = [&](const SteppingSolute<T>& s) {
         return sweep_of_block(nodes, solute_sweep<Set>(slots, s.parameters, s.fields, flow), s.correction);
       };
@@ -54,7 +54,7 @@ void sweep_and_react(const Exec& exec, const FluidNodes& nodes, const SoluteCarr
         const int block = sweep_block_size<std::decay_t<decltype(flow)>>(nodes.count);
         visit_rock<T, Set>(wall, [&](const auto& rock) {
           using Step = KineticStep<T, std::decay_t<decltype(rock)>, std::decay_t<decltype(its_product)>>;
-          const detail::ScatteredLoop<Step> react{
+          const detail::NodeLoop<Step, false> react{
               {rock, links, reactant.fields.h, its_product, reactant.fields.rounding.at_links}};
           for_each_block(exec, "vug::solute::advance_and_react", nodes.share(),
                          SweepAndReact{sweep_of(reactant), sweep_of_product, react, links.first, block},

@@ -14,7 +14,7 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     visit_rock<T, Set>(wall, [&](const auto& rock) {
       using Rock = std::decay_t<decltype(rock)>;
       if (wall.law == ReactiveWallLaw::kinetic)
-        for_each_scattered(
+        for_each_node<false>(
             exec, label, links.share(),
             KineticStep<T, Rock, Product>{rock, links, reactant.h, its_product, reactant.rounding.at_links});
       else
@@ -29,28 +29,24 @@ void react_at_wall(const Exec& exec, const FluidNodes& nodes, const ReactiveWall
     launch(NoProduct{});
 }
 
-/// Pixels dissolved per acid, for rock of one kind.
-struct OneSolid {
+/// Pixels dissolved per acid: of rock of one kind, or of the mineral of a node.
+struct DissolvedPerAcid {
   double molar_volume;
-  KOKKOS_FORCEINLINE_FUNCTION double volume_of(int) const { return molar_volume; }
-  KOKKOS_FORCEINLINE_FUNCTION void note(int, double) const {}
-};
-/// The same for minerals; also adds up the acid of each node.
-struct ManySolids {
   MineralRates minerals;
-  ScalarField<double> acid;
-  KOKKOS_FORCEINLINE_FUNCTION double volume_of(int node) const { return minerals.at(node).molar_volume; }
-  KOKKOS_FORCEINLINE_FUNCTION void note(int node, double consumed) const { acid(node) += consumed; }
+  explicit DissolvedPerAcid(const ReactiveWall& wall) : molar_volume(wall.molar_volume), minerals(wall.minerals) {}
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int node) const {
+    return minerals.of_node.extent(0) > 0 ? minerals.at(node).molar_volume : molar_volume;
+  }
 };
 
 /// Books the links of one surface node in their order; returns the acid that they consumed.
-template <class T, class Solid>
+template <class T>
 struct BookTurnover {
   IndexList node;
   int count;
   ReactiveLinks<T> links;
   bool apart;  ///< acid, product and solid differ
-  Solid kind;
+  DissolvedPerAcid per_acid;
   ReactionLedger ledger;
   SurfaceLosses losses;
   bool first;  ///< reactant of this booking
@@ -78,8 +74,8 @@ struct BookTurnover {
       solid += take(links.solid(l));
     }
     const int n = node(s);
-    const double volume = kind.volume_of(n) * (apart ? solid : acid);
-    kind.note(n, acid);
+    const double volume = per_acid(n) * (apart ? solid : acid);
+    if (ledger.acid.extent(0) > 0) ledger.acid(n) += acid;
     ledger.V(n) -= volume;
     ledger.dissolved(n) += volume;
     losses.note(s, volume, first);
@@ -89,46 +85,50 @@ struct BookTurnover {
 };
 
 /// Adds the volume that the links of one surface node have taken off it, not booked yet.
-template <class T, class Solid>
+template <class T>
 struct AddLoss {
   IndexList node;
   ReactiveLinks<T> links;
-  Solid kind;
+  DissolvedPerAcid per_acid;
   ScalarField<double> loss;
   KOKKOS_FUNCTION void operator()(int s) const {
     double solid = 0;
     for (int k = links.of_surface(s); k < links.of_surface(s + 1); ++k) solid += links.solid(links.of_surface_link(k));
-    loss(s) += kind.volume_of(node(s)) * solid;
+    loss(s) += per_acid(node(s)) * solid;
   }
 };
 
 template <class T>
 void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                 const ScalarField<double>& loss) {
-  const auto launch = [&](const auto& kind) {
-    for_each_node(exec, "vug::reactive_wall::loss", surface.count,
-                  AddLoss<T, std::decay_t<decltype(kind)>>{surface.node, links, kind, loss});
-  };
-  if (wall.minerals.of_node.extent(0) > 0)
-    launch(ManySolids{wall.minerals, {}});
-  else
-    launch(OneSolid{wall.molar_volume});
+  for_each_node(exec, "vug::reactive_wall::loss", surface.count,
+                AddLoss<T>{surface.node, links, DissolvedPerAcid(wall), loss});
 }
 
 template <class T>
 void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                    const ReactionLedger& ledger, const SurfaceLosses& losses, bool first) {
   const bool apart = wall.law != ReactiveWallLaw::kinetic;
-  const auto launch = [&](const auto& kind) {
-    add_per_block(exec, "vug::reactive_wall::book", surface.count,
-                  BookTurnover<T, std::decay_t<decltype(kind)>>{surface.node, surface.count, links, apart, kind, ledger,
-                                                                losses, first},
-                  ledger.consumed);
-  };
-  if (wall.minerals.of_node.extent(0) > 0)
-    launch(ManySolids{wall.minerals, ledger.acid});
-  else
-    launch(OneSolid{wall.molar_volume});
+  add_per_block(
+      exec, "vug::reactive_wall::book", surface.count,
+      BookTurnover<T>{surface.node, surface.count, links, apart, DissolvedPerAcid(wall), ledger, losses, first},
+      ledger.consumed);
+}
+
+/// The value where the mineral is `wanted`, else 0.
+struct OfMineral {
+  Kokkos::View<const double*> value;
+  Kokkos::View<const std::uint8_t*> mineral;
+  int wanted;
+  KOKKOS_FUNCTION double operator()(int i) const { return mineral(i) == wanted ? value(i) : 0.0; }
+};
+
+std::vector<double> sums_by_mineral(const Exec& exec, const std::string& label, int n,
+                                    const Kokkos::View<const double*>& value,
+                                    const Kokkos::View<const std::uint8_t*>& mineral, int minerals) {
+  std::vector<double> sums;
+  for (int m = 0; m < minerals; ++m) sums.push_back(sum_of_list(exec, label, n, OfMineral{value, mineral, m}));
+  return sums;
 }
 
 VUG_COMPILE_FOR_SETS(react_at_wall)

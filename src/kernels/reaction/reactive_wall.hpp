@@ -11,6 +11,9 @@
 #include "kernels/reaction/surface_losses.hpp"
 #include "kernels/solute/solute.hpp"
 
+#include <string>
+#include <vector>
+
 namespace vug {
 
 /// Constants of one reactant on one mineral, in lattice units.
@@ -161,5 +164,11 @@ void book_turnover(const Exec& exec, const Surface& surface, const ReactiveWall&
 template <class T>
 void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wall, const ReactiveLinks<T>& links,
                 const ScalarField<double>& loss);
+
+/// sums[m] = sum of value(i) over the i < n whose mineral(i) is m, for m < minerals. The same bits for any number of
+/// threads. Waits for the device: for rows of a history, not inside a step.
+std::vector<double> sums_by_mineral(const Exec& exec, const std::string& label, int n,
+                                    const Kokkos::View<const double*>& value,
+                                    const Kokkos::View<const std::uint8_t*>& mineral, int minerals);
 
 }  // namespace vug

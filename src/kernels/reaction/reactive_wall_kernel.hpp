@@ -7,13 +7,13 @@ namespace vug {
 
 /// Sets the conductance of a link: J = conductance (A1 - q A2) by the kinetic law, rate = conductance (C1 - q C2) by
 /// the paper's (paper_wall). For an order other than 1 it is the rate constant itself.
-template <class T, class Set, class Rock, class Rate, class Area>
+template <class T, class Set, class Rock, class Rate>
 struct SetConductance {
   ReactiveWallLaw law;
   Rock rock;
   T D1, D2, ahead;
   Rate rate;
-  Area area;
+  LinkArea area;
   IndexList surface, fluid_node;
   int capacity;
   ReactiveLinks<T> links;
@@ -73,16 +73,14 @@ void set_conductances(const Exec& exec, const FluidNodes& nodes, const Surface& 
                       const Rate& rate, const VectorField<double>& normal, const ReactiveLinks<T>& links,
                       double ahead) {
   visit_rock<T, Set>(wall, [&](const auto& rock) {
-    with_link_area(normal, [&](const auto& area) {
-      using Body = SetConductance<T, Set, std::decay_t<decltype(rock)>, Rate, std::decay_t<decltype(area)>>;
-      const Body body{wall.law, rock,         T(wall.D_reactant), T(wall.D_product), T(ahead), rate,
-                      area,     surface.node, nodes.node,         nodes.capacity,    links};
-      const char* label = "vug::reactive_wall::conductances";
-      if constexpr (runs_on_host)
-        for_each_block(exec, label, links.share(), SetConductancesOfBlock<Body>{body}, block_of_list(links.count));
-      else
-        for_each_node(exec, label, links.share(), body);
-    });
+    using Body = SetConductance<T, Set, std::decay_t<decltype(rock)>, Rate>;
+    const Body body{wall.law, rock,         T(wall.D_reactant), T(wall.D_product), T(ahead), rate,
+                    {normal}, surface.node, nodes.node,         nodes.capacity,    links};
+    const char* label = "vug::reactive_wall::conductances";
+    if constexpr (runs_on_host)
+      for_each_block(exec, label, links.share(), SetConductancesOfBlock<Body>{body}, block_of_list(links.count));
+    else
+      for_each_node(exec, label, links.share(), body);
   });
 }
 

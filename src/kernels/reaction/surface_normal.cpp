@@ -171,11 +171,11 @@ void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surf
 }
 
 /// Area of the links of one surface node.
-template <class Set, class Area>
+template <class Set>
 struct SurfaceNodeArea {
   DenseNeighbour lattice;
   IndexList node, index;
-  Area area;
+  LinkArea area;
   KOKKOS_FUNCTION double operator()(int s) const {
     double sum = 0;
     for (int q = 1; q < Set::Q; ++q) {
@@ -188,14 +188,8 @@ struct SurfaceNodeArea {
 template <class Set>
 double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
                     const VectorField<double>& normal) {
-  const ScalarField<double> total("vug::surface_normal::area", block_count(surface.count));
-  with_link_area(normal, [&](const auto& area) {
-    using Area = std::decay_t<decltype(area)>;
-    add_per_block(exec, "vug::surface_normal::sum_area", surface.count,
-                  SurfaceNodeArea<Set, Area>{nodes.around(), surface.node, nodes.index, area}, total);
-  });
-  exec.fence();
-  return sum_in_order(total);
+  return sum_of_list(exec, "vug::surface_normal::sum_area", surface.count,
+                     SurfaceNodeArea<Set>{nodes.around(), surface.node, nodes.index, {normal}});
 }
 
 VUG_COMPILE(surface_area<D2Q5>)

@@ -1,7 +1,6 @@
 #include "kernels/solute/slit_diffusion.hpp"
 
 #include "kernels/launch/launch.hpp"
-#include "kernels/launch/own_items.hpp"
 #include "kernels/nodes/fluid_neighbour.hpp"
 #include "kernels/solute/solute_sweep.hpp"
 

@@ -58,7 +58,7 @@ template <class Set, class T>
 void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
                     const SteppingSolute<T>& s) {
   visit_flow(carrier, [&](const auto& flow) {
-    visit_slots<Set>(nodes, s.fields, [&](const auto& slots) {
+    visit_slots<Set>(nodes, s.fields.turned, [&](const auto& slots) {
       using Flow = std::decay_t<decltype(flow)>;
       const auto sweep = solute_sweep<Set>(slots, s.parameters, s.fields, flow);
       if constexpr (runs_on_host)
@@ -73,8 +73,33 @@ void advance_solute(const Exec& exec, const FluidNodes& nodes, const SoluteCarri
   s.fields.turned = 1 - s.fields.turned;
 }
 
+template <class Set, class T>
+void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s, const ScalarField<double>& total) {
+  add_per_block(exec, "vug::solute_totals::sum", nodes.share(), SumOfSlots<T, Set>{s.h, nodes.capacity}, total);
+}
+
+template <class T>
+struct ChangeOfNode {
+  Kokkos::View<const T*> C;
+  int count;
+  ScalarField<T> before;
+  KOKKOS_FUNCTION double operator()(int i) const {
+    const double change = double(C(i)) - double(before(i));
+    before(i) = C(i);
+    return i < count ? Kokkos::abs(change) : 0;
+  }
+};
+
+template <class T>
+void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<const T*>& C, int count,
+                const ScalarField<T>& before, const ScalarField<double>& total) {
+  add_per_block(exec, "vug::solute_totals::change", nodes.share(), ChangeOfNode<T>{C, count, before}, total);
+}
+
 VUG_COMPILE_FOR_SETS(make_solute_fields)
 VUG_COMPILE_FOR_SETS(fit_solute_to_capacity)
 VUG_COMPILE_FOR_SETS(advance_solute)
+VUG_COMPILE_FOR_SETS(add_solute)
+VUG_COMPILE_FOR_NUMBERS(add_change)
 
 }  // namespace vug

@@ -43,12 +43,18 @@ struct SoluteOutflowRule {
   }
 };
 
-/// Body that dresses the links of an outflow.
-template <class T, class Set>
-KOKKOS_FORCEINLINE_FUNCTION DressLinks<T, SoluteOutflowRule<T, Set>> dress_outflow(
-    const SoluteCondition<T>& c, const Kokkos::View<const int*>& source, int capacity) {
-  return {c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}};
-}
+/// Dresses the links of an outflow: all, or only those that lead down or left (way 1), or only the others (way -1).
+/// Where opposite links of a node lead into one opening, each reads the slot that the other writes, so that they must
+/// not run at the same time.
+template <class Dress>
+struct DressOneWay {
+  Dress dress;
+  int way;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int q = dress.links.direction[dress.links.link(item)];
+    if (way == 0 || (q > D2Q9::opposite(q)) == (way > 0)) dress(item);
+  }
+};
 
 /// Dresses each stretch by its rule.
 template <class T, class Set>
@@ -57,44 +63,19 @@ struct DressSolutes {
   Kokkos::View<const int*> source;
   int capacity;
   Crossing<T> crossing;
+  int way = 0;  ///< of outflows
 
   static int count(const Entry& c) { return c.own_count; }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
     using Kind = typename Entry::Kind;
+    using Outflow = DressLinks<T, SoluteOutflowRule<T, Set>>;
     if (c.kind == Kind::outflow)
-      run(dress_outflow<T, Set>(c, source, capacity));
+      run(DressOneWay<Outflow>{{c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}}, way});
     else if (c.kind == Kind::concentration)
       run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing}});
     else
       run(DressLinks<T, FluxRule<T>>{c, c.h, capacity, {c.part, c.value, c.rounding}});
-  }
-};
-
-/// Dresses only those links that lead down or left, or only the others.
-template <class Dress>
-struct DressOneWay {
-  Dress dress;
-  bool down;
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int q = dress.links.direction[dress.links.link(item)];
-    if ((q > D2Q9::opposite(q)) == down) dress(item);
-  }
-};
-
-/// Dresses half the links of an outflow: where opposite links of a node lead into one opening, each reads the slot that
-/// the other writes, so that they must not run at the same time.
-template <class T, class Set>
-struct DressOutflowOneWay {
-  using Entry = SoluteCondition<T>;
-  Kokkos::View<const int*> source;
-  int capacity;
-  bool down;
-
-  static int count(const Entry& c) { return c.own_count; }
-  template <class Run>
-  KOKKOS_FUNCTION void operator()(const Entry& c, const Run& run) const {
-    run(DressOneWay<DressLinks<T, SoluteOutflowRule<T, Set>>>{dress_outflow<T, Set>(c, source, capacity), down});
   }
 };
 
@@ -133,16 +114,15 @@ template <class Set, class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const SoluteCondition<T>> conditions, bool narrow,
            const std::type_identity_t<Crossing<T>>& crossing) {
   const char* label = "vug::solute_boundary::dress";
-  const DressSolutes<T, Set> law{nodes.source, nodes.capacity, crossing};
-  if (!narrow) return for_each_of_lists(exec, label, conditions, law);
-  for (const SoluteCondition<T>& condition : conditions) {
-    const std::span one(&condition, 1);
+  const auto run = [&](std::span<const SoluteCondition<T>> list, int way) {
+    for_each_of_lists(exec, label, list, DressSolutes<T, Set>{nodes.source, nodes.capacity, crossing, way});
+  };
+  if (!narrow) return run(conditions, 0);
+  for (const SoluteCondition<T>& condition : conditions)
     if (condition.kind == SoluteCondition<T>::Kind::outflow)
-      for (const bool down : {true, false})
-        for_each_of_lists(exec, label, one, DressOutflowOneWay<T, Set>{nodes.source, nodes.capacity, down});
+      for (const int way : {1, -1}) run({&condition, 1}, way);
     else
-      for_each_of_lists(exec, label, one, law);
-  }
+      run({&condition, 1}, 0);
 }
 
 struct IsNarrow {

@@ -170,15 +170,6 @@ struct SweepPacks {
   }
 };
 
-/// Calls visit(slots) with the slots in which the sweep of these fields finds and leaves populations.
-template <class Set, class T, class Visit>
-void visit_slots(const FluidNodes& nodes, const SoluteFields<T>& s, const Visit& visit) {
-  if (s.turned)
-    visit(InPlaceFromTurned<Set>{nodes.capacity});
-  else
-    visit(InPlaceFromHome<Set>{nodes.source, nodes.capacity});
-}
-
 /// The sweep of a species.
 template <class Set, class T, class Slots, class Flow>
 SoluteSweep<T, Set, Slots, Flow> solute_sweep(const Slots& slots, const SoluteParameters& p, const SoluteFields<T>& s,
