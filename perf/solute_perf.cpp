@@ -1,5 +1,4 @@
 // The solute kernels and the reactive wall: velocity sets, precisions, geometries.
-#include "kernels/reaction/reacting_solutes.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/surface_normal.hpp"
 #include "kernels/scalar/advective_form.hpp"

@@ -6,17 +6,17 @@ from dataclasses import dataclass
 from .source import Source
 
 LAWS = {
-    "kernels": """base/units.hpp flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp
-        flow/guards.cpp flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp
-        flow/outflow.hpp flow/outflow_pressure.hpp flow/slit.hpp flow/slit_drag.cpp heat/conjugate_link.hpp heat/heat.cpp
-        heat/heat.hpp heat/heat_boundary.cpp heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp
-        heat/heat_openings.cpp heat/heat_sides.cpp heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp
-        nodes/mirror_links.cpp nodes/opening.cpp reaction/dissolution.cpp reaction/link_area.hpp
-        reaction/reacting_solutes.cpp reaction/reaction.hpp reaction/reactive_links.cpp reaction/reactive_wall.cpp
-        reaction/reactive_wall_kernel.hpp
-        reaction/reactive_wall_step.hpp reaction/solid_share.hpp reaction/surface_normal.cpp
-        scalar/advective_form.cpp scalar/outflow_slope.hpp scalar/rounding.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp
-        solute/face_exchange.cpp solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp solute/solute_sweep.hpp""",
+    "kernels": """base/units.hpp flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp flow/guards.cpp
+        flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp flow/outflow.hpp
+        flow/outflow_pressure.hpp flow/slit.hpp flow/slit_drag.cpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp
+        heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp heat/heat_openings.cpp
+        heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp nodes/opening.cpp
+        reaction/dissolution.cpp reaction/link_area.hpp reaction/reacting_solutes.cpp reaction/reaction.hpp
+        reaction/reactive_links.cpp reaction/reactive_wall.cpp reaction/reactive_wall_kernel.hpp
+        reaction/reactive_wall_step.hpp reaction/solid_share.hpp reaction/surface_normal.cpp scalar/advective_form.cpp
+        scalar/rounding.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp solute/face_exchange.cpp
+        solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp
+        solute/solute_sweep.hpp""",
     "dem": """accounts.hpp bond_elasticity.hpp bond_failure.hpp bond_kinematics.hpp bond_law.hpp bond_model.hpp
         bonds.cpp closest_point.hpp cohesion_fit.cpp contact_forces.hpp contact_law.hpp contacts.cpp crack_aperture.cpp
         critical_step.cpp
@@ -34,8 +34,8 @@ LAWS = {
         mouths.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
         plane_waves.cpp pore_growth.cpp pore_width.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
         reaction_module.cpp reaction_setup.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp
-        rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slits.cpp solid_spread.cpp solute_intervals.cpp
-        solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp step_times.hpp stretch_ends.cpp strip.cpp
+        rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slits.cpp solid_spread.cpp
+        solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp step_times.hpp stretch_ends.cpp strip.cpp
         surfaces.cpp temperature_range.cpp thermal_exchange.cpp tuning.cpp twins.cpp velocity_profile.cpp ways_out.cpp
         wet_nodes.cpp""",
     "io": """detail/quantity.cpp narrow_cracks.hpp rock_inertia.cpp scene/boundaries.hpp scene/fluid.cpp scene/laboratory.hpp
@@ -48,8 +48,8 @@ LAWS = {
 FEW = 8
 NO_LAWS = {
     "kernels": """base/exponential.hpp base/lattice.hpp base/velocity_set.hpp heat/heat_bands.hpp launch/launch.hpp
-        launch/launch_lists.hpp launch/own_items.hpp launch/row_launch.hpp nodes/fluid_nodes.cpp nodes/fluid_rows.cpp
-        nodes/fluid_surface.cpp nodes/source_windows.hpp nodes/streaming.hpp packs/portable.hpp""",
+        launch/launch_lists.hpp launch/own_items.hpp launch/row_launch.hpp nodes/fluid_nodes.cpp nodes/fluid_nodes.hpp
+        nodes/fluid_rows.cpp nodes/fluid_surface.cpp nodes/source_windows.hpp nodes/streaming.hpp packs/portable.hpp""",
     "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp parameters.hpp require_edges.cpp
         require_parameters.cpp rock_share.cpp""",
     "coupling": """check.cpp check_text.cpp choices.cpp dimensionless.cpp explain.cpp flow_ranks.cpp fluid_picture.cpp

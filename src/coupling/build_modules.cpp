@@ -8,7 +8,6 @@
 #include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
 #include "coupling/solute_module.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 // The velocity that carries a scalar whose steps take n lattice steps.
-#include "kernels/scalar/displacement.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
 
 #include <cstdint>
 

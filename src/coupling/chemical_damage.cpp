@@ -2,7 +2,6 @@
 
 #include "coupling/run_sum.hpp"
 #include "dem/dissolved_rock.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 

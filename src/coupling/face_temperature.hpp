@@ -5,20 +5,19 @@
 
 namespace vug {
 
-/// lambda_s/(lambda_f + lambda_s) of a solid node: the same for all, or that of its mineral.
-struct SameShare {
-  double share = 0.5;
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int) const { return share; }
-};
-struct ShareOfMineral {
-  Kokkos::View<const std::uint8_t*> mineral;  ///< (dense node)
-  Kokkos::View<const double*> share;          ///< (mineral)
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid) const { return share(mineral(solid)); }
+/// lambda_s/(lambda_f + lambda_s) of a solid node: that of its mineral, or the same for all.
+struct SolidShare {
+  double of_all = 0.5;
+  Kokkos::View<const std::uint8_t*> mineral{};  ///< (dense node)
+  Kokkos::View<const double*> of_mineral{};     ///< (mineral) empty: the same for all
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int solid) const {
+    return of_mineral.extent(0) > 0 ? of_mineral(mineral(solid)) : of_all;
+  }
 };
 
 /// Temperature in K of the face between a solid and a fluid node whose centres are half a node away on either side:
 /// (lambda_f T_f + lambda_s T_s)/(lambda_f + lambda_s), from continuity of the heat flux (Eq. 4).
-template <class T, class SolidShare = SameShare>
+template <class T>
 struct FaceTemperature {
   Kokkos::View<const T*> theta;  ///< (dense node), K above the reference
   SolidShare solid_share;

@@ -3,7 +3,7 @@
 #include "coupling/stretch_ends.hpp"
 #include "coupling/velocity_profile.hpp"
 #include "kernels/flow/open_boundary.hpp"
-#include "kernels/nodes/mirror_links.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 #include <algorithm>
 

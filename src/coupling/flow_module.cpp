@@ -3,11 +3,12 @@
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "io/narrow_cracks.hpp"
-#include "kernels/base/gas_constant.hpp"
 #include "kernels/base/pages.hpp"
+#include "kernels/base/units.hpp"
 #include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/slit_drag.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/streaming.hpp"
 #include "kernels/scalar/advective_form.hpp"
 
 #include <algorithm>
@@ -177,10 +178,11 @@ void FlowModule<T>::births(const Exec& exec, const Births& births) {
   const FluidNodes& fluid = geometry_.fluid;
   return_populations(exec);
   gather_sums();  // links may get another owner
-  fit_to_capacity(exec, fluid, births.first, fields_);
+  fit_to_capacity(exec, fluid, D2Q9::Q, births.first, fields_.f, fields_.u);
   const double before = sum_mass();
-  settle(exec, fluid, births.first, fields_);  // the links to new nodes were walls until now
-  if (!split.alone())                          // all ranks fill the new nodes in the same way
+  // the links to new nodes were walls until now
+  settle<D2Q9>(exec, fluid, births.first, fields_.f, fields_.turned);
+  if (!split.alone())  // all ranks fill the new nodes in the same way
     split.make_whole(split.of_neighbours(fluid, births.first, births.last), fields_.f, D2Q9::Q, fluid.capacity);
   initialise_births(exec, fluid, births.first, births.last, fields_);
   born_mass_ += mass() - before;

@@ -1,7 +1,5 @@
 #include "coupling/fluid_picture.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 #include <algorithm>
 
 namespace vug {

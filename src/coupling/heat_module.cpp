@@ -4,7 +4,6 @@
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "io/each_boundary.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/pages.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
@@ -124,12 +123,7 @@ const ScalarField<T>& HeatModule<T>::temperature(const Exec& exec, const Halo& o
 template <class T>
 FaceTemperature<T> HeatModule<T>::face_temperature(const Exec& exec, const Halo& others) const {
   const double share = solid_share(section_.solid_density, section_.solid_heat_capacity, section_.solid_diffusivity);
-  return {temperature(exec, others), {share}, units_.reference_temperature};
-}
-
-template <class T>
-FaceTemperature<T, ShareOfMineral> HeatModule<T>::mineral_face_temperature(const Exec& exec, const Halo& others) const {
-  return {temperature(exec, others), {geometry_.mineral, solid_share_}, units_.reference_temperature};
+  return {temperature(exec, others), {share, geometry_.mineral, solid_share_}, units_.reference_temperature};
 }
 
 template <class T>

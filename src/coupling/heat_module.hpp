@@ -51,15 +51,12 @@ class HeatModule final : public Module, public Concerned {
   double initial_theta() const { return initial_theta_; }
   /// Temperature of the faces between solid and fluid, for the reaction.
   FaceTemperature<T> face_temperature(const Exec& exec, const Halo& others) const;
-  /// Whether minerals have thermal properties of their own; then the next function is used instead.
-  bool has_minerals() const { return !minerals_.empty(); }
-  FaceTemperature<T, ShareOfMineral> mineral_face_temperature(const Exec& exec, const Halo& others) const;
   /// Of all temperatures in the case.
   const TemperatureRange& range() const { return range_; }
 
  private:
   void find_halos();
-  /// The nodes before those at outflows in our rows (kernels/scalar/outflow_slope.hpp).
+  /// The nodes before those at outflows in our rows (kernels/scalar/turning.hpp).
   std::vector<int> nodes_before_outflows() const;
   /// Populations in other ranks' rows that this rank fills in for its own rows to conduct from, beside diagonals and in
   /// openings; a checkpoint has them there.

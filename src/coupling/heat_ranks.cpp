@@ -1,7 +1,6 @@
 // The heat of one rank among others (docs/scaling.md).
 #include "coupling/heat_module.hpp"
 #include "coupling/shared_field.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,6 @@
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // The mechanics on several ranks: which rank sums forces and takes mean temperatures.
 #include "coupling/mechanics_module.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <vector>
 

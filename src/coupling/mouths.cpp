@@ -1,7 +1,6 @@
 #include "coupling/mouths.hpp"
 
 #include "coupling/velocity_profile.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <array>

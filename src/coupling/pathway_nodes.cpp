@@ -1,7 +1,6 @@
 // The nodes that pathways open, and which part of them slits fill.
 #include "coupling/pathway_widths.hpp"
 #include "coupling/rock_pathways.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <array>

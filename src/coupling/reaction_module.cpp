@@ -3,7 +3,7 @@
 #include "coupling/face_temperature.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
-#include "kernels/base/gas_constant.hpp"
+#include "kernels/base/units.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
@@ -113,17 +113,14 @@ void ReactionModule<T, Set>::set_rates(const Exec& exec, Attack<T>& attack, doub
   const double k0 = scaled(attack.rate), activation = attack.rate.activation_energy / gas_constant;
   const double reference = section_.reference_temperature;
   const MineralRates& minerals = attack.wall.minerals;
-  if (minerals.given() && heat_ && heat_->has_minerals())
-    set(MineralArrhenius<FaceTemperature<T, ShareOfMineral>>{minerals, reference,
-                                                             heat_->mineral_face_temperature(exec, temperatures_)});
-  else if (minerals.given() && heat_)
+  if (minerals.given() && heat_)
     set(MineralArrhenius<FaceTemperature<T>>{minerals, reference, heat_->face_temperature(exec, temperatures_)});
   else if (minerals.given())
     set(MineralArrhenius<UniformTemperature>{minerals, reference, {section_.temperature}});
   else if (heat_)
     set(ArrheniusRate<FaceTemperature<T>>{k0, activation, reference, heat_->face_temperature(exec, temperatures_)});
   else
-    set(UniformRate{arrhenius(k0, activation, section_.temperature, reference)});
+    set(ArrheniusRate<UniformTemperature>{k0, activation, reference, {section_.temperature}});
 }
 
 template <class T, class Set>

@@ -1,6 +1,5 @@
 // What ranks share of the reaction at the walls: each knows how fast the links of its own fluid nodes react.
 #include "coupling/reaction_module.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 

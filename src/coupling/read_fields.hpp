@@ -3,7 +3,6 @@
 // Where several ranks share a field, the first rank gets all values (io/field_list.hpp).
 #include "coupling/geometry.hpp"
 #include "io/field_list.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <span>
 #include <utility>

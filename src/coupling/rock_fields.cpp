@@ -2,7 +2,6 @@
 
 #include "dem/dissolved_rock.hpp"
 #include "dem/mean_stress.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include "coupling/rock_loads.hpp"
 #include "dem/mean_stress.hpp"
 #include "io/form.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 #include "dem/toughness.hpp"
 #include "io/assembly_quality.hpp"
 #include "io/notch_remarks.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "coupling/rock_map.hpp"
 
 #include "coupling/cells.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <cmath>

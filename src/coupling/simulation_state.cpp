@@ -1,6 +1,5 @@
 // The state of a simulation, which checkpoints hold, and the return to one.
 #include "coupling/simulation.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // The limits of the solutes' scheme: those that vug check prints, and the guard of a run.
 #include "coupling/plane_waves.hpp"
 #include "coupling/solute_module.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 

@@ -4,6 +4,7 @@
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/streaming.hpp"
 #include "kernels/reaction/dissolution.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "kernels/solute/face_exchange.hpp"
@@ -54,7 +55,7 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
 template <class T, class Set>
 SoluteParameters SoluteModule<T, Set>::parameters_of(const Species& species) const {
   const double D = interval_ * species.diffusivity / units_.diffusivity();
-  return section_.relaxation_time ? solute_parameters(D, *section_.relaxation_time) : solute_parameters(D);
+  return solute_parameters(D, section_.relaxation_time);
 }
 
 template <class T, class Set>
@@ -189,9 +190,10 @@ void SoluteModule<T, Set>::births(const Exec& exec, const Births& births) {
   }
   find_boundaries(exec);
   for (SpeciesState<T>& s : species_) {
-    fit_solute_to_capacity<Set>(exec, fluid, births.first, s.fields);
-    settle<Set>(exec, fluid, births.first, s.fields);  // the links to new nodes were walls until now
-    if (!split.alone())                                // so that all ranks fill the new nodes alike
+    fit_to_capacity(exec, fluid, Set::Q, births.first, s.fields.h, s.fields.C);
+    // the links to new nodes were walls until now
+    settle<Set>(exec, fluid, births.first, s.fields.h, s.fields.turned);
+    if (!split.alone())  // so that all ranks fill the new nodes alike
       split.make_whole(split.of_neighbours(fluid, births.first, births.last), s.fields.h, Set::Q, fluid.capacity);
     initialise_births<Set>(exec, fluid, births.first, births.last, fill_, s.fields, s.created);
   }

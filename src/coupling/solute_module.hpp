@@ -8,7 +8,7 @@
 #include "kernels/base/units.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/reaction/dissolution.hpp"
-#include "kernels/reaction/reacting_solutes.hpp"
+#include "kernels/reaction/reactive_wall.hpp"
 #include "kernels/solute/solute_boundary.hpp"
 
 namespace vug {
@@ -89,7 +89,7 @@ class SoluteModule final : public Module, public Concerned {
  private:
   void find_boundaries(const Exec& exec);
   void find_halos();
-  /// The fluid nodes before those at outflows (kernels/scalar/outflow_slope.hpp).
+  /// The fluid nodes before those at outflows (kernels/scalar/turning.hpp).
   std::vector<int> nodes_before_outflow() const;
   SoluteParameters parameters_of(const Species& species) const;
   /// (species) The largest concentrations that the case may cause at a time (s), lattice units.

@@ -2,9 +2,8 @@
 #include "coupling/shared_field.hpp"
 #include "coupling/solute_module.hpp"
 #include "coupling/sum_state.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

@@ -1,7 +1,6 @@
 #include "coupling/split.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 #include <algorithm>
 

@@ -43,7 +43,8 @@ class Split {
   /// Divides a list of fluid nodes that is new or has grown.
   void follow(FluidNodes& nodes);
 
-  /// Sets which of `links` this rank dresses: those of its nodes and, with a `mirror` (mirror_links.hpp), their images.
+  /// Sets which of `links` this rank dresses: those of its nodes and, with a `mirror` (find_mirror_links), their
+  /// images.
   void share_out(BoundaryLinks& links, const IndexList& mirror = {}) const;
 
   /// The slots of other ranks' nodes from which our sweep with so many directions pulls. After the sweep they belong to

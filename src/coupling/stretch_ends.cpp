@@ -1,8 +1,7 @@
 #include "coupling/stretch_ends.hpp"
 
 #include "coupling/velocity_profile.hpp"
-#include "kernels/base/host_and_device.hpp"
-#include "kernels/nodes/mirror_links.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 #include <optional>
 

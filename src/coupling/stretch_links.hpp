@@ -32,11 +32,11 @@ struct StretchLinks {
   ScalarField<double> area{};        ///< (link) surface of the link, cells; only for given speeds and fluxes
   ScalarField<double> share{};       ///< (link) of a given velocity (velocity_profile.hpp); empty: 1
   double inflow = 0;                 ///< cells per unit of speed; only for given flow rates
-  IndexList mirror{};                ///< (link) see mirror_links.hpp; only for pressures and outflows
+  IndexList mirror{};                ///< (link) see find_mirror_links; only for pressures and outflows
   OutflowState outflow{};            ///< only for outflows
   std::array<StretchEnd, 2> ends{};  ///< lower or left, and upper or right; only of sides
   bool slides = false;               ///< a velocity along the side acts on its links, its own or of a stretch beyond
-  IndexList image{};                 ///< (link) see mirror_links.hpp; only where it slides
+  IndexList image{};                 ///< (link) see find_mirror_links; only where it slides
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions, const SideOrder& order = all_sides) {
     entered = total();

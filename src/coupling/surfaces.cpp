@@ -4,7 +4,6 @@
 #include "coupling/heat_module.hpp"
 #include "coupling/solute_module.hpp"
 #include "coupling/stretch_ends.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/link_populations.hpp"
 #include "kernels/launch/launch.hpp"
 

@@ -3,7 +3,6 @@
 #include "coupling/cells.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/run_sum.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 #include "coupling/velocity_profile.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "coupling/wet_nodes.hpp"
 
-#include "kernels/base/offsets.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

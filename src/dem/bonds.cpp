@@ -3,7 +3,6 @@
 #include "dem/edges.hpp"
 #include "dem/heterogeneity.hpp"
 #include "dem/materials.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "dem/contacts.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,6 @@
 #include "dem/gauges.hpp"
 
 #include "dem/thermal_strain.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <limits>

@@ -6,7 +6,6 @@
 #include "dem/splitting.hpp"
 #include "dem/test_steps.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "dem/linear_rock.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 #include <array>
 
 namespace vug {

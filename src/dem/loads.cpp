@@ -3,7 +3,6 @@
 #include "dem/edges.hpp"
 #include "dem/extent.hpp"
 #include "dem/require_edges.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <cmath>

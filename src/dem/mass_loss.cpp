@@ -1,6 +1,5 @@
 #include "dem/mass_loss.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

@@ -1,6 +1,5 @@
 #include "dem/mean_stress.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

@@ -5,8 +5,6 @@
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "host/interruption.hpp"
-#include "host/this_process.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "dem/monitors.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 #include <limits>
 
 namespace vug {

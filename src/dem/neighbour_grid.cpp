@@ -1,7 +1,6 @@
 #include "dem/neighbour_grid.hpp"
 
 #include "dem/closest_point.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

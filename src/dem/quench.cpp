@@ -3,7 +3,6 @@
 #include "dem/extent.hpp"
 #include "dem/soundness.hpp"
 #include "dem/test_steps.hpp"
-#include "kernels/base/host_and_device.hpp"
 
 #include <algorithm>
 #include <array>

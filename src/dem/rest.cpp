@@ -3,7 +3,6 @@
 #include "dem/bond_law.hpp"
 #include "dem/gather_contacts.hpp"
 #include "dem/push.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

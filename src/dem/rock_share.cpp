@@ -1,7 +1,5 @@
 #include "dem/rock_share.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 #include <algorithm>
 #include <type_traits>
 #include <utility>

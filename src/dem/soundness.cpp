@@ -1,6 +1,5 @@
 #include "dem/soundness.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <cstdio>

@@ -8,7 +8,6 @@
 #include "dem/monitors.hpp"
 #include "dem/push.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "dem/timed_loads.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 #include "kernels/launch/launch.hpp"
 

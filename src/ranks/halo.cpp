@@ -1,6 +1,5 @@
 #include "ranks/halo.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"

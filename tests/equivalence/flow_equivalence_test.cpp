@@ -86,7 +86,7 @@ TEST(FlowOnTheList, SameBitsWhateverTheOrderOfNumbers) {
                      {true, true});
   const int old = later.nodes.count;
   append_births(later.exec, type, later.nodes);
-  fit_to_capacity(later.exec, later.nodes, old, later.fields);
+  fit_to_capacity(later.exec, later.nodes, D2Q9::Q, old, later.fields.f, later.fields.u);
   ASSERT_EQ(later.nodes.count, at_once.nodes.count);
   for (Flow<double>* flow : {&at_once, &later}) {
     flow->step.limited = ScalarField<double>("limited", block_count(flow->nodes.capacity));

@@ -1,7 +1,6 @@
 // Reaction and both sweeps in one pass, and its list of links, against the same one after the other and by hand.
-#include "kernels/reaction/reacting_solutes.hpp"
-
 #include "../reference/reactive_box.hpp"
+#include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "support/host_copy.hpp"
 
 #include <gtest/gtest.h>
@@ -14,6 +13,7 @@ namespace vug {
 namespace {
 
 using reference::ReactiveBox;
+using reference::uniform_rate;
 using test::host_copy;
 
 template <class Set, class T>
@@ -56,7 +56,7 @@ void expect_same_bits(ReactiveWallLaw law, Carried carried, bool with_product) {
     box.wall.D_reactant = box.wall.D_product = box.parameters.diffusivity();
     if (with_product) box.add_product(0.1);
     find_reactive_links<Set>(box.exec, box.nodes, box.surface, law, box.links);
-    set_conductances<Set>(box.exec, box.nodes, box.surface, box.wall, UniformRate{0.05}, box.normal, box.links);
+    set_conductances<Set>(box.exec, box.nodes, box.surface, box.wall, uniform_rate(0.05), box.normal, box.links);
     const int blocks = block_count(nodes.count);
     const Sums sums{ScalarField<double>("acid", blocks), ScalarField<double>("product", blocks)};
     for (int n = 0; n < 5; ++n) step(box, sums);  // an odd number: the populations stay turned

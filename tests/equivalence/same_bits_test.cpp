@@ -1,8 +1,6 @@
 // The same bits in every build, whatever registers its processor has: digests of fields after some steps, recorded.
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/flow.hpp"
-#include "kernels/reaction/reacting_solutes.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/surface_normal.hpp"
 #include "kernels/scalar/advective_form.hpp"

@@ -155,7 +155,7 @@ void expect_plain_steps(double tolerance) {
     type(nodes.lattice.node(opened % nx, opened / nx)) = NodeType::fluid;
     Kokkos::deep_copy(box.type, type);
     ASSERT_EQ(append_births(box.exec, box.type, box.nodes), 1);
-    fit_solute_to_capacity<Set>(box.exec, box.nodes, first, box.acid);
+    fit_to_capacity(box.exec, box.nodes, Set::Q, first, box.acid.h, box.acid.C);
     initialise_births<Set>(box.exec, box.nodes, first, first + 1, BirthFill::mean, box.acid, box.created);
     plain.open(opened);
   }

@@ -1,5 +1,4 @@
 // What ranks trade, on as many as mpirun starts.
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "ranks/halo.hpp"
 #include "ranks/mpi.hpp"

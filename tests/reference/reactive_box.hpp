@@ -17,6 +17,11 @@
 
 namespace vug::reference {
 
+/// The same rate constant k everywhere.
+inline ArrheniusRate<UniformTemperature> uniform_rate(double k) {
+  return {k, 0, 298, {298}};
+}
+
 /// One or two species, one reactive solid, concentrations given on some sides.
 template <class Set, class T>
 struct ReactiveBox {
@@ -96,7 +101,7 @@ struct ReactiveBox {
   void react() {
     if (k != links_for) {
       find_reactive_links<Set>(exec, nodes, surface, wall.law, links);
-      set_conductances<Set>(exec, nodes, surface, wall, UniformRate{k}, normal, links);
+      set_conductances<Set>(exec, nodes, surface, wall, uniform_rate(k), normal, links);
       links_for = k;
     }
     react_at_wall<Set>(exec, nodes, wall, links, acid, has_product ? &product : nullptr);
@@ -119,8 +124,8 @@ struct ReactiveBox {
     if (mark_dissolved(exec, nodes, surface, type, V, lost) == 0) return 0;
     const int first = nodes.count;
     const int births = append_births(exec, type, nodes);
-    fit_solute_to_capacity<Set>(exec, nodes, first, acid);
-    if (has_product) fit_solute_to_capacity<Set>(exec, nodes, first, product);
+    fit_to_capacity(exec, nodes, Set::Q, first, acid.h, acid.C);
+    if (has_product) fit_to_capacity(exec, nodes, Set::Q, first, product.h, product.C);
     initialise_births<Set>(exec, nodes, first, nodes.count, fill, acid, created);
     if (has_product) initialise_births<Set>(exec, nodes, first, nodes.count, fill, product, created);
     find_surface(exec, nodes, type, surface);

@@ -1,7 +1,6 @@
 #pragma once
 // A crack that closes on itself on a periodic lattice, and what it conducts.
 #include "coupling/strip.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/splitmix64.hpp"
 #include "kernels/flow/slit_drag.hpp"
 #include "support/flow_setup.hpp"

@@ -1,9 +1,8 @@
 #pragma once
 // Small flows for the tests: geometry drawn with characters, fields read and written on the host.
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/mirror_links.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 #include "support/host_copy.hpp"
 #include "support/set_equilibrium.hpp"
 

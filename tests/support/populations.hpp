@@ -1,5 +1,6 @@
 #pragma once
 // What a node of a small flow has sent out.
+#include "kernels/nodes/streaming.hpp"
 #include "support/flow_setup.hpp"
 
 #include <array>
@@ -9,7 +10,7 @@ namespace vug::test {
 /// Populations of node i on the host.
 template <class T>
 std::array<T, 9> populations(Flow<T>& flow, int i) {
-  settle(flow.exec, flow.nodes, flow.nodes.count, flow.fields);
+  settle<D2Q9>(flow.exec, flow.nodes, flow.nodes.count, flow.fields.f, flow.fields.turned);
   const auto f = host_copy(flow.fields.f);
   std::array<T, 9> values;
   for (int q = 0; q < 9; ++q) values[q] = f(q * flow.nodes.capacity + i);

@@ -147,7 +147,7 @@ TEST(SoluteBirths, AnIslandSeenOnlyAcrossACornerBeginsEmpty) {
   set_solid(box, 1, 0, 0.5);
   const int first = box.nodes.count;
   ASSERT_EQ(append_births(box.exec, box.type, box.nodes), 1);
-  fit_solute_to_capacity<D2Q5>(box.exec, box.nodes, first, box.acid);
+  fit_to_capacity(box.exec, box.nodes, D2Q5::Q, first, box.acid.h, box.acid.C);
   initialise_births<D2Q5>(box.exec, box.nodes, first, box.nodes.count, BirthFill::mean, box.acid, box.created);
   EXPECT_EQ(concentration(box, 1, 1), 0);
   EXPECT_EQ(sum_in_order(box.created), 0);

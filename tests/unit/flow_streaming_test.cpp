@@ -80,7 +80,7 @@ TEST(FlowBirths, InTheMiddleOfTwoStepsInPlaceAreThoseOfTwoLattices) {
     sweep_thrice();
     const int old = flow->nodes.count;
     ASSERT_GT(append_births(flow->exec, after, flow->nodes), 0);
-    fit_to_capacity(flow->exec, flow->nodes, old, flow->fields);
+    fit_to_capacity(flow->exec, flow->nodes, D2Q9::Q, old, flow->fields.f, flow->fields.u);
     initialise_births(flow->exec, flow->nodes, old, flow->nodes.count, flow->fields);
     sweep_thrice();
   }

@@ -1,8 +1,8 @@
 // Laws and kernels of conjugate heat on lattices small enough to check by hand.
 #include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
-#include "kernels/heat/conjugate_link.hpp"
 #include "kernels/heat/heat_bands.hpp"
+#include "kernels/heat/heat_kernels.hpp"
 #include "support/heat_box.hpp"
 
 #include <gtest/gtest.h>

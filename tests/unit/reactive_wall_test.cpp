@@ -11,6 +11,7 @@ namespace {
 using reference::Box;
 using reference::box_of;
 using reference::concentration;
+using reference::uniform_rate;
 using test::edit;
 using test::host_copy;
 
@@ -89,7 +90,7 @@ TEST(ReactiveWall, ALedRateIsTheMeanOverTheStepsToCome) {
   Box box = box_of({"...", ".#.", "..."}, 0.8);
   find_reactive_links<D2Q5>(box.exec, box.nodes, box.surface, box.wall.law, box.links);
   const auto conductance = [&](double k, double ahead) {
-    set_conductances<D2Q5>(box.exec, box.nodes, box.surface, box.wall, UniformRate{k}, box.normal, box.links, ahead);
+    set_conductances<D2Q5>(box.exec, box.nodes, box.surface, box.wall, uniform_rate(k), box.normal, box.links, ahead);
     return host_copy(box.links.conductance)(0);
   };
   const auto exact = [](double k) { return kinetic_conductance(k, 0.0); };

@@ -1,5 +1,4 @@
 // A build with VUG_SEPARATE_MEMORY ends where the host touches what a kernel alone may (tests/separate_memory).
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/launch/launch.hpp"
 #include "support/host_copy.hpp"
 

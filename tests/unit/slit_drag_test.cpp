@@ -1,7 +1,6 @@
 // The force of slow fluid on the walls of a slit narrower than a cell, by hand.
 #include "kernels/flow/slit_drag.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "support/flow_setup.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "../reference/reactive_box.hpp"
 #include "coupling/pathways.hpp"
 #include "coupling/rock.hpp"
-#include "kernels/base/host_and_device.hpp"
+#include "kernels/base/base.hpp"
 #include "support/host_copy.hpp"
 #include "support/record.hpp"
 
@@ -90,7 +90,7 @@ Front dissolve_slab(Cracks cracks, double k, int seed) {
     for (int n = 0; n < lattice.size(); ++n)
       if (type(n) == NodeType::solid) front.most = std::max(front.most, V(n) + dissolved(n));
     append_births(box.exec, box.type, box.nodes);
-    fit_solute_to_capacity<D2Q5>(box.exec, box.nodes, first, box.acid);
+    fit_to_capacity(box.exec, box.nodes, D2Q5::Q, first, box.acid.h, box.acid.C);
     initialise_births<D2Q5>(box.exec, box.nodes, first, box.nodes.count, BirthFill::split, box.acid, box.created);
     find_surface(box.exec, box.nodes, box.type, box.surface);
     box.renew_normals();

@@ -1,5 +1,5 @@
 // Conjugate heat in rock and fluid at rest against analytic solutions: order and error.
-#include "kernels/heat/conjugate_link.hpp"
+#include "kernels/heat/heat_kernels.hpp"
 #include "support/heat_box.hpp"
 #include "support/record.hpp"
 

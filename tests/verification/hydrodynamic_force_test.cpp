@@ -1,4 +1,5 @@
 // Forces of the fluid on the rock by momentum exchange.
+#include "kernels/nodes/streaming.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
@@ -102,7 +103,7 @@ TEST(HydrodynamicForce, BalancesTheMomentumOfTheFluidAtEveryStep) {
   Flow<double> flow(lattice, type, {true, true}, Collision::trt, 0.7);
   flow.step.body_force = {1e-4, -3e-5};
   const auto momentum = [&] {
-    settle(flow.exec, flow.nodes, flow.nodes.count, flow.fields);
+    settle<D2Q9>(flow.exec, flow.nodes, flow.nodes.count, flow.fields.f, flow.fields.turned);
     const auto f = test::host_copy(flow.fields.f);
     Force sum;
     for (int q = 1; q < 9; ++q)

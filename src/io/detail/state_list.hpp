@@ -1,7 +1,6 @@
 #pragma once
 // Definitions of StateList's templates.
 #include "io/field_list.hpp"
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/base/require.hpp"
 
 #include <algorithm>

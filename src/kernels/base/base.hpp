@@ -2,7 +2,9 @@
 // Types that every layer uses: where kernels run and how fields are stored.
 #include <Kokkos_Core.hpp>
 
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace vug {
 
@@ -24,6 +26,21 @@ using ScalarField = Kokkos::View<T*>;  ///< (item)
 template <class T>
 using VectorField = Kokkos::View<T* [2], Kokkos::LayoutLeft>;  ///< (item, axis), each component contiguous
 using IndexList = Kokkos::View<int*>;                          ///< (item)
+
+/// A new View (entry) on the device with the entries of `values`.
+template <class ViewType>
+ViewType to_device(const std::string& label, const std::vector<typename ViewType::non_const_value_type>& values) {
+  using Host = Kokkos::View<const typename ViewType::non_const_value_type*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
+  ViewType view(label, values.size());
+  Kokkos::deep_copy(view, Host(values.data(), values.size()));
+  return view;
+}
+
+/// The content of a View for reading on the host: the View itself where it is in host memory, else a copy made now.
+template <class ViewType>
+auto on_host(const ViewType& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
 
 /// Compiles a function template for these arguments.
 #define VUG_COMPILE(...) template decltype(__VA_ARGS__) __VA_ARGS__;

@@ -30,4 +30,6 @@ struct LatticeUnits {
   double lattice_temperature(double kelvin) const { return kelvin - reference_temperature; }
 };
 
+inline constexpr double gas_constant = 8.314462618;  ///< J/(mol K)
+
 }  // namespace vug

@@ -58,15 +58,6 @@ struct FlowStep {
 template <class T>
 FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes);
 
-/// Brings every population home to slot q * capacity + i of its node. Links to nodes from `count` on are left as they
-/// are.
-template <class T>
-void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
-
-/// Moves the first `count` nodes of the fields to the capacity of `nodes`, if it has changed.
-template <class T>
-void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields);
-
 /// (fluid) the density of every node that this process computes; allocated, for output.
 template <class T>
 ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields);

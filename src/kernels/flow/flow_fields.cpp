@@ -2,7 +2,7 @@
 #include "kernels/base/pages.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
@@ -18,14 +18,6 @@ FlowFields<T> make_flow_fields(const Exec& exec, const FluidNodes& nodes) {
 }
 
 template <class T>
-void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
-  const int old = static_cast<int>(fields.u.extent(0));
-  if (old == nodes.capacity) return;
-  fields.f = restride(exec, fields.f, D2Q9::Q, count, old, nodes.capacity);
-  Kokkos::resize(exec, fields.u, nodes.capacity);
-}
-
-template <class T>
 struct StoreDensity {
   Density<T> value;
   ScalarField<T> density;
@@ -38,11 +30,6 @@ ScalarField<T> densities(const Exec& exec, const FluidNodes& nodes, const FlowFi
   const auto density = zeros<ScalarField<T>>(exec, "vug::flow::density", nodes.capacity, in_parts);
   for_each_node(exec, "vug::flow::densities", nodes.share(), StoreDensity<T>{Density<T>(nodes, fields), density});
   return density;
-}
-
-template <class T>
-void settle(const Exec& exec, const FluidNodes& nodes, int count, FlowFields<T>& fields) {
-  bring_home<D2Q9>(exec, "vug::flow::settle", nodes, count, fields.f, fields.turned);
 }
 
 /// A new node at rest at the mean density of its old neighbours. New nodes read old ones only, and write themselves:
@@ -72,7 +59,8 @@ struct InitialiseBirths {
 
 template <class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, FlowFields<T>& fields) {
-  settle(exec, nodes, first, fields);  // the links to new nodes were walls until now: their populations are at home
+  // the links to new nodes were walls until now: their populations are at home
+  settle<D2Q9>(exec, nodes, first, fields.f, fields.turned);
   for_each_node(
       exec, "vug::flow::initialise_births", last - first,
       InitialiseBirths<T>{Density<T>(nodes, fields), fields.f, fields.u, nodes.source, first, nodes.capacity});
@@ -98,8 +86,6 @@ void add_velocity(const Exec& exec, const FluidNodes& nodes, const VectorField<T
 }
 
 VUG_COMPILE_FOR_NUMBERS(make_flow_fields)
-VUG_COMPILE_FOR_NUMBERS(settle)
-VUG_COMPILE_FOR_NUMBERS(fit_to_capacity)
 VUG_COMPILE_FOR_NUMBERS(densities)
 VUG_COMPILE_FOR_NUMBERS(initialise_births)
 VUG_COMPILE_FOR_NUMBERS(add_mass)

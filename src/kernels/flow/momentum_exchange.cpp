@@ -1,6 +1,5 @@
 #include "kernels/flow/momentum_exchange.hpp"
 
-#include "kernels/base/offsets.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 
@@ -22,30 +21,8 @@ struct AnnounceNeighbours {
   }
 };
 
-/// Counts the links of a group. Bit q - 1 of touch(k) is set where q leads into node(k) from the fluid.
-struct CountWallLinks {
-  DenseNeighbour lattice;
-  IndexList index, offset, node;
-  WallLinks links;
-
-  KOKKOS_FUNCTION void operator()(int g) const {
-    int count = 0;
-    const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
-    for (int k = offset(g); k < offset(g + 1); ++k) {
-      announce(k);
-      int bits = 0;
-      for (int q = 1; q < D2Q9::Q; ++q) {
-        const int touches = lattice.fluid_along(index, node(k), D2Q9::opposite(q)) >= 0;
-        bits |= touches << (q - 1);
-        count += touches;
-      }
-      links.touch(k) = static_cast<std::uint8_t>(bits);
-    }
-    links.first(g + 1) = count;
-  }
-};
-
-/// Lists these links. Arms are counted from the first node of the group, so that they are exact integers.
+/// Lists the links of a group, or with fill = false counts them into first(g + 1). Arms are counted from the first node
+/// of the group, so that they are exact integers.
 struct ListWallLinks {
   DenseNeighbour lattice;
   IndexList index, offset, node;
@@ -53,25 +30,30 @@ struct ListWallLinks {
   double spacing;
   int capacity;
   WallLinks links;
+  bool fill;
 
   KOKKOS_FUNCTION void operator()(int g) const {
-    if (links.first(g) == links.first(g + 1)) return;
-    const int x0 = lattice.lattice.x(node(offset(g))), y0 = lattice.lattice.y(node(offset(g)));
-    links.origin(g, 0) = x0 + 0.5 - centre(g, 0) / spacing;
-    links.origin(g, 1) = y0 + 0.5 - centre(g, 1) / spacing;
-    int at = links.first(g);
+    if (fill && links.first(g) == links.first(g + 1)) return;
+    int at = fill ? links.first(g) : 0, x0 = 0, y0 = 0;
+    if (fill) {
+      x0 = lattice.lattice.x(node(offset(g))), y0 = lattice.lattice.y(node(offset(g)));
+      links.origin(g, 0) = x0 + 0.5 - centre(g, 0) / spacing;
+      links.origin(g, 1) = y0 + 0.5 - centre(g, 1) / spacing;
+    }
     const AnnounceNeighbours announce{index, node, lattice.lattice.pitch};
     for (int k = offset(g); k < offset(g + 1); ++k) {
       announce(k);
-      const int solid = node(k), bits = links.touch(k);
-      const int y = lattice.lattice.y(solid) - y0, x = lattice.lattice.x(solid) - x0;
+      const int y = lattice.lattice.y(node(k)) - y0, x = lattice.lattice.x(node(k)) - x0;
       for (int q = 1; q < D2Q9::Q; ++q) {
-        if ((bits >> (q - 1) & 1) == 0) continue;
-        links.slot(at) = q * capacity + lattice.fluid_along(index, solid, D2Q9::opposite(q));
-        const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1);
-        links.lever(at++) = 16 * (x * cy - y * cx) + 4 * (cy + 1) + cx + 1;
+        const int fluid = lattice.fluid_along(index, node(k), D2Q9::opposite(q));
+        if (fluid < 0) continue;
+        const int cx = D2Q9::c(q, 0), cy = D2Q9::c(q, 1), link = at++;
+        if (!fill) continue;
+        links.slot(link) = q * capacity + fluid;
+        links.lever(link) = 16 * (x * cy - y * cx) + 4 * (cy + 1) + cx + 1;
       }
     }
+    if (!fill) links.first(g + 1) = at;
   }
 };
 
@@ -82,18 +64,16 @@ void find_wall_links(const Exec& exec, const FluidNodes& nodes, const IndexList&
     links.first = IndexList("vug::momentum_exchange::first", offset.extent(0));
     links.origin = VectorField<double>("vug::momentum_exchange::origin", groups);
   }
-  if (links.touch.extent(0) < node.extent(0))
-    links.touch = Kokkos::View<std::uint8_t*>("vug::momentum_exchange::touch", node.extent(0));
-  const DenseNeighbour lattice = nodes.around();
-  for_each_node(exec, "vug::momentum_exchange::count", groups,
-                CountWallLinks{lattice, nodes.index, offset, node, links});
+  const auto list = [&](bool fill) {
+    return ListWallLinks{nodes.around(), nodes.index, offset, node, centre, spacing, nodes.capacity, links, fill};
+  };
+  for_each_node(exec, "vug::momentum_exchange::count", groups, list(false));
   const int count = accumulate_counts(exec, "vug::momentum_exchange::places", links.first);
   if (static_cast<int>(links.slot.extent(0)) < count + links_ahead) {
     links.slot = IndexList("vug::momentum_exchange::slot", count + count / 2 + links_ahead);
     links.lever = IndexList("vug::momentum_exchange::lever", count + count / 2);
   }
-  for_each_node(exec, "vug::momentum_exchange::list", groups,
-                ListWallLinks{lattice, nodes.index, offset, node, centre, spacing, nodes.capacity, links});
+  for_each_node(exec, "vug::momentum_exchange::list", groups, list(true));
 }
 
 /// Momentum of links and its moment about the first node of their group, as a type that Kokkos can sum.

@@ -15,8 +15,7 @@ struct WallLinks {
   IndexList slot;
   /// (link) 16 arm + 4 (c_y + 1) + c_x + 1; arm: torque about the group's first node per momentum, in nodes
   IndexList lever;
-  VectorField<double> origin;         ///< (group, axis) that node relative to the centre of the group, nodes
-  Kokkos::View<std::uint8_t*> touch;  ///< (entry of the list of nodes) bit q - 1: fluid along -q; for the search
+  VectorField<double> origin;  ///< (group, axis) that node relative to the centre of the group, nodes
   int groups() const { return static_cast<int>(first.extent(0)) - 1; }
 };
 

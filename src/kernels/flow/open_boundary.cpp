@@ -1,6 +1,5 @@
 #include "kernels/flow/open_boundary.hpp"
 
-#include "kernels/base/host_and_device.hpp"
 #include "kernels/flow/outflow_pressure.hpp"
 #include "kernels/launch/launch_lists.hpp"
 

@@ -36,7 +36,7 @@ struct FlowCondition : DressedLinks {
 
 /// Pressure p (gauge, lattice units) and no velocity along the surface. The population that comes in along a link is
 ///   f_in = -A' + 2 w [3 p + 9/2 (c'.u')^2 - 3/2 u'^2],
-/// where A' is the population that leaves along its mirror image (mirror_links.hpp), c' the direction of the image and
+/// where A' is the population that leaves along its mirror image (find_mirror_links), c' the direction of the image and
 /// u' the velocity of its node. Anti-bounce-back sets the pressure. With the image's population it also reverses the
 /// velocity along the surface, whereas anti-bounce-back with the link's own leaves the shear free. Creeping flow that
 /// leaves at right angles is continued exactly: with its sign reversed and mirrored it is a flow again. A link without

@@ -3,7 +3,7 @@
 // its pieces (outflow_pressure.hpp). open_boundary.hpp describes the outflow, open_boundary.cpp applies it.
 #include "kernels/flow/open_boundary.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

@@ -7,8 +7,8 @@
 // volumetric heat capacity: a node holds theta in fluid, sigma theta in solid.
 #include "kernels/launch/row_launch.hpp"
 #include "kernels/nodes/fluid_rows.hpp"
-#include "kernels/scalar/displacement.hpp"
 #include "kernels/scalar/rounding.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
 
 #include <array>
 #include <optional>

@@ -4,7 +4,7 @@
 // first node.
 #include "kernels/heat/heat.hpp"
 #include "kernels/nodes/opening.hpp"
-#include "kernels/scalar/crossing.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
 
 #include <span>
 #include <type_traits>

@@ -1,7 +1,7 @@
 #pragma once
 // The laws of heat_boundary.hpp: what arrives through a link, from what leaves.
 #include "kernels/heat/heat_boundary.hpp"
-#include "kernels/scalar/outflow_slope.hpp"
+#include "kernels/scalar/turning.hpp"
 
 namespace vug {
 

@@ -122,10 +122,4 @@ struct ThenTemperatures {
   }
 };
 
-template <class Set, class T>
-ConvectRows<T, Set> convect_rows(const FluidNodes& nodes, const FluidRows& rows, const Advect<T, Set>& advect,
-                                 const ScalarField<double>& created) {
-  return {advect, nodes.index, rows, created};
-}
-
 }  // namespace vug

@@ -71,7 +71,8 @@ void conduct_and_advect(const Exec& exec, const FluidNodes& nodes, const FluidRo
   if constexpr (runs_on_host) {
     visit_matter(fields, [&](auto set, const auto& matter) {
       using Set = decltype(set);
-      const auto convection = convect_rows(nodes, rows, advect_body<T, Set>(nodes, u, defect, lagged, fields), created);
+      const ConvectRows<T, Set> convection{advect_body<T, Set>(nodes, u, defect, lagged, fields), nodes.index, rows,
+                                           created};
       conduct_in_place<Set>(exec, fields, matter, convection, theta);
     });
   } else {

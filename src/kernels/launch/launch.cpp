@@ -1,7 +1,5 @@
 #include "kernels/launch/launch.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 namespace vug {
 
 namespace {

@@ -12,6 +12,7 @@
 #include "kernels/base/base.hpp"
 #include "kernels/base/lattice.hpp"
 #include "kernels/base/side.hpp"
+#include "kernels/base/velocity_set.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/source_windows.hpp"
 
@@ -83,6 +84,17 @@ template <class T>
 ScalarField<T> restride(const Exec& exec, const ScalarField<T>& populations, int directions, int count, int from,
                         int to);
 
+/// Moves the first `count` nodes of direction-major populations and of a field (fluid) to the capacity of `nodes`, if
+/// it has changed.
+template <class T, class Field>
+void fit_to_capacity(const Exec& exec, const FluidNodes& nodes, int directions, int count, ScalarField<T>& populations,
+                     Field& field) {
+  const int old = static_cast<int>(field.extent(0));
+  if (old == nodes.capacity) return;
+  populations = restride(exec, populations, directions, count, old, nodes.capacity);
+  Kokkos::resize(exec, field, nodes.capacity);
+}
+
 /// The solid nodes that touch fluid, where all processes at walls act (force, reaction, dissolution). Work is done per
 /// surface node over its links in a fixed order, so sums need no atomics. Sorted by node number.
 struct Surface {
@@ -128,5 +140,28 @@ ScalarField<double> link_areas(
 /// Sets the bits of `links` in nodes.open_links. Births clear the bits of the nodes around them: all links must then be
 /// marked again.
 void mark_open(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);
+
+/// The fluid node from which fluid node i pulls direction q, by the table of sources (a View or a pointer); -1 if there
+/// is none.
+template <class Source>
+KOKKOS_FORCEINLINE_FUNCTION int upstream_node(const Source& source, int capacity, int q, int i) {
+  const int slot = q * capacity, node = source[slot + i] - slot;
+  return node >= 0 && node < capacity ? node : -1;
+}
+
+/// The fluid neighbour along direction q; -1 if there is none.
+template <class Source>
+KOKKOS_FORCEINLINE_FUNCTION int fluid_neighbour(const Source& source, int capacity, int q, int i) {
+  return upstream_node(source, capacity, D2Q9::opposite(q), i);
+}
+
+/// (link) The mirror image of each of the `links` of D2Q9 through one stretch of a side or into one opening; -1 if
+/// there is none. A mirror half way along the straight links reflects what leaves along a diagonal to the node beside:
+///   - a straight link is its own image; so is a diagonal one at a corner of the surface, where there is no mirror;
+///   - two diagonal links that cross beside a flat piece of the surface are images of each other;
+///   - a diagonal link whose image would start in rock, behind a wall or beyond the end of the stretch has none.
+/// On a staircase, a surface with more steps than a rectangle has corners, every link is its own image: mirrors at
+/// right angles to each other would reverse the whole velocity and let nothing through.
+IndexList find_mirror_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks& links);
 
 }  // namespace vug

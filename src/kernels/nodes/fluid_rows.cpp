@@ -1,6 +1,6 @@
 #include "kernels/nodes/fluid_rows.hpp"
 
-#include "kernels/base/offsets.hpp"
+#include "kernels/launch/launch.hpp"
 
 namespace vug {
 

@@ -1,6 +1,5 @@
-#include "kernels/nodes/mirror_links.hpp"
-
 #include "kernels/launch/launch.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

@@ -1,7 +1,5 @@
 #include "kernels/nodes/opening.hpp"
 
-#include "kernels/base/host_and_device.hpp"
-
 #include <cmath>
 
 namespace vug {
@@ -29,15 +27,16 @@ Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, cons
 struct CollectOpeningLinks {
   DenseNeighbour around;
   int directions;
-  IndexList opening, number, from, item;
+  IndexList opening, number, from, item, beyond;
   Kokkos::View<std::uint8_t*> direction;
   KOKKOS_FUNCTION void operator()(int k, int& running, bool last) const {
     for (int q = 1; q < directions; ++q) {
-      const int beyond = around.along(opening(k), q);
-      if (beyond < 0 || number(beyond) < 0) continue;
+      const int there = around.along(opening(k), q);
+      if (there < 0 || number(there) < 0) continue;
       if (last) {
-        from(running) = number(beyond);
+        from(running) = number(there);
         item(running) = k;
+        beyond(running) = opening(k);
         direction(running) = static_cast<std::uint8_t>(D2Q9::opposite(q));
       }
       ++running;
@@ -49,7 +48,7 @@ namespace {
 
 struct FoundLinks {
   BoundaryLinks links;
-  IndexList item;  ///< (link) item of the opening
+  IndexList item, beyond;  ///< (link) item of the opening and its node
 };
 
 FoundLinks find_links(const Exec& exec, const DenseNeighbour& around, const IndexList& number, const Opening& opening,
@@ -59,9 +58,10 @@ FoundLinks find_links(const Exec& exec, const DenseNeighbour& around, const Inde
   found.links.fluid = IndexList("vug::opening::fluid", most);
   found.links.direction = Kokkos::View<std::uint8_t*>("vug::opening::direction", most);
   found.item = IndexList("vug::opening::item", most);
+  found.beyond = IndexList("vug::opening::beyond", most);
   Kokkos::parallel_scan("vug::opening::collect_links", Kokkos::RangePolicy<Exec>(exec, 0, nodes),
                         CollectOpeningLinks{around, directions, opening.node, number, found.links.fluid, found.item,
-                                            found.links.direction},
+                                            found.beyond, found.links.direction},
                         found.links.count);
   return found;
 }
@@ -93,20 +93,11 @@ ScalarField<double> link_areas(const Exec& exec, const FluidNodes& nodes, const 
   return areas(find_links(exec, nodes.around(), nodes.index, opening, directions), opening, directions);
 }
 
-/// Stores the opening's node of every link.
-struct NodesBeyond {
-  IndexList item, opening, beyond;
-  KOKKOS_FUNCTION void operator()(int link) const { beyond(link) = opening(item(link)); }
-};
-
 DenseLinks find_dense_opening_links(const Exec& exec, const Lattice& lattice, std::array<bool, 2> periodic,
                                     const Kokkos::View<NodeType*>& type, const Opening& opening, int directions) {
   const FoundLinks found = find_links(exec, {lattice, periodic}, dense_numbers(lattice, type), opening, directions);
   const BoundaryLinks& links = found.links;
-  IndexList beyond("vug::opening::beyond", links.count);
-  Kokkos::parallel_for("vug::opening::beyond", Kokkos::RangePolicy<Exec>(exec, 0, links.count),
-                       NodesBeyond{found.item, opening.node, beyond});
-  return {links.count, links.fluid, beyond, links.direction, areas(found, opening, directions)};
+  return {links.count, links.fluid, found.beyond, links.direction, areas(found, opening, directions)};
 }
 
 }  // namespace vug

@@ -99,11 +99,11 @@ struct TurnBack {
 /// Brings the populations f of the first `count` nodes home if they are `turned`, and clears `turned`. Where processes
 /// share the list, this is done for the nodes of this process and those beside them.
 template <class Set, class T>
-void bring_home(const Exec& exec, const std::string& label, const FluidNodes& nodes, int count, const ScalarField<T>& f,
-                int& turned) {
+void settle(const Exec& exec, const FluidNodes& nodes, int count, const ScalarField<T>& f, int& turned) {
   if (!turned) return;
   turned = 0;
-  for_each_node(exec, label, nodes.near(count), TurnBack<T, Set>{f, nodes.source, count, nodes.capacity});
+  for_each_node(exec, "vug::streaming::settle", nodes.near(count),
+                TurnBack<T, Set>{f, nodes.source, count, nodes.capacity});
 }
 
 }  // namespace vug

@@ -2,7 +2,7 @@
 
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/streaming.hpp"
 
 namespace vug {
@@ -197,21 +197,16 @@ struct ChargeOldNeighbours {
 };
 
 template <class Set, class T>
-void settle(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
-  bring_home<Set>(exec, "vug::solute::settle", nodes, count, s.h, s.turned);
-}
-
-template <class Set, class T>
 void initialise_births(const Exec& exec, const FluidNodes& nodes, int first, int last, BirthFill fill,
                        SoluteFields<T>& s, const ScalarField<double>& created) {
-  settle<Set>(exec, nodes, first, s);  // the links to newborns were walls until now: their populations are at home
+  // the links to newborns were walls until now: their populations are at home
+  settle<Set>(exec, nodes, first, s.h, s.turned);
   const BirthNeighbours<T, Set> around{nodes.source, s.h, nodes.capacity, first, last};
   add_per_block(exec, "vug::dissolution::fill", last - first, FillNewborn<T, Set>{fill, around, s.C}, created);
   if (fill == BirthFill::split)
     for_each_node(exec, "vug::dissolution::charge_neighbours", last - first, ChargeOldNeighbours<T, Set>{around});
 }
 
-VUG_COMPILE_FOR_SETS(settle)
 VUG_COMPILE_FOR_SETS(initialise_births)
 
 }  // namespace vug

@@ -2,7 +2,7 @@
 // From a pixel that has dissolved to a fluid node (volume of pixel, paper section 3.3): called at a fixed small
 // interval, between two lattice steps, as
 //   mark_dissolved -> append_births -> find_surface -> per species
-//   fit_solute_to_capacity -> settle -> initialise_births.
+//   fit_to_capacity -> settle -> initialise_births.
 #include "kernels/base/choices.hpp"
 #include "kernels/solute/solute.hpp"
 
@@ -26,10 +26,6 @@ struct MineralLosses {
 int mark_dissolved(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
                    const Kokkos::View<NodeType*>& type, const ScalarField<double>& V, const ScalarField<double>& lost,
                    const MineralLosses& minerals = {});
-
-/// Brings every population of the first `count` nodes home (streaming.hpp). Links to other nodes are left as they are.
-template <class Set, class T>
-void settle(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
 
 /// Fills the newborn fluid nodes [first, last) with one species, at rest, from their old fluid neighbours along the
 /// velocity set; a newborn without any gets none. Newborns side by side do not read each other: the result does not

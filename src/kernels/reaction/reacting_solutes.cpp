@@ -1,5 +1,4 @@
-#include "kernels/reaction/reacting_solutes.hpp"
-
+#include "kernels/reaction/reactive_wall.hpp"
 #include "kernels/reaction/reactive_wall_step.hpp"
 #include "kernels/solute/solute_sweep.hpp"
 

@@ -1,5 +1,4 @@
 // Finds the links through which walls react.
-#include "kernels/base/offsets.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/reactive_wall.hpp"
 

@@ -1,5 +1,7 @@
+#include "kernels/reaction/reactive_wall.hpp"
+
+#include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
-#include "kernels/reaction/reactive_wall_kernel.hpp"
 #include "kernels/reaction/reactive_wall_step.hpp"
 
 namespace vug {

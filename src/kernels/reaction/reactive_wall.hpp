@@ -8,13 +8,26 @@
 #include "kernels/base/choices.hpp"
 #include "kernels/reaction/link_area.hpp"
 #include "kernels/reaction/reaction.hpp"
-#include "kernels/reaction/surface_losses.hpp"
 #include "kernels/solute/solute.hpp"
 
 #include <string>
 #include <vector>
 
 namespace vug {
+
+/// Losses of surface nodes, pixels. `largest` may be empty: then nothing is kept.
+struct SurfaceLosses {
+  ScalarField<double> recent;   ///< (surface) in this booking, by the reactants booked so far
+  ScalarField<double> largest;  ///< (surface) the largest of all bookings
+
+  /// `first`: no other reactant has been booked before in this booking.
+  KOKKOS_FORCEINLINE_FUNCTION void note(int s, double loss, bool first) const {
+    if (largest.extent(0) == 0) return;
+    const double all = first ? loss : recent(s) + loss;
+    recent(s) = all;
+    if (all > largest(s)) largest(s) = all;
+  }
+};
 
 /// Constants of one reactant on one mineral, in lattice units.
 struct MineralRate {
@@ -82,14 +95,8 @@ template <class Set, class T>
 void find_reactive_links(const Exec& exec, const FluidNodes& nodes, const Surface& surface, ReactiveWallLaw law,
                          ReactiveLinks<T>& links, const Kokkos::View<const std::uint8_t*>& mineral = {});
 
-/// Rate policies: kelvin(dense solid node, dense fluid node) looks up the temperature of their common face, and
-/// at(dense solid node, kelvin) computes the rate constant there, in lattice units. This one is the same everywhere.
-struct UniformRate {
-  double k = 0;
-  KOKKOS_FORCEINLINE_FUNCTION void announce(int, int) const {}
-  KOKKOS_FORCEINLINE_FUNCTION double kelvin(int, int) const { return 0; }
-  KOKKOS_FORCEINLINE_FUNCTION double at(int, double) const { return k; }
-};
+// Rate policies: kelvin(dense solid node, dense fluid node) looks up the temperature of their common face, and
+// at(dense solid node, kelvin) computes the rate constant there, in lattice units.
 
 /// Rate constant after Arrhenius (Eq. 8) at the temperature `temperature(solid, fluid)`, in K, of the face.
 template <class FaceTemperature>
@@ -170,5 +177,14 @@ void add_losses(const Exec& exec, const Surface& surface, const ReactiveWall& wa
 std::vector<double> sums_by_mineral(const Exec& exec, const std::string& label, int n,
                                     const Kokkos::View<const double*>& value,
                                     const Kokkos::View<const std::uint8_t*>& mineral, int minerals);
+
+/// A lattice step of reactant and product (which may be null), then react_at_wall. Both must have taken the same number
+/// of steps. On a host this runs block by block, so that the reaction finds the populations in the cache, where the
+/// sweep has left them: alone it would fetch nearly every line of them and use one number in five. The results are the
+/// same to the bit as those of the three calls in turn.
+template <class Set, class T>
+void advance_reacting_solutes(const Exec& exec, const FluidNodes& nodes, const SoluteCarrier<T>& carrier,
+                              const ReactiveWall& wall, const ReactiveLinks<T>& links,
+                              const SteppingSolute<T>& reactant, const SteppingSolute<T>* product);
 
 }  // namespace vug

@@ -1,7 +1,7 @@
 #pragma once
 // The kernel behind set_conductances, for code with a rate policy of its own.
 #include "kernels/launch/launch.hpp"
-#include "kernels/reaction/rock_of_links.hpp"
+#include "kernels/reaction/reactive_wall_step.hpp"
 
 namespace vug {
 

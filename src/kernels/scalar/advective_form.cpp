@@ -2,7 +2,7 @@
 
 #include "kernels/base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"
 
 namespace vug {

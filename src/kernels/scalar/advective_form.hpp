@@ -1,7 +1,7 @@
 #pragma once
 // The change of a uniform scalar by streaming in a velocity field that is not divergence-free node by node.
 #include "kernels/nodes/fluid_nodes.hpp"
-#include "kernels/scalar/displacement.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
 
 #include <type_traits>
 

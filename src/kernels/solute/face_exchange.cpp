@@ -1,7 +1,7 @@
 #include "kernels/solute/face_exchange.hpp"
 
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {
 

@@ -1,7 +1,7 @@
 #include "kernels/solute/slit_diffusion.hpp"
 
 #include "kernels/launch/launch.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/solute/solute_sweep.hpp"
 
 namespace vug {

@@ -9,15 +9,11 @@
 
 namespace vug {
 
-SoluteParameters solute_parameters(double D) {
+SoluteParameters solute_parameters(double D, std::optional<double> tau_h) {
   if (!(D > 0)) throw InputError("solute: diffusivity " + std::to_string(D) + " in lattice units, expected above 0");
-  return {0.5 + 3 * D, 0.5 + 0.25 / (3 * D), 1};
-}
-
-SoluteParameters solute_parameters(double D, double tau_h) {
-  if (!(D > 0)) throw InputError("solute: diffusivity " + std::to_string(D) + " in lattice units, expected above 0");
-  if (!(tau_h > 0.5)) throw InputError("solute: relaxation time " + std::to_string(tau_h) + ", expected above 0.5");
-  return {0.5 + 3 * D, tau_h, 1};
+  const double other = tau_h.value_or(0.5 + 0.25 / (3 * D));
+  if (!(other > 0.5)) throw InputError("solute: relaxation time " + std::to_string(other) + ", expected above 0.5");
+  return {0.5 + 3 * D, other, 1};
 }
 
 SoluteParameters turning_parameters(const SoluteParameters& p, double stretch) {
@@ -44,14 +40,6 @@ SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, do
   for_each_node(exec, "vug::solute::uniform", nodes.share(),
                 UniformConcentrationAtRest<T, Set>{s.h, s.C, nodes.capacity, T(concentration)});
   return s;
-}
-
-template <class Set, class T>
-void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s) {
-  const int old = static_cast<int>(s.C.extent(0));
-  if (old == nodes.capacity) return;
-  s.h = restride(exec, s.h, Set::Q, count, old, nodes.capacity);
-  Kokkos::resize(exec, s.C, nodes.capacity);
 }
 
 template <class Set, class T>
@@ -97,7 +85,6 @@ void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<co
 }
 
 VUG_COMPILE_FOR_SETS(make_solute_fields)
-VUG_COMPILE_FOR_SETS(fit_solute_to_capacity)
 VUG_COMPILE_FOR_SETS(advance_solute)
 VUG_COMPILE_FOR_SETS(add_solute)
 VUG_COMPILE_FOR_NUMBERS(add_change)

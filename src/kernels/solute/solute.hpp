@@ -7,8 +7,8 @@
 // populations that have just gone out. Births come between two steps (dissolution.hpp).
 #include "kernels/base/velocity_set.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
-#include "kernels/scalar/displacement.hpp"
 #include "kernels/scalar/rounding.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
 
 #include <optional>
 
@@ -23,12 +23,10 @@ struct SoluteParameters {
   double diffusivity() const { return (tau_1 - 0.5) / 3; }
 };
 
-/// Relaxation times for a diffusivity in lattice units with (tau_1 - 1/2)(tau_h - 1/2) = 1/4, at which halfway walls
-/// lie half way and transport is linearly stable for every diffusivity. Throws InputError unless D > 0.
-SoluteParameters solute_parameters(double D);
-
-/// Relaxation times for a diffusivity in lattice units and a chosen tau_h > 1/2 (paper Table 2). Throws InputError.
-SoluteParameters solute_parameters(double D, double tau_h);
+/// Relaxation times for a diffusivity in lattice units and tau_h > 1/2 (paper Table 2); without a tau_h that for which
+/// (tau_1 - 1/2)(tau_h - 1/2) = 1/4: then halfway walls lie half way and transport is linearly stable for every
+/// diffusivity. Throws InputError unless D > 0.
+SoluteParameters solute_parameters(double D, std::optional<double> tau_h = {});
 
 /// Parameters of the one step after which a step takes `stretch` times as many lattice steps (turning.hpp); for D2Q5
 /// and a tau_h that follows from the diffusivity.
@@ -46,10 +44,6 @@ struct SoluteFields {
 /// Fields of one species for `nodes`, at rest with a uniform concentration.
 template <class Set, class T>
 SoluteFields<T> make_solute_fields(const Exec& exec, const FluidNodes& nodes, double concentration = 0);
-
-/// Moves the fields of the first `count` nodes to the capacity of `nodes`, if that has changed.
-template <class Set, class T>
-void fit_solute_to_capacity(const Exec& exec, const FluidNodes& nodes, int count, SoluteFields<T>& s);
 
 /// What carries solutes: nothing, a flow, or a flow in advective form, in which a uniform concentration stays uniform
 /// although the stair-step, pseudo-compressible velocity field has the discrete divergence e.

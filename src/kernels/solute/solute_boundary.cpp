@@ -1,8 +1,8 @@
 #include "kernels/solute/solute_boundary.hpp"
 
 #include "kernels/launch/launch_lists.hpp"
-#include "kernels/nodes/fluid_neighbour.hpp"
-#include "kernels/scalar/outflow_slope.hpp"
+#include "kernels/nodes/fluid_nodes.hpp"
+#include "kernels/scalar/turning.hpp"
 
 namespace vug {
 

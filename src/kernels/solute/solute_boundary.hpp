@@ -3,7 +3,7 @@
 // the sweep, whose bounce-back brings it in. Zero flux needs no condition. Where several conditions meet, outflow comes
 // first.
 #include "kernels/nodes/dressed_links.hpp"
-#include "kernels/scalar/crossing.hpp"
+#include "kernels/scalar/scalar_equilibrium.hpp"
 #include "kernels/solute/solute.hpp"
 
 #include <span>
@@ -26,7 +26,7 @@ struct SoluteCondition : DressedLinks {
 };
 
 /// Given concentration half way along the links: h_in = -A + 2 w_q C_b, where A is the outgoing population; where fluid
-/// crosses the boundary, the second term is multiplied by Crossing::pair (crossing.hpp).
+/// crosses the boundary, the second term is multiplied by Crossing::pair.
 template <class T>
 SoluteCondition<T> concentration_condition(const BoundaryLinks& links, double C_b, const SoluteFields<T>& s,
                                            const ScalarField<double>& gain);
