@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from .source import Source
 
 LAWS = {
-    "kernels": """base/units.hpp flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp flow/guards.cpp
+    "kernels": """flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp flow/guards.cpp
         flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp flow/outflow.hpp
-        flow/outflow_pressure.hpp flow/slit.hpp flow/slit_drag.cpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp
+        flow/outflow_pressure.hpp flow/slit_drag.cpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp
         heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp heat/heat_openings.cpp
         heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp nodes/opening.cpp
         reaction/dissolution.cpp reaction/link_area.hpp reaction/reacting_solutes.cpp reaction/reaction.hpp
@@ -34,12 +34,12 @@ LAWS = {
         mouths.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
         plane_waves.cpp pore_growth.cpp pore_width.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
         reaction_module.cpp reaction_setup.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp
-        rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slits.cpp solid_spread.cpp
+        rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slit.hpp slits.cpp solid_spread.cpp
         solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp step_times.hpp stretch_ends.cpp strip.cpp
         surfaces.cpp temperature_range.cpp thermal_exchange.cpp tuning.cpp twins.cpp velocity_profile.cpp ways_out.cpp
         wet_nodes.cpp""",
     "io": """detail/quantity.cpp narrow_cracks.hpp rock_inertia.cpp scene/boundaries.hpp scene/fluid.cpp scene/laboratory.hpp
-        scene/reaction.hpp time_table.hpp""",
+        scene/reaction.hpp time_table.hpp units.hpp""",
     "study": "sampling.cpp",
 }
 # Files of those libraries with FEW or more lines that could be wrong, but no law: how numbers lie in memory, are spread

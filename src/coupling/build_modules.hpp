@@ -7,7 +7,7 @@
 #include "coupling/pore_growth.hpp"
 #include "coupling/rock.hpp"
 #include "dem/mechanics.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 // What drives fluid between boundaries with given pressures where a body force acts as well.
 #include "io/scene/boundaries.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <algorithm>
 #include <vector>

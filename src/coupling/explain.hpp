@@ -1,7 +1,7 @@
 #pragma once
 // The numbers of a case in lattice units.
 #include "io/scene.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #include "coupling/steady_flow.hpp"
 #include "coupling/stretch_links.hpp"
 #include "coupling/temperature_range.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/thermal_flow.hpp"

@@ -2,7 +2,7 @@
 // Where the fluid can flow from the sides of the lattice and from openings, and what the conditions there mean in this
 // geometry: found once, before the first step.
 #include "coupling/geometry.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <string>
 #include <vector>

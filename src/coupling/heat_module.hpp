@@ -6,7 +6,7 @@
 #include "coupling/module.hpp"
 #include "coupling/step_times.hpp"
 #include "coupling/temperature_range.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 #include "kernels/heat/heat.hpp"
 #include "kernels/heat/heat_boundary.hpp"
 #include "kernels/heat/heat_sums.hpp"

@@ -3,7 +3,7 @@
 // the host.
 #include "coupling/fluid_picture.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "coupling/pathways.hpp"
 
+#include "coupling/slit.hpp"
 #include "dem/crack_aperture.hpp"
 #include "dem/mechanics.hpp"
-#include "kernels/flow/slit.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

@@ -1,8 +1,8 @@
 #pragma once
 // How damage conducts: each bond carries a strip of nodes that turn fluid as its mechanical damage grows (paper
 // sections 2.4, 3.1; the closure with c_d is in docs/model.md, "Pathways").
+#include "coupling/slit.hpp"
 #include "coupling/solid_spread.hpp"
-#include "kernels/flow/slit.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 
 namespace vug {

@@ -1,6 +1,6 @@
 // Reports of the reactions: limits, and balances of acid, product and rock, in total and for each mineral.
 #include "coupling/reaction_module.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/surface_normal.hpp"
 

@@ -3,7 +3,7 @@
 #include "coupling/face_temperature.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/reaction/reactive_wall_kernel.hpp"

@@ -2,7 +2,7 @@
 // dissolves.
 #include "coupling/minerals.hpp"
 #include "coupling/reaction_module.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

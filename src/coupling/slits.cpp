@@ -1,6 +1,6 @@
 #include "coupling/slits.hpp"
 
-#include "kernels/flow/slit.hpp"
+#include "coupling/slit.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/solute/slit_diffusion.hpp"
 

@@ -5,7 +5,7 @@
 #include "coupling/module.hpp"
 #include "coupling/step_times.hpp"
 #include "coupling/stretch_links.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/reaction/dissolution.hpp"
 #include "kernels/reaction/reactive_wall.hpp"

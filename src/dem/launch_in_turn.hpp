@@ -1,8 +1,8 @@
 #pragma once
 // Two bodies in one launch, because a launch takes longer than the work of short lists. They run one after the other
 // over a list, or over those groups of it that have something to do, or side by side over two lists.
+#include "dem/recording.hpp"
 #include "kernels/launch/launch.hpp"
-#include "kernels/launch/recording.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include "dem/materials.hpp"
 #include "dem/require_parameters.hpp"
 #include "host/interruption.hpp"
+#include "host/this_process.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

@@ -8,11 +8,11 @@
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
 #include "dem/preload_report.hpp"
+#include "dem/recording.hpp"
 #include "dem/rest.hpp"
 #include "dem/rock_share.hpp"
 #include "dem/servo.hpp"
 #include "dem/timed_loads.hpp"
-#include "kernels/launch/recording.hpp"
 
 #include <map>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "io/form.hpp"
 #include "io/narrow_cracks.hpp"
 #include "io/periodic.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "io/scene/fluid.hpp"
 
 #include "io/time_table.hpp"
-#include "kernels/base/units.hpp"
+#include "io/units.hpp"
 
 #include <algorithm>
 #include <cmath>

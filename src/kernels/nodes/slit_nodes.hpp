@@ -9,7 +9,7 @@ namespace vug {
 struct SlitNodes {
   int count = 0;
   IndexList fluid;                 ///< (slit) fluid index
-  ScalarField<double> resistance;  ///< (slit) 1/k, 1/cells^2 (flow/slit.hpp)
+  ScalarField<double> resistance;  ///< (slit) 1/k, 1/cells^2
   IndexList first;                 ///< (group + 1)
   ScalarField<double> openness;    ///< (fluid) part of D that a node conducts; 1 where it is no slit or beyond the end
 
