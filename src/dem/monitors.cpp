@@ -6,14 +6,28 @@ namespace vug {
 
 namespace {
 
+KOKKOS_FORCEINLINE_FUNCTION double speed_of(const Particles& p, int i) {
+  return norm({p.v(i, 0), p.v(i, 1)}) + Kokkos::abs(p.spin(i)) * Kokkos::sqrt(p.inertia(i) / p.mass(i));
+}
+
 /// Smallest number of a particle whose motion fails the comparison (NaN fails every comparison).
 struct FindRunaway {
   double largest_speed;
   Particles p;
   KOKKOS_FUNCTION void operator()(int i, int& first) const {
-    const double speed = norm({p.v(i, 0), p.v(i, 1)}) + Kokkos::abs(p.spin(i)) * Kokkos::sqrt(p.inertia(i) / p.mass(i));
-    const bool sane = speed <= largest_speed && Kokkos::isfinite(p.u(i, 0)) && Kokkos::isfinite(p.u(i, 1));
+    const bool sane = speed_of(p, i) <= largest_speed && Kokkos::isfinite(p.u(i, 0)) && Kokkos::isfinite(p.u(i, 1));
     if (!sane && i < first) first = i;
+  }
+};
+
+/// Speed of a particle (see RunawayParticle), read on the host.
+struct SpeedOf {
+  Particles p;
+  int particle;
+  KOKKOS_FUNCTION void operator()(int, double& speed) const {
+    const int i = particle;
+    const bool placed = Kokkos::isfinite(p.u(i, 0)) && Kokkos::isfinite(p.u(i, 1));
+    speed += placed ? speed_of(p, i) : Kokkos::Experimental::quiet_NaN_v<double>;
   }
 };
 
@@ -24,8 +38,10 @@ RunawayParticle find_runaway(const Exec& exec, const Particles& particles, doubl
   Kokkos::parallel_reduce("vug::dem::find_runaway", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
                           FindRunaway{largest_speed, particles}, Kokkos::Min<int>(first));
   if (first >= particles.count) return {};
-  const auto v = on_host(particles.v);
-  return {first, norm({v(first, 0), v(first, 1)})};
+  double speed = 0;
+  Kokkos::parallel_reduce("vug::dem::runaway_speed", Kokkos::RangePolicy<Exec>(exec, 0, 1), SpeedOf{particles, first},
+                          speed);
+  return {first, speed};
 }
 
 BondCounts count_bonds(const Bonds& bonds) {

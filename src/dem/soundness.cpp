@@ -2,6 +2,7 @@
 
 #include "kernels/base/require.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace vug {
@@ -17,18 +18,30 @@ bool is_loose(const Bonds& bonds, int particle) {
   return true;
 }
 
+const char* const smaller_steps = "take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction";
+
+/// Cause and advice for a particle that is faster than allowed.
+std::string cause_of_speed(const Mechanics& rock, int particle, bool in_fluid) {
+  if (on_host(rock.particles().held)(particle) != 0)
+    return "a support holds it: its platen is too fast, or what it holds turns too fast";
+  if (!is_loose(rock.bonds(), particle)) return smaller_steps;
+  return in_fluid ? "no bond holds it: a fragment that the fluid drives from where it is drawn on the lattice has left "
+                    "the model"
+                  : "no bond holds it: a fragment that loads or contacts have thrown off has left the model";
+}
+
 }  // namespace
 
-std::string what_is_unsound(const Exec& exec, const Mechanics& rock) {
+std::string what_is_unsound(const Exec& exec, const Mechanics& rock, bool in_fluid) {
   const RunawayParticle runaway = rock.runaway(exec, runaway_speed);
+  if (runaway.particle >= 0 && !std::isfinite(runaway.speed))
+    return "the motion of particle " + std::to_string(runaway.particle) +
+           " is not a finite number: a load is out of all bounds, or the step too long; " + smaller_steps;
   if (runaway.particle >= 0) {
     char speed[32];
     std::snprintf(speed, sizeof speed, "%.3g", runaway.speed);
-    return "particle " + std::to_string(runaway.particle) + " moves at " + speed + " m/s; " +
-           (is_loose(rock.bonds(), runaway.particle)
-                ? "no bond holds it: a fragment that the fluid drives from where it is drawn on the lattice has left "
-                  "the model"
-                : "take more sub-steps (mechanics.substeps) or a smaller mechanics.critical_fraction");
+    return "particle " + std::to_string(runaway.particle) + " moves at " + speed + " m/s (with its turning); " +
+           cause_of_speed(rock, runaway.particle, in_fluid);
   }
   int lost = 0;
   Kokkos::deep_copy(lost, Kokkos::subview(rock.contacts().status, contacts_lost));

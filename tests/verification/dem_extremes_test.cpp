@@ -128,17 +128,38 @@ TEST(Extremes, MotionThatIsNotANumberOrRunsAwayStops) {
   v(5, 1) = std::numeric_limits<double>::quiet_NaN();
   Kokkos::deep_copy(rock.particles().v, v);
   EXPECT_THROW(require_sound(Exec(), rock), StabilityError);
+  EXPECT_NE(what_is_unsound(Exec(), rock).find("the motion of particle 5 is not a finite number"), std::string::npos);
   v(5, 1) = 1e5;
   Kokkos::deep_copy(rock.particles().v, v);
   EXPECT_THROW(require_sound(Exec(), rock), StabilityError);
   EXPECT_NE(what_is_unsound(Exec(), rock).find("more sub-steps"), std::string::npos);
+  const auto says = [&](const char* words, bool in_fluid = false) {
+    return what_is_unsound(Exec(), rock, in_fluid).find(words) != std::string::npos;
+  };
   // a fragment that nothing holds is no matter of the step
   const auto pair = host_copy(rock.bonds().pair);
   const auto state = host_copy(rock.bonds().state);
   for (int k = 0; k < rock.bonds().count; ++k)
     if (pair(k, 0) == 5 || pair(k, 1) == 5) state(k) = BondState::dissolved;
   Kokkos::deep_copy(rock.bonds().state, state);
-  EXPECT_NE(what_is_unsound(Exec(), rock).find("fragment"), std::string::npos);
+  EXPECT_TRUE(says("fragment"));
+  EXPECT_FALSE(says("fluid"));
+  EXPECT_TRUE(says("fragment that the fluid drives", true));
+  const auto held = host_copy(rock.particles().held);
+  held(5) = 1;
+  Kokkos::deep_copy(rock.particles().held, held);
+  EXPECT_TRUE(says("a support holds it"));
+  EXPECT_FALSE(says("fragment"));
+  held(5) = 0;
+  Kokkos::deep_copy(rock.particles().held, held);
+  // one that only turns, at its radius of gyration
+  v(5, 1) = 0;
+  Kokkos::deep_copy(rock.particles().v, v);
+  const auto spin = host_copy(rock.particles().spin);
+  spin(5) = -2e4 / std::sqrt(host_copy(rock.particles().inertia)(5) / host_copy(rock.particles().mass)(5));
+  Kokkos::deep_copy(rock.particles().spin, spin);
+  EXPECT_TRUE(says("particle 5 moves at 2e+04 m/s"));
+  EXPECT_NEAR(rock.runaway(Exec(), 3000).speed, 2e4, 1e-8);
   // a step beyond the critical one makes energy from nothing
   PlatenTest unstable;
   unstable.step_fraction = 3;
