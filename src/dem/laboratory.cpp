@@ -193,7 +193,8 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
       result.peak_strain = result.strain.back();
       result.bonds_at_peak = bonds;
     }
-    const bool fallen = broken(bonds) > 0 && result.stress.back() < test.stop_below * result.strength;
+    const bool fallen =
+        broken(bonds) > 0 && (result.strength <= 0 || result.stress.back() < test.stop_below * result.strength);
     const bool ended =
         heated ? static_cast<double>(result.steps) >= steps_of_heating : result.strain.back() >= test.largest_strain;
     const bool last = fallen || ended;

@@ -68,9 +68,9 @@ struct PlatenResult {
   double time_step = 0;                  ///< s
   long steps = 0;
 
-  /// Whether bonds have failed and the stress has fallen from its largest value. Where it still rises at the end, the
-  /// rock could have carried more, even if bonds have failed.
-  bool passed_a_peak() const { return broken(bonds_at_end) > 0 && stress.back() < 0.95 * strength; }
+  /// Whether bonds have failed and the stress has fallen from its largest value, or there was none: rock without
+  /// strength. Where it still rises at the end, the rock could have carried more, even if bonds have failed.
+  bool passed_a_peak() const { return broken(bonds_at_end) > 0 && (strength <= 0 || stress.back() < 0.95 * strength); }
 };
 
 /// Called after every point of the curve with the rock, the result so far (moduli are computed at the end), and whether

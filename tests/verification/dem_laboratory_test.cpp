@@ -37,6 +37,19 @@ TEST(Laboratory, SmallSpecimenBreaksAndSaysSo) {
   EXPECT_LT(r.stress.back(), 0.6 * r.strength);
 }
 
+/// Bonds without strength fail as soon as they are pulled: rock that never bears anything has been tested.
+TEST(Laboratory, EndsWhenRockWithoutStrengthIsPulled) {
+  MechanicsParameters parameters;
+  parameters.bond.normal_strength = 0;
+  PlatenTest test;
+  test.speed = -0.5;
+  const PlatenResult r = load_between_platens(Exec(), test::block(0.015, 0.03, 2.5e-3, 0.2), parameters, test);
+  EXPECT_LT(r.strength, 1e-3 * 15e6);
+  EXPECT_LT(r.strain.back(), 0.1 * test.largest_strain);
+  EXPECT_GT(broken(r.bonds_at_end), 0);
+  EXPECT_TRUE(r.passed_a_peak());
+}
+
 TEST(Laboratory, RefusesAServoWithoutAPressureToHold) {
   PlatenTest test;
   test.flanks = Support::servo;
