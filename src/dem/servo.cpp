@@ -1,5 +1,6 @@
 #include "dem/servo.hpp"
 
+#include "kernels/base/require.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <set>
@@ -64,7 +65,11 @@ std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& bou
       platen.length += norm({q[0] - p[0], q[1] - p[1]});
       held.insert(edge.particle);
     }
-    platen.compliance = servo_gain * platen.length / stiffness_behind(held, platen.axis, law, bonds);
+    const double stiffness = stiffness_behind(held, platen.axis, law, bonds);
+    if (!(stiffness > 0))
+      throw InputError(loads.name[static_cast<std::size_t>(side)] +
+                       ": a servo needs a bond between the triangles it holds and others");
+    platen.compliance = servo_gain * platen.length / stiffness;
     platen.held = to_device<IndexList>("vug::dem::servo_held", {held.begin(), held.end()});
     platens.push_back(platen);
   }

@@ -142,6 +142,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::v
   check_groups(document, scene);
   check_ageing(document, scene);
   check_times(document, scene);
+  if (scene.mechanics) check_traction(document, scene);
   check_boundaries(document, scene);
   check_files(document, scene);
   collect_warnings(scene);

@@ -1,11 +1,13 @@
 // [rock], [mechanics], [damage]: the assembly of triangles, how it moves and how it breaks.
 #include "dem/paper_reading.hpp"
+#include "dem/runaway_speed.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace vug {
 namespace {
@@ -133,6 +135,10 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
     InitialVelocity& start =
         mechanics.initial_velocities.emplace_back(InitialVelocity{read_region(element, FormOf::rock), {0, 0}});
     element.need("velocity", start.velocity, unit::metre_per_second);
+    if (const double speed = std::hypot(start.velocity[0], start.velocity[1]); speed > runaway_speed)
+      element.fail("velocity", fmt::format("moves the rock at {:g} m/s; at most {:g} m/s, about the speed of sound in "
+                                           "rock, is possible",
+                                           speed, runaway_speed));
   }
   read_materials(table, mechanics);
   read_contact(table.table("contact"), parameters.contact);

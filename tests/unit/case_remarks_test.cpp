@@ -34,6 +34,23 @@ TEST(CaseRemarks, LowReferenceTemperatureHasTheFactorOfItsOwnRate) {
               ElementsAre(HasSubstr("makes the rate 1.53 times as high")));
 }
 
+/// At the peak of its table, as fast as a light platen would be.
+TEST(CaseRemarks, FastPlatensAreRemarked) {
+  const auto warnings = [](const std::string& top, const std::string& scaling = "1") {
+    return parsed("[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 4e-3\n[mechanics]\nmass_scaling = " + scaling +
+                  "\n[boundary.bottom]\ntraction = { support = \"roller\" }\n[boundary.top.traction]\n" + top)
+        .warnings;
+  };
+  const std::string roller = "support = \"roller\"\nvelocity = ";
+  EXPECT_THAT(warnings(roller + "[0, -1]"), Not(Contains(HasSubstr("platen"))));
+  EXPECT_THAT(warnings(roller + "[[0, 0, 0], [1, 0, -5], [2, 0, 2]]"),
+              Contains(HasSubstr("boundary.top.traction.velocity moves a platen at up to 5 m/s: above 1 m/s")));
+  EXPECT_THAT(warnings(roller + "[0, 0.6]", "4"),
+              Contains(HasSubstr("at up to 0.6 m/s, which with mechanics.mass_scaling = 4 acts like 1.2 m/s: above")));
+  EXPECT_THAT(warnings("parts = [{ from = 0, to = 1e-2, support = \"fixed\", velocity = [0.8, -0.8] }]"),
+              Contains(HasSubstr("boundary.top.traction.parts.0.velocity moves a platen at up to 1.13")));
+}
+
 TEST(CaseRemarks, NotchesThatDamageWidensAreRemarked) {
   const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
   const auto widened = HasSubstr("only until the first update");

@@ -16,6 +16,7 @@ void check_scales(const TomlDocument& document, const Scene& scene);      ///< d
 void check_species(const TomlDocument& document, const Scene& scene);     ///< names of species
 void check_minerals(const TomlDocument& document, Scene& scene);          ///< where minerals are, and their rates
 void check_boundaries(const TomlDocument& document, Scene& scene);        ///< conditions against modules and each other
+void check_traction(const TomlDocument& document, const Scene& scene);    ///< supports and loads of the rock
 void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [laboratory] against all others
 void check_groups(const TomlDocument& document, const Scene& scene);      ///< named surfaces need a mesh
 void check_files(const TomlDocument& document, Scene& scene);             ///< meshes and images exist; resolves paths

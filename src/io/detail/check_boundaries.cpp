@@ -187,22 +187,6 @@ void check_openings(const TomlDocument& document, const Scene& scene) {
   }
 }
 
-/// Parts must lie on their side. A stiffness needs displacements that count from the preload.
-void check_traction(const TomlDocument& document, const Scene& scene, const NamedBoundary& side) {
-  const std::string name = side.name, key = fmt::format("boundary.{}.traction", name);
-  const double length = name == "left" || name == "right" ? scene.lattice.length_y : scene.lattice.length_x;
-  const TractionBoundary& traction = side.section.traction;
-  const auto stands = [&](const TractionLoad& load) { return !scene.mechanics->from_unloaded || load.stiffness == 0; };
-  const char* const unloaded = "needs mechanics.displacement_from = \"preload\": it answers displacements since then";
-  if (!stands(traction.load)) document.fail(key + ".stiffness", unloaded);
-  for (std::size_t p = 0; p < traction.parts.size(); ++p) {
-    const std::string part = fmt::format("{}.parts.{}", key, p);
-    if (traction.parts[p].to > length * (1 + 1e-9))
-      document.fail(part + ".to", fmt::format("m lies beyond the end of the {} side, {:g} m", name, length));
-    if (!stands(traction.parts[p].load)) document.fail(part + ".stiffness", unloaded);
-  }
-}
-
 /// A wall may only move along itself.
 void check_wall(const TomlDocument& document, const std::string& key, std::string_view side, const FlowBoundary& flow) {
   const int normal = side == "left" || side == "right" ? 0 : 1;
@@ -215,8 +199,6 @@ void check_wall(const TomlDocument& document, const std::string& key, std::strin
 }  // namespace
 
 void check_boundaries(const TomlDocument& document, Scene& scene) {
-  if (scene.mechanics)
-    for (const NamedBoundary& side : sides(scene)) check_traction(document, scene, side);
   for (const NamedBoundary& side : sides(scene)) {
     check_modules_of(document, scene, side.name);
     check_concentrations(document, scene, side.name, side.section.solute);

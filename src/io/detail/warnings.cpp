@@ -1,6 +1,7 @@
 // Warnings about the rock: what a case may say but probably does not mean. Those about the contents of the pores are in
 // warnings_of_pores.cpp.
 #include "io/detail/case_checks.hpp"
+#include "io/detail/platen_motion.hpp"
 #include "io/notch_remarks.hpp"
 #include "io/periodic.hpp"
 
@@ -96,6 +97,33 @@ void warn_about_press(Scene& scene) {
                   speed, scaling, speed * std::sqrt(scaling), notable));
 }
 
+/// The same for sides and parts of them that move in a run.
+void warn_about_platens(Scene& scene) {
+  constexpr double notable = 1;  // m/s
+  const double scaling = scene.mechanics->parameters.mass_scaling;
+  const auto remark = [&](const std::string& key, const TractionLoad& load) {
+    const double speed = fastest(load), felt = speed * std::sqrt(scaling);
+    if (felt <= notable) return;
+    const std::string scaled =
+        scaling == 1 ? ""
+                     : fmt::format(", which with mechanics.mass_scaling = {:g} acts like {:.3g} m/s", scaling, felt);
+    scene.warnings.push_back(fmt::format(
+        "{}.velocity moves a platen at up to {:g} m/s{}: above {:g} m/s (in tension 0.2 m/s) inertia adds to "
+        "the strength, soon more than 5 %",
+        key, speed, scaled, notable));
+  };
+  const auto side = [&](const char* name, const TractionBoundary& traction) {
+    const std::string key = fmt::format("boundary.{}.traction", name);
+    remark(key, traction.load);
+    for (std::size_t p = 0; p < traction.parts.size(); ++p)
+      remark(fmt::format("{}.parts.{}", key, p), traction.parts[p].load);
+  };
+  side("left", scene.left.traction);
+  side("right", scene.right.traction);
+  side("bottom", scene.bottom.traction);
+  side("top", scene.top.traction);
+}
+
 }  // namespace
 
 void collect_warnings(Scene& scene) {
@@ -109,6 +137,7 @@ void collect_warnings(Scene& scene) {
   if (scene.mechanics) warn_about_support(scene);
   if (scene.mechanics) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);
+  if (scene.mechanics) warn_about_platens(scene);
   if (scene.mechanics && scene.mechanics->force_unstable) {
     scene.warnings.emplace_back("mechanics.force_unstable accepts a time step that may diverge");
   }

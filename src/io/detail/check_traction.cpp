@@ -1,0 +1,56 @@
+// Checks of supports and loads of the rock's sides.
+#include "dem/runaway_speed.hpp"
+#include "io/detail/case_checks.hpp"
+#include "io/detail/platen_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace vug {
+namespace {
+
+/// A frictionless platen moves nothing along itself, and no platen is faster than sound in rock.
+void check_platen(const TomlDocument& document, const std::string& key, std::string_view side,
+                  const TractionLoad& load) {
+  const bool slides = load.support == Support::roller || load.support == Support::pin_roller;
+  const int along = side == "left" || side == "right" ? 1 : 0;
+  if (slides && load.velocity[along].peak() != 0)
+    document.fail(key + ".velocity",
+                  fmt::format("moves a roller along itself; its platen is frictionless: the {} component must be 0",
+                              along == 0 ? "first" : "second"));
+  if (const double speed = fastest(load); speed > runaway_speed)
+    document.fail(key + ".velocity",
+                  fmt::format("moves the rock at {:g} m/s; at most {:g} m/s, about the speed of sound in rock, is "
+                              "possible",
+                              speed, runaway_speed));
+}
+
+/// Parts must lie on their side. A stiffness needs displacements that count from the preload.
+void check_side(const TomlDocument& document, const Scene& scene, const std::string& name,
+                const TractionBoundary& traction) {
+  const std::string key = fmt::format("boundary.{}.traction", name);
+  const double length = name == "left" || name == "right" ? scene.lattice.length_y : scene.lattice.length_x;
+  const auto stands = [&](const TractionLoad& load) { return !scene.mechanics->from_unloaded || load.stiffness == 0; };
+  const char* const unloaded = "needs mechanics.displacement_from = \"preload\": it answers displacements since then";
+  if (!stands(traction.load)) document.fail(key + ".stiffness", unloaded);
+  check_platen(document, key, name, traction.load);
+  for (std::size_t p = 0; p < traction.parts.size(); ++p) {
+    const std::string part = fmt::format("{}.parts.{}", key, p);
+    if (traction.parts[p].to > length * (1 + 1e-9))
+      document.fail(part + ".to", fmt::format("m lies beyond the end of the {} side, {:g} m", name, length));
+    if (!stands(traction.parts[p].load)) document.fail(part + ".stiffness", unloaded);
+    check_platen(document, part, name, traction.parts[p].load);
+  }
+}
+
+}  // namespace
+
+void check_traction(const TomlDocument& document, const Scene& scene) {
+  check_side(document, scene, "left", scene.left.traction);
+  check_side(document, scene, "right", scene.right.traction);
+  check_side(document, scene, "bottom", scene.bottom.traction);
+  check_side(document, scene, "top", scene.top.traction);
+}
+
+}  // namespace vug
