@@ -19,6 +19,13 @@ namespace {
 /// triangles adds less than 5 % to the load of a cracked plate (docs/validation.md, toughness).
 constexpr double largest_edge = 0.6;
 
+/// Stresses are off by about as much as strains differ from small ones.
+constexpr double largest_thermal_strain = 0.02;
+
+/// Share of the mean edge below which no triangles of the length over which cracks soften can be made: bonds then break
+/// at once.
+constexpr double out_of_reach = 1e-3;
+
 constexpr double cells_of_an_edge = 4;  // smallest allowed
 
 /// Edge of an equilateral triangle with the area of the smallest triangle of generated rock, over the mean edge of the
@@ -46,18 +53,27 @@ Limit limit_of_edges(const Mechanics& rock, double spacing) {
   double softening = softening_length(rock.parameters().bond);
   for (const RockMaterial& material : rock.parameters().materials)
     softening = std::min(softening, softening_length(material.bond));
-  const double longest = largest_edge * softening;
+  const double longest = largest_edge * softening, mean = mean_edge(rock.bonds());
   const double finest = longest * smallest_over_mean / cells_of_an_edge;
+  const std::string advice =
+      longest < out_of_reach * mean
+          ? "bonds snap at once and dissipate what they hold, whatever their fracture energy"
+          : fmt::format(
+                "cracks dissipate more than their fracture energy; to avoid this lower rock.element_size to "
+                "{:.2g} m{}",
+                rounded_down(longest),
+                spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "");
+  return {"mechanics", "mean edge of the bonds", mean, "m", 0, longest, advice};
+}
+
+Limit limit_of_thermal_strain(double expansion, double change) {
   return {"mechanics",
-          "mean edge of the bonds",
-          mean_edge(rock.bonds()),
-          "m",
+          "thermal strain of the named temperatures",
+          expansion * change,
+          "1",
           0,
-          longest,
-          fmt::format(
-              "cracks dissipate more than their fracture energy; to avoid this lower rock.element_size to {:.2g} m{}",
-              rounded_down(longest),
-              spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "")};
+          largest_thermal_strain,
+          "the mechanics are those of small strains; check mechanics.thermal_expansion and the temperatures"};
 }
 
 std::vector<std::string> remarks_on_notches_of_mesh(const Scene& scene, const Assembly& rock) {

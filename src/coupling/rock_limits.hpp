@@ -15,6 +15,10 @@ namespace vug {
 /// lattice.
 Limit limit_of_edges(const Mechanics& rock, double spacing);
 
+/// Limits the strain of rock of this thermal expansion (1/K) by a change of temperature (K). Thermal strain scales the
+/// lever arms of a triangle, and stress by it is off by about this share.
+Limit limit_of_thermal_strain(double expansion, double change);
+
 /// Remarks on notches of rock that was read from a mesh (io/notch_remarks.hpp). Those for generated rock come from the
 /// reader of the case.
 std::vector<std::string> remarks_on_notches_of_mesh(const Scene& scene, const Assembly& rock);

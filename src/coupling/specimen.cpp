@@ -5,6 +5,7 @@
 #include "dem/extent.hpp"
 #include "dem/materials.hpp"
 #include "dem/require_edges.hpp"
+#include "dem/slab_cooling.hpp"
 #include "dem/test_steps.hpp"
 #include "host/free_memory.hpp"
 #include "io/mesh_reader.hpp"
@@ -62,20 +63,43 @@ Assembly build_specimen(const Scene& scene) {
 
 namespace {
 
+/// Time over the duration of a quench in which the slab cools fastest: the first tenth.
+constexpr double start_of_quench = 0.1;
+
+/// Mean temperature change of a quenched slab at the end of that time over the drop, 0 to 1.
+double cooled_at_the_start(const LaboratorySection& laboratory, double height) {
+  const SlabCooling cooling(1, height, laboratory.biot);
+  return -cooling.mean_change(laboratory.diffusion_length * std::sqrt(start_of_quench));  // length = 2 sqrt(kappa t)
+}
+
 /// Limits the speed of the thermal strain over the height of the specimen, converted to a specimen without mass
-/// scaling. In heating, 0.3, 1 and 3 m/s gave strengths of 98, 99 and 106 MPa. In a quench, 0.02, 0.08, 0.2 and 0.8 m/s
-/// gave crack spacings of 20, 20, 10 and 7 mm.
+/// scaling; of a quench in its fastest tenth. In heating, 0.3, 1 and 3 m/s gave strengths of 98, 99 and 106 MPa. In a
+/// quench, 0.07, 0.3, 0.7 and 3 m/s gave crack spacings of 20, 20, 10 and 7 mm.
 Limit limit_of_heat(const Scene& scene, const Assembly& specimen) {
   const MechanicsParameters& rock = scene.mechanics->parameters;
-  const double growth =
-      mean_expansion(rock, specimen) * scene.laboratory->temperature_change * extent_of(specimen).height();
+  const LaboratorySection& laboratory = *scene.laboratory;
+  const double height = extent_of(specimen).height();
+  const bool quenched = laboratory.test == LaboratoryTest::quench;
+  const double quicker = quenched ? cooled_at_the_start(laboratory, height) / start_of_quench : 1;
+  const double growth = mean_expansion(rock, specimen) * laboratory.temperature_change * height;
   return {"laboratory",
           "speed of thermal strain over the height",
-          growth / scene.laboratory->duration * std::sqrt(rock.mass_scaling),
+          quicker * growth / laboratory.duration * std::sqrt(rock.mass_scaling),
           "m/s",
           0,
-          scene.laboratory->test == LaboratoryTest::quench ? 0.1 : 1,
+          quenched ? 0.35 : 1,
           "inertia changes what breaks; raise laboratory.duration or lower mechanics.mass_scaling"};
+}
+
+/// Throws InputError for a slab that is cold in a small part of its quench.
+void require_slow_cooling(const Scene& scene, const Assembly& specimen) {
+  constexpr double cold = 0.9;
+  const double height = extent_of(specimen).height();
+  if (cooled_at_the_start(*scene.laboratory, height) <= cold) return;
+  throw InputError(
+      fmt::format("{}: laboratory.diffusion_length = {:g} m cools the slab, {:g} m high, almost through in a tenth of "
+                  "laboratory.duration: lower it; a slab whose face is cold at once is cold at three times its height",
+                  scene.path, scene.laboratory->diffusion_length, height));
 }
 
 }  // namespace
@@ -92,7 +116,10 @@ void require_testable(const Scene& scene, const Assembly& specimen, const Mechan
   const bool timed = test == LaboratoryTest::heating || test == LaboratoryTest::quench;
   whole_steps(longest_test(scene, specimen) / (scene.mechanics->critical_fraction * rock.critical_step()),
               fmt::format("{}: laboratory.{}", scene.path, timed ? "duration" : "platen_speed"));
-  if (test == LaboratoryTest::quench) return require_depth_for_cracks(specimen, scene.path);
+  if (test == LaboratoryTest::quench) {
+    require_slow_cooling(scene, specimen);
+    return require_depth_for_cracks(specimen, scene.path);
+  }
   Loads loads = press(platen_test(scene, specimen));
   for (std::string& name : loads.name) name = scene.path + ": " + name;
   require_edges(specimen, rock.boundary(), loads, rock.particles());
@@ -109,6 +136,9 @@ LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, cons
        fewest_steps, unbounded, warmed ? "raise laboratory.duration" : "lower laboratory.platen_speed"},
       limit_of_edges(rock, 0)};
   if (warmed) table.push_back(limit_of_heat(scene, specimen));
+  if (warmed)
+    table.push_back(
+        limit_of_thermal_strain(largest_expansion(scene.mechanics->parameters), scene.laboratory->temperature_change));
   if (test == LaboratoryTest::brazilian)
     table.push_back({"laboratory", "width of the flats over the diameter", flat_width(specimen, rock.boundary()), "1",
                      0, 0.301,

@@ -8,6 +8,7 @@ namespace vug {
 namespace {
 
 constexpr int terms = 1000;              // enough for diffusion lengths down to 4e-3 of the height
+constexpr double cold_beyond = 8;        // diffusion length over the height: 4/pi exp(-(pi/4)^2 8^2) = 9e-18 is left
 constexpr double negligible_decay = 40;  // exp(-40) = 4e-18
 
 /// The root of a tan a = biot in (n pi, n pi + pi / 2), by bisection of a sin a - biot cos a.
@@ -33,6 +34,7 @@ double SlabCooling::change(double depth, double length) const {
 }
 
 double SlabCooling::of_a_cold_face(double depth, double length) const {
+  if (length > cold_beyond * height_) return -drop_;
   double sum = 0, sign = 1;
   for (double image = 0; image < 6 * length; image += 2 * height_, sign = -sign)  // erfc(6) = 2e-17
     sum += sign * (std::erfc((image + depth) / length) + std::erfc((image + 2 * height_ - depth) / length));
@@ -49,11 +51,15 @@ double SlabCooling::through_a_film(double depth, double length) const {
   return -drop_ * (1 - left);
 }
 
-double SlabCooling::stress(double modulus, double expansion, double depth, double length) const {
+double SlabCooling::mean_change(double length) const {
   constexpr int samples = 2000;
   double mean = 0;
   for (int k = 0; k < samples; ++k) mean += change(height_ * (k + 0.5) / samples, length) / samples;
-  return -modulus * expansion * (change(depth, length) - mean);
+  return mean;
+}
+
+double SlabCooling::stress(double modulus, double expansion, double depth, double length) const {
+  return -modulus * expansion * (change(depth, length) - mean_change(length));
 }
 
 }  // namespace vug

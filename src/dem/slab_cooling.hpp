@@ -19,6 +19,9 @@ class SlabCooling {
   /// a_n) cos(a_n (1 - z/H)) exp(-a_n^2 length^2 / (2 H)^2)), a_n tan a_n = biot (the same, 3.11).
   double change(double depth, double length) const;
 
+  /// Mean temperature change over the height, by the midpoint rule.
+  double mean_change(double length) const;
+
   /// Lateral stress far from the flanks, tension positive: -E alpha (change - mean change over the height), plane
   /// stress, no bending.
   double stress(double modulus, double expansion, double depth, double length) const;

@@ -2,6 +2,9 @@
 
 #include "io/each_boundary.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vug {
 
 std::vector<double> named_temperatures(const Scene& scene) {
@@ -13,6 +16,13 @@ std::vector<double> named_temperatures(const Scene& scene) {
     found.push_back(heat.temperature.highest());
   });
   return found;
+}
+
+double largest_named_change(const Scene& scene) {
+  double change = 0;
+  for (const double temperature : named_temperatures(scene))
+    change = std::max(change, std::abs(temperature - scene.heat->initial_temperature));
+  return change;
 }
 
 }  // namespace vug

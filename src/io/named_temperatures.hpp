@@ -10,4 +10,7 @@ namespace vug {
 /// [heat].
 std::vector<double> named_temperatures(const Scene& scene);
 
+/// Largest difference of one of them from the temperature at the start, K.
+double largest_named_change(const Scene& scene);
+
 }  // namespace vug

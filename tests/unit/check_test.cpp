@@ -230,6 +230,8 @@ TEST(Check, AdvisesWhatCanBeDoneAboutCoarseTriangles) {
   const CheckReport followed = check_case(read_scene(rock, {number("rock.element_size"), number("lattice.spacing")}));
   EXPECT_EQ(advice(followed), "");
   EXPECT_THAT(followed.warnings, testing::Not(testing::Contains(HasSubstr("below four cells"))));
+  EXPECT_EQ(advice(check_case(read_scene(rock, {"mechanics.bond.fracture_energy_I=1e-9"}))),
+            "bonds snap at once and dissipate what they hold, whatever their fracture energy");
   const std::string without = told.substr(0, told.find(", and lattice.spacing"));
   EXPECT_EQ(advice(check_case(read_scene(rock, {"lattice.spacing=2e-4"}))), without);
   EXPECT_EQ(advice(check_case(read_scene(VUG_SOURCE_DIR "/cases/laboratory/compression.toml"))), without);

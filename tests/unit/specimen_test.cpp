@@ -92,7 +92,34 @@ TEST(SpecimenOfACase, KnowsHowFastHeatStrainsIt) {
                                       "mechanics.mass_scaling=16"};
   EXPECT_NEAR(limit_of(laboratory("heating", fast), name).value, 0.48 * 4, 1e-12);
   EXPECT_FALSE(limit_of(laboratory("heating", fast), name).inside());
-  EXPECT_FALSE(limit_of(laboratory("quench", {fast[0], fast[1]}), name).inside());
+}
+
+/// alpha dT, of the material that grows most.
+TEST(SpecimenOfACase, KnowsItsThermalStrain) {
+  const std::string name = "thermal strain of the named temperatures", change = "laboratory.temperature_change=100";
+  EXPECT_NEAR(limit_of(laboratory("heating", {change}), name).value, 8e-4, 1e-15);
+  const Limit large =
+      limit_of(laboratory("quench", {change,
+                                     "mechanics.material=[{type='rectangle', from=[0.0, 0.0], to=[0.015, "
+                                     "0.015], thermal_expansion=3e-4}]"}),
+               name);
+  EXPECT_NEAR(large.value, 0.03, 1e-15);
+  EXPECT_FALSE(large.inside());
+}
+
+/// The fastest tenth of a quench: 2 sqrt(kappa t) is then sqrt(0.1) of that at the end, and a half space has lost
+/// length/(sqrt(pi) H) of its heat.
+TEST(SpecimenOfACase, KnowsHowFastAQuenchStrainsIt) {
+  const std::string name = "speed of thermal strain over the height", change = "laboratory.temperature_change=100";
+  const auto limit = [&](const std::string& more) {
+    return limit_of(laboratory("quench", {change, more, "laboratory.diffusion_length=0.03"}), name);
+  };
+  const double of_half_space = 0.024 / 0.1 * std::sqrt(0.1 / std::acos(-1.0));
+  EXPECT_NEAR(limit("laboratory.samples=200").value, of_half_space, 1e-4 * of_half_space);
+  EXPECT_EQ(limit("laboratory.samples=20").value, limit("laboratory.samples=200").value);
+  EXPECT_TRUE(limit("laboratory.samples=200").inside());
+  EXPECT_FALSE(limit("laboratory.duration=1e-4").inside());
+  EXPECT_LT(limit("laboratory.biot=1").value, 0.5 * of_half_space);
 }
 
 /// Triangles about the middle of what is |x/width|^power + |y/height|^power = 2^-power, an ellipse or a lozenge or
@@ -168,6 +195,20 @@ TEST(SpecimenOfACase, IsRefusedATestWithoutEnd) {
     EXPECT_EQ(refusal(laboratory(test, {change, "laboratory.duration=1e9", "mechanics.critical_fraction=1e-4"})),
               "a.toml: laboratory.duration: the test needs more than 9e15 steps; make it faster or shorter");
   }
+}
+
+/// At five heights 88 % of the heat has left in the first tenth, at six 91 %: 1 - 8/pi^2 exp(-pi^2/40 (length/H)^2).
+TEST(SpecimenOfACase, IsNotCooledInOneJump) {
+  const std::string change = "laboratory.temperature_change=50";
+  const auto told = [&](const char* length, const std::string& more = "laboratory.samples=200") {
+    return refusal(laboratory("quench", {change, std::string("laboratory.diffusion_length=") + length, more}));
+  };
+  EXPECT_EQ(told("0.16"), "accepted");
+  EXPECT_NE(
+      told("0.19").find("a.toml: laboratory.diffusion_length = 0.19 m cools the slab, 0.03 m high, almost through"),
+      std::string::npos);
+  EXPECT_NE(told("10"), "accepted");
+  EXPECT_EQ(told("0.19", "laboratory.biot=0.5"), "accepted");
 }
 
 /// Of triangles as high as the slab no row of edges lies two of them deep.

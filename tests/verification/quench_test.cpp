@@ -51,6 +51,18 @@ TEST(SlabCooling, LosesThroughItsFaceWhatItsMeanTemperatureSays) {
       EXPECT_NEAR(film.change(depth, length), cold.change(depth, length), 1e-4 * drop);
 }
 
+/// Beyond eight times its height nothing is left of the slow decay 4/pi exp(-(pi length/(4 H))^2) of the closed form.
+TEST(SlabCooling, EndsCold) {
+  const double drop = 100, height = 0.02;
+  const SlabCooling cold(drop, height);
+  const double left =
+      4 / std::acos(-1.0) * std::exp(-std::pow(std::acos(-1.0) / 4 * 6, 2));  // at 6 H, at the mid-plane
+  EXPECT_NEAR(1 + cold.change(height, 6 * height) / drop, left, 1e-13);
+  for (const double length : {7.9 * height, 8.1 * height, 1e3 * height, 1e300})
+    for (const double depth : {0.0, 0.3 * height, height}) EXPECT_NEAR(cold.change(depth, length), -drop, 1e-12 * drop);
+  EXPECT_NEAR(cold.mean_change(0.2 * height), -drop * 0.2 / std::sqrt(std::acos(-1.0)), 1e-6 * drop);  // half a space
+}
+
 TEST(Quench, StressBeforeCracksIsThatOfTheErrorFunction) {
   const double height = 0.015, drop = 100, length = 0.006, modulus = 27.8e9;
   MechanicsParameters parameters;

@@ -21,6 +21,9 @@ void check_laboratory(const TomlDocument& document, const Scene& scene);  ///< [
 void check_groups(const TomlDocument& document, const Scene& scene);      ///< named surfaces need a mesh
 void check_files(const TomlDocument& document, Scene& scene);             ///< meshes and images exist; resolves paths
 
+/// Rock whose temperature changes by up to `change` (K) must not shrink to nothing.
+void check_thermal_strain(const TomlDocument& document, const Scene& scene, double change);
+
 /// The generator must not make more than `most_triangles` on `area` (m2).
 void check_triangles(const TomlDocument& document, const RockSection& rock, double area);
 

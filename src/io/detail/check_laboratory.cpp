@@ -41,6 +41,7 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (laboratory.test == LaboratoryTest::heating && laboratory.sample_strain > rise)
     document.fail("laboratory.sample_strain",
                   fmt::format("is more than the heat strains the specimen at the end, {:g}", rise));
+  check_thermal_strain(document, scene, laboratory.temperature_change);
   check_triangles(document, *scene.rock,
                   disc ? std::numbers::pi / 4 * laboratory.diameter * laboratory.diameter
                        : laboratory.size[0] * laboratory.size[1]);

@@ -1,9 +1,10 @@
-// Checks of spacing and time step: the diffusivities that they give in lattice units.
+// Checks of scales: the diffusivities that spacing and time step give in lattice units, and strains by heat.
 #include "io/detail/case_checks.hpp"
 #include "io/named_temperatures.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -42,6 +43,18 @@ void check_law_of_viscosity(const TomlDocument& document, const Scene& scene) {
 
 }  // namespace
 
+void check_thermal_strain(const TomlDocument& document, const Scene& scene, double change) {
+  const MechanicsParameters& rock = scene.mechanics->parameters;
+  double expansion = rock.thermal_expansion;
+  for (const RockMaterial& material : rock.materials) expansion = std::max(expansion, material.thermal_expansion);
+  if (expansion * change < 1) return;
+  document.fail_at(
+      "mechanics.thermal_expansion",
+      fmt::format("a thermal expansion of {:g} 1/K over {:g} K is a strain of {:.3g}: rock that shrinks so "
+                  "far has no size left; limestone has about 8e-6 1/K",
+                  expansion, change, expansion * change));
+}
+
 void check_scales(const TomlDocument& document, const Scene& scene) {
   const auto check = [&](const std::string& key, double value) {
     check_diffusivity(document, scene.lattice, key, value);
@@ -54,6 +67,7 @@ void check_scales(const TomlDocument& document, const Scene& scene) {
   if (scene.solute)
     for (std::size_t i = 0; i < scene.solute->species.size(); ++i)
       check(fmt::format("solute.species.{}.diffusivity", i), scene.solute->species[i].diffusivity);
+  if (scene.heat && scene.mechanics) check_thermal_strain(document, scene, largest_named_change(scene));
   if (!scene.flow) return;
   if (scene.heat && scene.flow->viscosity_varies()) check_law_of_viscosity(document, scene);
   const double velocity = scene.lattice.spacing / scene.lattice.time_step;
