@@ -2,6 +2,7 @@
 
 #include "coupling/run_sum.hpp"
 #include "dem/dissolved_rock.hpp"
+#include "dem/out_of_place.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 
@@ -102,23 +103,15 @@ struct StoreMoved {
   }
 };
 
-/// Marks a triangle that has left its place, and sets its remaining share to 0.
+/// Marks a loose triangle that has left its place, and sets its remaining share to 0.
 struct LetFragmentGo {
-  VectorField<double> u, u_reference;
-  Kokkos::View<double* [3][2], Kokkos::LayoutLeft> corner;
+  Particles particles;
+  Bonds bonds;
   ScalarField<double> left, gone;
   KOKKOS_FUNCTION void operator()(int t) const {
-    const double x = u(t, 0) - u_reference(t, 0), y = u(t, 1) - u_reference(t, 1);
-    if (4 * (x * x + y * y) <= area(t)) return;
+    if (!is_out_of_place(particles, t) || !nothing_holds(particles, bonds, t)) return;
     left(t) = 0;
     gone(t) = 1;
-  }
-
- private:
-  /// Area of the triangle itself, because the lattice may have no solid node in it.
-  KOKKOS_FORCEINLINE_FUNCTION double area(int t) const {
-    const auto side = [&](int end, int axis) { return corner(t, end, axis) - corner(t, 0, axis); };
-    return Kokkos::abs(side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)) / 2;
   }
 };
 
@@ -170,9 +163,9 @@ void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const Scalar
                 StoreChemicalDamage{sectors_of_bond_, {{sum_}, sectors_}, initial_, solid_fraction_, d_c_});
 }
 
-void DissolvedShares::let_go(const Exec& exec, const Particles& particles) const {
+void DissolvedShares::let_go(const Exec& exec, const Particles& particles, const Bonds& bonds) const {
   for_each_node(exec, "vug::chemical_damage::let_go", static_cast<int>(let_go_.extent(0)),
-                LetFragmentGo{particles.u, particles.u_reference, particles.corner, triangles_.left, let_go_});
+                LetFragmentGo{particles, bonds, triangles_.left, let_go_});
 }
 
 int DissolvedShares::let_go_count() const {

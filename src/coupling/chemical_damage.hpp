@@ -1,7 +1,7 @@
 #pragma once
 // The effect of dissolution on triangles and bonds.
 #include "coupling/wet_nodes.hpp"
-#include "dem/particles.hpp"
+#include "dem/bonds.hpp"
 
 #include <string>
 
@@ -51,10 +51,10 @@ class DissolvedShares {
 
   /// Allows calls of `let_go`.
   void follow_fragments() { let_go_ = ScalarField<double>("vug::chemical_damage::let_go", solid_fraction_.extent(0)); }
-  /// Lets fragments go that the fluid carries off: triangles that have moved farther than half their size,
-  /// sqrt(area)/2, from their place on the lattice. From the next update on such a triangle has no share left, but its
-  /// solid stays where it is drawn. Does nothing without follow_fragments.
-  void let_go(const Exec& exec, const Particles& particles) const;
+  /// Lets fragments go that the fluid carries off: triangles that neither a bond nor a support holds and that have
+  /// moved farther than half their size from their place on the lattice (dem/out_of_place.hpp). From the next update on
+  /// such a triangle has no share left, but its solid stays where it is drawn. Does nothing without follow_fragments.
+  void let_go(const Exec& exec, const Particles& particles, const Bonds& bonds) const;
   /// Number of fragments let go so far; waits for the device.
   int let_go_count() const;
 

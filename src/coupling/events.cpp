@@ -1,6 +1,7 @@
 #include "coupling/events.hpp"
 
 #include "coupling/concerns.hpp"
+#include "coupling/fragments.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,8 @@ constexpr double relied_on = 1e-3;  // share of the nodes' steps at which the sp
 const std::string has_limited = "warning: the speed limiter";
 
 struct Count {
-  std::string what;
+  std::string what;  ///< of several
+  std::string one;   ///< of a single one
   std::int64_t value;
 };
 
@@ -28,12 +30,24 @@ std::vector<Count> counts_of(const Simulation& simulation) {
   std::vector<Count> counts;
   const Parts& parts = simulation.parts();
   if (parts.mechanics)
-    counts.push_back({"bonds have failed", static_cast<std::int64_t>(parts.mechanics->bond_counts().failed())});
+    counts.push_back({"bonds have failed", "bond has failed", parts.mechanics->bond_counts().failed()});
+  for (const auto& module : parts.modules)
+    if (const auto* rock = dynamic_cast<const LetsFragmentsGo*>(module.get()))
+      counts.push_back({"triangles have been let go", "triangle has been let go", rock->fragments_let_go()});
   if (parts.growth) {
-    counts.push_back({"nodes have dissolved", parts.growth->dissolved_nodes()});
-    counts.push_back({"nodes have been opened by damage", parts.growth->opened_nodes()});
+    counts.push_back({"nodes have dissolved", "node has dissolved", parts.growth->dissolved_nodes()});
+    counts.push_back(
+        {"nodes have been opened by damage", "node has been opened by damage", parts.growth->opened_nodes()});
   }
   return counts;
+}
+
+/// One line about bonds that the preload broke or damaged; empty if there are none.
+std::string damage_of(const PreloadReport& report) {
+  const int failed = report.bonds.failed(), damaged = report.bonds.damaged;
+  if (failed == 0 && damaged == 0) return {};
+  return fmt::format("{} bond{} failed and {} {} damaged in the preload, before the run", failed,
+                     failed == 1 ? "" : "s", damaged, damaged == 1 ? "was" : "were");
 }
 
 /// A number about accuracy.dissolution_tolerance that may be reported.
@@ -161,7 +175,9 @@ std::vector<std::string> Events::look(const Simulation& simulation) {
   for (const Count& count : counts_of(simulation)) {
     std::int64_t& next = next_.try_emplace(count.what, 1).first->second;
     if (count.value < next) continue;
-    if (begun_) news.push_back(fmt::format("{}{} {}", at(simulation.clock()), count.value, count.what));
+    if (begun_)
+      news.push_back(
+          fmt::format("{}{} {}", at(simulation.clock()), count.value, count.value == 1 ? count.one : count.what));
     while (next <= count.value) next *= 10;
   }
   if (!simulation.parts().ageing) return news;
@@ -176,8 +192,11 @@ std::vector<std::string> Events::look(const Simulation& simulation) {
 
 std::vector<std::string> Events::of_the_start(const Simulation& simulation) {
   const Mechanics* rock = simulation.parts().mechanics;
-  if (!rock || !rock->ramped() || rock->ramped()->settled) return {};
-  return {at(simulation.clock()) + "warning: " + unrest_of(*rock->ramped())};
+  std::vector<std::string> lines;
+  if (!rock || !rock->ramped()) return lines;
+  for (const std::string& line : {unrest_of(*rock->ramped()), damage_of(*rock->ramped())})
+    if (!line.empty()) lines.push_back(at(simulation.clock()) + "warning: " + line);
+  return lines;
 }
 
 std::vector<std::string> Events::sum_up(const Simulation& simulation) const {

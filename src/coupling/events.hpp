@@ -8,10 +8,10 @@
 
 namespace vug {
 
-/// Watches counts that only grow and reports when each reaches 1, 10, 100, ...: failed bonds, dissolved nodes, nodes
-/// opened by damage. Also reports breakthrough, when more than 1 % of the injected amount of a species has left, that
-/// rock has grown on the whole, that the limiter of the speed is at work, and the concerns of modules (concerns.hpp),
-/// each once.
+/// Watches counts that only grow and reports when each reaches 1, 10, 100, ...: failed bonds, fragments let go,
+/// dissolved nodes, nodes opened by damage. Also reports breakthrough, when more than 1 % of the injected amount of a
+/// species has left, that rock has grown on the whole, that the limiter of the speed is at work, and the concerns of
+/// modules (concerns.hpp), each once.
 class Events {
  public:
   /// Earlier events are not reported again; `earlier` has the lines about them. `reversible`: see runs_backwards.
@@ -22,7 +22,7 @@ class Events {
 
   /// New lines about the counts; copies the states of the bonds to the host.
   std::vector<std::string> look(const Simulation& simulation);
-  /// Line about the start of the run, if the preload did not come to rest.
+  /// Lines about the start of the run, if the preload did not come to rest or broke or damaged bonds.
   static std::vector<std::string> of_the_start(const Simulation& simulation);
   /// Lines at the end: how often the speed was limited up to the last row; how much the rock has aged beyond the fluid,
   /// and what error that has caused.

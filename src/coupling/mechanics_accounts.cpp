@@ -1,7 +1,10 @@
-// What the rock's mechanics report: limits, columns of the history, fields.
+// What the rock's mechanics report: limits, concerns, columns of the history, fields.
 #include "coupling/mechanics_module.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/rock_limits.hpp"
+#include "dem/out_of_place.hpp"
+
+#include <fmt/format.h>
 
 namespace vug {
 
@@ -13,6 +16,17 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
   table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
                    "raise mechanics.substeps or leave it out"});
   table.push_back(limit_of_edges(mechanics_, units_.spacing));
+  if (warming_ > 0) table.push_back(limit_of_thermal_strain(mechanics_.parameters().thermal_expansion, warming_));
+}
+
+template <class T>
+std::vector<Concern> MechanicsModule<T>::concerns(const Exec& exec) const {
+  if (!wet_ && !heat_) return {};  // nothing on the lattice depends on where the rock is
+  const int moved = count_out_of_place(exec, mechanics_.particles());
+  if (moved == 0) return {};
+  return {{"rock is more than half a triangle from where the lattice has it",
+           fmt::format(": {}; fluid, heat and pathways do not follow it (mechanics.fragments)",
+                       moved == 1 ? "1 triangle" : fmt::format("{} triangles", moved))}};
 }
 
 template <class T>
@@ -25,8 +39,7 @@ void MechanicsModule<T>::history(std::vector<HistoryValue>& row) const {
   if (dissolved_) {
     const LostWithRock lost = mechanics_.lost();
     row.push_back({"triangles_dissolved_1", static_cast<double>(lost.triangles)});
-    if (section_.lets_fragments_go)
-      row.push_back({"triangles_let_go_1", static_cast<double>(dissolved_->let_go_count())});
+    if (section_.lets_fragments_go) row.push_back({"triangles_let_go_1", static_cast<double>(fragments_let_go())});
     row.push_back({"dissolved_rock_momentum_x_N_s_per_m", lost.momentum.x});
     row.push_back({"dissolved_rock_momentum_y_N_s_per_m", lost.momentum.y});
     row.push_back({"dissolved_rock_kinetic_energy_J_per_m", lost.kinetic});
@@ -44,9 +57,10 @@ void MechanicsModule<T>::fields(FieldList& list) const {
   add_rock_fields(mechanics_, list, fields_asked_for_);
 }
 
-#define VUG_INSTANTIATE(T)                                                     \
-  template void MechanicsModule<T>::limits(LimitTable&) const;                 \
-  template void MechanicsModule<T>::history(std::vector<HistoryValue>&) const; \
+#define VUG_INSTANTIATE(T)                                                       \
+  template void MechanicsModule<T>::limits(LimitTable&) const;                   \
+  template std::vector<Concern> MechanicsModule<T>::concerns(const Exec&) const; \
+  template void MechanicsModule<T>::history(std::vector<HistoryValue>&) const;   \
   template void MechanicsModule<T>::fields(FieldList&) const;
 VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE

@@ -3,6 +3,7 @@
 #include "coupling/force_change.hpp"
 #include "coupling/rock_loads.hpp"
 #include "dem/soundness.hpp"
+#include "io/named_temperatures.hpp"
 #include "io/rock_regions.hpp"
 #include "kernels/base/require.hpp"
 
@@ -39,6 +40,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       update_interval_(scene.accuracy.update_interval),
       exchange_interval_(scene.accuracy.exchange_interval),
       guard_interval_(scene.accuracy.guard_interval),
+      warming_(scene.heat ? largest_named_change(scene) : 0),
       holds_forces_(flow && (exchange_interval_ > 1 || scene.accuracy.chooses_intervals())),
       thermal_(heat ? thermal_nodes(scene, rock, geometry.lattice) : ThermalNodes{}),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
@@ -132,7 +134,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     rock_ = RockIs::changed;
     if (heat_) warm(exec, clock.time());
     if (dissolved_) {
-      dissolved_->let_go(exec, particles);
+      dissolved_->let_go(exec, particles, mechanics_.bonds());
       dissolved_->update(exec, *wet_, geometry_.dissolved);
       mechanics_.dissolve(exec, units_.time_step / substeps_, dissolved_->solid_fraction(), dissolved_->d_c());
     }
@@ -162,7 +164,7 @@ void MechanicsModule<T>::births(const Exec& exec, const Births& births) {
 template <class T>
 void MechanicsModule<T>::guard(const Exec& exec, const Clock& clock) {
   mechanics_.make_whole(exec);  // rows of the history are written after the guard, too
-  if (const std::string wrong = what_is_unsound(exec, mechanics_); !wrong.empty())
+  if (const std::string wrong = what_is_unsound(exec, mechanics_, flow_ != nullptr); !wrong.empty())
     throw StabilityError(fmt::format("mechanics diverged at step {}: {}", clock.step, wrong));
   // Dissolving particles become lighter. Done only at fixed steps, so that a checkpoint does not change results.
   if (!section_.substeps && clock.step % guard_interval_ == 0) choose_substeps();

@@ -1,7 +1,9 @@
 #pragma once
 // The rock's mechanics, driven by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
 #include "coupling/chemical_damage.hpp"
+#include "coupling/concerns.hpp"
 #include "coupling/flow_module.hpp"
+#include "coupling/fragments.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/rock.hpp"
@@ -16,7 +18,7 @@ namespace vug {
 
 /// Owns particles and bonds. `flow` and `heat` may be null; dissolution acts where rock_dissolves.
 template <class T>
-class MechanicsModule final : public Module {
+class MechanicsModule final : public Module, public Concerned, public LetsFragmentsGo {
  public:
   MechanicsModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
                   const Rock& rock, const FlowModule<T>* flow, const HeatModule<T>* heat);
@@ -29,6 +31,8 @@ class MechanicsModule final : public Module {
   void births(const Exec& exec, const Births& births) override;
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
+  std::vector<Concern> concerns(const Exec& exec) const override;
+  int fragments_let_go() const override { return section_.lets_fragments_go ? dissolved_->let_go_count() : 0; }
   void history(std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
   void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
@@ -52,6 +56,7 @@ class MechanicsModule final : public Module {
   const FlowModule<T>* flow_;
   const HeatModule<T>* heat_;
   int update_interval_, exchange_interval_, guard_interval_;
+  double warming_ = 0;           ///< largest change of temperature that the case names, K
   bool holds_forces_;            ///< forces of the fluid are held for more than a step
   VectorField<double> watched_;  ///< (triangle, axis) force of the fluid at the last look; empty where unused
   ThermalNodes thermal_;         ///< only with heat

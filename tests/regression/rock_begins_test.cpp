@@ -46,6 +46,30 @@ TEST(RockBegins, AndSaysWhereItsPreloadDidNotComeToRest) {
   EXPECT_THAT(rests.output, Not(HasSubstr("come to rest")));
 }
 
+/// A weak core in rock that is pulled: what breaks before the run is no event of the run.
+TEST(RockBegins, AndSaysWhatItsPreloadHasBroken) {
+  const TemporaryFolder folder;
+  const std::string pulled = folder / "pulled.toml", out = folder / "out";
+  test::write_text(pulled,
+                   rock +
+                       "[mechanics]\n[[mechanics.material]]\ntype = \"rectangle\"\nfrom = [0.008, 0.003]\nto = "
+                       "[0.012, 0.007]\nbond = { normal_strength = 1e6, cohesion = 1e6, fracture_energy_I = 0.1, "
+                       "fracture_energy_II = 0.1 }\n[boundary.left]\ntraction = { support = \"roller\" }\n"
+                       "[boundary.bottom]\ntraction = { support = \"roller\" }\n[boundary.right]\ntraction = { "
+                       "normal_stress = -5e6 }\n");
+  const Outcome run = run_vug("run --quiet " + pulled + " -o " + out);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const std::string first = test::contents(out + "/history.csv");
+  const auto said = testing::ContainsRegex(
+      "step 0, 0 s: warning: [1-9][0-9]* bonds? failed and [0-9]+ (was|were) damaged in the preload, before the run");
+  EXPECT_THAT(run.output, said);
+  EXPECT_THAT(test::contents(out + "/run.json"), said);
+  EXPECT_THAT(
+      run_vug("run --quiet " + pulled + " --set boundary.right.traction.normal_stress=-1e5 -o " + (folder / "whole"))
+          .output,
+      Not(HasSubstr("in the preload")));
+}
+
 TEST(RockBegins, NotWithLoadsThatFindNoRock) {
   const TemporaryFolder folder;
   const std::string path = folder / "case.toml", out = folder / "out";

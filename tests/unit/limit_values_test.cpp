@@ -208,6 +208,25 @@ TEST(LimitValues, OfAReactionHoldNoFactorThatTheRunChooses) {
   EXPECT_DOUBLE_EQ(of(simulation.limits(), "reaction", "volume dissolved per volume").value, 1e-5);
 }
 
+/// alpha times the largest change from the start, 40 K.
+TEST(LimitValues, OfThermalStrainAreThoseOfTheNamedTemperatures) {
+  const std::string warmed =
+      "[lattice]\nsize = [0.02, 0.02]\nspacing = 1e-3\ntime_step = 1e-5\n[time]\nsteps = 1\n[geometry]\ntype = "
+      "\"rock\"\n[rock]\nelement_size = 2e-3\n[heat]\nfluid_diffusivity = 1e-3\nsolid_diffusivity = 1e-3\n"
+      "initial_temperature = 300\n[mechanics]\nthermal_expansion = 5e-6\n[boundary.left]\nheat = { type = "
+      "\"temperature\", temperature = [[0, 320], [1, 260]] }\n";
+  const char* const name = "thermal strain of the named temperatures";
+  EXPECT_NEAR(of(limits_of({}, warmed), "mechanics", name).value, 2e-4, 1e-16);
+  EXPECT_TRUE(of(limits_of({}, warmed), "mechanics", name).inside());
+  EXPECT_FALSE(of(limits_of({"mechanics.thermal_expansion=6e-4"}, warmed), "mechanics", name).inside());
+  EXPECT_NEAR(of(limits_of({"mechanics.material=[{ type = \"rectangle\", from = [0, 0], to = [0.01, 0.02], "
+                            "thermal_expansion = 1e-5 }]"},
+                           warmed),
+                 "mechanics", name)
+                  .value,
+              4e-4, 1e-16);
+}
+
 TEST(LimitValues, OfRockAreThoseOfItsMostBrittleMaterial) {
   const auto longest = [](const Overrides& overrides) {
     return of(limits_of(overrides,

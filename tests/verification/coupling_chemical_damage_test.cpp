@@ -1,4 +1,5 @@
 // Dissolution to mass and chemical damage: what the lattice dissolves, triangle by triangle and bond by bond.
+#include "coupling/events.hpp"
 #include "dem_support.hpp"
 #include "support/coupled_run.hpp"
 #include "support/nodes_of_groups.hpp"
@@ -189,6 +190,60 @@ TEST(Fragment, IsNoneWhereRockMovesALittle) {
   ASSERT_GT(without_solid, 0);
   run.steps(10);  // 25 micrometres
   EXPECT_EQ(run.now("triangles_let_go_1"), 0);
+}
+
+/// Bonds hold the rock together, or a moving side some of it: neither is a fragment, however far it has gone.
+TEST(Fragment, IsNoneWhereSomethingHoldsIt) {
+  const std::string all = "mechanics.initial_velocity=[{ type = \"rectangle\", from = [0, 0], to = [0.02, 0.014], ";
+  auto whole = thrown;
+  whole[0] = all + "velocity = [80, 60] }]";
+  whole[1] = "mechanics.bond.normal_strength=1e15";
+  whole[2] = "mechanics.bond.cohesion=1e15";
+  test::CoupledRun strong(pickled_rock, whole);
+  strong.steps(30);  // 7.5 mm
+  EXPECT_EQ(strong.rock().bond_counts().failed_in_tension + strong.rock().bond_counts().failed_in_shear, 0);
+  EXPECT_EQ(strong.now("triangles_let_go_1"), 0);
+  EXPECT_EQ(strong.now("triangles_dissolved_1"), 0);
+
+  auto carried = thrown;
+  carried[0] = "boundary.right.traction={ support = \"fixed\", velocity = [100, 0] }";
+  test::CoupledRun torn(pickled_rock, carried);
+  torn.steps(30);
+  const Bonds& bonds = torn.rock().bonds();
+  const auto state = test::host_copy(bonds.state);
+  const auto row = test::host_copy(bonds.row), entry = test::host_copy(bonds.entry);
+  const auto held = test::host_copy(torn.rock().particles().held);
+  const auto fraction = test::host_copy(torn.rock().particles().solid_fraction);
+  const auto u = test::host_copy(torn.rock().particles().u);
+  int bare = 0;  // held by the side alone
+  for (int i = 0; i < torn.rock().particles().count; ++i) {
+    if (held(i) == 0) continue;
+    EXPECT_GT(u(i, 0), 5e-3);
+    EXPECT_GT(fraction(i), 0.05) << i;
+    bool alone = true;
+    for (int e = row(i); e < row(i + 1); ++e) alone = alone && has_failed(state(entry(e) / 2));
+    bare += alone;
+  }
+  EXPECT_GT(bare, 0);
+}
+
+/// One line for every power of ten, the first for one triangle.
+TEST(Fragment, IsToldOf) {
+  Simulation simulation(parse_scene(pickled_rock, "case.toml", thrown));
+  simulation.begin();
+  Events events(simulation);
+  std::vector<std::string> told;
+  for (int step = 0; step < 62; ++step) {
+    simulation.step();
+    simulation.guard();
+    for (const std::string& line : events.look(simulation)) told.push_back(line);
+  }
+  const auto lines = [&](const std::string& words) {
+    return std::count_if(told.begin(), told.end(), [&](const std::string& line) { return line.find(words) < 100; });
+  };
+  EXPECT_EQ(lines("s: 1 triangle has been let go") + lines("s: 2 triangles have been let go"), 1);
+  EXPECT_EQ(lines("let go"), 1);
+  EXPECT_EQ(lines("warning: rock is more than half a triangle from where the lattice has it: "), 1);
 }
 
 TEST(Fragment, FliesOnWithoutThatWhileItsSolidStaysInAnyCase) {

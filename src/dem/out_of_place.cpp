@@ -1,0 +1,23 @@
+#include "dem/out_of_place.hpp"
+
+namespace vug {
+
+namespace {
+
+struct CountOutOfPlace {
+  Particles p;
+  KOKKOS_FUNCTION void operator()(int i, int& count) const {
+    if (!is_gone(p.solid_fraction(i)) && is_out_of_place(p, i)) ++count;
+  }
+};
+
+}  // namespace
+
+int count_out_of_place(const Exec& exec, const Particles& particles) {
+  int count = 0;
+  Kokkos::parallel_reduce("vug::dem::count_out_of_place", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
+                          CountOutOfPlace{particles}, count);
+  return count;
+}
+
+}  // namespace vug
