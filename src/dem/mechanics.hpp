@@ -26,7 +26,9 @@ inline constexpr double default_preload_damping = 0.7;
 /// Sub-steps between two checks of which rock rests; meanwhile a wave passes some ten triangles.
 inline constexpr int steps_between_looks = 16;
 
-/// Sub-steps between two searches for contacts; particles move by far less than a quarter of the skin in so many.
+/// Sub-steps between two searches for contacts. None is missed while no particle moves by a quarter of the skin, a
+/// twentieth of an edge, in so many: at 0.3 of the critical step up to some 0.014 of the speed of sound, 47 m/s in the
+/// paper's rock at mass_scaling 1. Pieces that are faster, though far below runaway_speed, may overlap until the next.
 inline constexpr int steps_between_searches = 50;
 
 /// Whether the rock has changed since the last call of Mechanics::advance.

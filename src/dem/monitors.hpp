@@ -9,7 +9,9 @@ namespace vug {
 /// The first particle whose motion is not finite or faster than allowed.
 struct RunawayParticle {
   int particle = -1;  ///< -1: none
-  double speed = 0;   ///< of that particle, m/s; may be NaN
+  /// |v| + |spin| sqrt(inertia/mass), m/s: of its motion and of its turning at the radius of gyration; NaN where its
+  /// displacement is not finite.
+  double speed = 0;
 };
 
 RunawayParticle find_runaway(const Exec& exec, const Particles& particles, double largest_speed);

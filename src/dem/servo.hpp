@@ -26,7 +26,7 @@ struct ServoPlaten {
   IndexList held;         ///< its particles, ascending
 };
 
-/// Makes the servo platens of the loads.
+/// Makes the servo platens of the loads. Throws InputError where no bond joins the triangles that one holds to others.
 std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& boundary, const Assembly& assembly,
                                             const Loads& loads, const BondParameters& law, const Bonds& bonds);
 
