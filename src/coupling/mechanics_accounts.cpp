@@ -22,7 +22,7 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
 template <class T>
 std::vector<Concern> MechanicsModule<T>::concerns(const Exec& exec) const {
   if (!wet_ && !heat_) return {};  // nothing on the lattice depends on where the rock is
-  const int moved = count_out_of_place(exec, mechanics_.particles());
+  const int moved = count_out_of_place(exec, mechanics_.particles(), mechanics_.bonds(), section_.lets_fragments_go);
   if (moved == 0) return {};
   return {{"rock is more than half a triangle from where the lattice has it",
            fmt::format(": {}; fluid, heat and pathways do not follow it (mechanics.fragments)",

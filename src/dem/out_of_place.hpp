@@ -21,7 +21,8 @@ KOKKOS_FORCEINLINE_FUNCTION bool nothing_holds(const Particles& p, const Bonds& 
   return true;
 }
 
-/// Number of triangles out of their place that are not gone. Waits for the device.
-int count_out_of_place(const Exec& exec, const Particles& particles);
+/// Number of triangles out of their place that are not gone; with `but_fragments` only of those that something holds,
+/// as the others are let go. Waits for the device.
+int count_out_of_place(const Exec& exec, const Particles& particles, const Bonds& bonds, bool but_fragments);
 
 }  // namespace vug

@@ -106,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         Set{"boundary.top.traction.support=servo"},
         // weak rock that is thrown to the right and goes to pieces
         Set{"mechanics.fragments=let_go", "mechanics.bond.normal_strength=1e4", "mechanics.bond.cohesion=1e4",
+            "mechanics.bond.fracture_energy_I=1e-2", "mechanics.bond.fracture_energy_II=1e-2",
             "mechanics.initial_velocity=[{ type = \"disc\", centre = [0.02, 0.014], radius = 0.005, velocity = "
             "[80, 60] }]"},
         Set{"boundary.injection.flow.pressure=[[0,1e5],[1e-4,15e6],[3.6e-4,20e6]]",
