@@ -207,7 +207,9 @@ TEST(Tolerance, HoldsWhereSomethingArrivesLate) {
       std::printf("    %s, tolerance %g: %.1e (%s), solutes every %g steps before they come\n", name, tolerance,
                   error.value, error.column.c_str(), column(found, "solute_interval_1")[22]);
       EXPECT_LE(error.value, tolerance) << name << ", " << error.column;
-      if (tolerance == 1e-2) EXPECT_GE(column(found, "solute_interval_1")[22], 4) << name;
+      if (tolerance == 1e-2) {
+        EXPECT_GE(column(found, "solute_interval_1")[22], 4) << name;
+      }
     }
   }
 }
