@@ -10,7 +10,7 @@
 
 namespace vug::test::mineral_channels {
 
-inline constexpr double dx = 1e-4, dt = 1e-5, D = 2e-4, gas_constant = 8.31446261815324;
+inline constexpr double dx = 1e-4, dt = 1e-5, D = 2e-4;
 inline constexpr int fluid_rows = 10, rock_rows = 12, channel = 4, between = 3;
 
 /// Two channels between inert walls, each over a floor of a mineral of its own; acid comes in from above.
