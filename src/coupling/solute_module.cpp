@@ -26,7 +26,8 @@ SoluteModule<T, Set>::SoluteModule(const Exec& exec, const Scene& scene, const L
       next_interval_(interval_),
       compared_(geometry.fluid.count),
       fill_(scene.reaction ? scene.reaction->birth_fill : BirthFill::mean),
-      fastest_(flow ? flow->largest_speed() : 0) {
+      fastest_(flow ? flow->largest_speed() : 0),
+      ages_(scene.accuracy.dissolution_tolerance > 0) {
   if (flow && section_.face_exchange) excess_ = &flow->face_excess(exec, interval_);
   for (const Species& section : section_.species) {
     SpeciesState<T> state;
@@ -123,7 +124,7 @@ void SoluteModule<T, Set>::step(const Exec& exec, const Clock& clock) {
   conditions_.clear();
   const StepTimes times{clock.time(), units_.time_step, interval_};
   for (SpeciesState<T>& s : species_) {
-    s.fields.rounding = rounding_of_step<T>((clock.step + 1) / interval_);
+    if (!ages_) s.fields.rounding = rounding_of_step<T>((clock.step + 1) / interval_);
     if (clock.every(LongSum::interval)) s.settle(exec);
     for (const StretchLinks& boundary : s.boundaries)
       conditions_.push_back(condition(s, boundary, times, boundary.gain.recent()));

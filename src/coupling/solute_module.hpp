@@ -126,6 +126,7 @@ class SoluteModule final : public Module, public Concerned {
   int compared_ = 0;                        ///< number of fluid nodes at the last look
   BirthFill fill_;
   double fastest_ = 0;  ///< largest speed that carries them, lattice units
+  bool ages_ = false;   ///< looks compare concentrations (ageing_module.hpp), for which random rounding is a change
   std::vector<SpeciesState<T>> species_;
   std::vector<SoluteCondition<T>> conditions_;  ///< at the boundaries of all species, in this step
   bool narrow_ = false;                         ///< see is_narrow; of links of an outflow
