@@ -200,8 +200,10 @@ void FlowModule<T>::watch(const Exec& exec, const Clock& clock, Changes& changes
   constexpr double margin = 2;
   changes.speed = largest_speed();
   if (clock.time() < raised_) return;
+  const double speed = extremes(exec).speed;
   // in pores that have opened, fluid may be faster than the paths at the start allow
-  changes.speed = std::min(pores_open_ ? speed_limit() : *changes.speed, margin * extremes(exec).speed);
+  const double bound = pores_open_ ? std::max(*changes.speed, speed) : *changes.speed;
+  changes.speed = std::min(bound, margin * speed);
 }
 
 template <class T>

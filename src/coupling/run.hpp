@@ -25,8 +25,8 @@ struct RunOptions {
 };
 
 /// Runs the scene. Throws InputError, StabilityError (run.json names the last good checkpoint), FileError, or
-/// Interrupted (host/interruption.hpp) after the state has been saved in a checkpoint; in a lattice step that takes more
-/// than some seconds longer (100 000 mechanical steps), without a new one.
+/// Interrupted (host/interruption.hpp) after the state has been saved in a checkpoint; in a lattice step that takes
+/// more than some seconds longer (100 000 mechanical steps), without a new one.
 void run_case(const Scene& scene, const RunOptions& options);
 
 }  // namespace vug

@@ -120,7 +120,7 @@ TEST(Resumed, KeepsTheEventsAndAddsUpTheTime) {
                     rock =
                         "run " + test::small_rock + " --quiet --threads 1 --set output.checkpoint_interval=2.5e-5 -o ";
   ASSERT_EQ(run_vug(rock + whole).exit_code, 0);
-  ASSERT_THAT(line_of(whole, "events"), HasSubstr("bonds have failed"));
+  ASSERT_THAT(line_of(whole, "events"), HasSubstr("bond has failed"));
   double before = 0;
   for (const char* steps : {" --steps 200", " --resume --steps 390", " --resume"}) {
     ASSERT_EQ(run_vug(rock + parts + steps).exit_code, 0);

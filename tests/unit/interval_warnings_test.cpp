@@ -103,7 +103,7 @@ TEST(Pulses, AreWarnedOfWhereAnIntervalIsLonger) {
   EXPECT_THAT(warnings({"boundary.injection.flow.ramp_time=1e-5", ten}, pushed),
               ElementsAre(HasSubstr("within 1e-05")));
   EXPECT_THAT(warnings({ten}, pushed), IsEmpty());
-  EXPECT_THAT(warnings({"boundary.left.flow.velocity=[[[0, 0.01], [3, 0]], 0]", "accuracy.solute_interval=4"}),
+  EXPECT_THAT(warnings({"boundary.left.flow.velocity=[[0, 0.01, 0], [3, 0, 0]]", "accuracy.solute_interval=4"}),
               ElementsAre(HasSubstr("accuracy.solute_interval is 4 s (4 steps): the velocity at one step")));
 }
 

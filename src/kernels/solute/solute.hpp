@@ -75,7 +75,8 @@ template <class Set, class T>
 void add_solute(const Exec& exec, const FluidNodes& nodes, const SoluteFields<T>& s, const ScalarField<double>& total);
 
 /// total(block) += |C - before| over the block's nodes below `count`, for the blocks of this process; before (fluid) is
-/// C afterwards, for all their nodes.
+/// C afterwards, for all their nodes. In single precision, a change of a few last places (2^-21 C) is none: before
+/// stays until more has come together.
 template <class T>
 void add_change(const Exec& exec, const FluidNodes& nodes, const Kokkos::View<const T*>& C, int count,
                 const ScalarField<T>& before, const ScalarField<double>& total);
