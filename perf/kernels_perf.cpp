@@ -1,6 +1,6 @@
 // Speed of every lattice kernel beside the machine's copy bandwidth. Each family registers its own benchmarks.
+#include "base/base.hpp"
 #include "host/memory.hpp"
-#include "kernels/base/base.hpp"
 
 #include <benchmark/benchmark.h>
 

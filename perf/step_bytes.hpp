@@ -1,7 +1,7 @@
 #pragma once
 // What a coupled step of a rock must move at least: the bytes of each of its parts, by how often nodes and links occur.
+#include "base/base.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/base.hpp"
 #include "step_parts.hpp"
 
 #include <algorithm>

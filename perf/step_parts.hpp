@@ -1,6 +1,6 @@
 #pragma once
 // The time that kernels take by the part of a coupled step that they belong to, from the callbacks of Kokkos.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 
+#include "base/require.hpp"
 #include "coupling/check.hpp"
 #include "coupling/error_bars.hpp"
 #include "coupling/laboratory_run.hpp"
@@ -15,7 +16,6 @@
 #include "host/this_process.hpp"
 #include "io/json_text.hpp"
 #include "io/run_record.hpp"
-#include "kernels/base/require.hpp"
 #include "process.hpp"
 #include "ranks/mpi.hpp"
 #include "study/sweep.hpp"

@@ -1,4 +1,6 @@
 // vug: parses the command line, starts what a command needs, turns exceptions into exit codes.
+#include "base/base.hpp"
+#include "base/require.hpp"
 #include "commands.hpp"
 #include "front/short_waits.hpp"
 #include "host/exit_code.hpp"
@@ -6,8 +8,6 @@
 #include "host/subnormals.hpp"
 #include "host/threads.hpp"
 #include "io/message.hpp"
-#include "kernels/base/base.hpp"
-#include "kernels/base/require.hpp"
 #include "process.hpp"
 #include "ranks/mpi.hpp"
 

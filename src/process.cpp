@@ -1,8 +1,8 @@
 #include "process.hpp"
 
+#include "base/require.hpp"
 #include "host/exit_code.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/require.hpp"
 
 #include <cerrno>
 #include <csignal>

@@ -47,7 +47,7 @@ LAWS = {
 # such file is in LAWS.
 FEW = 8
 NO_LAWS = {
-    "kernels": """base/exponential.hpp base/lattice.hpp base/velocity_set.hpp heat/heat_bands.hpp launch/launch.hpp
+    "kernels": """heat/heat_bands.hpp launch/launch.hpp
         launch/launch_lists.hpp launch/own_items.hpp launch/row_launch.hpp nodes/fluid_nodes.cpp nodes/fluid_nodes.hpp
         nodes/fluid_rows.cpp nodes/fluid_surface.cpp nodes/source_windows.hpp nodes/streaming.hpp packs/portable.hpp""",
     "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp parameters.hpp require_edges.cpp

@@ -1,5 +1,6 @@
 #include "coupling/check.hpp"
 
+#include "base/base.hpp"
 #include "coupling/case_warnings.hpp"
 #include "coupling/choices.hpp"
 #include "coupling/explain.hpp"
@@ -14,7 +15,6 @@
 #include "host/work_time.hpp"
 #include "io/palette_picture.hpp"
 #include "io/require_fields.hpp"
-#include "kernels/base/base.hpp"
 
 #include <fmt/format.h>
 

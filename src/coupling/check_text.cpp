@@ -1,8 +1,8 @@
 // The report of `vug check` as text and as JSON.
+#include "base/base.hpp"
 #include "coupling/check.hpp"
 #include "coupling/limit_text.hpp"
 #include "io/json_text.hpp"
-#include "kernels/base/base.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

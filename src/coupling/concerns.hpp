@@ -1,7 +1,7 @@
 #pragma once
 // What is wrong with the state of a run although it goes on: for the log and for run.json.
+#include "base/base.hpp"
 #include "io/time_table.hpp"
-#include "kernels/base/base.hpp"
 
 #include <string>
 #include <vector>

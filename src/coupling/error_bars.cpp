@@ -1,11 +1,11 @@
 #include "coupling/error_bars.hpp"
 
+#include "base/require.hpp"
 #include "coupling/history_difference.hpp"
 #include "coupling/recorded_run.hpp"
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/time_table.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

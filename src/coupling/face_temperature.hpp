@@ -1,6 +1,6 @@
 #pragma once
 // The temperature at which the reaction at a wall proceeds.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 #include "kernels/launch/prefetch.hpp"
 
 namespace vug {

@@ -1,10 +1,10 @@
 // Bounds of the flow's speed, its limits, and the guard against divergence.
+#include "base/require.hpp"
 #include "coupling/driving_pressure.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/plane_waves.hpp"
 #include "coupling/velocity_profile.hpp"
-#include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "coupling/flow_module.hpp"
 
+#include "base/pages.hpp"
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "io/narrow_cracks.hpp"
 #include "io/units.hpp"
-#include "kernels/base/pages.hpp"
 #include "kernels/flow/face_flow.hpp"
 #include "kernels/flow/slit_drag.hpp"
 #include "kernels/launch/launch.hpp"

@@ -1,11 +1,11 @@
 #include "coupling/flow_paths.hpp"
 
+#include "base/require.hpp"
 #include "coupling/corner_contacts.hpp"
 #include "coupling/force_speed.hpp"
 #include "coupling/mouths.hpp"
 #include "coupling/pore_width.hpp"
 #include "coupling/ways_out.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 // How fast the fluid's force on the triangles changes.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

@@ -1,10 +1,10 @@
 #include "coupling/geometry.hpp"
 
+#include "base/require.hpp"
 #include "coupling/cells.hpp"
 #include "io/form.hpp"
 #include "io/image_reader.hpp"
 #include "io/periodic.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

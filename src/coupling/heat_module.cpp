@@ -1,11 +1,11 @@
 #include "coupling/heat_module.hpp"
 
+#include "base/pages.hpp"
+#include "base/require.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
 #include "io/each_boundary.hpp"
-#include "kernels/base/pages.hpp"
-#include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/heat_sums.hpp"
 #include "kernels/launch/launch.hpp"

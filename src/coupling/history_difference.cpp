@@ -1,7 +1,7 @@
 #include "coupling/history_difference.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/nearest_name.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

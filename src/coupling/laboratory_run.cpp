@@ -1,5 +1,6 @@
 #include "coupling/laboratory_run.hpp"
 
+#include "base/require.hpp"
 #include "coupling/laboratory_report.hpp"
 #include "coupling/limit_text.hpp"
 #include "coupling/recorded_run.hpp"
@@ -8,7 +9,6 @@
 #include "host/interruption.hpp"
 #include "io/history_writer.hpp"
 #include "io/require_fields.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

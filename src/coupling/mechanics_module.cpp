@@ -1,11 +1,11 @@
 #include "coupling/mechanics_module.hpp"
 
+#include "base/require.hpp"
 #include "coupling/force_change.hpp"
 #include "coupling/rock_loads.hpp"
 #include "dem/soundness.hpp"
 #include "io/named_temperatures.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

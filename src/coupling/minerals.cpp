@@ -1,8 +1,8 @@
 #include "coupling/minerals.hpp"
 
+#include "base/require.hpp"
 #include "coupling/geometry.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // The mineral of each node of the rock.
+#include "base/lattice.hpp"
 #include "dem/assembly.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/lattice.hpp"
 
 #include <cstdint>
 #include <vector>

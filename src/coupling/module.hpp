@@ -1,5 +1,6 @@
 #pragma once
 // One physics of the scene. It owns its state and reads that of others through const Views.
+#include "base/base.hpp"
 #include "coupling/clock.hpp"
 #include "coupling/history_value.hpp"
 #include "coupling/intervals.hpp"
@@ -8,7 +9,6 @@
 #include "coupling/task.hpp"
 #include "io/field_list.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/base.hpp"
 
 #include <cstdint>
 #include <optional>

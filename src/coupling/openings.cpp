@@ -1,8 +1,8 @@
 // Openings on the lattice: their nodes, surface and centre.
+#include "base/require.hpp"
 #include "coupling/cells.hpp"
 #include "coupling/geometry.hpp"
 #include "io/form.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

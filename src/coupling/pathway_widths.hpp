@@ -1,9 +1,9 @@
 #pragma once
 // The widths of pathways, notches and broken bonds, as given by the case.
+#include "base/require.hpp"
 #include "coupling/pathways.hpp"
 #include "coupling/slit.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

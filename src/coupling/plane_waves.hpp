@@ -3,7 +3,7 @@
 // One step turns the amplitudes F_q of a wave exp(i k.x) into exp(-i k.c_q) (J F)_q, with J the Jacobian of the
 // collision; the wave grows where the modulus of an eigenvalue exceeds one. J is computed from the collisions of the
 // kernels.
-#include "kernels/base/choices.hpp"
+#include "base/choices.hpp"
 #include "kernels/solute/solute.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 #include "coupling/recorded_run.hpp"
 
+#include "base/require.hpp"
 #include "coupling/program_info.hpp"
 #include "host/this_process.hpp"
-#include "kernels/base/require.hpp"
 
 namespace vug {
 

@@ -1,5 +1,6 @@
 #include "coupling/rock.hpp"
 
+#include "base/require.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/minerals.hpp"
 #include "coupling/rock_pathways.hpp"
@@ -7,7 +8,6 @@
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

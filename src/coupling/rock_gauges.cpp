@@ -1,9 +1,9 @@
 #include "coupling/rock_gauges.hpp"
 
+#include "base/require.hpp"
 #include "coupling/rock_loads.hpp"
 #include "dem/mean_stress.hpp"
 #include "io/form.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // The triangle and the bond to which a node belongs. Displacements are micrometres where nodes are tens of micrometres
 // apart, so the rock is drawn on the lattice once, in its initial position (paper section 3.3).
+#include "base/lattice.hpp"
 #include "dem/assembly.hpp"
-#include "kernels/base/lattice.hpp"
 
 #include <vector>
 

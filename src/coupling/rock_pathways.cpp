@@ -1,10 +1,10 @@
 #include "coupling/rock_pathways.hpp"
 
+#include "base/require.hpp"
 #include "coupling/initial_pathways.hpp"
 #include "coupling/pathway_widths.hpp"
 #include "dem/edges.hpp"
 #include "dem/particles.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 #include "coupling/run.hpp"
 
+#include "base/require.hpp"
 #include "coupling/case_warnings.hpp"
 #include "coupling/events.hpp"
 #include "coupling/limit_text.hpp"
@@ -12,7 +13,6 @@
 #include "io/progress.hpp"
 #include "io/require_fields.hpp"
 #include "io/rock_inertia.hpp"
-#include "kernels/base/require.hpp"
 #include "ranks/mpi.hpp"
 #include "ranks/traffic.hpp"
 

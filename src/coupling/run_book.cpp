@@ -1,7 +1,7 @@
 #include "coupling/run_book.hpp"
 
+#include "base/require.hpp"
 #include "io/later_end.hpp"
-#include "kernels/base/require.hpp"
 #include "ranks/traffic.hpp"
 
 #include <fmt/format.h>

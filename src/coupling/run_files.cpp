@@ -1,8 +1,8 @@
 #include "coupling/run_files.hpp"
 
+#include "base/require.hpp"
 #include "coupling/cells.hpp"
 #include "coupling/rock_fields.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

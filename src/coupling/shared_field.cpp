@@ -1,6 +1,6 @@
 #include "coupling/shared_field.hpp"
 
-#include "kernels/base/pages.hpp"
+#include "base/pages.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,6 @@
 // The state of a simulation, which checkpoints hold, and the return to one.
+#include "base/require.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 // Conductivity of cracks: that of a slot between walls, that of a strip of whole nodes, and the drag with which the
 // narrowest strip conducts like a slot narrower than a cell (docs/model.md, "Cracks narrower than a cell").
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

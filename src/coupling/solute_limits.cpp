@@ -1,7 +1,7 @@
 // The limits of the solutes' scheme: those that vug check prints, and the guard of a run.
+#include "base/require.hpp"
 #include "coupling/plane_waves.hpp"
 #include "coupling/solute_module.hpp"
-#include "kernels/base/require.hpp"
 #include "kernels/flow/guards.hpp"
 
 #include <fmt/format.h>

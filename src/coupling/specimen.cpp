@@ -1,5 +1,6 @@
 #include "coupling/specimen.hpp"
 
+#include "base/require.hpp"
 #include "coupling/memory_need.hpp"
 #include "coupling/rock_limits.hpp"
 #include "dem/extent.hpp"
@@ -11,7 +12,6 @@
 #include "io/mesh_reader.hpp"
 #include "io/rock_generator.hpp"
 #include "io/rock_regions.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The strip of nodes that a pathway along a straight line opens, as wide as its aperture requires, in whole cells.
+#include "base/lattice.hpp"
 #include "coupling/slit.hpp"
-#include "kernels/base/lattice.hpp"
 
 #include <array>
 #include <vector>

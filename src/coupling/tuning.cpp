@@ -1,5 +1,6 @@
 #include "coupling/tuning.hpp"
 
+#include "base/require.hpp"
 #include "coupling/history_difference.hpp"
 #include "coupling/interval_chooser.hpp"
 #include "coupling/output_schedule.hpp"
@@ -7,7 +8,6 @@
 #include "host/interruption.hpp"
 #include "host/work_time.hpp"
 #include "io/override_scene.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The runs with which a case is compared for its error bars.
+#include "base/require.hpp"
 #include "coupling/error_bars.hpp"
 #include "io/override_scene.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "coupling/ways_out.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Accounts of the energy that a step spends, kept per item by the kernels that spend it. `NoAccounts` is the default
 // and costs nothing.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

@@ -1,8 +1,8 @@
 #pragma once
 // The cohesive bond at one integration point: strengths, the unified linear traction-separation law and the resulting
 // damage. Stresses in Pa, openings in m, tension and opening positive. Equation numbers are the paper's.
+#include "base/base.hpp"
 #include "dem/parameters.hpp"
-#include "kernels/base/base.hpp"
 
 namespace vug {
 

@@ -1,9 +1,9 @@
 #include "dem/bonds.hpp"
 
+#include "base/require.hpp"
 #include "dem/edges.hpp"
 #include "dem/heterogeneity.hpp"
 #include "dem/materials.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <set>

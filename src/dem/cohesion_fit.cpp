@@ -1,5 +1,5 @@
+#include "base/require.hpp"
 #include "dem/laboratory.hpp"
-#include "kernels/base/require.hpp"
 
 #include <cmath>
 #include <string>

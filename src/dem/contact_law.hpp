@@ -1,7 +1,7 @@
 #pragma once
 // Contact law of two bodies that are not bonded: normal spring and dashpot that never pull, friction spring with a
 // slider.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

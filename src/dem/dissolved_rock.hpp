@@ -1,6 +1,6 @@
 #pragma once
 // Effect of dissolution on triangles and bonds: pure functions of the share of the solid that remains.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

@@ -1,6 +1,6 @@
 #include "dem/edges.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 // Strengths that vary from bond to bond: Weibull numbers that depend on names, never on the order in which they are
 // drawn.
-#include "kernels/base/splitmix64.hpp"
+#include "base/splitmix64.hpp"
 
 #include <cmath>
 #include <cstdint>

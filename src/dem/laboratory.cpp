@@ -1,12 +1,12 @@
 #include "dem/laboratory.hpp"
 
+#include "base/require.hpp"
 #include "dem/extent.hpp"
 #include "dem/materials.hpp"
 #include "dem/soundness.hpp"
 #include "dem/splitting.hpp"
 #include "dem/test_steps.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

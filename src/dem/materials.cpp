@@ -1,9 +1,9 @@
 #include "dem/materials.hpp"
 
+#include "base/require.hpp"
 #include "dem/elasticity.hpp"
 #include "dem/extent.hpp"
 #include "dem/particles.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

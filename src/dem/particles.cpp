@@ -1,7 +1,7 @@
 #include "dem/particles.hpp"
 
+#include "base/require.hpp"
 #include "dem/materials.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 // Kernels that run repeatedly: recorded once, then sent to the device as one launch.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <Kokkos_Graph.hpp>
 #include <Kokkos_Profiling_ScopedRegion.hpp>

@@ -1,6 +1,6 @@
 #include "dem/require_edges.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <string>

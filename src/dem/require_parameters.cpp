@@ -1,6 +1,6 @@
 #include "dem/require_parameters.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "dem/soundness.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <cstdio>

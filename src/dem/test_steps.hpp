@@ -1,8 +1,8 @@
 #pragma once
 // Steps of a laboratory test: no rock sleeps in it, and it may take any number of steps.
+#include "base/require.hpp"
 #include "dem/mechanics.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <string>

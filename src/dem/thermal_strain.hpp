@@ -3,7 +3,7 @@
 //   u_k = alpha dT (X_k - x)
 // for every elasticity matrix, uniquely up to rigid motion: the triangle grows about its centroid. A warm triangle is
 // therefore the cold one with its lever arms scaled.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

@@ -1,6 +1,6 @@
 #include "dem/timed_loads.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 // Geometry of one triangle (docs/model.md, particles): all of the shape that a rigid sphero-triangle needs.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

@@ -1,7 +1,7 @@
 #include "front/completion.hpp"
 
+#include "base/require.hpp"
 #include "front/commands_of.hpp"
-#include "kernels/base/require.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

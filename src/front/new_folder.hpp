@@ -1,7 +1,7 @@
 #pragma once
 // A folder of results that is either complete or absent.
+#include "base/require.hpp"
 #include "io/detail/files.hpp"
-#include "kernels/base/require.hpp"
 
 #include <filesystem>
 #include <string>

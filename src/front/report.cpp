@@ -1,5 +1,6 @@
 #include "front/report.hpp"
 
+#include "base/require.hpp"
 #include "front/new_folder.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/checkpoint_names.hpp"
@@ -7,7 +8,6 @@
 #include "io/history_reader.hpp"
 #include "io/run_summary.hpp"
 #include "io/shell_word.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

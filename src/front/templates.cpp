@@ -1,8 +1,8 @@
 #include "front/templates.hpp"
 
+#include "base/require.hpp"
 #include "front/embedded.hpp"
 #include "io/detail/files.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "front/watch.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/progress.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "host/exit_code.hpp"
 
+#include "base/require.hpp"
 #include "host/free_memory.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/require.hpp"
 
 #include <filesystem>
 #include <new>

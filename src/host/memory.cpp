@@ -1,7 +1,7 @@
 #include "host/memory.hpp"
 
-#include "kernels/base/base.hpp"
-#include "kernels/base/pages.hpp"
+#include "base/base.hpp"
+#include "base/pages.hpp"
 
 #include <atomic>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 // Flushing of subnormal numbers.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif

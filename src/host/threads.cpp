@@ -1,8 +1,8 @@
 #include "host/threads.hpp"
 
+#include "base/require.hpp"
 #include "host/control_groups.hpp"
 #include "host/idle_processors.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cctype>

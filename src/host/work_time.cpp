@@ -1,7 +1,7 @@
 #include "host/work_time.hpp"
 
+#include "base/base.hpp"
 #include "host/this_process.hpp"
-#include "kernels/base/base.hpp"
 
 #include <ctime>
 

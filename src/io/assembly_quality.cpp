@@ -1,6 +1,6 @@
 #include "io/assembly_quality.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <fmt/format.h>
 

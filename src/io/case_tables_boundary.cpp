@@ -1,7 +1,7 @@
 // [boundary.left|right|bottom|top], [boundary.injection] and [boundary.shape.<name>]: the conditions on the sides of
 // the lattice and on the openings inside it.
+#include "base/side.hpp"
 #include "io/detail/case_tables.hpp"
-#include "kernels/base/side.hpp"
 
 #include <fmt/format.h>
 

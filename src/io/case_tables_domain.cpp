@@ -1,6 +1,6 @@
 // [case], [lattice], [time], [geometry]: what is simulated, where and for how long.
+#include "base/lattice_size.hpp"
 #include "io/detail/case_tables.hpp"
-#include "kernels/base/lattice_size.hpp"
 
 #include <fmt/format.h>
 

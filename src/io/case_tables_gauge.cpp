@@ -1,6 +1,6 @@
 // [[output.gauges]]: quantities of the rock in the history.
+#include "base/side.hpp"
 #include "io/detail/case_tables.hpp"
-#include "kernels/base/side.hpp"
 
 #include <set>
 

@@ -1,10 +1,10 @@
 #include "io/checkpoint.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/checkpoint_file.hpp"
 #include "io/detail/checkpoint_names.hpp"
 #include "io/detail/digest.hpp"
 #include "io/detail/input_file.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,10 @@
+#include "base/require.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/checkpoint_file.hpp"
 #include "io/detail/checkpoint_names.hpp"
 #include "io/detail/digest.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The fields that modules offer for output, and the blocks that a checkpoint must contain. Both hide the type of the
 // Views behind functions that copy to the host, piece by piece, and are called only when something is written. Where
 // several ranks share a field, all of them make the same calls, and rank 0 gets the values.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <cstddef>
 #include <functional>

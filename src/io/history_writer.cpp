@@ -1,7 +1,7 @@
 #include "io/history_writer.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/files.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

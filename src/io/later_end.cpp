@@ -1,7 +1,7 @@
 #include "io/later_end.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/case_tables.hpp"
-#include "kernels/base/require.hpp"
 
 namespace vug {
 

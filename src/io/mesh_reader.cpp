@@ -1,9 +1,9 @@
 #include "io/mesh_reader.hpp"
 
+#include "base/require.hpp"
 #include "io/assembly_quality.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/detail/mesh_sections.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "io/palette_picture.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <png.h>

@@ -1,7 +1,7 @@
 #include "io/require_fields.hpp"
 
+#include "base/require.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

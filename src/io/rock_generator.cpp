@@ -1,11 +1,11 @@
 #include "io/rock_generator.hpp"
 
+#include "base/require.hpp"
 #include "io/assembly_quality.hpp"
 #include "io/detail/delaunay.hpp"
 #include "io/detail/disc_outline.hpp"
 #include "io/detail/poisson_disc.hpp"
 #include "io/detail/rock_outline.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "io/rock_regions.hpp"
 
+#include "base/require.hpp"
 #include "io/form.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

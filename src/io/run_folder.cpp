@@ -1,11 +1,11 @@
 #include "io/run_folder.hpp"
 
+#include "base/require.hpp"
 #include "host/this_process.hpp"
 #include "io/detail/checkpoint_names.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
 #include "io/run_record.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

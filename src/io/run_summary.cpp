@@ -1,8 +1,8 @@
 #include "io/run_summary.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/files.hpp"
 #include "io/json_text.hpp"
-#include "kernels/base/require.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 #pragma once
 // Snapshots: fields.h5 with fields.xdmf on the lattice, particles.h5 with particles.xdmf on the triangles and bonds.
+#include "base/lattice.hpp"
 #include "dem/assembly.hpp"
 #include "io/field_list.hpp"
-#include "kernels/base/lattice.hpp"
 
 #include <cstdint>
 #include <memory>

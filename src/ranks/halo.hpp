@@ -1,6 +1,6 @@
 #pragma once
 // Exchange of values that a rank reads and others compute.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 #include "ranks/ranks.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "ranks/mpi.hpp"
 
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <algorithm>
 #include <charconv>

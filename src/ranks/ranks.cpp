@@ -1,6 +1,6 @@
 #include "ranks/ranks.hpp"
 
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 #include "ranks/traffic.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "study/members.hpp"
 
+#include "base/require.hpp"
 #include "io/run_folder.hpp"
 #include "io/run_record.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "study/pool.hpp"
 
+#include "base/require.hpp"
 #include "host/control_groups.hpp"
 #include "host/interruption.hpp"
 #include "host/this_process.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "kernels/base/splitmix64.hpp"
+#include "base/splitmix64.hpp"
 #include "study/study.hpp"
 
 #include <fmt/format.h>

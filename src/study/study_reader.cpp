@@ -1,9 +1,9 @@
+#include "base/require.hpp"
 #include "io/detail/case_text.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/toml_cursor.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 #include "study/study.hpp"
 
 #include <fmt/format.h>

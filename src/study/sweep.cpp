@@ -1,10 +1,10 @@
 #include "study/sweep.hpp"
 
+#include "base/require.hpp"
 #include "host/interruption.hpp"
 #include "host/this_process.hpp"
 #include "io/detail/files.hpp"
 #include "io/run_folder.hpp"
-#include "kernels/base/require.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
 #include "study/table.hpp"

@@ -1,11 +1,11 @@
 #include "study/table.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/files.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/history_reader.hpp"
 #include "io/message.hpp"
 #include "io/run_summary.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

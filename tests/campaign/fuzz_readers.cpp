@@ -3,8 +3,8 @@
 // An input is accepted or refused with one line by InputError or FileError; one that does anything else is written to
 // FINDINGS/READER-SEED-NUMBER. FINDINGS/at holds the number of the input being read (8 bytes), for one that ends the
 // process; an input that takes longer than 10 s is ended by SIGALRM. Prints what it has counted, as JSON.
+#include "base/require.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 #include "mutator.hpp"
 #include "readers.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,9 +1,9 @@
 // Checkpoints that somebody has changed and whose digest was made to fit again: refused, or run until a guard stops
 // them; never a crash.
+#include "base/require.hpp"
 #include "coupling/simulation.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/digest.hpp"
-#include "kernels/base/require.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>

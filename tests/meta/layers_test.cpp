@@ -48,29 +48,28 @@ int check_includes(const std::string& root, const Allowed& allowed) {
 }
 
 TEST(Layers, IncludeOnlyWhatLiesBelow) {
-  const int includes = check_includes("", {{"kernels", {}},
-                                           {"host", {"kernels"}},
-                                           {"ranks", {"host", "kernels"}},
-                                           {"dem", {"ranks", "host", "kernels"}},
-                                           {"io", {"dem", "host", "kernels"}},
-                                           {"study", {"io", "host", "kernels"}},
-                                           {"front", {"io", "host", "kernels"}},
-                                           {"coupling", {"io", "dem", "ranks", "host", "kernels"}}});
+  const int includes = check_includes("", {{"base", {}},
+                                           {"kernels", {"base"}},
+                                           {"host", {"base"}},
+                                           {"ranks", {"base", "host", "kernels"}},
+                                           {"dem", {"base", "ranks", "host", "kernels"}},
+                                           {"io", {"base", "dem", "host", "kernels"}},
+                                           {"study", {"base", "io", "host", "kernels"}},
+                                           {"front", {"base", "io", "host", "kernels"}},
+                                           {"coupling", {"base", "io", "dem", "ranks", "host", "kernels"}}});
   EXPECT_GT(includes, 150);
 }
 
 TEST(Layers, OfTheKernelsIncludeOnlyWhatLiesBelow) {
-  const int includes =
-      check_includes("kernels/", {{"base", {}},
-                                  {"launch", {"base"}},
-                                  {"packs", {"base"}},
-                                  {"nodes", {"base", "launch", "packs"}},
-                                  {"flow", {"base", "launch", "packs", "nodes"}},
-                                  {"scalar", {"base", "launch", "packs", "nodes"}},
-                                  {"heat", {"base", "launch", "packs", "nodes", "scalar"}},
-                                  {"solute", {"base", "launch", "packs", "nodes", "scalar"}},
-                                  {"reaction", {"base", "launch", "packs", "nodes", "scalar", "solute"}}});
-  EXPECT_GT(includes, 150);
+  const int includes = check_includes("kernels/", {{"launch", {}},
+                                                   {"packs", {}},
+                                                   {"nodes", {"launch", "packs"}},
+                                                   {"flow", {"launch", "packs", "nodes"}},
+                                                   {"scalar", {"launch", "packs", "nodes"}},
+                                                   {"heat", {"launch", "packs", "nodes", "scalar"}},
+                                                   {"solute", {"launch", "packs", "nodes", "scalar"}},
+                                                   {"reaction", {"launch", "packs", "nodes", "scalar", "solute"}}});
+  EXPECT_GT(includes, 100);
 }
 
 /// What a file of src and the files that it includes take from outside, one after the other.

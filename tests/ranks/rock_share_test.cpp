@@ -1,7 +1,7 @@
 // How ranks share rock, on as many as mpirun starts.
+#include "base/base.hpp"
 #include "dem/mechanics.hpp"
 #include "io/rock_generator.hpp"
-#include "kernels/base/base.hpp"
 #include "world.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Intervals that are chosen as the run goes (accuracy.tolerance), at the extremes of the maps of docs/stability.md:
 // they lose nothing that holds when every step is taken.
+#include "base/require.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What breaks was announced: `vug check` warns of each measured limit before it is reached, and a run that breaks all
 // the same stops with an error that names step, field and node.
+#include "base/require.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 // A crack that closes on itself on a periodic lattice, and what it conducts.
+#include "base/splitmix64.hpp"
 #include "coupling/strip.hpp"
-#include "kernels/base/splitmix64.hpp"
 #include "kernels/flow/slit_drag.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // Values of a device view on the host: read, changed.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug::test {
 

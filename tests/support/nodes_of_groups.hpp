@@ -1,7 +1,7 @@
 #pragma once
 // Groups of nodes for the host to go through.
+#include "base/base.hpp"
 #include "coupling/rock_map.hpp"
-#include "kernels/base/base.hpp"
 
 #include <vector>
 

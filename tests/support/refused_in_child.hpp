@@ -1,6 +1,6 @@
 #pragma once
 // Failures of files that only a process of its own can have.
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <functional>
 #include <string>

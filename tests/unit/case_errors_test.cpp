@@ -1,6 +1,6 @@
 // What is wrong with a case is said in one line: where, which key, what was found, what is allowed.
+#include "base/require.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of the case reader share.
+#include "base/require.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <filesystem>

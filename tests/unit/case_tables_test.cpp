@@ -1,8 +1,8 @@
 // Tables of a case become sections of a Scene, in SI and with the documented defaults.
+#include "base/require.hpp"
 #include "io/case_keys.hpp"
 #include "io/presets.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/require.hpp"
 #include "unit/case_files.hpp"
 #include "unit/image_setup.hpp"
 

@@ -2,9 +2,9 @@
 // centres or boundaries of cells, at coordinates that are not exact in floating point.
 #include "coupling/cells.hpp"
 
+#include "base/require.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/rock.hpp"
-#include "kernels/base/require.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>

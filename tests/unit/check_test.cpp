@@ -1,9 +1,9 @@
 // What `vug check` says before a case costs anything.
 #include "coupling/check.hpp"
 
+#include "base/require.hpp"
 #include "coupling/limit_text.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 #include "support/meshed_rock.hpp"
 #include "support/obstacle.hpp"
 

@@ -1,7 +1,7 @@
 // A checkpoint gives back the same bytes or is refused; nothing in between.
 #include "io/checkpoint.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/host_copy.hpp"
 #include "support/temporary_folder.hpp"
 

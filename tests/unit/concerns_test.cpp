@@ -1,7 +1,7 @@
 // What a run reports about a state that cannot be, although it goes on; and that what can be is not called divergence.
 #include "coupling/concerns.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/watched.hpp"
 
 #include <fmt/format.h>

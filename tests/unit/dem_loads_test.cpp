@@ -1,7 +1,7 @@
 // What pushes and holds the rock at its sides, and how it comes to rest under that.
+#include "base/require.hpp"
 #include "dem/materials.hpp"
 #include "dem_support.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

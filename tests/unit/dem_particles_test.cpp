@@ -1,7 +1,7 @@
+#include "base/require.hpp"
 #include "dem/mechanics.hpp"
 #include "dem_support.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // What the disk can do to a run: be full, be forbidden, or lose its writer at any moment.
+#include "base/require.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/hdf5_file.hpp"
 #include "io/history_writer.hpp"
 #include "io/run_record.hpp"
 #include "io/snapshot_writer.hpp"
-#include "kernels/base/require.hpp"
 #include "support/made_field.hpp"
 #include "support/refused_in_child.hpp"
 #include "support/temporary_folder.hpp"

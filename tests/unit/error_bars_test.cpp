@@ -1,7 +1,7 @@
 // Error bars: the law, what they say beside a run, and what is left out.
 #include "coupling/error_bars.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/heated_slab.hpp"
 
 #include <gtest/gtest.h>

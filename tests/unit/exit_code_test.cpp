@@ -1,9 +1,9 @@
 // Which error ends a process with which exit code, and the line that says why.
 #include "host/exit_code.hpp"
 
+#include "base/require.hpp"
 #include "host/free_memory.hpp"
 #include "host/interruption.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

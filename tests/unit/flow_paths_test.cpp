@@ -1,8 +1,8 @@
 // What the geometry makes of the conditions on the fluid: mistakes are refused, what may be meant is remarked on.
 #include "coupling/flow_paths.hpp"
 
+#include "base/require.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // The compact list of fluid nodes on lattices small enough to check by hand.
 #include "kernels/nodes/fluid_nodes.hpp"
 
-#include "kernels/base/lattice_size.hpp"
+#include "base/lattice_size.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"
 

@@ -1,9 +1,9 @@
 // What the program carries with it: templates, the schema, its citation.
+#include "base/require.hpp"
 #include "front/embedded.hpp"
 #include "front/schema.hpp"
 #include "front/templates.hpp"
 #include "io/scene.hpp"
-#include "kernels/base/require.hpp"
 #include "support/run_vug.hpp"
 
 #include <gtest/gtest.h>

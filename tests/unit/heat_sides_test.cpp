@@ -1,5 +1,5 @@
 // Heat at the sides of small lattices: what enters is booked, on any rows of them.
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/heat_box.hpp"
 
 #include <gtest/gtest.h>

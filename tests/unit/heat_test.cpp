@@ -1,5 +1,5 @@
 // Laws and kernels of conjugate heat on lattices small enough to check by hand.
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "kernels/flow/guards.hpp"
 #include "kernels/heat/heat_bands.hpp"
 #include "kernels/heat/heat_kernels.hpp"

@@ -1,7 +1,7 @@
 #include "io/history_writer.hpp"
 
+#include "base/require.hpp"
 #include "io/history_reader.hpp"
-#include "kernels/base/require.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

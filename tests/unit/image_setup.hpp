@@ -1,8 +1,8 @@
 #pragma once
 // Pictures for the tests of their readers.
+#include "base/require.hpp"
 #include "io/detail/image_rows.hpp"
 #include "io/image_reader.hpp"
-#include "kernels/base/require.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <cstdlib>

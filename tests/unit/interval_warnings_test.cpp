@@ -1,8 +1,8 @@
 // What is refused and what is said of intervals that leave out something of a case.
 #include "coupling/interval_warnings.hpp"
 
+#include "base/require.hpp"
 #include "coupling/check.hpp"
-#include "kernels/base/require.hpp"
 #include "support/obstacle.hpp"
 #include "support/run_vug.hpp"
 

@@ -1,10 +1,10 @@
 // How long an interval may be, and what a case says of it.
+#include "base/require.hpp"
 #include "coupling/amount_share.hpp"
 #include "coupling/force_change.hpp"
 #include "coupling/given_changes.hpp"
 #include "coupling/interval_chooser.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // How much memory a case takes is said before it is taken.
 #include "coupling/memory_need.hpp"
 
+#include "base/require.hpp"
 #include "coupling/simulation.hpp"
 #include "host/device_memory.hpp"
 #include "host/memory.hpp"
-#include "kernels/base/require.hpp"
 #include "support/obstacle.hpp"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Gmsh meshes: both formats give the same rock, and whatever is wrong is said with its line.
 #include "io/mesh_reader.hpp"
 
+#include "base/require.hpp"
 #include "io/assembly_quality.hpp"
-#include "kernels/base/require.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // Reactions as gauges of a case read them: each side its own, stretches by the middles of edges, and in all what the
 // loads are; and loads of a case that find no rock.
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/coupled_run.hpp"
 
 #include <fmt/format.h>

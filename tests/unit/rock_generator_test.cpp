@@ -1,8 +1,8 @@
 // The generated rock: tiles exactly, has no needles, is the same for a seed, and contains its notches.
 #include "io/rock_generator.hpp"
 
+#include "base/require.hpp"
 #include "io/assembly_quality.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

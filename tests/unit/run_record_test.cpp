@@ -1,7 +1,7 @@
 #include "io/run_record.hpp"
 
+#include "base/require.hpp"
 #include "io/run_folder.hpp"
-#include "kernels/base/require.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 // files.
 #include "io/snapshot_writer.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/made_field.hpp"
 #include "support/temporary_folder.hpp"
 

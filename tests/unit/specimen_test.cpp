@@ -1,9 +1,9 @@
 // What a case with a [laboratory] asks of the press.
 #include "coupling/specimen.hpp"
 
+#include "base/require.hpp"
 #include "coupling/laboratory_run.hpp"
 #include "io/history_reader.hpp"
-#include "kernels/base/require.hpp"
 #include "support/meshed_rock.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 // What a study asks for: combinations, samples, and one line where it is none.
 #include "study/study.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 // The runs beside a run from which its error bars are found: coarser lattices, finer intervals.
+#include "base/require.hpp"
 #include "coupling/error_bars.hpp"
 #include "coupling/output_schedule.hpp"
-#include "kernels/base/require.hpp"
 #include "support/heated_slab.hpp"
 
 #include <gtest/gtest.h>

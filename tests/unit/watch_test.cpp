@@ -1,7 +1,7 @@
 // A run under way in a terminal.
 #include "front/watch.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/no_locks.hpp"
 #include "support/run_vug.hpp"
 

@@ -1,9 +1,9 @@
 // What is pressed into a space and finds no way out, also at some times only or by a surface that moves; and how fast a
 // body force may drive the fluid where it has a way.
+#include "base/require.hpp"
 #include "coupling/events.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/simulation.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

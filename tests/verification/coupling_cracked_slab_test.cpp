@@ -1,8 +1,8 @@
 // A front of acid in cracked rock: a pathway is open to the acid, but the rock of its cells is still there to dissolve.
 #include "../reference/reactive_box.hpp"
+#include "base/base.hpp"
 #include "coupling/pathways.hpp"
 #include "coupling/rock.hpp"
-#include "kernels/base/base.hpp"
 #include "support/host_copy.hpp"
 #include "support/record.hpp"
 

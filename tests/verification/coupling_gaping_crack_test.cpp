@@ -1,6 +1,6 @@
 // Pathways as wide as their cracks gape, below the size of a cell and above.
+#include "base/require.hpp"
 #include "dem_support.hpp"
-#include "kernels/base/require.hpp"
 #include "support/coupled_run.hpp"
 #include "support/cracked_rock.hpp"
 #include "support/record.hpp"

@@ -1,8 +1,8 @@
 // Rock at the edge of what can be asked of it: the motion stays finite, or a StabilityError says that it does not.
+#include "base/require.hpp"
 #include "dem/laboratory.hpp"
 #include "dem/soundness.hpp"
 #include "dem_support.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

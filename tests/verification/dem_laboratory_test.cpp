@@ -1,8 +1,8 @@
 // The press itself: when a test ends and what it says.
+#include "base/require.hpp"
 #include "dem/laboratory.hpp"
 #include "dem/materials.hpp"
 #include "dem_support.hpp"
-#include "kernels/base/require.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Minerals of one rock: the balance of each, where pixels vanish and where pathways hand solid on, and their triangles.
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "support/coupled_run.hpp"
 #include "support/minerals_of_small_rock.hpp"
 #include "support/run_vug.hpp"

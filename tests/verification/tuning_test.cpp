@@ -1,9 +1,9 @@
 // Settings from a tolerance: what is promised of the chosen ones is found again by runs of their own.
 #include "coupling/tuning.hpp"
 
+#include "base/require.hpp"
 #include "coupling/history_difference.hpp"
 #include "io/override_scene.hpp"
-#include "kernels/base/require.hpp"
 #include "support/rows.hpp"
 
 #include <fmt/format.h>

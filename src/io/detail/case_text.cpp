@@ -1,8 +1,8 @@
 #include "io/detail/case_text.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/input_file.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

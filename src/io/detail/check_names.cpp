@@ -1,9 +1,9 @@
 // Checks every name in a case against the keys that the reader knows.
+#include "base/require.hpp"
 #include "io/case_keys.hpp"
 #include "io/detail/case_checks.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

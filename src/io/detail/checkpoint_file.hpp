@@ -1,8 +1,8 @@
 #pragma once
 // The format of a checkpoint, for its writer and its reader.
+#include "base/require.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/input_file.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "io/detail/checkpoint_names.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/step_names.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

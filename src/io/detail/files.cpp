@@ -1,6 +1,6 @@
 #include "io/detail/files.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "io/detail/hdf5_file.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <hdf5.h>
 

@@ -1,8 +1,8 @@
 #include "io/detail/input_file.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/files.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // fields.h5 with fields.xdmf and the folder fields: the cells of the lattice.
+#include "base/lattice.hpp"
 #include "io/detail/field_layout.hpp"
 #include "io/detail/snapshot_series.hpp"
-#include "kernels/base/lattice.hpp"
 
 namespace vug::detail {
 

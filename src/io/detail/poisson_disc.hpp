@@ -1,7 +1,7 @@
 #pragma once
 // Points that each keep a distance of their own from all others (Bridson's algorithm, which grows from given points).
+#include "base/splitmix64.hpp"
 #include "io/detail/delaunay.hpp"
-#include "kernels/base/splitmix64.hpp"
 
 #include <functional>
 #include <vector>

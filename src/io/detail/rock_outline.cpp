@@ -1,6 +1,6 @@
 #include "io/detail/rock_outline.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 
 #include <fmt/format.h>
 

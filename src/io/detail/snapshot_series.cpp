@@ -1,8 +1,8 @@
 #include "io/detail/snapshot_series.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/step_names.hpp"
 #include "io/detail/xdmf.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Definitions of StateList's templates.
+#include "base/require.hpp"
 #include "io/field_list.hpp"
-#include "kernels/base/require.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "io/detail/toml_cursor.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/quantity.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

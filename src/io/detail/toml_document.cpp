@@ -1,8 +1,8 @@
 #include "io/detail/toml_document.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/toml_hazards.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

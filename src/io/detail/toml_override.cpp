@@ -1,9 +1,9 @@
 // `--set table.key=value` replaces a value of the file by one from the command line; `--set table={...}` replaces a
 // whole table.
+#include "base/require.hpp"
 #include "io/detail/toml_document.hpp"
 #include "io/detail/toml_hazards.hpp"
 #include "io/message.hpp"
-#include "kernels/base/require.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Conditions on the sides of the lattice, on stretches of them and on the surfaces of named shapes.
+#include "base/choices.hpp"
 #include "dem/support.hpp"
 #include "io/time_table.hpp"
-#include "kernels/base/choices.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 // Flow, heat and dissolved species.
-#include "kernels/base/choices.hpp"
+#include "base/choices.hpp"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 // The reaction of the fluid with the walls of the rock.
-#include "kernels/base/choices.hpp"
+#include "base/choices.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // The incompressible equilibrium of D2Q9 in pressure form. Populations are deviations from rest at the reference
 // pressure: f = 0 is fluid at rest there, so that creeping flow keeps its digits in float.
-#include "kernels/base/velocity_set.hpp"
+#include "base/velocity_set.hpp"
 
 namespace vug {
 

@@ -1,5 +1,5 @@
 // Making, growing and filling the fields of the flow, and their sums.
-#include "kernels/base/pages.hpp"
+#include "base/pages.hpp"
 #include "kernels/flow/flow.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"

@@ -3,7 +3,7 @@
 //   f* = f - M^-1 S (M f - meq) + M^-1 (1 - S/2) F,
 // with M the moment basis of Lallemand and Luo. All conserve rho' = sum f and add exactly the body force to sum c f.
 // They take the populations of one node or of several at once: V is the number type T or a pack of such numbers.
-#include "kernels/base/choices.hpp"
+#include "base/choices.hpp"
 #include "kernels/flow/equilibrium.hpp"
 #include "kernels/packs/pack.hpp"
 

@@ -1,7 +1,7 @@
 #include "kernels/heat/heat.hpp"
 
-#include "kernels/base/pages.hpp"
-#include "kernels/base/require.hpp"
+#include "base/pages.hpp"
+#include "base/require.hpp"
 #include "kernels/heat/heat_bands.hpp"
 #include "kernels/launch/row_launch.hpp"
 #include "kernels/scalar/turning.hpp"

@@ -1,6 +1,6 @@
 #include "kernels/heat/heat_boundary.hpp"
 
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "kernels/heat/heat_conditions.hpp"
 #include "kernels/launch/launch_lists.hpp"
 #include "kernels/launch/row_launch.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // The laws of the heat step, one node each.
-#include "kernels/base/unroll.hpp"
+#include "base/unroll.hpp"
 #include "kernels/heat/heat.hpp"
 #include "kernels/scalar/rounding.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"

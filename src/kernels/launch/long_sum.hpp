@@ -1,6 +1,6 @@
 #pragma once
 // Sums of amounts that arrive in every step of a run of millions of steps.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <string>
 

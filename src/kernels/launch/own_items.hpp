@@ -1,6 +1,6 @@
 #pragma once
 // Lists are computed in blocks, which processes may share: the items of a list that this process computes.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

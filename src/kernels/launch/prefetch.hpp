@@ -1,7 +1,7 @@
 #pragma once
 // Prefetching of data that is read in an order that a processor cannot predict. A function that only prefetches must be
 // inlined by force: GCC takes a call of it for one without effect and drops it.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

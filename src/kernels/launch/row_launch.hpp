@@ -1,7 +1,7 @@
 #pragma once
 // The launchers of launch.hpp for dense fields: on a host, one row per index with an inner loop over x that the
 // compiler vectorises; on a GPU, one node per thread.
-#include "kernels/base/lattice.hpp"
+#include "base/lattice.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug {

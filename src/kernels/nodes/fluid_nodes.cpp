@@ -1,6 +1,6 @@
 #include "kernels/nodes/fluid_nodes.hpp"
 
-#include "kernels/base/lattice_size.hpp"
+#include "base/lattice_size.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
 

@@ -9,10 +9,10 @@
 //
 // All other boundary conditions *dress* that outgoing population before the sweep: a pressure opening, a moving or a
 // reactive wall overwrites slot (opposite(q), i), which no other node reads, and plain bounce-back brings it back.
-#include "kernels/base/base.hpp"
-#include "kernels/base/lattice.hpp"
-#include "kernels/base/side.hpp"
-#include "kernels/base/velocity_set.hpp"
+#include "base/base.hpp"
+#include "base/lattice.hpp"
+#include "base/side.hpp"
+#include "base/velocity_set.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/source_windows.hpp"
 

@@ -1,5 +1,5 @@
 // The boundary of a list of fluid nodes: the surface of the rock, and the links through the sides of the lattice.
-#include "kernels/base/unroll.hpp"
+#include "base/unroll.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/nodes/marked_nodes.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Numbers the few nodes of the dense lattice that meet a condition, in node order. A pass that vectorises marks them.
 // They are then searched eight marks at a time, most of which are zero.
-#include "kernels/base/lattice.hpp"
+#include "base/lattice.hpp"
 #include "kernels/launch/row_launch.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 // Fluid nodes whose pore is narrower than a cell: data for the drag of their walls (flow/slit_drag.hpp) and the
 // diffusion along them (solute/slit_diffusion.hpp).
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

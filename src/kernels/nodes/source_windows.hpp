@@ -4,8 +4,8 @@
 // pathways of three nodes). Where the processor has permutations and masked stores (AVX-512), two loads and a
 // permutation replace eight loads, and a permutation and masked stores replace eight stores. AVX-512's own gathers and
 // scatters are no faster than single loads and stores, which other processors use.
-#include "kernels/base/unroll.hpp"
-#include "kernels/base/velocity_set.hpp"
+#include "base/unroll.hpp"
+#include "base/velocity_set.hpp"
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/packs/pack.hpp"
 

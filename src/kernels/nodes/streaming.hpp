@@ -7,7 +7,7 @@
 // capacity + i of the node that it leaves. After an odd number of steps, one that is about to move to a fluid neighbour
 // has changed places with the one that moves the other way (*turned*). One that leaves the fluid is always at home, so
 // the conditions at walls and openings need not know of this.
-#include "kernels/base/unroll.hpp"
+#include "base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Packs of eight numbers, on hosts: a kernel's law takes a pack as it takes a number, and memory is read and written by
 // eights. The same code serves every processor; those with a file of their own below are faster.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 // Not on a GPU, where each thread has one number.
 #if !defined(__CUDACC__) && !defined(__HIPCC__)

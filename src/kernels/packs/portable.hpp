@@ -1,7 +1,7 @@
 #pragma once
 // Packs for every host: the compiler's vectors in registers of `bytes` bytes, as many as eight numbers need. What
 // certain processors do faster is in files of their own (avx2.hpp, avx512.hpp) and gives the same bits.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <cstdint>
 #include <type_traits>

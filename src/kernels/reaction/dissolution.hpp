@@ -3,7 +3,7 @@
 // interval, between two lattice steps, as
 //   mark_dissolved -> append_births -> find_surface -> per species
 //   fit_to_capacity -> settle -> initialise_births.
-#include "kernels/base/choices.hpp"
+#include "base/choices.hpp"
 #include "kernels/solute/solute.hpp"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 // The true surface that a wall link stands for.
-#include "kernels/base/base.hpp"
-#include "kernels/base/velocity_set.hpp"
+#include "base/base.hpp"
+#include "base/velocity_set.hpp"
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/reaction/reaction.hpp"
 

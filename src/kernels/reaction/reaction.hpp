@@ -2,8 +2,8 @@
 // Rate laws of the reaction L1 + S1 -> y L2 at a wall (paper Eqs. 6-8, where y = 1), as pure functions of the data of
 // one wall link. Lattice units; q = 1/K_eq (0 = irreversible); every form is accurate for rate constants from 1e-30 to
 // 1e30, in float as well as in double.
-#include "kernels/base/base.hpp"
-#include "kernels/base/exponential.hpp"
+#include "base/base.hpp"
+#include "base/exponential.hpp"
 
 namespace vug {
 

@@ -5,7 +5,7 @@
 // Rock dissolves over thousands of steps and warms as slowly. The list of links, their conductances and the solid that
 // they have dissolved are therefore updated only now and then (find_reactive_links, set_conductances, book_turnover),
 // so that a step is one loop over a list of links.
-#include "kernels/base/choices.hpp"
+#include "base/choices.hpp"
 #include "kernels/reaction/link_area.hpp"
 #include "kernels/reaction/reaction.hpp"
 #include "kernels/solute/solute.hpp"

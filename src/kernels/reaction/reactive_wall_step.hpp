@@ -1,6 +1,6 @@
 #pragma once
 // The reaction at one link, by either law.
-#include "kernels/base/require.hpp"
+#include "base/require.hpp"
 #include "kernels/reaction/reactive_wall.hpp"
 
 namespace vug {

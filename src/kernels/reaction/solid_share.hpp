@@ -1,6 +1,6 @@
 #pragma once
 // The share of a node's solid that is left, whatever the volume that it was given.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 namespace vug {
 

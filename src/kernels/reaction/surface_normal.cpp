@@ -1,6 +1,6 @@
 #include "kernels/reaction/surface_normal.hpp"
 
-#include "kernels/base/unroll.hpp"
+#include "base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 #include "kernels/packs/pack.hpp"

@@ -1,6 +1,6 @@
 #include "kernels/scalar/advective_form.hpp"
 
-#include "kernels/base/unroll.hpp"
+#include "base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"

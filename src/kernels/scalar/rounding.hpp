@@ -6,7 +6,7 @@
 // would be missing in the balance (up to 1e-8 of the amount per step, 1 % in a million steps). Here a sum is rounded up
 // or down at random, with the odds at which the mean is the exact sum. Numbers that are exact stay as they are. In
 // double precision the same loss is 1e-17 per step, and sums are ordinary sums.
-#include "kernels/base/splitmix64.hpp"
+#include "base/splitmix64.hpp"
 #include "kernels/packs/pack.hpp"
 
 #include <type_traits>

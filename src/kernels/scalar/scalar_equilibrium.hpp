@@ -1,7 +1,7 @@
 #pragma once
 // Equilibrium distribution over the velocities of a scalar that the fluid carries.
-#include "kernels/base/base.hpp"
-#include "kernels/base/velocity_set.hpp"
+#include "base/base.hpp"
+#include "base/velocity_set.hpp"
 
 #include <type_traits>
 

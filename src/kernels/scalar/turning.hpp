@@ -1,6 +1,6 @@
 #pragma once
 // The collision between two steps of a scalar that take different numbers of lattice steps.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "kernels/solute/solute.hpp"
 
-#include "kernels/base/pages.hpp"
-#include "kernels/base/require.hpp"
+#include "base/pages.hpp"
+#include "base/require.hpp"
 #include "kernels/scalar/turning.hpp"
 #include "kernels/solute/solute_sweep.hpp"
 

@@ -5,7 +5,7 @@
 // Order within a lattice step: dress the outgoing populations in `h` (solute_boundary.hpp), then advance_solute, which
 // pulls, collides and stores in place (streaming.hpp), then react_at_wall (reactive_wall.hpp), which dresses the
 // populations that have just gone out. Births come between two steps (dissolution.hpp).
-#include "kernels/base/velocity_set.hpp"
+#include "base/velocity_set.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 #include "kernels/scalar/rounding.hpp"
 #include "kernels/scalar/scalar_equilibrium.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // The sweep of the lattice kinetic scheme, for a node or a pack, and how a host runs it over a block.
-#include "kernels/base/unroll.hpp"
+#include "base/unroll.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/streaming.hpp"
 #include "kernels/scalar/rounding.hpp"

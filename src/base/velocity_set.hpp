@@ -1,8 +1,8 @@
 #pragma once
 // The discrete velocity sets. D2Q5 is the first five directions of D2Q9, so one table of neighbours serves both.
-#include "kernels/base/base.hpp"
-#include "kernels/base/choices.hpp"
-#include "kernels/base/unroll.hpp"
+#include "base/base.hpp"
+#include "base/choices.hpp"
+#include "base/unroll.hpp"
 
 namespace vug {
 

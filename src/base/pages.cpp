@@ -1,4 +1,4 @@
-#include "kernels/base/pages.hpp"
+#include "base/pages.hpp"
 
 #include <cstdint>
 #include <cstring>

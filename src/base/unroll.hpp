@@ -2,7 +2,7 @@
 // Loops over the directions of a velocity set must be unrolled: only then does the loop over nodes around them
 // vectorise, and only then do tables of directions fold to constants instead of being written to the stack in every
 // iteration.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <utility>
 

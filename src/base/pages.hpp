@@ -1,7 +1,7 @@
 #pragma once
 // Pages of host memory. Pages that are never written take no memory: a rank can have fields over all nodes of which
 // only its own nodes take room. Large fields are in large pages, whose addresses a processor translates faster.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,9 +1,9 @@
 #pragma once
 // The rectangle of nodes, how dense fields over it are numbered, and steps from node to node.
-#include "kernels/base/base.hpp"
-#include "kernels/base/lattice_size.hpp"
-#include "kernels/base/side.hpp"
-#include "kernels/base/velocity_set.hpp"
+#include "base/base.hpp"
+#include "base/lattice_size.hpp"
+#include "base/side.hpp"
+#include "base/velocity_set.hpp"
 
 #include <array>
 

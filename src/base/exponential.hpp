@@ -1,6 +1,6 @@
 #pragma once
 // An exponential function that vectorises in loops over nodes, with the same bits on every processor.
-#include "kernels/base/base.hpp"
+#include "base/base.hpp"
 
 #include <cstdint>
 
