@@ -29,7 +29,7 @@ struct EveryPiece {
 /// A team per piece, of any size that there can be.
 struct TeamPerPiece {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  PressureAlongByTeam<double> body;
+  PressureAlong<double> body;
   KOKKOS_FUNCTION void operator()(const Team& team) const { body(team, team.league_rank()); }
 };
 
@@ -48,7 +48,6 @@ class PiecesOfAnOutflow {
     }
     Kokkos::deep_copy(flow.fields.u, u);
     fit_to_links(exec_, flow.nodes, links, state_);
-    state_.room = ScalarField<double>("room", 3 * links.count);
     condition_ = outflow_condition(links_, {}, state_, flow.gain);
     at_ = AlongPiece<double>{condition_, flow.fields.u, Upstream(flow.nodes)};
   }
@@ -59,7 +58,7 @@ class PiecesOfAnOutflow {
     return taken();
   }
   Values by_teams() {
-    for_each_team_of_lists(exec_, "by_teams", all(), threads_per_sum, EveryPiece<PressureAlongByTeam<double>>{{*at_}});
+    for_each_team_of_lists(exec_, "by_teams", all(), threads_per_sum, EveryPiece<PressureAlong<double>>{{*at_}});
     return taken();
   }
   /// Empty where there can be no such team.

@@ -224,7 +224,7 @@ void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks
   state.speed = ScalarField<double>("vug::open_boundary::speed", block_count(links.count));
   Kokkos::resize(exec, state.level, 2);
   state.along = ScalarField<double>("vug::open_boundary::along", links.count);
-  if constexpr (!runs_on_host) state.room = ScalarField<double>("vug::open_boundary::room", 3 * links.count);
+  state.room = ScalarField<double>("vug::open_boundary::room", 3 * links.count);
   IndexList next, previous;
   for (IndexList* list : {&next, &previous, &state.face}) *list = IndexList("vug::open_boundary::pieces", links.count);
   int faces = 0;

@@ -75,7 +75,7 @@ struct OutflowState {
   IndexList order;              ///< (face) the straight links piece by piece, along each towards higher coordinates
   IndexList piece;              ///< (piece + 1) where each piece begins in `order`, and the end of the last one
   IndexList face;               ///< (link) straight link of its node, for a straight link itself; -1: none
-  ScalarField<double> room;     ///< (3 link) work space for sums, on a GPU
+  ScalarField<double> room;     ///< (3 link) work space for sums and slopes
 };
 
 /// Allocates the arrays of `state` for `links` and lists the straight pieces; keeps the level.
@@ -85,7 +85,7 @@ void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks
 /// the reference pressure. The first, for the whole surface, is c_s times the recent change of the mean outward speed:
 /// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), and
 /// the mean pressure returns to the reference. The second, along each straight piece, is a pressure of mean zero with
-/// which vortices are carried out unchanged (PressureAlong in outflow.hpp).
+/// which vortices are carried out unchanged (PressureAlong in outflow_pressure.hpp).
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 

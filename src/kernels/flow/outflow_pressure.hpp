@@ -35,73 +35,54 @@ struct AlongPiece {
   }
 };
 
+/// One thread in place of a team.
+struct OneThread {};
+
+/// body(k) for every k < count, by all threads of a team, which wait for one another.
+template <class Team, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void for_each_by(const Team& team, int count, const Body& body) {
+  if constexpr (std::is_same_v<Team, OneThread>) {
+    for (int k = 0; k < count; ++k) body(k);
+  } else {
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, count), body);
+    team.team_barrier();
+  }
+}
+
 /// Pressure along a straight piece of an outflow: with the velocity u outwards, v along it and U the mean of u,
 ///   dp/ds = -(v dv/ds + (u - U) dv/dn),   mean over the piece 0,
 /// times carried_share. This is the momentum equation along the piece for a flow whose v is carried out at U,
 /// dv/dt + U dv/dn = 0 (a convective outflow after Orlanski 1976, expressed as a pressure). The pressure is zero where
 /// all fluid leaves at right angles. dv/dn is taken between the node and the one behind it, and is 0 if that is rock.
 /// On a joined side the ends meet: what remains of the integral around it is distributed evenly.
+///
+/// By one thread, or on a GPU, where that would take a microsecond for each face, by a team, of which each thread sums
+/// over runs of consecutive faces. The bits do not depend on the size of the team, and are those of one thread for
+/// pieces of at most `most_runs` faces.
 template <class T>
 struct PressureAlong {
-  AlongPiece<T> at;
-
-  /// Sets `along` of all faces of the piece.
-  KOKKOS_FUNCTION void operator()(int piece) const {
-    const FlowCondition& links = at.links;
-    const int begin = links.piece[piece], end = links.piece[piece + 1], faces = end - begin;
-    const int first = links.order[begin], last = links.order[end - 1], q = links.direction[first];
-    double speed = 0, square = 0;
-    for (int k = begin; k < end; ++k) {
-      const auto here = at.velocity(q, links.fluid[links.order[k]]);
-      speed += here.out;
-      square += here.out * here.out + here.along * here.along;
-    }
-    const double mean = speed / faces, U = Kokkos::max(mean, 0.0);
-
-    double integral = 0, slope = 0, sum = 0, first_slope = 0;
-    for (int k = begin; k < end; ++k) {
-      const int face = links.order[k], i = links.fluid[face];
-      const auto here = at.velocity(q, i);
-      const double next = at.slope(q, i, here, U);
-      if (k == begin)
-        first_slope = next;
-      else
-        integral -= 0.5 * (slope + next);
-      slope = next;
-      links.along[face] = integral - 0.5 * here.along * here.along;
-      sum += links.along[face];
-    }
-    const double step = at.joined(q, first, last) ? (integral - 0.5 * (slope + first_slope)) / faces : 0;
-    const double share = 3 * carried_share(U, square / faces - mean * mean);
-    double level = sum / faces - 0.5 * (faces - 1) * step;
-    for (int k = begin; k < end; ++k, level += step) {
-      const int face = links.order[k];
-      links.along[face] = share * (links.along[face] - level);
-    }
-  }
-};
-
-/// PressureAlong by a team, for a GPU, where one thread would take a microsecond for each face. A thread sums over each
-/// run of consecutive faces, then the runs are summed: the bits do not depend on the size of the team, and are those of
-/// PressureAlong for pieces of at most `most_runs` faces whose ends do not meet.
-template <class T>
-struct PressureAlongByTeam {
   static constexpr int most_runs = 256;
   AlongPiece<T> at;
 
+  /// Sets `along` of all faces of the piece.
+  KOKKOS_FUNCTION void operator()(int piece) const { set(OneThread{}, 1, piece); }
   template <class Team>
   KOKKOS_FUNCTION void operator()(const Team& team, int piece) const {
+    set(team, most_runs, piece);
+  }
+
+ private:
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void set(const Team& team, int most, int piece) const {
     const FlowCondition& links = at.links;
     const int begin = links.piece[piece], faces = links.piece[piece + 1] - begin;
     const int* order = links.order + begin;
     const int first = order[0], last = order[faces - 1], q = links.direction[first];
-    const int length = (faces + most_runs - 1) / most_runs, runs = (faces + length - 1) / length;
+    const int length = (faces + most - 1) / most, runs = (faces + length - 1) / length;
     const auto end_of = [=](int run) { return (run + 1) * length < faces ? (run + 1) * length : faces; };
     double *one = links.room + begin, *other = one + links.count, *slope = other + links.count;
-    const auto every_run = Kokkos::TeamThreadRange(team, runs);
-    const auto every_face = Kokkos::TeamThreadRange(team, faces);
 
-    Kokkos::parallel_for(every_run, [&](int run) {
+    for_each_by(team, runs, [&](int run) {
       double speed = 0, square = 0;
       for (int k = run * length; k < end_of(run); ++k) {
         const auto here = at.velocity(q, links.fluid[order[k]]);
@@ -111,39 +92,35 @@ struct PressureAlongByTeam {
       one[run] = speed;
       other[run] = square;
     });
-    team.team_barrier();
     const double mean = sum_of(one, runs) / faces, square = sum_of(other, runs), U = Kokkos::max(mean, 0.0);
-    Kokkos::parallel_for(every_face, [&](int k) {
+    for_each_by(team, faces, [&](int k) {
       const int i = links.fluid[order[k]];
       slope[k] = at.slope(q, i, at.velocity(q, i), U);
     });
-    team.team_barrier();
-    Kokkos::parallel_for(every_run, [&](int run) {
-      double rise = 0;
-      for (int k = run * length; k < end_of(run); ++k) rise -= k > 0 ? 0.5 * (slope[k - 1] + slope[k]) : 0;
-      one[run] = rise;
+    const auto rise = [&](int k) { return k > 0 ? -0.5 * (slope[k - 1] + slope[k]) : 0; };
+    for_each_by(team, runs, [&](int run) {
+      double sum = 0;
+      for (int k = run * length; k < end_of(run); ++k) sum += rise(k);
+      one[run] = sum;
     });
-    team.team_barrier();
-    Kokkos::parallel_for(every_run, [&](int run) {
+    for_each_by(team, runs, [&](int run) {
       double integral = sum_of(one, run), sum = 0;
       for (int k = run * length; k < end_of(run); ++k) {
-        if (k > 0) integral -= 0.5 * (slope[k - 1] + slope[k]);
+        integral += rise(k);
         const double along = at.velocity(q, links.fluid[order[k]]).along;
         links.along[order[k]] = integral - 0.5 * along * along;
         sum += links.along[order[k]];
       }
       other[run] = sum;
     });
-    team.team_barrier();
     const bool joined = at.joined(q, first, last);
     const double step = joined ? (sum_of(one, runs) - 0.5 * (slope[faces - 1] + slope[0])) / faces : 0;
     const double share = 3 * carried_share(U, square / faces - mean * mean);
     const double level = sum_of(other, runs) / faces - 0.5 * (faces - 1) * step;
-    Kokkos::parallel_for(every_face,
-                         [&](int k) { links.along[order[k]] = share * (links.along[order[k]] - (level + k * step)); });
+    for_each_by(team, faces,
+                [&](int k) { links.along[order[k]] = share * (links.along[order[k]] - (level + k * step)); });
   }
 
- private:
   KOKKOS_FORCEINLINE_FUNCTION static double sum_of(const double* values, int count) {
     double sum = 0;
     for (int i = 0; i < count; ++i) sum += values[i];
@@ -160,10 +137,7 @@ struct PressuresAlong {
   static int count(const FlowCondition& c) { return c.known() > 0 ? c.pieces : 0; }
   template <class Run>
   KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
-    if constexpr (runs_on_host)
-      run(PressureAlong<T>{{c, u, upstream}});
-    else
-      run(PressureAlongByTeam<T>{{c, u, upstream}});
+    run(PressureAlong<T>{{c, u, upstream}});
   }
 };
 
