@@ -5,6 +5,7 @@
 #include "front/short_waits.hpp"
 #include "host/exit_code.hpp"
 #include "host/memory.hpp"
+#include "host/memory_reserve.hpp"
 #include "host/subnormals.hpp"
 #include "host/threads.hpp"
 #include "io/message.hpp"
@@ -122,8 +123,9 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  vug::wait_briefly(argv);
   vug::occupy_standard_streams();
+  if (!vug::reserve_memory()) vug::end_out_of_memory();
+  vug::wait_briefly(argv);
   vug::listen_to_signals();
   vug::end_with_parent();
   try {

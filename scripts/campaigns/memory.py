@@ -34,22 +34,37 @@ def limited(site, limit, what):
     return code, said
 
 
+def least(works, low, high, tolerance):
+    """About the least limit, bytes, with which works(limit) is true; it is with `high`."""
+    while high - low > tolerance:
+        limit = (low + high) // 2
+        low, high = (low, limit) if works(limit) else (limit, high)
+    return high
+
+
 def enough(site):
     """About the least with which the run ends well."""
-    low, high = LEAST, MOST
-    while high - low > 1 << 20:
-        limit = (low + high) // 2
-        low, high = (low, limit) if limited(site, limit, f"{limit} bytes of memory")[0] == 0 else (limit, high)
-    return high
+    return least(lambda limit: limited(site, limit, f"{limit} bytes of memory")[0] == 0, LEAST, MOST, 1 << 20)
+
+
+def start_of_program(site, edge):
+    """About the least with which vug prints a text that it holds. Above it there is a little memory, and then none."""
+    def prints(limit):
+        process = start(site, limit, TRIFLE)
+        process.communicate()
+        return process.returncode == 0
+    return least(prints, LEAST, edge, 16 << 10)
 
 
 def campaign(site, count):
     site.whole()
     require_trifle(site)
     edge = enough(site)
+    begin = start_of_program(site, edge)
     for number in site.rounds(count):
-        # every second one near the edge, where something has been had and more is wanted
-        limit = site.random.randrange(*((LEAST, MOST) if number % 2 else (int(0.8 * edge), int(1.05 * edge))))
+        # two of three where something has been had and more is wanted: up to the edge, and when the program begins
+        ranges = ((int(0.8 * edge), int(1.05 * edge)), (begin, begin + (1 << 20)), (LEAST, MOST))
+        limit = site.random.randrange(*ranges[number % 3])
         what = f"{limit} bytes of memory"
         code, said = limited(site, limit, what)
         site.count("limits")

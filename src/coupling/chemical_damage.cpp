@@ -103,13 +103,21 @@ struct StoreMoved {
   }
 };
 
-/// Marks a loose triangle that has left its place, and sets its remaining share to 0.
-struct LetFragmentGo {
+/// Marks the loose pieces of which a triangle has left its place.
+struct MarkLeaving {
   Particles particles;
-  Bonds bonds;
+  IndexList piece, leaving;
+  KOKKOS_FUNCTION void operator()(int t) const {
+    if (piece(t) >= 0 && is_out_of_place(particles, t)) Kokkos::atomic_store(&leaving(piece(t)), 1);
+  }
+};
+
+/// Sets the remaining share of the triangles of those pieces to 0, and counts them in `gone`.
+struct LetPieceGo {
+  IndexList piece, leaving;
   ScalarField<double> left, gone;
   KOKKOS_FUNCTION void operator()(int t) const {
-    if (!is_out_of_place(particles, t) || !nothing_holds(particles, bonds, t)) return;
+    if (piece(t) < 0 || leaving(piece(t)) == 0) return;
     left(t) = 0;
     gone(t) = 1;
   }
@@ -163,9 +171,18 @@ void DissolvedShares::update(const Exec& exec, const WetNodes& wet, const Scalar
                 StoreChemicalDamage{sectors_of_bond_, {{sum_}, sectors_}, initial_, solid_fraction_, d_c_});
 }
 
-void DissolvedShares::let_go(const Exec& exec, const Particles& particles, const Bonds& bonds) const {
-  for_each_node(exec, "vug::chemical_damage::let_go", static_cast<int>(let_go_.extent(0)),
-                LetFragmentGo{particles, bonds, triangles_.left, let_go_});
+void DissolvedShares::follow_fragments() {
+  let_go_ = ScalarField<double>("vug::chemical_damage::let_go", solid_fraction_.extent(0));
+  leaving_ = IndexList("vug::chemical_damage::leaving", solid_fraction_.extent(0));
+}
+
+void DissolvedShares::let_go(const Exec& exec, const Particles& particles, const Bonds& bonds) {
+  if (let_go_.extent(0) == 0 || count_out_of_place(exec, particles) == 0) return;
+  const IndexList piece = pieces_.find(exec, particles, bonds);
+  Kokkos::deep_copy(exec, leaving_, 0);
+  for_each_node(exec, "vug::chemical_damage::mark_leaving", particles.count, MarkLeaving{particles, piece, leaving_});
+  for_each_node(exec, "vug::chemical_damage::let_go", particles.count,
+                LetPieceGo{piece, leaving_, triangles_.left, let_go_});
 }
 
 int DissolvedShares::let_go_count() const {

@@ -2,6 +2,7 @@
 // The effect of dissolution on triangles and bonds.
 #include "coupling/wet_nodes.hpp"
 #include "dem/bonds.hpp"
+#include "dem/pieces.hpp"
 
 #include <string>
 
@@ -50,12 +51,13 @@ class DissolvedShares {
               const ScalarField<double>& dissolved) const;
 
   /// Allows calls of `let_go`.
-  void follow_fragments() { let_go_ = ScalarField<double>("vug::chemical_damage::let_go", solid_fraction_.extent(0)); }
-  /// Lets fragments go that the fluid carries off: triangles that neither a bond nor a support holds and that have
-  /// moved farther than half their size from their place on the lattice (dem/out_of_place.hpp). From the next update on
-  /// such a triangle has no share left, but its solid stays where it is drawn. Does nothing without follow_fragments.
-  void let_go(const Exec& exec, const Particles& particles, const Bonds& bonds) const;
-  /// Number of fragments let go so far; waits for the device.
+  void follow_fragments();
+  /// Lets fragments go that the fluid carries off: whole pieces that nothing holds (dem/pieces.hpp), once a triangle of
+  /// theirs has moved farther than half its size from its place on the lattice (dem/out_of_place.hpp). From the next
+  /// update on their triangles have no share left, but their solid stays where it is drawn. Does nothing without
+  /// follow_fragments. Waits for the device; pieces are found on the host, where bonds have failed since the last call.
+  void let_go(const Exec& exec, const Particles& particles, const Bonds& bonds);
+  /// Number of triangles let go so far; waits for the device.
   int let_go_count() const;
 
   /// (triangle) share of the solid that remained at the last update.
@@ -81,9 +83,11 @@ class DissolvedShares {
   NodeGroups nodes_of_sector_;
   SectorPairs sectors_of_bond_;
   SolidMoved triangles_, sectors_;
-  ScalarField<double> initial_;     ///< (sector) solid volume, pixels
-  ScalarField<double> settled_;     ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
-  ScalarField<double> let_go_;      ///< (triangle) 1 for a fragment that was let go; empty without follow_fragments
+  ScalarField<double> initial_;  ///< (sector) solid volume, pixels
+  ScalarField<double> settled_;  ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
+  ScalarField<double> let_go_;   ///< (triangle) 1 for one that was let go; empty without follow_fragments
+  IndexList leaving_;            ///< (triangle) 1 at the lowest one of a piece that goes now; empty likewise
+  LoosePieces pieces_;
   ScalarField<double> sum_, held_;  ///< (sector) work space of an update
   ScalarField<double> solid_fraction_, d_c_;
 };

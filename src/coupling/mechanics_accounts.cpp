@@ -2,7 +2,9 @@
 #include "coupling/mechanics_module.hpp"
 #include "coupling/rock_fields.hpp"
 #include "coupling/rock_limits.hpp"
+#include "dem/monitors.hpp"
 #include "dem/out_of_place.hpp"
+#include "dem/pieces.hpp"
 
 #include <fmt/format.h>
 
@@ -17,16 +19,35 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
                    "raise mechanics.substeps or leave it out"});
   table.push_back(limit_of_edges(mechanics_, units_.spacing));
   if (warming_ > 0) table.push_back(limit_of_thermal_strain(mechanics_.parameters().thermal_expansion, warming_));
+  if (!section_.initial_velocities.empty()) table.push_back(limit_of_initial_velocities(section_));
 }
 
+/// Thermal strain beyond that of the temperatures that the case names, which `vug check` has judged: from given fluxes
+/// and the heat of reactions.
 template <class T>
 std::vector<Concern> MechanicsModule<T>::concerns(const Exec& exec) const {
-  if (!wet_ && !heat_) return {};  // nothing on the lattice depends on where the rock is
-  const int moved = count_out_of_place(exec, mechanics_.particles(), mechanics_.bonds(), section_.lets_fragments_go);
-  if (moved == 0) return {};
-  return {{"rock is more than half a triangle from where the lattice has it",
-           fmt::format(": {}; fluid, heat and pathways do not follow it (mechanics.fragments)",
-                       moved == 1 ? "1 triangle" : fmt::format("{} triangles", moved))}};
+  std::vector<Concern> concerns;
+  const double expansion = mechanics_.parameters().thermal_expansion;
+  if (heat_ && expansion * warming_ <= largest_small_strain) {
+    const double strain = largest_thermal_strain(exec, mechanics_.particles(), expansion);
+    if (strain > largest_small_strain)
+      concerns.push_back({fmt::format("thermal strain above {:g}", largest_small_strain),
+                          fmt::format(" ({:.3g} in the rock, {:.3g} of the temperatures that the case names): the "
+                                      "mechanics are those of small strains; check heat fluxes, reaction heats and "
+                                      "mechanics.thermal_expansion",
+                                      strain, expansion * warming_)});
+  }
+  if (!wet_ && !heat_) return concerns;  // nothing on the lattice depends on where the rock is
+  int moved = count_out_of_place(exec, mechanics_.particles());
+  if (moved > 0 && section_.lets_fragments_go) {  // those of loose pieces go with the next update
+    const auto loose = find_loose_pieces(mechanics_.particles(), mechanics_.bonds());
+    moved = count_out_of_place(exec, mechanics_.particles(), to_device<IndexList>("vug::mechanics::loose", loose));
+  }
+  if (moved > 0)
+    concerns.push_back({"rock is more than half a triangle from where the lattice has it",
+                        fmt::format(": {}; fluid, heat and pathways do not follow it (mechanics.fragments)",
+                                    moved == 1 ? "1 triangle" : fmt::format("{} triangles", moved))});
+  return concerns;
 }
 
 template <class T>

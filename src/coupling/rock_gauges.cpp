@@ -81,12 +81,12 @@ std::array<IndexList, 2> held_particles(const Gauge& gauge, const Assembly& asse
     throw InputError(
         fmt::format("{}: the rock has no edge with its middle on this stretch of the {} side", what, gauge.side));
   const std::vector<LoadedPiece> pieces = pieces_of_boundary(assembly, rock.boundary(), loads, rock.particles());
-  const std::vector<std::uint8_t> axes = axes_held_by(side, pieces, loads, rock.particles().count);
+  const std::vector<AxesOfSides> axes = axes_held(pieces, loads, rock.particles().count);
   std::array<IndexList, 2> lists;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     std::vector<int> members;
     for (const int i : held)
-      if ((axes[static_cast<std::size_t>(i)] & 1 << axis) != 0) members.push_back(i);
+      if ((axes[static_cast<std::size_t>(i)][static_cast<std::size_t>(side)] & 1 << axis) != 0) members.push_back(i);
     lists[axis] = to_device<IndexList>("vug::rock_gauges::held", members);
   }
   return lists;

@@ -4,6 +4,7 @@
 #include "dem/toughness.hpp"
 #include "io/assembly_quality.hpp"
 #include "io/notch_remarks.hpp"
+#include "io/rock_inertia.hpp"
 
 #include <fmt/format.h>
 
@@ -18,9 +19,6 @@ namespace {
 /// Largest mean edge over E G_I / sigma_n^2 of the bonds (half of that of the rock). Up to here the size of the
 /// triangles adds less than 5 % to the load of a cracked plate (docs/validation.md, toughness).
 constexpr double largest_edge = 0.6;
-
-/// Stresses are off by about as much as strains differ from small ones.
-constexpr double largest_thermal_strain = 0.02;
 
 /// Share of the mean edge below which no triangles of the length over which cracks soften can be made: bonds then break
 /// at once.
@@ -72,8 +70,22 @@ Limit limit_of_thermal_strain(double expansion, double change) {
           expansion * change,
           "1",
           0,
-          largest_thermal_strain,
+          largest_small_strain,
           "the mechanics are those of small strains; check mechanics.thermal_expansion and the temperatures"};
+}
+
+Limit limit_of_initial_velocities(const MechanicsSection& rock) {
+  double fastest = 0;
+  for (const InitialVelocity& start : rock.initial_velocities)
+    fastest = std::max(fastest, std::hypot(start.velocity[0], start.velocity[1]));
+  return {"mechanics",
+          "initial velocity times sqrt(mass_scaling)",
+          fastest * std::sqrt(rock.parameters.mass_scaling),
+          "m/s",
+          0,
+          fastest_press,
+          "inertia adds to the strength, soon more than 5 %; lower the velocity or mechanics.mass_scaling unless an "
+          "impact is meant"};
 }
 
 std::vector<std::string> remarks_on_notches_of_mesh(const Scene& scene, const Assembly& rock) {

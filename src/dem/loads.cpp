@@ -16,16 +16,25 @@ double tolerance_of(const Extent& rock) {
   return 1e-6 * std::max(rock.width(), rock.height());
 }
 
+/// RockSide of the edge p -> q with the rock on its left, or -1. Of the sides on which both its ends lie it is the one
+/// that it faces most, n . n_side with its outward normal n: in a corner an edge shorter than the tolerance lies on
+/// two. Where it faces none of them (the face of a slot close to the side), it is an inner surface.
 int side_of(const std::array<double, 2>& p, const std::array<double, 2>& q, const Extent& rock) {
   const double tolerance = tolerance_of(rock);
   const std::array<double, 4> place{rock.right, rock.top, rock.left, rock.bottom};  // order of RockSide
+  const std::array<double, 4> faces{q[1] - p[1], p[0] - q[0], p[1] - q[1], q[0] - p[0]};
+  int owner = -1;
+  double most = 0;
   for (std::size_t side = 0; side < 4; ++side) {
     const std::size_t axis = side % 2;
-    if (std::abs(p[axis] - place[side]) < tolerance && std::abs(q[axis] - place[side]) < tolerance) {
-      return static_cast<int>(side);
-    }
+    const auto lies_there = [&](const std::array<double, 2>& end) {
+      return std::abs(end[axis] - place[side]) < tolerance;
+    };
+    if (!(faces[side] > most) || !lies_there(p) || !lies_there(q)) continue;
+    owner = static_cast<int>(side);
+    most = faces[side];
   }
-  return -1;
+  return owner;
 }
 
 /// Bits of the axes that a support holds (Particles::held).
@@ -64,12 +73,13 @@ std::vector<Interval> take(std::vector<Interval>& left, double from, double to) 
   return taken;
 }
 
-/// Adds the pieces of one edge p -> q of a side.
+/// Adds the pieces of one edge p -> q of a side. Their length is that along the side, so that the edges of a side add
+/// up to it also where they lie on it within rounding only.
 void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const std::vector<SidePart>& parts,
                 std::vector<LoadedPiece>& pieces) {
   const bool upright = edge.side % 2 == 0;
-  const double at_p = upright ? p.y : p.x, at_q = upright ? q.y : q.x, length = norm(q - p);
-  const double low = std::min(at_p, at_q), high = std::max(at_p, at_q);
+  const double at_p = upright ? p.y : p.x, at_q = upright ? q.y : q.x;
+  const double low = std::min(at_p, at_q), high = std::max(at_p, at_q), length = high - low;
   const std::size_t first = pieces.size();
   const auto add = [&](int part, double a, double b) {
     const double middle = (0.5 * (a + b) - at_p) / (at_q - at_p);
@@ -128,23 +138,20 @@ Support support_of(const LoadedPiece& piece, const Loads& loads) {
                          : loads.support[static_cast<std::size_t>(piece.side)];
 }
 
-std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPiece>& pieces, const Loads& loads,
-                                       int particles) {
-  std::vector<std::array<int, 4>> held(
-      static_cast<std::size_t>(particles));  // (particle, side) axes that this side holds
+std::vector<AxesOfSides> axes_held(const std::vector<LoadedPiece>& pieces, const Loads& loads, int particles) {
+  std::vector<AxesOfSides> held(static_cast<std::size_t>(particles)), owned(held.size());
   for (const LoadedPiece& piece : pieces)
     if (piece.decides)
       held[static_cast<std::size_t>(piece.particle)][static_cast<std::size_t>(piece.side)] |=
           held_axes(support_of(piece, loads), piece.side);
-  std::vector<std::uint8_t> axes(held.size());
   for (std::size_t i = 0; i < held.size(); ++i)
-    for (int axis = 0; axis < 2; ++axis) {
+    for (const int axis : {0, 1}) {
       int owner = -1;
       for (const int s : {axis, axis + 2, 1 - axis, 3 - axis})  // the sides with this normal, then the others
         if (owner < 0 && (held[i][static_cast<std::size_t>(s)] & 1 << axis) != 0) owner = s;
-      if (owner == static_cast<int>(side)) axes[i] = static_cast<std::uint8_t>(axes[i] | 1 << axis);
+      if (owner >= 0) owned[i][static_cast<std::size_t>(owner)] |= 1 << axis;
     }
-  return axes;
+  return owned;
 }
 
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
@@ -174,7 +181,9 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
   const auto held = Kokkos::create_mirror_view(particles.held);
   const auto drive = Kokkos::create_mirror_view(particles.drive);
   require_edges(assembly, boundary, loads, particles);
-  for (const LoadedPiece& piece : pieces_of_boundary(assembly, boundary, loads, particles)) {
+  const std::vector<LoadedPiece> pieces = pieces_of_boundary(assembly, boundary, loads, particles);
+  const std::vector<AxesOfSides> owned = axes_held(pieces, loads, particles.count);
+  for (const LoadedPiece& piece : pieces) {
     const int i = piece.particle;
     const auto side = static_cast<std::size_t>(piece.side);
     const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[static_cast<std::size_t>(piece.part)];
@@ -189,10 +198,10 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     moment(i, 1) += dot(piece.arm, f);
     stiffness(i, piece.side % 2) += piece.length * (part ? part->stiffness : loads.stiffness[side]);
     if (!piece.decides) continue;
-    const int axes = held_axes(support, piece.side);
+    const int axes = held_axes(support, piece.side), own = axes & owned[static_cast<std::size_t>(i)][side];
     held(i) = static_cast<std::uint8_t>(held(i) | axes);
     for (int axis = 0; axis < 2; ++axis)
-      if (axes & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][static_cast<std::size_t>(axis)];
+      if (own & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][static_cast<std::size_t>(axis)];
   }
   Kokkos::deep_copy(out.force, force);
   Kokkos::deep_copy(out.moment, moment);

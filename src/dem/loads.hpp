@@ -58,7 +58,8 @@ struct BoundaryEdge {
   int side;                   ///< RockSide, or -1: hole, notch or inner surface
 };
 
-/// All boundary edges. An edge belongs to a side when both its ends lie on that side of the assembly's bounding box.
+/// All boundary edges. An edge belongs to a side when both its ends lie on that side of the assembly's bounding box and
+/// its outward normal points out there; of two such sides, in a corner, to the one that it faces more.
 std::vector<BoundaryEdge> find_boundary(const Assembly& assembly);
 
 /// Whether parts of the boundary are in front of others, as in holes, in slots and between pieces: true for any outline
@@ -80,7 +81,7 @@ struct LoadedPiece {
   int part = -1;
   int side = 0;  ///< RockSide
   int particle = 0;
-  double length = 0;    ///< m
+  double length = 0;    ///< along the side, m
   Vec2 arm;             ///< from the particle's centroid to the middle of the piece, m
   bool decides = true;  ///< whether it decides how the particle is held
 };
@@ -93,11 +94,14 @@ Support support_of(const LoadedPiece& piece, const Loads& loads);
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles);
 
-/// (particle) The axes (bit 0: x, bit 1: y) along which the support of this side holds the particle, so that its
-/// reaction there belongs to the side. An axis that several sides hold belongs to the side whose normal it is, else to
-/// the first in the order of RockSide. The reactions of all sides therefore add up to the force that holds the rock.
-std::vector<std::uint8_t> axes_held_by(RockSide side, const std::vector<LoadedPiece>& pieces, const Loads& loads,
-                                       int particles);
+/// (side) Axes, bit 0: x, bit 1: y.
+using AxesOfSides = std::array<int, 4>;
+
+/// (particle, side) The axes along which the support of this side holds the particle, so that it moves with the side
+/// and its reaction there belongs to the side. An axis that several sides hold, in a corner, belongs to the side whose
+/// normal it is, else to the first in the order of RockSide. The reactions of all sides therefore add up to the force
+/// that holds the rock.
+std::vector<AxesOfSides> axes_held(const std::vector<LoadedPiece>& pieces, const Loads& loads, int particles);
 
 /// Applies tractions at the middles of the pieces, and writes the supports into held and drive of the particles. Parts
 /// are taken at time zero and without their velocities. Throws InputError where a load finds no edge of the rock to act

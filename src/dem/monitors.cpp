@@ -20,6 +20,13 @@ struct FindRunaway {
   }
 };
 
+struct LargestWarming {
+  Particles p;
+  KOKKOS_FUNCTION void operator()(int i, double& largest) const {
+    largest = Kokkos::fmax(largest, presence(p.solid_fraction(i)) * Kokkos::abs(p.warming(i)));
+  }
+};
+
 /// Speed of a particle (see RunawayParticle), read on the host.
 struct SpeedOf {
   Particles p;
@@ -56,6 +63,13 @@ BondCounts count_bonds(const Bonds& bonds) {
     counts.cracked_at_start += state(k) == BondState::cracked_at_start;
   }
   return counts;
+}
+
+double largest_thermal_strain(const Exec& exec, const Particles& particles, double expansion) {
+  double warming = 0;
+  Kokkos::parallel_reduce("vug::dem::largest_warming", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
+                          LargestWarming{particles}, Kokkos::Max<double>(warming));
+  return particles.count > 0 ? expansion * warming : 0;
 }
 
 Vec2 reaction_of(const std::vector<int>& held_particles, const Particles& particles) {

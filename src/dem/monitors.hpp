@@ -29,6 +29,10 @@ struct BondCounts {
 
 BondCounts count_bonds(const Bonds& bonds);
 
+/// Largest thermal strain alpha |dT| of the triangles that are not gone. `expansion` (1/K) is the one to which
+/// Particles::warming belongs. Waits for the device.
+double largest_thermal_strain(const Exec& exec, const Particles& particles, double expansion);
+
 /// Force that the platen of a held side puts on the rock, N per m of thickness, summed in the order of the edges'
 /// particles.
 Vec2 reaction_of(const std::vector<int>& held_particles, const Particles& particles);

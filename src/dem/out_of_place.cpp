@@ -6,20 +6,19 @@ namespace {
 
 struct CountOutOfPlace {
   Particles p;
-  Bonds bonds;
-  bool but_fragments;
+  IndexList loose;
   KOKKOS_FUNCTION void operator()(int i, int& count) const {
-    if (is_gone(p.solid_fraction(i)) || !is_out_of_place(p, i)) return;
-    if (!but_fragments || !nothing_holds(p, bonds, i)) ++count;
+    const bool stays = loose.extent(0) == 0 || loose(i) < 0;
+    count += stays && !is_gone(p.solid_fraction(i)) && is_out_of_place(p, i);
   }
 };
 
 }  // namespace
 
-int count_out_of_place(const Exec& exec, const Particles& particles, const Bonds& bonds, bool but_fragments) {
+int count_out_of_place(const Exec& exec, const Particles& particles, const IndexList& loose) {
   int count = 0;
   Kokkos::parallel_reduce("vug::dem::count_out_of_place", Kokkos::RangePolicy<Exec>(exec, 0, particles.count),
-                          CountOutOfPlace{particles, bonds, but_fragments}, count);
+                          CountOutOfPlace{particles, loose}, count);
   return count;
 }
 

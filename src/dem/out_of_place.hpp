@@ -1,6 +1,6 @@
 #pragma once
-// Triangles that have left the place where a lattice has them, and those that nothing holds there.
-#include "dem/bonds.hpp"
+// Triangles that have left the place where a lattice has them.
+#include "dem/particles.hpp"
 
 namespace vug {
 
@@ -13,16 +13,8 @@ KOKKOS_FORCEINLINE_FUNCTION bool is_out_of_place(const Particles& p, int t) {
   return 4 * (x * x + y * y) > area;
 }
 
-/// Whether no bond holds triangle t any more, and no support does.
-KOKKOS_FORCEINLINE_FUNCTION bool nothing_holds(const Particles& p, const Bonds& bonds, int t) {
-  if (p.held(t) != 0) return false;
-  for (int e = bonds.row(t); e < bonds.row(t + 1); ++e)
-    if (!has_failed(bonds.state(bonds.entry(e) / 2))) return false;
-  return true;
-}
-
-/// Number of triangles out of their place that are not gone; with `but_fragments` only of those that something holds,
-/// as the others are let go. Waits for the device.
-int count_out_of_place(const Exec& exec, const Particles& particles, const Bonds& bonds, bool but_fragments);
+/// Number of triangles out of their place that are not gone; where `loose` is not empty (find_loose_pieces), only of
+/// those that are of no loose piece. Waits for the device.
+int count_out_of_place(const Exec& exec, const Particles& particles, const IndexList& loose = {});
 
 }  // namespace vug

@@ -35,9 +35,11 @@ struct Found {
 
 [[noreturn]] void fail(const std::string& name, Support support, const char* where) {
   const bool held = support != Support::free;
-  throw InputError(name + ": the rock has no edge " + where + (held ? " to hold" : " to push") +
-                   "; an edge is of a side when both its ends lie on that side of the rectangle around the rock" +
-                   (held ? ", and is held where more than a half of it lies in the support" : ""));
+  throw InputError(
+      name + ": the rock has no edge " + where + (held ? " to hold" : " to push") +
+      "; an edge is of a side when it faces that way and both its ends lie on that side of the rectangle around "
+      "the rock" +
+      (held ? ", and is held where more than a half of it lies in the support" : ""));
 }
 
 }  // namespace

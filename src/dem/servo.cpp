@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 #include "kernels/launch/launch.hpp"
 
+#include <cmath>
 #include <set>
 
 namespace vug {
@@ -62,7 +63,8 @@ std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& bou
       if (edge.side != side) continue;
       const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
       const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-      platen.length += norm({q[0] - p[0], q[1] - p[1]});
+      const std::size_t along = 1 - static_cast<std::size_t>(platen.axis);
+      platen.length += std::abs(q[along] - p[along]);
       held.insert(edge.particle);
     }
     const double stiffness = stiffness_behind(held, platen.axis, law, bonds);

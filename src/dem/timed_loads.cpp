@@ -52,13 +52,6 @@ struct FollowLoads {
   }
 };
 
-/// Bits of the axes that the platen of a piece moves.
-int moved_axes(const LoadedPiece& piece, const SidePart& part) {
-  if (!piece.decides || !part.moves()) return 0;
-  const bool both = part.support == Support::fixed || part.support == Support::pin;
-  return both ? 3 : 1 << piece.side % 2;
-}
-
 /// (part) Number of each part that changes or moves in `timed`, to which these parts are added; -1 for the others.
 std::vector<int> number_parts(const std::vector<SidePart>& parts, std::vector<SidePart>& timed) {
   std::vector<int> number(parts.size(), -1);
@@ -75,8 +68,9 @@ struct TimedPieces {
   std::vector<int> particle, row{0}, part, axes;
   std::vector<LoadedPiece> all;
 
+  /// `held`: axes_held, of which platens move only their own.
   TimedPieces(const std::vector<LoadedPiece>& boundary, const std::vector<SidePart>& parts,
-              const std::vector<int>& number) {
+              const std::vector<int>& number, const std::vector<AxesOfSides>& held) {
     std::map<int, std::vector<LoadedPiece>> pieces;  // by particle
     for (const LoadedPiece& piece : boundary)
       if (piece.part >= 0 && number[static_cast<std::size_t>(piece.part)] >= 0) pieces[piece.particle].push_back(piece);
@@ -85,7 +79,8 @@ struct TimedPieces {
       for (const LoadedPiece& piece : of_particle) {
         const SidePart& own = parts[static_cast<std::size_t>(piece.part)];
         part.push_back(number[static_cast<std::size_t>(piece.part)]);
-        axes.push_back(moved_axes(piece, own));
+        const bool moved = piece.decides && own.moves() && own.support != Support::free;
+        axes.push_back(moved ? held[static_cast<std::size_t>(i)][static_cast<std::size_t>(piece.side)] : 0);
         all.push_back(piece);
       }
       row.push_back(static_cast<int>(part.size()));
@@ -140,7 +135,8 @@ std::optional<TimedLoads> make_timed_loads(const Assembly& assembly, const std::
   if (timed.parts.size() > most_timed_parts)
     throw InputError("boundary: at most " + std::to_string(most_timed_parts) +
                      " sides and parts of sides may change in time or move");
-  const TimedPieces pieces(pieces_of_boundary(assembly, boundary, loads, particles), loads.parts, number);
+  const std::vector<LoadedPiece> all = pieces_of_boundary(assembly, boundary, loads, particles);
+  const TimedPieces pieces(all, loads.parts, number, axes_held(all, loads, particles.count));
   timed.particle = to_device<IndexList>("vug::dem::timed_particle", pieces.particle);
   timed.row = to_device<IndexList>("vug::dem::timed_row", pieces.row);
   timed.part = to_device<IndexList>("vug::dem::timed_part", pieces.part);

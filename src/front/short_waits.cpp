@@ -3,7 +3,7 @@
 #include "host/this_process.hpp"
 
 #include <cstdlib>
-#include <filesystem>
+#include <exception>
 #include <unistd.h>
 
 namespace vug {
@@ -14,8 +14,8 @@ void wait_briefly(char** argv) {
     const std::string program = this_program();
     ::setenv("KMP_BLOCKTIME", "1", 0);
     if (::setenv("GOMP_SPINCOUNT", "10000", 0) == 0) ::execv(program.c_str(), argv);
-  } catch (const std::filesystem::filesystem_error&) {
-    return;  // the path is unknown: continue as it is
+  } catch (const std::exception&) {
+    return;  // the path is unknown, or there is no memory for it: continue as it is
   }
 }
 

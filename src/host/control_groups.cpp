@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <system_error>
 
 namespace vug {
 namespace {
@@ -40,7 +41,9 @@ std::vector<ControlGroup> control_groups(std::string_view controller, const Cont
     std::string root = files.tree;
     if (!unified) {
       const std::string together = files.tree + "/" + controllers;
-      root = std::filesystem::exists(together) ? together : files.tree + "/" + std::string(controller);
+      std::error_code unknown;  // a folder that this process may not see counts as none
+      const bool there = std::filesystem::exists(together, unknown);
+      root = there ? together : files.tree + "/" + std::string(controller);
     }
     for (std::string path = line.substr(second + 1);; path.erase(path.rfind('/'))) {
       groups.push_back({root + path, unified});

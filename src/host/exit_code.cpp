@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 namespace vug {
 
@@ -29,7 +30,9 @@ bool is_failed_allocation(const std::exception& error) {
 ExitCode exit_code_of(const std::exception& error) {
   if (as<InputError>(error)) return invalid_input;
   if (as<StabilityError>(error)) return diverged;
-  if (as<FileError>(error) || as<std::filesystem::filesystem_error>(error)) return file_failed;
+  if (const auto* refused = as<std::filesystem::filesystem_error>(error))
+    return refused->code() == std::errc::not_enough_memory ? out_of_memory : file_failed;
+  if (as<FileError>(error)) return file_failed;
   if (as<Interrupted>(error)) return interrupted;
   if (as<MemoryError>(error) || as<std::bad_alloc>(error) || is_failed_allocation(error)) return out_of_memory;
   return unforeseen;

@@ -2,6 +2,7 @@
 
 #include "base/base.hpp"
 #include "base/pages.hpp"
+#include "host/memory_reserve.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -17,8 +18,9 @@ std::atomic<std::int64_t> bytes{0};
 /// tenth of its speed or more.
 constexpr std::uint64_t large = 4u << 20;
 
-/// Kokkos calls this before anything is written to the memory.
+/// Kokkos calls this before anything is written to the memory. Fields take most of it, so that here is where it ends.
 void allocated(Kokkos::Profiling::SpaceHandle space, const char*, const void* data, std::uint64_t size) {
+  require_spare_memory();
   bytes += static_cast<std::int64_t>(size);
   if (size >= large && std::strcmp(space.name, Kokkos::HostSpace::name()) == 0)
     take_large_pages(const_cast<void*>(data), size);

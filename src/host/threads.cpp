@@ -59,22 +59,38 @@ void check_environment() {
 
 #if defined(_OPENMP)
 
+/// Threads that do nothing until they are let end. Whatever is thrown meanwhile, they have ended when it is caught: a
+/// thread that nobody has joined would end the program.
+class IdleThreads {
+ public:
+  explicit IdleThreads(int most) { threads_.reserve(static_cast<std::size_t>(std::max(most, 0))); }
+  IdleThreads(const IdleThreads&) = delete;
+  IdleThreads& operator=(const IdleThreads&) = delete;
+  ~IdleThreads() {
+    end_.set_value();
+    for (std::thread& thread : threads_) thread.join();
+  }
+  /// Throws std::system_error where the system refuses it, std::bad_alloc where there is no memory for it.
+  void start_one() {
+    threads_.emplace_back([over = over_] { over.wait(); });
+  }
+  int count() const { return static_cast<int>(threads_.size()); }
+
+ private:
+  std::promise<void> end_;
+  std::shared_future<void> over_ = end_.get_future().share();
+  std::vector<std::thread> threads_;
+};
+
 /// Throws where the system refuses a thread: OpenMP would end the program.
 void require_startable(int count) {
-  std::promise<void> end;
-  const std::shared_future<void> over = end.get_future().share();
-  std::vector<std::thread> started;
-  std::string why;
+  IdleThreads beside_this_one(count - 1);
   try {
-    while (static_cast<int>(started.size()) < count - 1) started.emplace_back([over] { over.wait(); });
+    while (beside_this_one.count() < count - 1) beside_this_one.start_one();
   } catch (const std::system_error& error) {
-    why = error.what();
+    throw InputError("threads: the system grants " + std::to_string(beside_this_one.count() + 1) + " of " +
+                     std::to_string(count) + " (" + error.what() + "); ask for fewer by --threads");
   }
-  end.set_value();
-  for (std::thread& thread : started) thread.join();
-  if (!why.empty())
-    throw InputError("threads: the system grants " + std::to_string(started.size() + 1) + " of " +
-                     std::to_string(count) + " (" + why + "); ask for fewer by --threads");
 }
 
 /// Number of threads that a parallel region of `count` threads really has.

@@ -52,8 +52,9 @@ void require_place_for_picture(const std::string& path, const std::vector<std::s
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (ending != ".png") throw InputError(shown + ": the picture is a PNG file; give a name that ends in .png");
   if (!fs::exists(path)) return;
+  std::error_code none;  // a file that cannot be looked at is no file of the case
   for (const std::string& input : inputs)
-    if (fs::exists(input) && fs::equivalent(path, input))
+    if (fs::equivalent(path, input, none))
       throw InputError(fmt::format("{}: is a file of the case ({}), which the picture would replace", shown, input));
   if (const std::string why = detail::why_no_file(path); !why.empty()) throw InputError(shown + ": " + why);
   constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";

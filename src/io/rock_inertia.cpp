@@ -69,14 +69,18 @@ double quickest_load(const Scene& scene) {
   return shortest;
 }
 
-double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
-  constexpr double heaviest = 64, share = 6;
+double crossing_time(const Scene& scene) {
   const MechanicsParameters& rock = scene.mechanics->parameters;
   double speed = std::sqrt(rock.bond.normal_modulus / rock.density);
   for (const RockMaterial& material : rock.materials)
     speed = std::min(speed, std::sqrt(material.bond.normal_modulus / material.density));
-  const double crossing = std::max(scene.lattice.length_x, scene.lattice.length_y) / speed;
-  const double slower = share * tolerance * quickest_load(scene) / crossing;  // waves may be slower by this factor
+  return std::max(scene.lattice.length_x, scene.lattice.length_y) / speed;
+}
+
+double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
+  constexpr double heaviest = 64, share = 6;
+  const double slower =
+      share * tolerance * quickest_load(scene) / crossing_time(scene);  // waves may be slower by this factor
   double scaling = heaviest;
   while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;
   return scaling;

@@ -51,6 +51,25 @@ TEST(CaseRemarks, FastPlatensAreRemarked) {
               Contains(HasSubstr("boundary.top.traction.parts.0.velocity moves a platen at up to 1.13")));
 }
 
+/// 20 mm at about 3.1 km/s and more, and twice that at four times the mass: a push that is over by then is an impact.
+TEST(CaseRemarks, BlowsAreNoPresses) {
+  const auto remarked = [](double end, const std::string& scaling) {
+    const std::string time = std::to_string(1e6 * end) + " us\"";
+    const auto warnings =
+        parsed("[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 4e-3\n[mechanics]\nmass_scaling = " + scaling +
+               "\n[boundary.bottom]\ntraction = { support = \"roller\" }\n[boundary.top.traction]\nsupport = "
+               "\"roller\"\nvelocity = [[0, 0, 0], [\"1 us\", 0, -5], [\"" +
+               time + ", 0, 0]]\n")
+            .warnings;
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [](const std::string& line) { return line.find("moves a platen") != std::string::npos; });
+  };
+  EXPECT_FALSE(remarked(5e-6, "1"));
+  EXPECT_TRUE(remarked(8e-6, "1"));
+  EXPECT_FALSE(remarked(10e-6, "4"));
+  EXPECT_TRUE(remarked(16e-6, "4"));
+}
+
 TEST(CaseRemarks, NotchesThatDamageWidensAreRemarked) {
   const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
   const auto widened = HasSubstr("only until the first update");

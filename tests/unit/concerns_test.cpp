@@ -52,6 +52,51 @@ heat = { type = "flux", flux = -1e4 }
                                             Not(HasSubstr("backwards")))));
 }
 
+/// A bar of rock that a flux heats from above: alpha dT is the strain. The case names no temperature but that at the
+/// start.
+TEST(Concerns, ThermalStrainThatNoTemperatureOfTheCaseHas) {
+  const std::string bar = R"(
+[lattice]
+size = [20e-3, 10e-3]
+spacing = 1e-3
+time_step = 1e-4
+[time]
+steps = 2000
+[geometry]
+type = "rock"
+[rock]
+element_size = 4e-3
+[heat]
+fluid_diffusivity = 1e-5
+solid_diffusivity = 1e-3
+initial_temperature = 300
+[mechanics]
+thermal_expansion = 1e-4
+mass_scaling = 1e6
+bond = { normal_strength = 1e15, cohesion = 1e15 }
+[boundary.bottom.traction]
+support = "roller"
+[boundary.top]
+heat = { type = "flux", flux = 2e8 }
+)";
+  Watched heated(bar);
+  std::vector<std::string> news;
+  double warmest = 0;
+  for (int looks = 0; news.empty() && looks < 20; ++looks) {
+    news = heated.steps(100);
+    warmest = heated.now("largest_temperature_change_K");
+    if (news.empty()) EXPECT_LT(1e-4 * warmest, 0.03) << looks;
+  }
+  EXPECT_THAT(news,
+              ElementsAre(AllOf(HasSubstr("warning: thermal strain above 0.02 (0.02"), HasSubstr("heat fluxes"))));
+  EXPECT_GT(1e-4 * warmest, 0.02);
+  EXPECT_THAT(heated.steps(200), IsEmpty()) << "once";
+  EXPECT_THAT(Watched(bar, {"mechanics.thermal_expansion=1e-6"}).steps(2000), IsEmpty());
+  // where the case names temperatures as far apart, `vug check` has said so
+  EXPECT_THAT(Watched(bar, {"boundary.bottom.heat={ type = \"temperature\", temperature = 550 }"}).steps(2000),
+              IsEmpty());
+}
+
 /// The key of an injection is not its name in the columns of the history.
 TEST(Concerns, NameTheKeysOfTheCase) {
   const std::string injection =

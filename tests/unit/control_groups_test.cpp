@@ -64,6 +64,15 @@ TEST(ControlGroups, OfVersionOneGrantTheQuotaOfTheirController) {
   EXPECT_EQ(groups.granted(), 1) << "mounted by the names of both";
 }
 
+/// A name that is too long for a folder, as one that may not be looked at, is no folder; it does not end the program.
+TEST(ControlGroups, ThatCannotBeLookedAtGrantNothing) {
+  const Groups groups("2:cpu," + std::string(300, 'x') + ":/a\n");
+  EXPECT_EQ(groups.granted(), 0);
+  groups.put("tree/cpu/a/cpu.cfs_period_us", "100000\n");
+  groups.put("tree/cpu/a/cpu.cfs_quota_us", "200000\n");
+  EXPECT_EQ(groups.granted(), 2);
+}
+
 TEST(ControlGroups, AreListedFromOwnToRoot) {
   const Groups groups("4:hugetlb,memory:/a/b\n7:cpu:/c\n0::/d\n");
   std::vector<std::string> folders;

@@ -27,6 +27,8 @@ TEST(ExitCode, IsThatOfTheError) {
   EXPECT_EQ(exit_code_of(FileError("a")), 4);
   EXPECT_EQ(exit_code_of(std::filesystem::filesystem_error("a", std::error_code())), 4);
   EXPECT_EQ(exit_code_of(MemoryError("a")), 5);
+  const auto none = std::make_error_code(std::errc::not_enough_memory);
+  EXPECT_EQ(exit_code_of(std::filesystem::filesystem_error("a", "b", none)), 5);
   EXPECT_EQ(exit_code_of(std::bad_alloc()), 5);
   EXPECT_EQ(exit_code_of(std::runtime_error("Kokkos failed to allocate 8 B")), 5);
   EXPECT_EQ(exit_code_of(Interrupted("a")), 130);

@@ -227,6 +227,25 @@ TEST(LimitValues, OfThermalStrainAreThoseOfTheNamedTemperatures) {
               4e-4, 1e-16);
 }
 
+/// The fastest of all, times the root of the mass; none without an initial velocity.
+TEST(LimitValues, OfInitialVelocitiesAreThoseOfPlatens) {
+  const std::string rock =
+      "[lattice]\nsize = [0.02, 0.02]\nspacing = 1e-3\ntime_step = 1e-5\n[time]\nsteps = 1\n[geometry]\ntype = "
+      "\"rock\"\n[rock]\nelement_size = 2e-3\n[mechanics]\n";
+  const auto thrown = [](const std::string& vx, const std::string& vy) {
+    return "{ type = \"rectangle\", from = [0, 0], to = [0.01, 0.02], velocity = [" + vx + ", " + vy + "] }";
+  };
+  const char* const name = "initial velocity times sqrt(mass_scaling)";
+  EXPECT_THROW(of(limits_of({}, rock), "mechanics", name), std::exception);
+  const std::string both = "mechanics.initial_velocity=[" + thrown("0.3", "0.4") + ", " + thrown("0", "0.1") + "]";
+  const Limit light = of(limits_of({both}, rock), "mechanics", name);
+  EXPECT_NEAR(light.value, 0.5, 1e-15);
+  EXPECT_TRUE(light.inside());
+  const Limit heavy = of(limits_of({both, "mechanics.mass_scaling=9"}, rock), "mechanics", name);
+  EXPECT_NEAR(heavy.value, 1.5, 1e-15);
+  EXPECT_FALSE(heavy.inside());
+}
+
 TEST(LimitValues, OfRockAreThoseOfItsMostBrittleMaterial) {
   const auto longest = [](const Overrides& overrides) {
     return of(limits_of(overrides,

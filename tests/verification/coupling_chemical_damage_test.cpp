@@ -231,6 +231,73 @@ TEST(Fragment, IsNoneWhereSomethingHoldsIt) {
   EXPECT_GT(bare, 0);
 }
 
+/// Two triangles in the corner at the right and the top that one bond still joins fly off at `velocity`, m/s.
+struct ThrownPair {
+  explicit ThrownPair(std::array<double, 2> velocity) : run(pickled_rock, {"mechanics.fragments=let_go"}) {
+    const Particles& particles = run.rock().particles();
+    const Bonds& bonds = run.rock().bonds();
+    const auto x0 = test::host_copy(particles.x0);
+    const auto pair = test::host_copy(bonds.pair);
+    for (int i = 1; i < particles.count; ++i)
+      if (x0(i, 0) + x0(i, 1) > x0(one, 0) + x0(one, 1)) one = i;
+    for (int b = 0; b < bonds.count; ++b) {
+      const bool own = pair(b, 0) == one || pair(b, 1) == one;
+      if (own && joint < 0) joint = b, other = pair(b, 0) == one ? pair(b, 1) : pair(b, 0);
+    }
+    const auto own = [&](int i) { return i == one || i == other; };
+    test::edit(bonds.state, [&](const auto& state) {
+      for (int b = 0; b < bonds.count; ++b)
+        if (own(pair(b, 0)) != own(pair(b, 1))) state(b) = BondState::failed_in_tension;
+    });
+    test::edit(bonds.joint, [&](const auto& faces) {
+      for (int b = 0; b < bonds.count; ++b)
+        if (own(pair(b, 0)) != own(pair(b, 1))) faces(b) = faces_apart;
+    });
+    test::edit(particles.v, [&](const auto& v) {
+      for (const int i : {one, other})
+        for (const int axis : {0, 1}) v(i, axis) = velocity[axis];
+    });
+    const auto mass = test::host_copy(particles.mass);
+    for (const int axis : {0, 1}) momentum[axis] = (mass(one) + mass(other)) * velocity[axis];
+  }
+  /// How far the farther one of the two is, over half its size.
+  double away() const {
+    const auto u = test::host_copy(run.rock().particles().u), mass = test::host_copy(run.rock().particles().mass);
+    double farthest = 0;
+    for (const int i : {one, other})
+      farthest = std::max(farthest, std::hypot(u(i, 0), u(i, 1)) / (0.5 * std::sqrt(mass(i) / 2500)));
+    return farthest;
+  }
+  bool joined() const { return !has_failed(test::host_copy(run.rock().bonds().state)(joint)); }
+
+  test::CoupledRun run;
+  int one = 0, other = -1, joint = -1;
+  std::array<double, 2> momentum{};
+};
+
+/// The bond between them holds: neither would ever go on its own.
+TEST(Fragment, OfTwoTrianglesGoesAsAWhole) {
+  ThrownPair pair({80, 60});
+  while (pair.away() < 1) {
+    ASSERT_TRUE(pair.joined());
+    EXPECT_EQ(pair.run.now("triangles_let_go_1"), 0);
+    pair.run.steps(1);
+  }
+  EXPECT_LT(pair.away(), 1.5);
+  pair.run.steps(2);
+  EXPECT_EQ(pair.run.now("triangles_let_go_1"), 2);
+  EXPECT_EQ(pair.run.now("triangles_dissolved_1"), 2);
+  const auto fraction = test::host_copy(pair.run.rock().particles().solid_fraction);
+  EXPECT_EQ(fraction(pair.one), 0);
+  EXPECT_EQ(fraction(pair.other), 0);
+  // with all that they had; what little the rock behind them has kept is that of dashpots
+  EXPECT_NEAR(pair.run.now("dissolved_rock_momentum_x_N_s_per_m") / pair.momentum[0], 1, 1e-3);
+  EXPECT_NEAR(pair.run.now("dissolved_rock_momentum_y_N_s_per_m") / pair.momentum[1], 1, 1e-3);
+  EXPECT_LT(pair.run.worst_balance(), 1e-12);
+  pair.run.steps(50);
+  EXPECT_EQ(pair.run.now("triangles_let_go_1"), 2);
+}
+
 /// Lines about what has flown off, in a run of the thrown corner.
 int told(const std::string& fragments, const std::string& words) {
   auto set = thrown;

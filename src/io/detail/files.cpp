@@ -1,10 +1,10 @@
 #include "io/detail/files.hpp"
 
 #include "base/require.hpp"
+#include "host/free_memory.hpp"
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
@@ -35,9 +35,14 @@ void sync_folder(const std::string& path) {
 
 }  // namespace
 
+void throw_file_error(const std::string& path, const std::string& action, std::error_code reason) {
+  const std::string what = path + ": cannot " + action + ": " + reason.message();
+  if (reason == std::errc::not_enough_memory) throw MemoryError(what);
+  throw FileError(what);
+}
+
 void throw_file_error(const std::string& path, const std::string& action) {
-  const int reason = errno;
-  throw FileError(path + ": cannot " + action + ": " + std::strerror(reason));
+  throw_file_error(path, action, std::error_code(errno, std::generic_category()));
 }
 
 NewFile::NewFile(const std::string& path)

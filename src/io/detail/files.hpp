@@ -2,10 +2,13 @@
 // Writing files so that a reader finds either the old one or the new one, never a part of one.
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace vug::detail {
 
-/// Throws FileError: `path: cannot <action>: <reason of errno>`.
+/// Throws FileError: `path: cannot <action>: <reason>`, or MemoryError where the reason is too little memory.
+[[noreturn]] void throw_file_error(const std::string& path, const std::string& action, std::error_code reason);
+/// The same with the reason of errno.
 [[noreturn]] void throw_file_error(const std::string& path, const std::string& action);
 
 /// A file that is written under a temporary name beside its own and renamed when it is complete. If it is destroyed

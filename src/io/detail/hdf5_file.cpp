@@ -16,27 +16,42 @@ static_assert(sizeof(hid_t) == sizeof(Hdf5Id));
 
 namespace {
 
+struct Reason {
+  std::string words = "unknown reason";
+  bool of_system = false;
+};
+
 // Takes the reason of an error from the library's messages: that of the operating system where there is one.
 herr_t collect_reason(unsigned, const H5E_error2_t* error, void* out) {
-  auto& reason = *static_cast<std::string*>(out);
+  auto& reason = *static_cast<Reason*>(out);
   if (!error->desc) return 0;
   const std::string_view text(error->desc);
   const std::string_view mark = "error message = '";
   if (const auto at = text.find(mark); at != std::string_view::npos) {
     const auto from = at + mark.size();
-    reason = std::string(text.substr(from, text.find('\'', from) - from));
+    reason = {std::string(text.substr(from, text.find('\'', from) - from)), true};
     return 1;
   }
-  reason = text;  // the innermost error comes last
+  reason.words = text;  // the innermost error comes last
   return 0;
 }
 
+// Whether there is more memory than the library asks for at once in our files, apart from what it writes.
+bool has_room() {
+  constexpr std::size_t enough = 2 << 20;     // it takes 132 KiB when it starts
+  void* volatile room = std::malloc(enough);  // volatile, because a compiler may leave out both calls
+  std::free(room);
+  return room != nullptr;
+}
+
+// Throws FileError, or std::bad_alloc where the library has run out of memory, which it does not always say.
 [[noreturn]] void fail(const std::string& path, const char* action) {
-  std::string reason = "unknown reason";
+  Reason reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, collect_reason, &reason);
   H5Eclear2(H5E_DEFAULT);
-  if (reason.find("memory allocation failed") != std::string::npos) throw std::bad_alloc();
-  throw FileError(path + ": cannot " + action + ": " + reason);
+  if (!reason.of_system && (!has_room() || reason.words.find("memory allocation failed") != std::string::npos))
+    throw std::bad_alloc();
+  throw FileError(path + ": cannot " + action + ": " + reason.words);
 }
 
 template <class Result>
@@ -62,18 +77,15 @@ struct Handle {
 
 // Where memory runs out while the library starts, it follows a null pointer. It is therefore started only when more
 // memory than it needs is free; otherwise std::bad_alloc is thrown, which the run reports.
-bool has_room() {
-  constexpr std::size_t enough = 2 << 20;     // the library takes 132 KiB
-  void* volatile room = std::malloc(enough);  // volatile, because a compiler may leave out both calls
-  if (!room) throw std::bad_alloc();
-  std::free(room);
+bool require_room() {
+  if (!has_room()) throw std::bad_alloc();
   return true;
 }
 
 // Makes the library quiet (errors become exceptions), without file locks (a viewer may hold the file open during the
 // run) and without its own clean-up at exit, which never ends after a full disk.
 hid_t access_properties(const std::string& path) {
-  static const bool quiet = has_room() && H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static const bool quiet = require_room() && H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   if (!quiet) throw FileError(path + ": the HDF5 library does not start");
   const hid_t properties = check(H5Pcreate(H5P_FILE_ACCESS), path, "open");
 #if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 11, 0))  // 1.12.0 has no such function

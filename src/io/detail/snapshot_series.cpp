@@ -1,6 +1,7 @@
 #include "io/detail/snapshot_series.hpp"
 
 #include "base/require.hpp"
+#include "io/detail/files.hpp"
 #include "io/detail/step_names.hpp"
 #include "io/detail/xdmf.hpp"
 
@@ -17,7 +18,7 @@ void SnapshotSeries::make_folder() const {
   const auto folder = directory_ + "/" + stem_;
   std::error_code error;
   std::filesystem::create_directory(folder, error);
-  if (error) throw FileError(folder + ": cannot create: " + error.message());
+  if (error) throw_file_error(folder, "create", error);
 }
 
 void SnapshotSeries::create() {
@@ -57,7 +58,7 @@ void SnapshotSeries::remove_after(std::int64_t step) const {
       if (unfinished || step < 0 || snapshot.stem().string() > step_name(step)) std::filesystem::remove(file);
     }
   } catch (const std::filesystem::filesystem_error& e) {
-    throw FileError(folder + ": cannot continue: " + e.code().message());
+    throw_file_error(folder, "continue", e.code());
   }
 }
 

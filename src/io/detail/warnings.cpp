@@ -4,6 +4,7 @@
 #include "io/detail/platen_motion.hpp"
 #include "io/notch_remarks.hpp"
 #include "io/periodic.hpp"
+#include "io/rock_inertia.hpp"
 
 #include <fmt/format.h>
 
@@ -88,7 +89,7 @@ void warn_about_mass_scaling(Scene& scene) {
 void warn_about_press(Scene& scene) {
   const LaboratoryTest test = scene.laboratory->test;
   if (test == LaboratoryTest::heating || test == LaboratoryTest::quench) return;  // the limit depends on the specimen
-  const double notable = test == LaboratoryTest::tension ? 0.2 : 1;               // m/s
+  const double notable = test == LaboratoryTest::tension ? 0.2 : fastest_press;   // m/s
   const double scaling = scene.mechanics->parameters.mass_scaling, speed = platen_speed(*scene.laboratory);
   if (speed * std::sqrt(scaling) <= notable) return;
   scene.warnings.push_back(
@@ -97,20 +98,20 @@ void warn_about_press(Scene& scene) {
                   speed, scaling, speed * std::sqrt(scaling), notable));
 }
 
-/// The same for sides and parts of them that move in a run.
+/// The same for sides and parts of them that move in a run. A push that is over before its wave has crossed the rock is
+/// no press but an impact, of which the wave is what is wanted.
 void warn_about_platens(Scene& scene) {
-  constexpr double notable = 1;  // m/s
   const double scaling = scene.mechanics->parameters.mass_scaling;
   const auto remark = [&](const std::string& key, const TractionLoad& load) {
     const double speed = fastest(load), felt = speed * std::sqrt(scaling);
-    if (felt <= notable) return;
+    if (felt <= fastest_press || comes_to_rest(load) < std::sqrt(scaling) * crossing_time(scene)) return;
     const std::string scaled =
         scaling == 1 ? ""
                      : fmt::format(", which with mechanics.mass_scaling = {:g} acts like {:.3g} m/s", scaling, felt);
     scene.warnings.push_back(fmt::format(
         "{}.velocity moves a platen at up to {:g} m/s{}: above {:g} m/s (in tension 0.2 m/s) inertia adds to "
         "the strength, soon more than 5 %",
-        key, speed, scaled, notable));
+        key, speed, scaled, fastest_press));
   };
   const auto side = [&](const char* name, const TractionBoundary& traction) {
     const std::string key = fmt::format("boundary.{}.traction", name);

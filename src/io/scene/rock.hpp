@@ -80,7 +80,7 @@ struct MechanicsSection {
   double preload_damping = 0.7;    ///< Cundall's alpha, used until the rock is at rest
   bool from_unloaded = false;      ///< displacements are counted from the rock before the preload
   bool scaling_chosen = false;     ///< parameters.mass_scaling is what a tolerance allows (rock_inertia.hpp)
-  bool lets_fragments_go = false;  ///< a triangle that has left its place no longer carries or pushes anything
+  bool lets_fragments_go = false;  ///< pieces that have left their place no longer carry or push anything
 };
 
 /// What determines the aperture of a damaged bond's pathway: d_m and c_d (paper), or how far its faces have parted.

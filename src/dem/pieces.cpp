@@ -1,0 +1,96 @@
+#include "dem/pieces.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace vug {
+
+namespace {
+
+struct CountFailed {
+  Bonds bonds;
+  KOKKOS_FUNCTION void operator()(int b, int& count) const { count += has_failed(bonds.state(b)); }
+};
+
+struct CountGone {
+  Particles p;
+  KOKKOS_FUNCTION void operator()(int t, int& count) const { count += is_gone(p.solid_fraction(t)); }
+};
+
+template <class Counter>
+int count_all(const Exec& exec, const char* label, int items, const Counter& counter) {
+  int count = 0;
+  Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Exec>(exec, 0, items), counter, count);
+  return count;
+}
+
+/// Disjoint sets of numbers; the root of a set is its lowest member.
+class Sets {
+ public:
+  explicit Sets(int count) : above_(static_cast<std::size_t>(count)) { std::iota(above_.begin(), above_.end(), 0); }
+  int root(int i) {
+    while (above(i) != i) i = above(i) = above(above(i));  // halves the way for the next search
+    return i;
+  }
+  void join(int i, int j) {
+    const auto [low, high] = std::minmax({root(i), root(j)});
+    above(high) = low;
+  }
+
+ private:
+  int& above(int i) { return above_[static_cast<std::size_t>(i)]; }
+  std::vector<int> above_;
+};
+
+}  // namespace
+
+std::vector<int> find_pieces(const Particles& particles, const Bonds& bonds) {
+  const auto pair = on_host(bonds.pair);
+  const auto state = on_host(bonds.state);
+  const auto fraction = on_host(particles.solid_fraction);
+  Sets sets(particles.count);
+  for (int b = 0; b < bonds.count; ++b)
+    if (!has_failed(state(b)) && !is_gone(fraction(pair(b, 0))) && !is_gone(fraction(pair(b, 1))))
+      sets.join(pair(b, 0), pair(b, 1));
+  std::vector<int> piece(static_cast<std::size_t>(particles.count));
+  for (int t = 0; t < particles.count; ++t) piece[static_cast<std::size_t>(t)] = sets.root(t);
+  return piece;
+}
+
+std::vector<int> find_loose_pieces(const Particles& particles, const Bonds& bonds) {
+  std::vector<int> piece = find_pieces(particles, bonds);
+  const auto mass = on_host(particles.mass), fraction = on_host(particles.solid_fraction);
+  const auto held = on_host(particles.held);
+  std::vector<double> weight(piece.size(), 0.0);  // of each piece, at its lowest triangle
+  std::vector<bool> stays(piece.size(), false);
+  for (std::size_t t = 0; t < piece.size(); ++t) {
+    const auto own = static_cast<std::size_t>(piece[t]);
+    if (is_gone(fraction(t))) {
+      stays[own] = true;  // it is nowhere, and cannot leave
+      continue;
+    }
+    weight[own] += mass(t);
+    if (held(t) != 0) stays[own] = true;
+  }
+  if (!piece.empty()) {
+    const auto heaviest = std::max_element(weight.begin(), weight.end());
+    stays[static_cast<std::size_t>(heaviest - weight.begin())] = true;
+  }
+  for (int& own : piece)
+    if (stays[static_cast<std::size_t>(own)]) own = -1;
+  return piece;
+}
+
+const IndexList& LoosePieces::find(const Exec& exec, const Particles& particles, const Bonds& bonds) {
+  const int failed = count_all(exec, "vug::dem::count_failed", bonds.count, CountFailed{bonds});
+  const int gone = count_all(exec, "vug::dem::count_gone", particles.count, CountGone{particles});
+  if (std::pair(failed, gone) == std::pair(failed_, gone_)) return piece_;
+  failed_ = failed;
+  gone_ = gone;
+  piece_ = to_device<IndexList>("vug::dem::loose_pieces", find_loose_pieces(particles, bonds));
+  return piece_;
+}
+
+}  // namespace vug
