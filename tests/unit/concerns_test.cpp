@@ -73,7 +73,7 @@ initial_temperature = 300
 [mechanics]
 thermal_expansion = 1e-4
 mass_scaling = 1e6
-bond = { normal_strength = 1e15, cohesion = 1e15 }
+bond = { normal_strength = 1e13, cohesion = 1e13 }
 [boundary.bottom.traction]
 support = "roller"
 [boundary.top]
@@ -82,10 +82,11 @@ heat = { type = "flux", flux = 2e8 }
   Watched heated(bar);
   std::vector<std::string> news;
   double warmest = 0;
-  for (int looks = 0; news.empty() && looks < 20; ++looks) {
+  for (int looks = 0; looks < 20; ++looks) {
     news = heated.steps(100);
     warmest = heated.now("largest_temperature_change_K");
-    if (news.empty()) EXPECT_LT(1e-4 * warmest, 0.03) << looks;
+    if (!news.empty()) break;
+    EXPECT_LT(1e-4 * warmest, 0.03) << looks;
   }
   EXPECT_THAT(news,
               ElementsAre(AllOf(HasSubstr("warning: thermal strain above 0.02 (0.02"), HasSubstr("heat fluxes"))));

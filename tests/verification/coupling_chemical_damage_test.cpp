@@ -262,7 +262,8 @@ struct ThrownPair {
   }
   /// How far the farther one of the two is, over half its size.
   double away() const {
-    const auto u = test::host_copy(run.rock().particles().u), mass = test::host_copy(run.rock().particles().mass);
+    const auto u = test::host_copy(run.rock().particles().u);
+    const auto mass = test::host_copy(run.rock().particles().mass);
     double farthest = 0;
     for (const int i : {one, other})
       farthest = std::max(farthest, std::hypot(u(i, 0), u(i, 1)) / (0.5 * std::sqrt(mass(i) / 2500)));
