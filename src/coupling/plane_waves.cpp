@@ -94,7 +94,7 @@ auto heat_collision(double diffusivity, const Vector2& u) {
   return jacobian<Set>({}, [&](Populations<Set>& g) {
     Populations<Set> arrived;
     std::copy(g, g + Set::Q, arrived);
-    conduct_node<double, Set>(g, arrived, rates.fluid, {}, 0, [](int, double pulled, double) { return pulled; });
+    conduct_node<double, Set>(g, arrived, rates.fluid, {}, 0, [](int, double, double) { return 0.0; });
     double temperature = 0;
     for (const double part : g) temperature += part;
     const Convection<double, Set> law{rates.fluid};

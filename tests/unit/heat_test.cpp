@@ -24,9 +24,9 @@ TEST(ConjugateLink, IsTheHalfLinkConditionOnBothSides) {
     const double r = interface_reflection(sigma);
     const double into_fluid = ((1 - sigma) * fluid_out + 2 * sigma * solid_out) / (1 + sigma);
     const double into_solid = (2 * fluid_out - (1 - sigma) * solid_out) / (1 + sigma);
-    EXPECT_NEAR(conjugate_link(solid_out, fluid_out, r, 0.0, 1.0), into_fluid, 1e-15);
-    EXPECT_NEAR(conjugate_link(fluid_out, solid_out, r, 1.0, 0.0), into_solid, 1e-15);
-    EXPECT_EQ(conjugate_link(solid_out, fluid_out, r, 1.0, 1.0), solid_out);
+    EXPECT_NEAR(solid_out + conjugate_gain(solid_out, fluid_out, r, 0.0, 1.0), into_fluid, 1e-15);
+    EXPECT_NEAR(fluid_out + conjugate_gain(fluid_out, solid_out, r, 1.0, 0.0), into_solid, 1e-15);
+    EXPECT_EQ(conjugate_gain(solid_out, fluid_out, r, 1.0, 1.0), 0);
   }
 }
 
@@ -34,8 +34,8 @@ TEST(ConjugateLink, ConservesEnergyAtAnyContrast) {
   const double fluid_out = 0.3, solid_out = -0.7;
   for (const double sigma : contrasts) {
     const double r = interface_reflection(sigma);
-    const double lost = fluid_out - conjugate_link(solid_out, fluid_out, r, 0.0, 1.0);
-    const double gained = conjugate_link(fluid_out, solid_out, r, 1.0, 0.0) - solid_out;
+    const double lost = fluid_out - solid_out - conjugate_gain(solid_out, fluid_out, r, 0.0, 1.0);
+    const double gained = fluid_out + conjugate_gain(fluid_out, solid_out, r, 1.0, 0.0) - solid_out;
     EXPECT_NEAR(lost, sigma * gained, 1e-15 * std::max(1.0, sigma));
   }
 }

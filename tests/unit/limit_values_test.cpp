@@ -192,6 +192,25 @@ TEST(LimitValues, OfAReactionAreItsDamkohlerNumbersAndWhatAcidDissolves) {
   EXPECT_TRUE(of(as_fast_as_the_fluid, "reaction", "volume dissolved per volume").inside()) << "no limit at factor 1";
 }
 
+/// In single precision the paper's wall subtracts the reaction away (docs/model.md).
+TEST(LimitValues, OfASlowReactionAtThePapersWallBoundItInSinglePrecision) {
+  const std::string number = "Damkohler number of a node, k dx/D, hottest";
+  const auto inside = [&](double rate, const char* precision, const char* wall) {
+    const Limit limit = of(limits_of({fmt::format("reaction.rate_constant={}", rate), "reaction.activation_energy=0",
+                                      fmt::format("accuracy.precision={}", precision), "solute.velocity_set=d2q5",
+                                      fmt::format("reaction.wall={}", wall)}),
+                           "reaction", number);
+    EXPECT_NEAR(limit.value, rate * dx / 3e-4, 1e-9);
+    return limit.inside();
+  };
+  const double bound = 3e-5 * 3e-4 / dx;
+  EXPECT_FALSE(inside(0.99 * bound, "single", "paper"));
+  EXPECT_TRUE(inside(1.01 * bound, "single", "paper"));
+  EXPECT_TRUE(inside(0, "single", "paper")) << "no reaction, none lost";
+  EXPECT_TRUE(inside(0.99 * bound, "double", "paper"));
+  EXPECT_TRUE(inside(0.99 * bound, "single", "kinetic"));
+}
+
 /// As a resumed run asks for them: the factor is then that of the checkpoint.
 TEST(LimitValues, OfAReactionHoldNoFactorThatTheRunChooses) {
   Simulation simulation(
@@ -270,7 +289,8 @@ TEST(Advice, IsWhatTheCaseReaderAccepts) {
   const Overrides paper{"solute.velocity_set=d2q9", "solute.relaxation_time=0.9", "reaction.wall=paper",
                         "reaction.order=1", "reaction.surface_normal=false"};
   int values = 0;
-  for (const Overrides& overrides : {Overrides{}, paper})
+  const Overrides slow{"accuracy.precision=single", "reaction.wall=paper", "reaction.rate_constant=1e-9"};
+  for (const Overrides& overrides : {Overrides{}, paper, slow})
     for (const Limit& limit : limits_of(overrides))
       for (std::sregex_iterator found(limit.advice.begin(), limit.advice.end(), setting), end; found != end; ++found) {
         const std::string key = (*found)[1], value = (*found)[2];

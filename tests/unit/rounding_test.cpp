@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace vug {
@@ -32,6 +33,22 @@ TEST(Rounding, HasTheExactMean) {
         for (int item = 0; item < items; ++item)
           gained += double(rounding_of_step<float>(step).at_nodes.sum(a, b, item)) - double(a);
       EXPECT_NEAR(gained / n / items / double(last_place(a)), part, 2e-3) << a;
+    }
+}
+
+/// Most of b leaves again with c, as populations do: what is between them is below the last place of both.
+TEST(Rounding, KeepsASmallPartBesideALargeOne) {
+  for (const float a : numbers)
+    for (const double part : {1e-3, -0.1, 0.3}) {
+      const float large = 0.07F * a, small = static_cast<float>(part) * last_place(large);
+      ASSERT_EQ(large + small, large);
+      const int n = 4096;
+      double gained = 0;
+      for (int step = 0; step < n; ++step)
+        for (int item = 0; item < items; ++item)
+          gained += double(rounding_of_step<float>(step).at_nodes.sum(a, large, small, item)) - double(a);
+      const double exact = double(large) + double(small);
+      EXPECT_NEAR(gained / n / items, exact, 2e-3 * double(last_place(a))) << a << " and " << part;
     }
 }
 
@@ -64,8 +81,10 @@ TEST(Rounding, LeavesExactSumsAlone) {
 }
 
 TEST(Rounding, IsAnOrdinarySumInDoublePrecision) {
-  for (int step = 0; step < 100; ++step)
+  for (int step = 0; step < 100; ++step) {
     EXPECT_EQ(rounding_of_step<double>(step).at_nodes.sum(1.1, 0.3e-16, step), 1.1 + 0.3e-16);
+    EXPECT_EQ(rounding_of_step<double>(step).at_nodes.sum(1.1, 0.2, 0.3e-16, step), 1.1 + 0.2 + 0.3e-16);
+  }
 }
 
 TEST(Rounding, IsToTheNearestByDefault) {
@@ -104,23 +123,61 @@ TEST(Rounding, ShiftsByAllPartsOfTheLastPlace) {
   }
 }
 
-TEST(RestPopulation, ConservesTheSumOfPopulationsInTheMean) {
+/// Mean of the population at rest, from 0.3, where a population q becomes after[q] from before[q]; then what `exact`
+/// arithmetic makes of it.
+template <class Set>
+std::pair<double, double> mean_of_rest(const float (&before)[Set::Q], const float (&after)[Set::Q], float added) {
   const int n = 1000;
-  for (const float added : {0.0F, 3e-9F}) {
-    double sum = 0;
-    for (int step = 0; step < n; ++step)
-      for (int node = 0; node < items; ++node) {
-        RestPopulation<float, float> rest(0.3F, 0.5F + added, added);
-        rest.replace(0.1F, 0.1F + 7e-9F);
-        rest.replace(0.1F, 0.09999F);
-        sum += double(rest.value(rounding_of_step<float>(step).at_nodes, node));
+  double mean = 0, exact = double(0.3F) + double(added);
+  for (int q = 1; q < Set::Q; ++q) exact -= double(after[q]) - double(before[q]);
+  for (int step = 0; step < n; ++step)
+    for (int node = 0; node < items; ++node) {
+      RestPopulation<float, Set, float> collision(0.3F, 0, added);
+      RestGain<float, Set, float> convection(added);
+      for (int q = 1; q < Set::Q; ++q) {
+        collision.replace(q, before[q], after[q]);
+        convection.give(q, before[q], after[q], 0);
       }
-    const double others = (double(0.1F + 7e-9F) - double(0.1F)) + (double(0.09999F) - double(0.1F));
-    EXPECT_NEAR(sum / n / items, double(0.3F) + double(added) - others, 1e-10);
+      const Rounding<float> rounding = rounding_of_step<float>(step).at_nodes;
+      const float rest = collision.value(rounding, node);
+      EXPECT_EQ(convection.added_to(0.3F, rounding, node), rest);
+      mean += double(rest) / n / items;
+    }
+  return {mean, exact};
+}
+
+TEST(RestPopulation, ConservesTheSumOfPopulationsInTheMean) {
+  for (const float added : {0.0F, 3e-9F}) {
+    const auto [mean, exact] =
+        mean_of_rest<D2Q5>({0, 0.1F, 0.1F, 0.1F, 0.1F}, {0, 0.1F + 7e-9F, 0.09999F, 0.1F, 0.1F}, added);
+    EXPECT_NEAR(mean, exact, 1e-10);
   }
-  RestPopulation<double, double> exact(0.3, 0.5);
-  exact.replace(0.1, 0.2);
+  RestPopulation<double, D2Q5, double> exact(0.3, 0.5);
+  exact.replace(1, 0.1, 0.2);
   EXPECT_EQ(exact.value({}, 0), 0.5 - 0.2);
+  RestGain<double, D2Q5, double> gain(0.5);
+  gain.give(1, 0.1, 0.3, 0.2);
+  EXPECT_EQ(gain.added_to(0.3, {}, 0), 0.3 + (0.5 - 0.2));
+}
+
+/// Populations that exchange 0.05 in every step, while 1e-9 is added: nothing of it is lost among them.
+TEST(RestPopulation, KeepsWhatIsAddedBesideLargeChanges) {
+  const float added = 1e-9F;
+  ASSERT_EQ(added - (0.15F - 0.1F), 0.1F - 0.15F);
+  const auto [mean, exact] = mean_of_rest<D2Q5>({0, 0.1F, 0.1F, 0.15F, 0.1F}, {0, 0.15F, 0.1F, 0.1F, 0.1F}, added);
+  EXPECT_NEAR(mean, exact, 0.1 * double(added));
+}
+
+/// In a steep gradient what flows through is far larger than what remains, and differently rounded in each direction.
+TEST(RestPopulation, AddsWhatFlowsThroughByPairs) {
+  float before[D2Q9::Q], after[D2Q9::Q];
+  for (int q = 0; q < D2Q9::Q; ++q) {
+    const double along = 0.3 * D2Q9::c(q, 0) + 0.2 * D2Q9::c(q, 1), w = D2Q9::w(q);
+    before[q] = static_cast<float>(w * (0.66 - along));
+    after[q] = static_cast<float>(w * (0.66 + along));
+  }
+  const auto [mean, exact] = mean_of_rest<D2Q9>(before, after, 0);
+  EXPECT_NEAR(mean, exact, 1e-10);
 }
 
 #if !defined(__CUDACC__) && !defined(__HIPCC__)

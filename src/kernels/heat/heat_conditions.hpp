@@ -36,9 +36,13 @@ template <class T>
 struct ConvectionIn {
   static constexpr bool mirrors = true, looks_inside = false, has_plane = true;
   T outside, fluid_transfer, solid_transfer;
+  Rounding<T> rounding;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
     const T passed = link.share * (link.solid ? solid_transfer : fluid_transfer), held = passed / (2 * link.paired);
-    return (link.leaving * (1 - held) + passed * outside) / (1 + held);
+    if constexpr (Rounding<T>::to_nearest)
+      return (link.leaving * (1 - held) + passed * outside) / (1 + held);
+    else
+      return rounding.sum(link.leaving, passed * (outside - link.leaving / link.paired) / (1 + held), link.node);
   }
 };
 
@@ -101,7 +105,7 @@ struct ConditionOf {
         return visit(FluxIn<T>{static_cast<T>(value), static_cast<T>(value / capacity_ratio), rounding});
       case HeatCondition::convection:
         return visit(ConvectionIn<T>{static_cast<T>(value), static_cast<T>(transfer),
-                                     static_cast<T>(transfer / capacity_ratio)});
+                                     static_cast<T>(transfer / capacity_ratio), rounding});
       case HeatCondition::outflow:
         return visit(OutflowIn<T>{});
     }

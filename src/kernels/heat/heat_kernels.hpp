@@ -12,42 +12,47 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr double interface_reflection(double capacit
   return (1 - capacity_ratio) / (1 + capacity_ratio);
 }
 
-/// The population that arrives through a link: in = pulled + r (s_nb - s_x) (own - pulled), where `pulled` left the
-/// neighbour for this node, `own` left this node for the neighbour in the same step, and s is 1 in solid, 0 in fluid.
-/// Between unlike nodes this is Li, Chen, Mei & Klausner's half-link condition: into fluid
+/// What a link adds to the population that arrives through it: in = pulled + r (s_nb - s_x) (own - pulled), where
+/// `pulled` left the neighbour for this node, `own` left this node for the neighbour in the same step, and s is 1 in
+/// solid, 0 in fluid. Between unlike nodes this is Li, Chen, Mei & Klausner's half-link condition: into fluid
 /// [(1 - sigma) own + 2 sigma pulled] / (1 + sigma), into solid [2 pulled - (1 - sigma) own] / (1 + sigma). Conserves
 /// energy: (own - in) on the fluid side is sigma times (in - own) on the solid side.
 template <class T>
-KOKKOS_FORCEINLINE_FUNCTION T conjugate_link(T pulled, T own, T r, T solid_here, T solid_beyond) {
-  return pulled + r * (solid_beyond - solid_here) * (own - pulled);
+KOKKOS_FORCEINLINE_FUNCTION T conjugate_gain(T pulled, T own, T r, T solid_here, T solid_beyond) {
+  return r * (solid_beyond - solid_here) * (own - pulled);
 }
 
 /// The same between any two kinds of matter, by their heat capacities: r = (c_x - c_nb) / (c_x + c_nb). It is the law
 /// above where one of them is fluid, c = 1, and passes what was pulled between like nodes.
 template <class T>
-KOKKOS_FORCEINLINE_FUNCTION T conjugate_link_of(T pulled, T own, T capacity_here, T capacity_beyond) {
-  return pulled + (capacity_here - capacity_beyond) / (capacity_here + capacity_beyond) * (own - pulled);
+KOKKOS_FORCEINLINE_FUNCTION T conjugate_gain_of(T pulled, T own, T capacity_here, T capacity_beyond) {
+  return (capacity_here - capacity_beyond) / (capacity_here + capacity_beyond) * (own - pulled);
 }
 
 /// Conduction at one node (paper Eqs. 3, 4): turns its populations `g` into those after the step. g_q(x, t+1) is what
-/// arrives through the conjugate link, link(q, pulled[q], own) with `pulled` what left the neighbour that q comes from
-/// and `own` what left the node for it; the collision relaxes the odd part with s, the even part with s_plus towards
+/// arrives, `pulled` from the neighbour that q comes from, and what the conjugate link adds, gain(q, pulled[q], own)
+/// with `own` what left the node for it; the collision relaxes the odd part with s, the even part with s_plus towards
 /// w_q T. With Lambda = 1/4, s_plus = 2 - s, so
 ///     g_q* = (s - 1) g_opposite(q) + (2 - s) w_q T,
-/// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it.
-template <class T, class Set, class Link>
+/// s being the rate of the node's own material. The population at rest is what remains of T, which conserves it, with
+/// what rounding has taken from what the links add.
+template <class T, class Set, class Gain>
 KOKKOS_FORCEINLINE_FUNCTION void conduct_node(T (&g)[Set::Q], const T (&pulled)[Set::Q], T s,
-                                              const Rounding<T>& rounding, int node, const Link& link) {
+                                              const Rounding<T>& rounding, int node, const Gain& gain) {
   T in[Set::Q];
-  T temperature = g[0];
+  T temperature = g[0], lost = 0;
   VUG_UNROLL
-  for (int q = 1; q < Set::Q; ++q) temperature += in[q] = link(q, pulled[q], g[Set::opposite(q)]);
+  for (int q = 1; q < Set::Q; ++q) {
+    const T gained = gain(q, pulled[q], g[Set::opposite(q)]);
+    temperature += in[q] = pulled[q] + gained;
+    lost += Rounding<T>::lacking(pulled[q], gained, in[q]);
+  }
   const T even = (2 - s) * temperature;
-  RestPopulation<T, T> rest(g[0], temperature);
+  RestPopulation<T, Set, T> rest(g[0], temperature, lost);
   VUG_UNROLL
   for (int q = 1; q < Set::Q; ++q) {
     g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
-    rest.replace(in[q], g[q]);
+    rest.replace(q, in[q], g[q]);
   }
   g[0] = rest.value(rounding, node);
 }
@@ -83,7 +88,7 @@ struct TwoPhases {
                                            const T (&there)[Set::Q]) const {
     conduct_node<T, Set>(g, pulled, fluid_rate + here * rate_step, rounding, node,
                          [&](int q, T arrived, T own)
-                             VUG_INLINED { return conjugate_link(arrived, own, reflection, here, there[q]); });
+                             VUG_INLINED { return conjugate_gain(arrived, own, reflection, here, there[q]); });
   }
 };
 
@@ -105,7 +110,7 @@ struct ManyMinerals {
   KOKKOS_FORCEINLINE_FUNCTION void conduct(int node, T (&g)[Set::Q], const T (&pulled)[Set::Q], std::uint8_t k, T here,
                                            const T (&there)[Set::Q]) const {
     conduct_node<T, Set>(g, pulled, static_cast<T>(rate(k)), rounding, node, [&](int q, T arrived, T own) VUG_INLINED {
-      return conjugate_link_of(arrived, own, here, there[q]);
+      return conjugate_gain_of(arrived, own, here, there[q]);
     });
   }
 };
@@ -209,15 +214,15 @@ struct Advect {
     const T conducted = sum_of_populations<Set, T>(&g(n), plane);
     const T added = law.added(conducted, excess), temperature = conducted + added;
     const unsigned walled = walls(i);
-    T rest = added;
+    RestGain<T, Set, T> rest(added);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const T carried = walled >> q & 1u ? T(0) : law.carried(q, temperature, u(i, 0), u(i, 1));
       const T change = T(Set::w(q)) * law.change(added, carried), before = g(q * plane + n);
       g(q * plane + n) = before + change;
-      rest -= rounding.gained(before, before + change, change);
+      rest.give(q, before, before + change, change);
     }
-    g(n) = rounding.sum(g(n), rest, n);
+    g(n) = rest.added_to(g(n), rounding, n);
     lagged(i) = excess;
     return static_cast<double>(added);
   }

@@ -7,6 +7,8 @@
 // or down at random, with the odds at which the mean is the exact sum. Numbers that are exact stay as they are. In
 // double precision the same loss is 1e-17 per step, and sums are ordinary sums.
 #include "base/splitmix64.hpp"
+#include "base/unroll.hpp"
+#include "base/velocity_set.hpp"
 #include "kernels/packs/pack.hpp"
 
 #include <type_traits>
@@ -39,44 +41,105 @@ struct Rounding {
     }
   }
 
-  /// a + b, for an item or a pack of them. `lost` is what the nearest number lacks, exactly if |a| >= |b| (Dekker's
-  /// two-sum). It is made up for by a move to the next number or by none: adding and subtracting a number with the last
-  /// place of the sum decides.
+  /// a + b, for an item or a pack of them.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION V sum(const V& a, const V& b, int item) const {
     const V nearest = a + b;
-    if constexpr (to_nearest) {
+    if constexpr (to_nearest)
       return nearest;
-    } else {
-      constexpr T over_half = T(0x1.004p-24), large = T(0x1.8p23);  // over half of the last place, for any digits
-      const V lost = b - (nearest - a);
-      const V last_place = (nearest + over_half * nearest) - nearest;
-      const V coarse = large * last_place;
-      return nearest + ((lost + shift<V>(item) * last_place + coarse) - coarse);
-    }
+    else
+      return moved(nearest, lacking(a, b, nearest), item);
+  }
+  /// a + b + more, rounded once. Added to b first, `more` would be rounded to the nearest place of b, which may be far
+  /// larger and of the same size in every step.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V sum(const V& a, const V& b, const V& more, int item) const {
+    const V both = a + b, nearest = both + more;
+    if constexpr (to_nearest)
+      return nearest;
+    else
+      return moved(nearest, lacking(a, b, both) + lacking(both, more, nearest), item);
   }
 
-  /// What a number gains by `change`, which has made it `after`: the difference that is stored, where that counts.
+  /// What `nearest`, the rounded a + b, lacks: exactly if |a| >= |b| (Dekker's two-sum). Zero in double precision.
   template <class V>
-  KOKKOS_FORCEINLINE_FUNCTION static V gained(const V& before, const V& after, const V& change) {
+  KOKKOS_FORCEINLINE_FUNCTION static V lacking(const V& a, const V& b, const V& nearest) {
     if constexpr (to_nearest)
-      return change;
+      return V{};
     else
-      return after - before;
+      return b - (nearest - a);
+  }
+
+ private:
+  /// `nearest` or a number beside it, so that the mean is nearest + lost: adding and subtracting a number with the last
+  /// place of the sum decides.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION V moved(const V& nearest, const V& lost, int item) const {
+    constexpr T over_half = T(0x1.004p-24), large = T(0x1.8p23);  // over half of the last place, for any digits
+    const V last_place = (nearest + over_half * nearest) - nearest;
+    const V coarse = large * last_place;
+    return nearest + ((lost + shift<V>(item) * last_place + coarse) - coarse);
   }
 };
 
+/// Changes of the populations that move, in single precision. Their sum is taken by pairs of opposite directions: what
+/// flows through a node leaves one of them and enters the other, and cancels exactly, however large it is.
+template <class V, class Set>
+struct ChangesByPairs {
+  V of[Set::Q];
+
+  KOKKOS_FORCEINLINE_FUNCTION V sum() const {
+    V all{};
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q)
+      if (q < Set::opposite(q)) all += of[q] + of[Set::opposite(q)];
+    return all;
+  }
+};
+
+/// What the population at rest gains where the others change: an amount that is `added` to all of them, less what the
+/// others store of it. In single precision the amount is kept apart until the end.
+template <class T, class Set, class V>
+class RestGain {
+ public:
+  KOKKOS_FORCEINLINE_FUNCTION explicit RestGain(const V& added) : added_(added), left_(added) {}
+
+  /// Population q becomes `after` by `change`.
+  KOKKOS_FORCEINLINE_FUNCTION void give(int q, const V& before, const V& after, const V& change) {
+    if constexpr (Rounding<T>::to_nearest)
+      left_ -= change;
+    else
+      changes_.of[q] = after - before;
+  }
+
+  /// The population at rest of a node or of a pack of nodes, which was `rest`.
+  KOKKOS_FORCEINLINE_FUNCTION V added_to(const V& rest, const Rounding<T>& rounding, int node) const {
+    if constexpr (Rounding<T>::to_nearest)
+      return rest + left_;
+    else
+      return rounding.sum(rest, -changes_.sum(), added_, node);
+  }
+
+ private:
+  V added_, left_;
+  ChangesByPairs<V, Set> changes_;
+};
+
 /// The population at rest after a collision, which conserves the sum of populations.
-template <class T, class V>
+template <class T, class Set, class V>
 class RestPopulation {
  public:
-  /// `rest` is the population at rest that has arrived. `sum` is the sum of all of them and of what is `added`.
+  /// `rest` is the population at rest that has arrived. `sum` is the sum of all of them and of what is `added`, which
+  /// in single precision is kept apart until the end.
   KOKKOS_FORCEINLINE_FUNCTION RestPopulation(const V& rest, const V& sum, const V& added = {})
-      : rest_(rest), left_(Rounding<T>::to_nearest ? sum : added) {}
+      : rest_(rest), added_(added), left_(sum) {}
 
-  /// One of the other populations becomes `after`.
-  KOKKOS_FORCEINLINE_FUNCTION void replace(const V& before, const V& after) {
-    left_ -= Rounding<T>::to_nearest ? after : after - before;
+  /// Population q becomes `after`.
+  KOKKOS_FORCEINLINE_FUNCTION void replace(int q, const V& before, const V& after) {
+    if constexpr (Rounding<T>::to_nearest)
+      left_ -= after;
+    else
+      changes_.of[q] = after - before;
   }
 
   /// That of a node or of a pack of nodes.
@@ -84,11 +147,12 @@ class RestPopulation {
     if constexpr (Rounding<T>::to_nearest)
       return left_;
     else
-      return rounding.sum(rest_, left_, node);
+      return rounding.sum(rest_, -changes_.sum(), added_, node);
   }
 
  private:
-  V rest_, left_;
+  V rest_, added_, left_;
+  ChangesByPairs<V, Set> changes_;
 };
 
 /// The roundings of a step: at nodes, and where something enters or reacts.
