@@ -25,14 +25,14 @@ LAWS = {
         mechanics_preload.cpp monitors.cpp particles.cpp pieces.cpp push.hpp quench.cpp rest.cpp servo.cpp slab_cooling.cpp splitting.hpp
         static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """ageing.hpp ageing_looks.hpp ageing_module.cpp amount_share.hpp build_modules.cpp chemical_damage.cpp
-        chemical_damage.hpp concerns.cpp corner_contacts.cpp error_bars.cpp events.cpp face_temperature.hpp
-        flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
+        chemical_damage.hpp concerns.cpp corner_contacts.cpp driving_pressure.cpp error_bars.cpp events.cpp
+        face_temperature.hpp flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
         flow_limits.cpp flow_module.cpp flow_paths.cpp force_change.cpp force_speed.cpp given_changes.cpp
         grid_convergence.hpp
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp heat_setup.cpp history_difference.cpp
         initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp
         mouths.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
-        plane_waves.cpp pore_growth.cpp pore_width.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
+        plane_waves.cpp pore_growth.cpp pore_width.cpp pressed_speed.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
         reaction_module.cpp reaction_setup.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp
         rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slit.hpp slits.cpp solid_spread.cpp
         solute_intervals.cpp solute_limits.cpp solute_module.cpp specimen.cpp steady_flow.hpp step_times.hpp stretch_ends.cpp strip.cpp
@@ -53,15 +53,16 @@ NO_LAWS = {
     "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp parameters.hpp require_edges.cpp
         require_parameters.cpp rock_share.cpp""",
     "coupling": """check.cpp check_text.cpp choices.cpp dimensionless.cpp explain.cpp flow_ranks.cpp fluid_picture.cpp
-        geometry.cpp interval_warnings.cpp laboratory_report.cpp laboratory_run.cpp mechanics_ranks.cpp memory_need.cpp reaction_ranks.cpp
-        recorded_run.cpp run.cpp run_book.cpp run_files.cpp run_sum.hpp shared_field.cpp solute_ranks.cpp split.cpp tasks.cpp""",
+        fluid_picture.hpp geometry.cpp interval_warnings.cpp laboratory_report.cpp laboratory_run.cpp mechanics_ranks.cpp
+        memory_need.cpp reaction_ranks.cpp recorded_run.cpp run.cpp run_book.cpp run_files.cpp run_sum.hpp shared_field.cpp solute_ranks.cpp split.cpp tasks.cpp""",
     "io": """assembly_quality.cpp case_reader.cpp case_tables_boundary.cpp case_tables_domain.cpp case_tables_fluid.cpp
         case_tables_gauge.cpp case_tables_rock.cpp checkpoint.cpp detail/check_boundaries.cpp detail/check_laboratory.cpp
         detail/check_minerals.cpp detail/check_names.cpp detail/check_places.cpp detail/check_scales.cpp
-        detail/check_tables.cpp detail/check_times.cpp detail/delaunay.cpp detail/disc_outline.cpp detail/hdf5_file.cpp
+        detail/check_tables.cpp detail/check_times.cpp detail/circle.hpp detail/circle_outline.cpp
+        detail/delaunay.cpp detail/disc_outline.cpp detail/element_size.cpp detail/hdf5_file.cpp
         detail/image_npy.cpp detail/image_nrrd.cpp detail/image_plain.cpp detail/image_png.cpp detail/image_tiff.cpp
-        detail/input_file.cpp detail/mesh_sections.cpp detail/nearest_name.cpp detail/poisson_disc.cpp detail/rock_outline.cpp
-        detail/rock_snapshots.cpp detail/toml_cursor.cpp detail/toml_cursor_read.cpp detail/toml_document.cpp
+        detail/input_file.cpp detail/line.hpp detail/mesh_sections.cpp detail/nearest_name.cpp
+        detail/poisson_disc.cpp detail/rock_outline.cpp detail/rock_snapshots.cpp detail/toml_cursor.cpp detail/toml_cursor_read.cpp detail/toml_document.cpp
         detail/toml_hazards.cpp detail/toml_override.cpp detail/warnings.cpp detail/warnings_of_pores.cpp form.cpp
         history_writer.cpp image_reader.cpp json_text.cpp mesh_reader.cpp message.cpp notch_remarks.cpp
         palette_picture.cpp progress.cpp rock_generator.cpp rock_regions.cpp run_folder.cpp""",

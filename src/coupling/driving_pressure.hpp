@@ -1,5 +1,5 @@
 #pragma once
-// What drives fluid between boundaries with given pressures where a body force acts as well.
+// What drives fluid between boundaries with given pressures, also where a body force acts.
 #include "io/scene/boundaries.hpp"
 #include "io/units.hpp"
 
@@ -20,6 +20,11 @@ inline Span pressures_of(const FlowBoundary& flow, const LatticeUnits& units) {
   const Span given{units.lattice_pressure(flow.pressure.lowest()), units.lattice_pressure(flow.pressure.highest())};
   return flow.ramp_time > 0 ? Span{std::min(given.low, 0.0), std::max(given.high, 0.0)} : given;
 }
+
+/// Lowest and highest difference p_a - p_b of the pressures of two boundaries at one time of the run, lattice units; 0
+/// where it is rounding. An outflow counts as a boundary at the initial pressure. Between the points of tables and
+/// ramps the difference is a parabola: a ramp multiplies a table.
+Span difference_over_time(const FlowBoundary& a, const FlowBoundary& b, const LatticeUnits& units);
 
 /// Largest difference of the potential Phi = p - f.x that drives fluid, lattice units: between any two of `mouths` (the
 /// boundaries with a given pressure), or between one of them and the fluid at the start, whose potential is

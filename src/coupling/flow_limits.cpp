@@ -39,10 +39,9 @@ double lowest_relaxation_time(Collision collision, double pressure) {
   return 0.505;
 }
 
-/// Largest speed that a pressure drives, lattice units: Bernoulli's, or that of viscous flow along the widest pores
-/// (FlowPaths::viscous_speed) where it is higher. The lowest viscosity counts.
-double speed_of_pressure(double pressure, double viscous_speed, double viscosity) {
-  return pressure > 0 ? std::max(std::sqrt(2 * pressure), pressure * viscous_speed / viscosity) : 0;
+/// Speed that a pressure gives fluid which nothing holds back, lattice units.
+double bernoulli_speed(double pressure) {
+  return std::sqrt(2 * pressure);
 }
 
 }  // namespace
@@ -87,7 +86,7 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
 template <class T>
 std::string FlowModule<T>::advice_on_divergence() const {
   const double pressure = driving_pressure(), speed = std::max(prescribed_speed(), paths_.passage_speed);
-  if (pressure > 0 && std::sqrt(2 * pressure) >= speed)
+  if (pressure > 0 && bernoulli_speed(pressure) >= speed)
     return "lower the pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)";
   return speed > 0 ? "lower the prescribed velocity or the time step" : "lower what drives the flow or the time step";
 }
@@ -151,7 +150,7 @@ template <class T>
 double FlowModule<T>::largest_speed() const {
   const double prescribed = std::max(prescribed_speed(), paths_.passage_speed);
   const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
-  const double pressed = speed_of_pressure(driving_pressure(), paths_.viscous_speed, lowest_viscosity());
+  const double pressed = std::max(bernoulli_speed(driving_pressure()), paths_.pressed.speed / lowest_viscosity());
   return driven ? speed_limit() : std::min(speed_limit(), prescribed + buoyant_speed_ + pressed);
 }
 
@@ -175,12 +174,16 @@ void FlowModule<T>::limits(LimitTable& table) const {
                      "1", 0, 0.35, "lower lattice.time_step"});
   table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
                    "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
-  if (highest > 0)  // where no wall holds the fluid back, the pressures drive any speed in the end
-    table.push_back({"flow", "Mach number that the pressures drive",
-                     std::sqrt(3.0) * speed_of_pressure(driving_pressure(),
-                                                        std::isfinite(paths_.viscous_speed) ? paths_.viscous_speed : 0,
-                                                        lowest_viscosity()),
-                     "1", 0, 0.9, "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+  if (highest > 0) {
+    // where no wall holds the fluid back, the pressures drive any speed in the end
+    const bool held = std::isfinite(paths_.pressed.speed);
+    const double free = bernoulli_speed(driving_pressure()),
+                 viscous = held ? paths_.pressed.speed / lowest_viscosity() : 0;
+    const std::string where =
+        viscous > free ? fmt::format("from {} to {}: ", paths_.pressed.from, paths_.pressed.to) : std::string();
+    table.push_back({"flow", "Mach number that the pressures drive", std::sqrt(3.0) * std::max(free, viscous), "1", 0,
+                     0.9, where + "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+  }
   const auto prescribed = [&](const char* name, double speed) {
     if (speed > 0)
       table.push_back({"flow", name, std::sqrt(3.0) * speed, "1", 0, largest_prescribed_mach,

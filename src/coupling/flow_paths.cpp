@@ -5,13 +5,13 @@
 #include "coupling/force_speed.hpp"
 #include "coupling/mouths.hpp"
 #include "coupling/pore_width.hpp"
+#include "coupling/pressed_speed.hpp"
 #include "coupling/ways_out.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -25,39 +25,28 @@ struct Passage {
   std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: there is no outlet
   double drag = 0;        ///< pressure over (viscosity * volume per step), lattice units
   double delay = 0;       ///< steps in which pressure spreads along it, over viscosity
-  double speed = 0;       ///< largest that a pressure drives along it, times viscosity over pressure; 0: not known
 };
 
 /// Goes through the fronts of nodes at one distance after the other from `mouth`, up to the first that contains a node
 /// of `outlet`: all fluid that enters crosses every front. A front of n nodes has the drag of a slit of n cells,
 /// 12/n^3; where only one of its nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3; without such
 /// nodes, none. The drag is a lower bound, because the nodes may be in several passages. Each node stores 1/c_s^2 of
-/// the pressure. `width`: that of pores (pore_widths). The largest width w in each front gives the speed that a
-/// pressure drives: 1/8 of it over viscosity, over the sum of w^-3 and the smallest w; n^2/(8 L) in a channel of L x n
-/// cells.
-Passage passage(const Scene& scene, const FluidPicture& picture, const Mouth& mouth, const std::vector<bool>& outlet,
-                const std::vector<int>& width) {
+/// the pressure.
+Passage passage(const NoSlipWalls& walls, const FluidPicture& picture, const Mouth& mouth,
+                const std::vector<bool>& outlet) {
   std::vector<bool> seen(picture.size(), false);
   std::vector<std::size_t> front = mouth.nodes;
   for (const std::size_t n : front) seen[n] = true;
   Passage passed{front.size()};
-  double stored = 0, narrowest = std::numeric_limits<double>::infinity(), viscous = 0;
+  double stored = 0;
   while (!front.empty()) {
     const auto nodes = static_cast<double>(front.size());
-    const auto held =
-        std::count_if(front.begin(), front.end(), [&](std::size_t n) { return is_held_back(picture, scene, n); });
+    const auto held = std::count_if(front.begin(), front.end(), [&](std::size_t n) { return walls.hold(n); });
     const double drag = (held > 1 ? 12 : 3 * static_cast<double>(held)) / std::pow(nodes, 3);
     stored += 3 * nodes;
     passed.least = std::min(passed.least, front.size());
     passed.drag += drag;
     passed.delay += drag * stored;
-    int widest = 0;
-    for (const std::size_t n : front) widest = std::max(widest, width[n]);
-    if (widest > 0) {
-      narrowest = std::min(narrowest, static_cast<double>(widest));
-      viscous += std::pow(widest, -3);
-      passed.speed = 1 / (8 * viscous * narrowest);
-    }
     if (std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; })) return passed;
     std::vector<std::size_t> next;
     for (const std::size_t n : front)
@@ -153,12 +142,11 @@ void look_for_cut_profiles(const Scene& scene, const Geometry& geometry, const s
   }
 }
 
-void look_for_passages(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
-                       const LatticeUnits& units, FlowPaths& found) {
+void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const FluidPicture& picture,
+                       const std::vector<Mouth>& mouths, const LatticeUnits& units, FlowPaths& found) {
   // decay time of the slowest mode of a channel over viscosity * delay, with a pressure at one end or at both
   constexpr double one_end = 8 / (std::numbers::pi * std::numbers::pi), both_ends = one_end / 4;
   const double viscosity = scene.flow->viscosity / units.diffusivity();
-  const std::vector<int> width = pore_widths(picture, scene);
   for (const Mouth& mouth : mouths) {
     const bool presses = mouth.conditions->flow.kind == FlowBoundaryKind::pressure;
     if ((mouth.inflow == 0 && !presses) || mouth.nodes.empty()) continue;
@@ -166,12 +154,9 @@ void look_for_passages(const Scene& scene, const FluidPicture& picture, const st
     for (const Mouth& other : mouths)
       if (other.lets_fluid_through() && other.key != mouth.key)
         for (const std::size_t n : other.nodes) outlet[n] = true;
-    const Passage passed = passage(scene, picture, mouth, outlet, width);
+    const Passage passed = passage(walls, picture, mouth, outlet);
     if (passed.least == 0) continue;
     found.settling_steps = std::max(found.settling_steps, (presses ? both_ends : one_end) * viscosity * passed.delay);
-    if (presses)
-      found.viscous_speed =
-          std::max(found.viscous_speed, passed.speed > 0 ? passed.speed : std::numeric_limits<double>::infinity());
     const double volume = std::abs(mouth.inflow) * mouth.total_length();
     found.passage_speed = std::max(found.passage_speed, volume / static_cast<double>(passed.least));
     found.passage_pressure = std::max(found.passage_pressure, viscosity * passed.drag * volume);
@@ -195,8 +180,10 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   const std::vector<int> piece = pieces_of(picture);
   look_for_ways_out(scene, mouths, piece, units, rock_opens, found);
   look_for_paths(mouths, piece, rock_opens, found);
-  look_for_passages(scene, picture, mouths, units, found);
+  const NoSlipWalls walls(picture, scene);
+  look_for_passages(scene, walls, picture, mouths, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
+  found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
   found.force_speed = body_force_speed(scene, picture, mouths, piece, units);
   if (std::string remark = remark_on_corners(scene, picture, mouths); !remark.empty())
     found.warnings.push_back(std::move(remark));

@@ -2,6 +2,7 @@
 // Where the fluid can flow from the sides of the lattice and from openings, and what the conditions there mean in this
 // geometry: found once, before the first step.
 #include "coupling/geometry.hpp"
+#include "coupling/pressed_speed.hpp"
 #include "io/units.hpp"
 
 #include <string>
@@ -26,9 +27,7 @@ struct FlowPaths {
   /// Lattice steps in which the deviation from the steady flow falls to 1/e; a lower bound as well. For a channel of L
   /// x n cells: 36 nu L^2/(pi n)^2 between two pressures, four times that between a velocity and a pressure.
   double settling_steps = 0;
-  /// Largest speed that the pressures can drive against viscosity, times viscosity over pressure, lattice units: n^2/(8
-  /// L) in a channel of L x n cells. Infinite where no wall holds the fluid back; 0 without a pressure.
-  double viscous_speed = 0;
+  PressedFlow pressed{};              ///< the fastest flow that pressures drive against viscosity (pressed_speed.hpp)
   std::vector<std::string> warnings;  ///< one line each: allowed, but probably not meant
 };
 

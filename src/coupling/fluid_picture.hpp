@@ -15,6 +15,11 @@ class FluidPicture {
   FluidPicture(const Scene& scene, const Geometry& geometry);
   std::size_t size() const { return fluid_.size(); }
   std::size_t number(int x, int y) const { return static_cast<std::size_t>(y) * nx + x; }
+  /// The node at `along` beside a side.
+  std::size_t beside(Side side, int along) const {
+    if (is_upright(side)) return number(side == Side::left ? 0 : nx - 1, along);
+    return number(along, side == Side::bottom ? 0 : ny - 1);
+  }
   bool is_fluid(std::size_t n) const { return fluid_[n]; }
   std::size_t fluid_nodes() const;
 

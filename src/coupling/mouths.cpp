@@ -16,10 +16,7 @@ namespace {
 /// Adds the fluid nodes beside a part of a side.
 void look_beside_side(const Stretch& stretch, const FluidPicture& picture, Mouth& mouth) {
   for (int i = stretch.first; i <= stretch.last; ++i) {
-    const std::size_t n = stretch.side == Side::left     ? picture.number(0, i)
-                          : stretch.side == Side::right  ? picture.number(picture.nx - 1, i)
-                          : stretch.side == Side::bottom ? picture.number(i, 0)
-                                                         : picture.number(i, picture.ny - 1);
+    const std::size_t n = picture.beside(stretch.side, i);
     if (!picture.is_fluid(n)) continue;
     mouth.nodes.push_back(n);
     mouth.length.push_back(1);
@@ -113,6 +110,7 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
     else
       look_beside_side(stretch, picture, mouth);
     if (!stretch.opening) mouth.side = stretch.side;
+    mouth.centre = stretch.centre;
     if (scene.flow) {
       const FlowBoundary& flow = mouth.conditions->flow;
       const auto inflow = [&flow, stretch, cells = mouth.total_length(), density = scene.flow->density,

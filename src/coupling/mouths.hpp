@@ -28,7 +28,8 @@ struct Mouth {
   std::vector<std::array<double, 2>> push{};
   /// Largest prescribed speed at one point, lattice units; infinite where the shares of a rate have no positive sum.
   double peak_speed = 0;
-  std::optional<Side> side{};  ///< of the lattice; none for an opening
+  std::optional<Side> side{};          ///< of the lattice; none for an opening
+  std::array<double, 2> centre{0, 0};  ///< of the side, stretch or opening, cells
 
   double total_length() const { return std::accumulate(length.begin(), length.end(), 0.0); }
 

@@ -1,31 +1,34 @@
 #include "coupling/pore_width.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace vug {
 
-bool is_held_back(const FluidPicture& picture, const Scene& scene, std::size_t n, JoinedBy by) {
-  const int x = static_cast<int>(n % picture.nx), y = static_cast<int>(n / picture.nx);
-  const auto holds = [](const BoundarySection& side) {
-    return side.flow.kind == FlowBoundaryKind::wall && side.flow.peak_speed() == 0;
-  };
-  if ((x == 0 && holds(scene.left)) || (x == picture.nx - 1 && holds(scene.right)) || (y == 0 && holds(scene.bottom)) ||
-      (y == picture.ny - 1 && holds(scene.top)))
-    return true;
+NoSlipWalls::NoSlipWalls(const FluidPicture& picture, const Scene& scene)
+    : picture_(picture), beside_side_(picture.size(), false) {
+  for (const Stretch& stretch : boundary_stretches(scene)) {
+    const FlowBoundary& flow = stretch.conditions.flow;
+    if (flow.kind != FlowBoundaryKind::wall || flow.peak_speed() != 0) continue;
+    for (int i = stretch.first; i <= stretch.last; ++i) beside_side_[picture.beside(stretch.side, i)] = true;
+  }
+}
+
+bool NoSlipWalls::hold(std::size_t n, JoinedBy by) const {
+  if (beside_side_[n]) return true;
   bool rock = false;
-  const auto visit = [&](std::size_t m) { rock = rock || !picture.is_fluid(m); };
+  const auto visit = [&](std::size_t m) { rock = rock || !picture_.is_fluid(m); };
   if (by == JoinedBy::corners)
-    picture.for_each_neighbour(n, visit);
+    picture_.for_each_neighbour(n, visit);
   else
-    picture.for_each_beside(n, visit);
+    picture_.for_each_beside(n, visit);
   return rock;
 }
 
-std::vector<int> pore_widths(const FluidPicture& picture, const Scene& scene) {
+std::vector<int> pore_widths(const FluidPicture& picture, const NoSlipWalls& walls) {
   std::vector<int> width(picture.size(), 0);
   std::vector<std::size_t> front;
   for (std::size_t n = 0; n < picture.size(); ++n)
-    if (picture.is_fluid(n) && is_held_back(picture, scene, n, JoinedBy::faces)) front.push_back(n);
+    if (picture.is_fluid(n) && walls.hold(n, JoinedBy::faces)) front.push_back(n);
   for (int reached = 2; !front.empty(); reached += 2) {
     std::vector<std::size_t> next;
     for (const std::size_t n : front) width[n] = reached;

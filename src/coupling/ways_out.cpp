@@ -82,12 +82,11 @@ std::vector<double> moments_of(const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     const FlowBoundary& flow = part.mouth->conditions->flow;
     if (flow.ramp_time > 0) points.push_back(flow.ramp_time);
-    const auto add = [&](const TimeTable& table) {
-      points.insert(points.end(), table.moments().begin(), table.moments().end());
-    };
-    for (const TimeTable& table : {flow.velocity[0], flow.velocity[1], flow.speed}) add(table);
-    if (flow.flow_rate) add(*flow.flow_rate);
-    if (flow.mass_flow_rate) add(*flow.mass_flow_rate);
+    const TimeTable* const rate = flow.flow_rate        ? &*flow.flow_rate
+                                  : flow.mass_flow_rate ? &*flow.mass_flow_rate
+                                                        : nullptr;
+    for (const TimeTable* table : {&flow.velocity[0], &flow.velocity[1], &flow.speed, rate})
+      if (table) points.insert(points.end(), table->moments().begin(), table->moments().end());
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

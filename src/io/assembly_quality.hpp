@@ -3,6 +3,8 @@
 // triangles.
 #include "dem/assembly.hpp"
 
+#include <array>
+#include <optional>
 #include <string>
 
 namespace vug {
@@ -16,6 +18,9 @@ struct AssemblyQuality {
   int islands = 0;             ///< pieces that are not joined by a shared edge
   int overused_edges = 0;      ///< edges of three or more triangles, or of two that run along it in the same direction
   int inverted_triangles = 0;  ///< clockwise or without area
+  /// m: the triangles with the smallest angle and area, one that is inverted, one in the smallest piece; an overused
+  /// edge.
+  std::array<double, 2> sharpest{}, smallest{}, inverted{}, apart{}, overused{};
 };
 
 /// Bounds of a usable triangulation. Outside them the mechanics would be wrong or slow: the time step is proportional
@@ -28,8 +33,14 @@ struct AssemblyLimits {
 
 AssemblyQuality assembly_quality(const Assembly& assembly);
 
-/// True when `quality` is inside `limits`; otherwise `why` says what is wrong and what is allowed.
-bool usable(const AssemblyQuality& quality, const AssemblyLimits& limits, std::string& why);
+/// Why a triangulation cannot be used, and where, m.
+struct Flaw {
+  std::string what;
+  std::optional<std::array<double, 2>> at;
+};
+
+/// What is wrong with a triangulation, and what is allowed; none when `quality` is inside `limits`.
+std::optional<Flaw> flaw_of(const AssemblyQuality& quality, const AssemblyLimits& limits);
 
 /// Throws InputError, beginning with `where`, when the assembly is not usable.
 void require_usable(const Assembly& assembly, const AssemblyLimits& limits, const std::string& where);

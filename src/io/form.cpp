@@ -13,13 +13,13 @@ namespace {
 using Point = std::array<double, 2>;
 
 std::vector<Point> circle(const Disc& disc, double edge) {
-  constexpr double quarter = 1.5707963267948966, whole = 0.7855044319574624;  // detail::tangent(whole) = 1
+  constexpr double quarter = std::numbers::pi / 2;
   const int parts = std::max(2, static_cast<int>(std::lround(quarter * disc.radius / edge)));
   std::vector<Point> points;
   for (int turn = 0; turn < 4; ++turn)
     for (int i = 0; i < parts; ++i) {
-      const auto [x, y] = detail::on_circle(1, detail::tangent(whole * i / parts));
-      const Point unit = turn == 0 ? Point{x, y} : turn == 1 ? Point{-y, x} : turn == 2 ? Point{-x, -y} : Point{y, -x};
+      const Point unit =
+          detail::turned(detail::on_circle(1, detail::tangent(detail::eighth_of_a_turn * i / parts)), turn);
       points.push_back({disc.centre[0] + disc.radius * unit[0], disc.centre[1] + disc.radius * unit[1]});
     }
   return points;

@@ -8,9 +8,12 @@
 #include "io/detail/rock_outline.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -60,9 +63,7 @@ struct Mesher {
 };
 
 double edge_length(const Outline& outline, const Outline::Edge& edge) {
-  const Point& a = outline.points[edge.a];
-  const Point& b = outline.points[edge.b];
-  return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]));
+  return detail::distance(outline.points[edge.a], outline.points[edge.b]);
 }
 
 detail::KeepOut Mesher::edge_discs(double factor) const {
@@ -137,18 +138,56 @@ Assembly Mesher::assemble(const std::vector<Point>& points, const Triangles& tri
   return assembly;
 }
 
-bool contains_outline(const Outline& outline, const Triangles& triangles) {
+/// An edge of the outline that the triangles do not have.
+std::optional<Outline::Edge> missing_edge(const Outline& outline, const Triangles& triangles) {
   std::set<std::array<int, 2>> edges;
   for (const auto& t : triangles)
     for (int k = 0; k < 3; ++k) edges.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-  return std::all_of(outline.edges.begin(), outline.edges.end(), [&edges](const Outline::Edge& e) {
-    return edges.contains({std::min(e.a, e.b), std::max(e.a, e.b)});
+  const auto missing = std::find_if(outline.edges.begin(), outline.edges.end(), [&edges](const Outline::Edge& e) {
+    return !edges.contains({std::min(e.a, e.b), std::max(e.a, e.b)});
   });
+  return missing == outline.edges.end() ? std::nullopt : std::optional(*missing);
+}
+
+/// The shapes whose outline is within a distance of a place, the nearest first.
+std::vector<std::string> shapes_near(const Outline& outline, Point place, double reach) {
+  std::map<std::string, double> nearest;
+  for (const auto& edge : outline.edges) {
+    const double d = detail::distance(detail::Line{outline.points[edge.a], outline.points[edge.b]}, place);
+    if (d > reach) continue;
+    const auto known = nearest.try_emplace(outline.shapes[edge.shape], d).first;
+    known->second = std::min(known->second, d);
+  }
+  std::vector<std::string> shapes;
+  for (const auto& [shape, d] : nearest) shapes.push_back(shape);
+  std::stable_sort(shapes.begin(), shapes.end(),
+                   [&](const auto& a, const auto& b) { return nearest.at(a) < nearest.at(b); });
+  return shapes;
+}
+
+/// What to change at a place, beside the shapes that are there.
+std::string advice(const std::vector<std::string>& shapes, const RockSection& rock) {
+  std::string smaller = fmt::format("lower rock.element_size (now {:g} m)", rock.element_size);
+  if (rock.grading > 1) smaller += fmt::format(" or rock.grading (now {:g})", rock.grading);
+  if (shapes.empty()) return ", away from all shapes; change rock.seed, or " + smaller;
+  if (shapes.size() == 1)
+    return fmt::format(", at {}; make its narrow parts and sharp corners wider, or {}", shapes[0], smaller);
+  return fmt::format(", between {}; move them apart, let them cross or meet at a wider angle, or {}",
+                     fmt::join(shapes, " and "), smaller);
+}
+
+/// One line: what is wrong where, which shapes are there, and what to change.
+InputError refusal(const Mesher& mesher, const RockSection& rock, const Flaw& flaw) {
+  const std::string why = fmt::format("rock: no usable mesh after {} attempts: {}", attempts, flaw.what);
+  if (!flaw.at) return InputError(why + "; make the holes smaller");
+  const Point at = *flaw.at;
+  return InputError(fmt::format("{} at x = {:.4g} m, y = {:.4g} m{}", why, at[0], at[1],
+                                advice(shapes_near(mesher.outline, at, 2 * mesher.size(at)), rock)));
 }
 
 Assembly triangulate(const Mesher& mesher, const RockSection& rock) {
   const AssemblyLimits limits{20, 0.2 / (rock.grading * rock.grading), 1};
-  std::string why;
+  Flaw flaw;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     auto points = mesher.scatter(CounterRandom{rock.seed * attempts + attempt}.next());
     auto triangles = detail::delaunay(mesher.grid, points);
@@ -156,15 +195,20 @@ Assembly triangulate(const Mesher& mesher, const RockSection& rock) {
       mesher.smooth(points, triangles);
       triangles = detail::delaunay(mesher.grid, points);
     }
-    if (!contains_outline(mesher.outline, triangles)) {
-      why = "an edge of the hole or of a notch is not an edge of the mesh";
+    if (const auto edge = missing_edge(mesher.outline, triangles)) {
+      const Point &a = mesher.outline.points[edge->a], &b = mesher.outline.points[edge->b];
+      flaw = {"no triangle fits to an edge of the outline", Point{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}};
       continue;
     }
     auto assembly = mesher.assemble(points, triangles);
-    if (usable(assembly_quality(assembly), limits, why)) return assembly;
+    const auto quality = assembly_quality(assembly);
+    const auto found = flaw_of(quality, limits);
+    if (!found) return assembly;
+    flaw = *found;
+    if (quality.islands > limits.islands)
+      flaw = {fmt::format("the shapes cut the rock into {} pieces, one", quality.islands), quality.apart};
   }
-  throw InputError("rock: no usable mesh after " + std::to_string(attempts) + " attempts, " + why +
-                   "; are notches, hole and sides closer than rock.element_size to each other?");
+  throw refusal(mesher, rock, flaw);
 }
 
 }  // namespace

@@ -11,9 +11,15 @@ namespace vug {
 /// A number, or a table of numbers over time: linear between its points, constant before the first and after the last.
 class TimeTable {
  public:
-  TimeTable(double value = 0) : value_{value} {}
+  TimeTable(double value = 0) : value_{value}, lowest_(value), highest_(value), peak_(value) {}
   /// `time` (s) ascends; `value` has the same length.
-  TimeTable(std::vector<double> time, std::vector<double> value) : time_(std::move(time)), value_(std::move(value)) {}
+  TimeTable(std::vector<double> time, std::vector<double> value)
+      : time_(std::move(time)),
+        value_(std::move(value)),
+        lowest_(*std::min_element(value_.begin(), value_.end())),
+        highest_(*std::max_element(value_.begin(), value_.end())),
+        peak_(*std::max_element(value_.begin(), value_.end(),
+                                [](double a, double b) { return std::abs(a) < std::abs(b); })) {}
 
   bool constant() const { return value_.size() == 1; }
   /// Value at a time (s).
@@ -26,13 +32,10 @@ class TimeTable {
   }
   /// Times of its points, s; empty for a number.
   const std::vector<double>& moments() const { return time_; }
-  double lowest() const { return *std::min_element(value_.begin(), value_.end()); }
-  double highest() const { return *std::max_element(value_.begin(), value_.end()); }
+  double lowest() const { return lowest_; }
+  double highest() const { return highest_; }
   /// The value farthest from zero, with its sign.
-  double peak() const {
-    return *std::max_element(value_.begin(), value_.end(),
-                             [](double a, double b) { return std::abs(a) < std::abs(b); });
-  }
+  double peak() const { return peak_; }
   /// Time after which the value is constant, s.
   double settled() const { return constant() ? 0 : time_.back(); }
   /// The shortest time between two points of different values, s; infinity for a number.
@@ -46,6 +49,7 @@ class TimeTable {
  private:
   std::vector<double> time_;  ///< empty for a number
   std::vector<double> value_;
+  double lowest_, highest_, peak_;  ///< found once: tables may be long, and many ask
 };
 
 }  // namespace vug

@@ -1,67 +1,26 @@
-// What the geometry makes of the conditions on the fluid: mistakes are refused, what may be meant is remarked on.
-#include "coupling/flow_paths.hpp"
+// What the geometry makes of the conditions on the fluid: speeds, pressures and times that they need.
+#include "unit/channel_paths.hpp"
 
-#include "base/require.hpp"
-#include "coupling/simulation.hpp"
-
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <regex>
 #include <string>
-#include <vector>
 
 namespace vug {
 namespace {
 
-using testing::Contains;
+using test::channel;
+using test::inflow;
+using test::outlet;
+using test::paths;
+using test::pressures;
+using test::rectangle;
+using test::refusal;
+using test::wall;
 using testing::HasSubstr;
-using testing::IsEmpty;
-
-std::string rectangle(const char* from, const char* to) {
-  return std::string("[[geometry.shapes]]\ntype = \"rectangle\"\nfrom = ") + from + "\nto = " + to + "\n";
-}
-
-/// A channel of 40 x 12 cells, lattice units, with what is drawn into it.
-std::string channel(const std::string& shapes, const std::string& sides) {
-  return "[lattice]\nsize = [40, 12]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n"
-         "[flow]\nviscosity = 0.1\ndensity = 1\ninitial_pressure = 0\n[geometry]\n" +
-         (shapes.empty() ? std::string() : "type = \"shapes\"\n" + shapes) + sides;
-}
-
-const std::string pressures =
-    "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n"
-    "[boundary.right]\nflow = { type = \"pressure\", pressure = 0 }\n";
-const std::string inflow = "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0] }\n";
-const std::string outlet = "[boundary.right]\nflow = { type = \"outflow\" }\n";
-const std::string dissolving =
-    "[solute]\n[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n"
-    "[reaction]\nreactant = \"A\"\nrate_constant = 1e-3\nmolar_volume = 1e-3\n";
-const std::string wall = rectangle("[20, 0]", "[23, 12]");
-
-FlowPaths paths(const std::string& text) {
-  const Scene scene = parse_scene(text, "a.toml");
-  const Simulation simulation(scene);
-  return find_flow_paths(scene, simulation.parts().geometry, simulation.parts().units);
-}
-
-std::vector<std::string> remarks(const std::string& text) {
-  return paths(text).warnings;
-}
-
-std::string refusal(const std::string& text) {
-  const Scene scene = parse_scene(text, "a.toml");
-  try {
-    const Simulation simulation(scene);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 double passage_speed(const std::string& text) {
   return paths(text).passage_speed;
@@ -91,73 +50,10 @@ TEST(FlowPaths, KnowHowLongTheFlowNeedsToSettle) {
   EXPECT_NEAR(paths(channel("", inflow + outlet)).settling_steps, 4 * time, 0.03 * 4 * time);
 }
 
-TEST(FlowPaths, AParabolaOverRockIsRemarkedOn) {
-  const std::string slabs = rectangle("[0, 0]", "[40, 2]") + rectangle("[0, 10]", "[40, 12]");
-  const std::string parabola =
-      "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0], profile = \"parabolic\" }\n";
-  EXPECT_THAT(remarks(channel(slabs, parabola + outlet)),
-              Contains(HasSubstr("boundary.left.flow.profile: the parabola spans all 12 nodes there, 4 of which are")));
-  EXPECT_THAT(remarks(channel("", parabola + outlet)), IsEmpty());
-  EXPECT_THAT(remarks(channel(slabs, inflow + outlet)), IsEmpty());
-  const std::string injection =
-      "[boundary.injection]\nside = \"left\"\ncentre = 6\nwidth = 8\n"
-      "flow = { type = \"velocity\", velocity = [0.02, 0], profile = \"parabolic\" }\n";
-  EXPECT_THAT(remarks(channel(slabs, injection + outlet)), IsEmpty());
-}
-
-TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
-  EXPECT_THAT(remarks(channel("", pressures)), IsEmpty());
-  EXPECT_THAT(remarks(channel("", inflow + outlet)), IsEmpty());
-  EXPECT_THAT(remarks(channel(rectangle("[20, 0]", "[23, 11]"), pressures)), IsEmpty());
-  // fluid goes through between two corners that touch
-  EXPECT_THAT(remarks(channel(rectangle("[20, 0]", "[21, 6]") + rectangle("[21, 6]", "[22, 12]"), pressures)),
-              IsEmpty());
-  EXPECT_THAT(remarks(channel("", inflow + "[boundary.right]\nflow = { type = \"velocity\", velocity = [0.02, 0] }\n")),
-              IsEmpty());
-}
-
-/// Rock nodes that touch at their corners, from the bottom at `x` to the top; `more`: as many to the right of each.
-std::string diagonal(int x, int more = 0) {
-  std::string nodes;
-  for (int y = 0; y < 12; ++y) {
-    const std::string from = fmt::format("[{}, {}]", x + y, y), to = fmt::format("[{}, {}]", x + y + 1 + more, y + 1);
-    nodes += rectangle(from.c_str(), to.c_str());
-  }
-  return nodes;
-}
-
-/// The flow passes between rock nodes that touch at a corner; on D2Q5 nothing else does.
-TEST(CornerContacts, AreRemarkedOnWhereTheFlowPassesAndSolutesCannot) {
-  const std::string acid = "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n", wide = "velocity_set = \"d2q9\"\n";
-  const std::string warm = "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\n";
-  const auto told = [](const std::string& rock, const std::string& more) { return remarks(channel(rock, more)); };
-  EXPECT_THAT(
-      told(diagonal(14), pressures + acid),
-      testing::ElementsAre(HasSubstr("in 11 places pores touch only at a corner between two rock nodes: the flow "
-                                     "passes there, solutes on d2q5 do not")));
-  EXPECT_THAT(told(diagonal(14), pressures + warm), testing::ElementsAre(HasSubstr("heat.velocity_set = \"d2q9\"")));
-  EXPECT_THAT(told(diagonal(14), pressures), IsEmpty());
-  EXPECT_THAT(told(diagonal(14), pressures + "[solute]\n" + wide + acid), IsEmpty());
-  EXPECT_THAT(told(diagonal(14, 1), pressures + acid), testing::ElementsAre(HasSubstr("no path of fluid leads from")));
-}
-
-/// Flow passes neither into a dead end nor where it has one way out only, but through a pore with two corners.
-TEST(CornerContacts, CountOnlyWhereFlowCanPass) {
-  const std::string acid = "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n";
-  const std::string one_way = "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n";
-  EXPECT_THAT(remarks(channel(diagonal(14), one_way + acid)), IsEmpty());
-  // a pore of one node inside rock, which touches the channel at one corner, and at two
-  const std::string pore = rectangle("[20, 0]", "[23, 1]") + rectangle("[20, 1]", "[21, 2]") +
-                           rectangle("[22, 1]", "[23, 2]") + rectangle("[21, 2]", "[22, 3]");
-  const std::string closed = rectangle("[22, 2]", "[23, 3]");
-  EXPECT_THAT(remarks(channel(pore + closed, pressures + acid)), IsEmpty());
-  EXPECT_THAT(remarks(channel(pore, pressures + acid)), testing::ElementsAre(HasSubstr("in 2 places pores touch")));
-}
-
 /// n^2/(8 L) of a plane channel; a wider part does not raise it, and nothing bounds a flow that no wall holds back.
 TEST(FlowPaths, KnowHowFastViscosityLetsAPressureDriveIt) {
   const auto speed = [](const std::string& shapes, const std::string& sides) {
-    return paths(channel(shapes, sides)).viscous_speed;
+    return paths(channel(shapes, sides)).pressed.speed / 0.01;  // of the pressure
   };
   const std::string joined =
       "[boundary.top]\nflow = { type = \"periodic\" }\n[boundary.bottom]\nflow = { type = \"periodic\" }\n";
@@ -169,76 +65,6 @@ TEST(FlowPaths, KnowHowFastViscosityLetsAPressureDriveIt) {
   // a slit of 4 cells over 10 nodes between wide ends, where nearly all of the pressure falls
   const std::string slit = rectangle("[15, 0]", "[25, 4]") + rectangle("[15, 8]", "[25, 12]");
   EXPECT_NEAR(speed(slit, pressures), 4 * 4 / (8 * 10.0), 0.2 * 4 * 4 / (8 * 10.0));
-}
-
-TEST(FlowPaths, GeometryWithoutFluidIsRefused) {
-  const std::string solid = rectangle("[0, 0]", "[40, 12]");
-  EXPECT_EQ(refusal(channel(solid, "")), "a.toml: the geometry has no fluid node, and [flow] is only in fluid");
-  const std::string heat_alone =
-      "[lattice]\nsize = [40, 12]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n[heat]\n"
-      "fluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\n[geometry]\ntype = \"shapes\"\n" +
-      solid;
-  EXPECT_EQ(refusal(heat_alone), "");
-}
-
-TEST(FlowPaths, WallBetweenInletAndOutletIsRemarkedOn) {
-  EXPECT_THAT(
-      remarks(channel(wall, pressures)),
-      testing::ElementsAre("no path of fluid leads from boundary.left to another open side or shape: nothing flows"));
-  EXPECT_THAT(remarks(channel(wall, pressures + dissolving)), Contains(HasSubstr("nothing flows until rock opens")));
-}
-
-TEST(FlowPaths, InflowWithoutAWayOutIsRefused) {
-  const std::string message = "a.toml: boundary.left.flow presses fluid into a space that has no other opening";
-  EXPECT_EQ(refusal(channel("", inflow)), message);
-  EXPECT_EQ(refusal(channel(wall, inflow + outlet)), message);
-  EXPECT_THAT(refusal(channel("", "[boundary.left]\nflow = { type = \"velocity\", velocity = [-0.02, 0] }\n")),
-              HasSubstr("draws fluid out of a space"));
-  EXPECT_THAT(remarks(channel(wall, inflow + outlet + dissolving)),
-              Contains(HasSubstr("has no other opening until rock opens")));
-  // what is pressed in here leaves there, as it does around the two ends of a lattice
-  EXPECT_EQ(
-      refusal(channel(
-          "", "[boundary.left]\nflow = { type = \"periodic\" }\n[boundary.right]\nflow = { type = \"periodic\" }\n")),
-      "");
-}
-
-/// By the lengths of the two outlines, 4 pi cells and 10; what is left over is more than rounding of the given speeds.
-TEST(FlowPaths, WellAndDrainOfAClosedBoxMustBalance) {
-  const std::string shapes =
-      "[[geometry.shapes]]\ntype = \"disc\"\nname = \"well\"\ncentre = [10, 6]\nradius = 2\n"
-      "[[geometry.shapes]]\ntype = \"rectangle\"\nname = \"drain\"\nfrom = [28, 5]\nto = [31, 7]\n"
-      "[boundary.shape.well]\nflow = { type = \"velocity\", speed = 0.01 }\n";
-  const auto drain = [](const char* speed) {
-    return std::string("[boundary.shape.drain]\nflow = { type = \"velocity\", speed = ") + speed + " }\n";
-  };
-  EXPECT_EQ(refusal(channel(shapes, drain("-0.01256637"))), "");
-  EXPECT_THAT(refusal(channel(shapes, drain("-0.0123"))), HasSubstr("presses fluid into a space"));
-  EXPECT_THAT(refusal(channel(shapes, drain("-0.0128"))), HasSubstr("draws fluid out of a space"));
-}
-
-TEST(FlowPaths, InjectionIntoRockIsRefusedUnlessRockOpens) {
-  const std::string injection =
-      "[boundary.injection]\nside = \"left\"\ncentre = 3\nwidth = 2\nflow = { type = \"pressure\", pressure = 0.01 }\n"
-      "[boundary.right]\nflow = { type = \"pressure\", pressure = 0 }\n";
-  const std::string block = rectangle("[0, 0]", "[5, 6]");
-  EXPECT_EQ(refusal(channel(block, injection)), "a.toml: boundary.injection.flow has no effect: no fluid touches it");
-  EXPECT_THAT(remarks(channel(block, injection + dissolving)),
-              Contains("boundary.injection.flow has no effect until rock opens: no fluid touches it"));
-  EXPECT_THAT(remarks(channel(rectangle("[0, 0]", "[5, 12]"), pressures)),
-              Contains("boundary.left.flow has no effect: no fluid touches it"));
-}
-
-TEST(FlowPaths, ShapeThatNoFluidTouchesIsRefusedUnlessRockOpens) {
-  const std::string sides = pressures + "[boundary.shape.well]\nflow = { type = \"pressure\", pressure = 0.01 }\n";
-  const std::string well = rectangle("[15, 3]", "[25, 9]") +
-                           "[[geometry.shapes]]\ntype = \"disc\"\nname = \"well\"\ncentre = [20, 6]\nradius = 1.5\n";
-  const std::string message = "a.toml: boundary.shape.well.flow has no effect: no fluid touches it";
-  EXPECT_EQ(refusal(channel(well, sides)), message);
-  EXPECT_THAT(remarks(channel(well, sides + dissolving)),
-              Contains("boundary.shape.well.flow has no effect until rock opens: no fluid touches it"));
-  const std::string reacting = std::regex_replace(dissolving, std::regex("molar_volume = 1e-3"), "molar_volume = 0");
-  EXPECT_EQ(refusal(channel(well, sides + reacting)), message) << "rock that only reacts never opens";
 }
 
 TEST(FlowPaths, NothingMovesFasterThanTheSchemeFollows) {
@@ -287,12 +113,6 @@ TEST(FlowPaths, SpeedInTheNarrowestPassageIsThatOfContinuity) {
   const std::string beside = "[boundary.top]\nflow = { type = \"outflow\" }\n";
   EXPECT_DOUBLE_EQ(passage_speed(channel(rectangle("[20, 0]", "[23, 11]"), inflow + beside)), 0.02);
   EXPECT_EQ(passage_speed(channel("", pressures)), 0);
-}
-
-TEST(FlowPaths, ShapesThatLeaveNoTraceAreRemarkedOn) {
-  EXPECT_THAT(parse_scene(channel(rectangle("[10.6, 3]", "[11.4, 5]"), pressures), "a.toml").warnings,
-              testing::ElementsAre("geometry.shapes.0 holds the centre of no cell and leaves no trace on the lattice"));
-  EXPECT_THAT(parse_scene(channel(rectangle("[10.4, 3]", "[10.6, 5]"), pressures), "a.toml").warnings, IsEmpty());
 }
 
 }  // namespace

@@ -72,6 +72,12 @@ TEST(CommandLine, TakesOneWordForEveryOverride) {
             "vug: " + folder.path() + ": holds no run (it has no run.json)\n");
 }
 
+/// All keys of generated rock, whose holes, notches and materials cross each other, make a rock.
+TEST(CommandLine, ChecksTheCaseWithEveryKeyOfGeneratedRock) {
+  const test::Outcome outcome = test::run_vug("check " VUG_SOURCE_DIR "/tests/cases/complete/rock.toml");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
 TEST(CommandLine, SaysItsVersion) {
   const test::Outcome outcome = test::run_vug("--version");
   EXPECT_EQ(outcome.exit_code, 0);

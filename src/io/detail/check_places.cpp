@@ -89,7 +89,8 @@ void check_places(const TomlDocument& document, Scene& scene) {
         require_on_lattice(document, lattice, fmt::format("mechanics.material.{}", i), *form);
   const double largest = std::min(lattice.length_x, lattice.length_y);
   if (!rock.mesh && rock.element_size > largest) {
-    document.fail("rock.element_size", fmt::format("is larger than the rock itself; at most {:g} m", largest));
+    document.fail("rock.element_size",
+                  fmt::format("is larger than the rock itself; use less than {:g} m", largest / 2));
   }
   check_triangles(document, rock, lattice.length_x * lattice.length_y);
 }

@@ -14,13 +14,9 @@ DiscOutline disc_outline(double diameter, double flat_width, double edge) {
   DiscOutline disc{{diameter, 2 * half_height}, {}};
   Outline& outline = disc.outline;
   outline.round = true;
+  outline.shapes = {"the rim of the disc"};
   outline.points = {{0, 0}, {diameter, 0}, disc.length, {0, 2 * half_height}};
-  const double last = half_height / (radius + half_flat);
-  double low = 0, high = 1;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = (low + high) / 2;
-    (tangent(middle) < last ? low : high) = middle;
-  }
+  const double low = arc_tangent(half_height / (radius + half_flat));
   // share = 0 at the flank, 1 at the end of the flat
   const auto on_arc = [&](double share) { return on_circle(radius, tangent(share * low)); };
   const auto parts = [edge](double length) { return std::max(2L, std::lround(length / edge)); };
@@ -39,7 +35,7 @@ DiscOutline disc_outline(double diameter, double flat_width, double edge) {
   const int first = static_cast<int>(outline.points.size());
   for (std::size_t i = 0; i < ring.size(); ++i) {
     outline.points.push_back({centre[0] + ring[i][0], centre[1] + ring[i][1]});
-    outline.edges.push_back({first + static_cast<int>(i), first + static_cast<int>((i + 1) % ring.size()), false});
+    outline.edges.push_back({first + static_cast<int>(i), first + static_cast<int>((i + 1) % ring.size()), false, 0});
   }
   return disc;
 }
