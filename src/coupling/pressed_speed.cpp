@@ -29,8 +29,8 @@ struct Pores {
   }
   /// Speed times viscosity over the pressure, lattice units.
   double speed() const { return sum > 0 ? 1 / (8 * sum * narrowest) : std::numeric_limits<double>::infinity(); }
-  /// The same for a hole of that width in a thin screen.
-  double speed_through_screen() const { return narrowest / 8; }
+  /// The same for a hole of that width, at the pressure, in the wall of a wide space.
+  double speed_through_hole() const { return narrowest / 4; }
 };
 
 /// A mouth to which fluid may be pressed, and by how much the pressure at the other one is above its own.
@@ -100,7 +100,7 @@ void follow(const Mouth& from, std::vector<Target> targets, Vector force, const 
       if (std::none_of(ends.begin(), ends.end(), [&](std::size_t n) { return within[n]; })) return false;
       const double pressure = drive(from, to, within, distance, force, picture);
       const double alone = pores.speed();
-      const double along = are_neighbours(from, *to.mouth) ? std::min(alone, pores.speed_through_screen()) : alone;
+      const double along = are_neighbours(from, *to.mouth) ? std::min(alone, pores.speed_through_hole()) : alone;
       const double speed = pressure > 0 ? pressure * along : 0;  // and not 0 times infinity
       if (speed > fastest.speed) fastest = {speed, from.key, to.mouth->key};
       return true;

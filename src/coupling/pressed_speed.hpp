@@ -20,8 +20,9 @@ struct PressedFlow {
 /// pressure drive nothing between them, and with its own way: the nodes at one distance from the first mouth after the
 /// other, the widest pore of width w at each distance (`width`, pore_widths), up to the second mouth. Pores in series
 /// have a flow of 1/8 of the pressure over the sum of w^-3 and over the smallest w. Between sides that meet at a corner
-/// and between stretches of one side the way may have no length. There it is at most w/8 of the pressure, as in a hole
-/// of width w in a thin screen (Hasimoto 1958); Stokes flow around a corner of radius w has 0.117 w.
+/// and between stretches of one side the way may have no length. There it is at most w/4 of the pressure: so much flows
+/// from a hole of width w in the wall of a wide space in which the pressure is 0 (half of a hole in a thin screen,
+/// Hasimoto 1958); Stokes flow around a corner of radius w has 0.117 w.
 PressedFlow pressed_flow(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
                          const std::vector<int>& width, const LatticeUnits& units);
 
