@@ -7,8 +7,8 @@ namespace vug {
 
 /// Tiles the rectangle [0, length_x] × [0, length_y], less the holes, with triangles of mean edge `rock.element_size`.
 /// With `grading` > 1 they grow linearly with the distance from the holes (from the notches where there is none) until
-/// the largest is `grading` times the smallest. The sides, rims of holes, borders and notches are edges of the mesh, and
-/// have a corner wherever they cross; circles are polygons with their corners on the circle. Notches are listed in
+/// the largest is `grading` times the smallest. The sides, rims of holes, borders and notches are edges of the mesh,
+/// and have a corner wherever they cross; circles are polygons with their corners on the circle. Notches are listed in
 /// initial_cracks; one that ends less than half an element from a side or a hole is extended to it. The same seed gives
 /// the same bits on every machine. Every angle is at least 20 degrees and every area at least 0.2 of the mean
 /// (0.2 / grading² when graded); where the geometry does not allow that, throws InputError with the place, the shapes
