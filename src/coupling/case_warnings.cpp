@@ -1,5 +1,6 @@
 #include "coupling/case_warnings.hpp"
 
+#include "coupling/far_pressures.hpp"
 #include "coupling/interval_warnings.hpp"
 #include "coupling/rock_limits.hpp"
 
@@ -8,6 +9,8 @@ namespace vug {
 std::vector<std::string> warnings_of(const Scene& scene, const Parts& parts, const FlowPaths& paths) {
   std::vector<std::string> warnings = scene.warnings;
   for (std::string& warning : interval_warnings(scene)) warnings.push_back(std::move(warning));
+  if (std::string far = warning_of_far_pressures(scene, paths, parts.units); !far.empty())
+    warnings.push_back(std::move(far));
   if (!parts.warning.empty()) warnings.push_back(parts.warning);
   if (parts.rock && (scene.flow || scene.heat || scene.solute))
     if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))

@@ -7,8 +7,8 @@
 
 namespace vug {
 
-/// Warnings, one line each, of the reader, of the intervals, of the picture, of the triangles, and of `paths`, the
-/// present flow paths.
+/// Warnings, one line each, of the reader, of the intervals, of pressures in single precision, of the picture, of the
+/// triangles, and of `paths`, the present flow paths.
 std::vector<std::string> warnings_of(const Scene& scene, const Parts& parts, const FlowPaths& paths);
 
 }  // namespace vug

@@ -103,10 +103,9 @@ double FlowModule<T>::pressure_difference() const {
 template <class T>
 double FlowModule<T>::driving_pressure() const {
   const Lattice& lattice = geometry_.lattice;
-  std::array<double, 2> force{};  // where sides are joined, it has no potential
+  std::array<double, 2> force = forces_.at_start;  // where sides are joined, it has no potential
   for (int axis = 0; axis < 2; ++axis)
-    if (!geometry_.fluid.periodic[axis])
-      force[axis] = section_.body_force[axis] / (units_.acceleration() * units_.pressure_scale);
+    if (geometry_.fluid.periodic[axis]) force[axis] = 0;
   const auto potentials = [&](std::array<double, 2> from, std::array<double, 2> to) {
     Span span;
     for (int axis = 0; axis < 2; ++axis) {
@@ -148,10 +147,23 @@ double FlowModule<T>::lowest_viscosity() const {
 
 template <class T>
 double FlowModule<T>::largest_speed() const {
-  const double prescribed = std::max(prescribed_speed(), paths_.passage_speed);
-  const bool driven = section_.body_force[0] != 0 || section_.body_force[1] != 0;
+  if (is_driven()) return speed_limit();
+  const double prescribed = std::max(prescribed_speed(), paths_.passage_peak);
   const double pressed = std::max(bernoulli_speed(driving_pressure()), paths_.pressed.speed / lowest_viscosity());
-  return driven ? speed_limit() : std::min(speed_limit(), prescribed + buoyant_speed_ + pressed);
+  const double warmed = std::max(buoyant_speed_, paths_.lasting_force_speed);
+  return std::min(speed_limit(), prescribed + warmed + paths_.weight_speed + pressed);
+}
+
+template <class T>
+bool FlowModule<T>::is_driven() const {
+  const bool yields = std::any_of(boundaries_.begin(), boundaries_.end(), [](const StretchLinks& boundary) {
+    const FlowBoundaryKind kind = boundary.stretch.conditions.flow.kind;
+    return kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::outflow;
+  });
+  const auto drives = [&](int axis) {
+    return forces_.at_start[axis] != 0 && (yields || geometry_.fluid.periodic[axis]);
+  };
+  return drives(0) || drives(1);
 }
 
 template <class T>
@@ -194,7 +206,14 @@ void FlowModule<T>::limits(LimitTable& table) const {
   if (paths_.force_speed > 0)
     table.push_back({"flow", "Mach number that the body force can reach", std::sqrt(3.0) * paths_.force_speed, "1", 0,
                      largest_prescribed_mach,
-                     "lower flow.body_force or lattice.time_step: the speed is up to g w^2/(8 nu) in pores w wide"});
+                     "lower flow.body_force (or flow.gravity with flow.thermal_expansion) or lattice.time_step: the "
+                     "speed is up to g w^2/(8 nu) in pores w wide"});
+  if (paths_.weight_speed > 0)
+    table.push_back({"flow", "Mach number while the weight sets in", std::sqrt(3.0) * paths_.weight_speed, "1", 0,
+                     largest_prescribed_mach,
+                     "lower lattice.time_step, or leave the weight out (flow.body_force 0, flow.reference_temperature "
+                     "that of the start): a run starts from one pressure, and sound of up to g H/c_s builds up that of "
+                     "a column of height H"});
   if (paths_.passage_pressure > 0)
     table.push_back({"flow", "pressure that the prescribed velocities need", paths_.passage_pressure, "lattice", 0,
                      0.125, "lower the velocity or lattice.time_step: 12 nu u L/n^2 along a channel of n cells"});
@@ -215,6 +234,7 @@ void FlowModule<T>::limits(LimitTable& table) const {
   template double FlowModule<T>::prescribed_speed() const;       \
   template double FlowModule<T>::lowest_viscosity() const;       \
   template double FlowModule<T>::largest_speed() const;          \
+  template bool FlowModule<T>::is_driven() const;                \
   template void FlowModule<T>::limits(LimitTable&) const;
 VUG_FOR_NUMBERS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE

@@ -22,6 +22,7 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
     : section_(*scene.flow),
       units_(units),
       geometry_(geometry),
+      forces_(body_forces(scene, units)),
       paths_(paths),
       varies_(scene.accuracy.chooses_intervals()),
       fills_slowly_(has_cracks_below_a_cell(scene)),

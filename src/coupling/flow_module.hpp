@@ -1,5 +1,6 @@
 #pragma once
 // Flow through the pores (paper section 2.1).
+#include "coupling/body_forces.hpp"
 #include "coupling/carrier.hpp"
 #include "coupling/concerns.hpp"
 #include "coupling/flow_paths.hpp"
@@ -53,9 +54,10 @@ class FlowModule final : public Module, public Concerned {
   void be_heated_by(const ScalarField<T>& theta) { theta_ = &theta; }
   /// Whether the flow changes by no more than accuracy.flow_tolerance.
   bool settled() const { return steady_.settled(); }
-  /// Largest speed that the case can drive, lattice units: the largest prescribed speed (also in the narrowest passage)
-  /// plus that of free convection and that of the pressures (Bernoulli's, or a higher one of viscous flow), at most the
-  /// speed limit. With a body force it is the speed limit.
+  /// Largest speed that the case can drive, lattice units: the largest prescribed speed (also in passages) plus that of
+  /// free convection (or of warm fluid between open sides), that of the weight that sets in, and that of the pressures
+  /// (Bernoulli's, or a higher one of viscous flow), at most the speed limit. Where a body force drives the fluid
+  /// (is_driven) it is the speed limit. It does not depend on when the run ends.
   double largest_speed() const;
   /// The carrier of a scalar that takes a step every `interval` lattice steps, on a set of `directions` velocities.
   /// `even_weight` weights the even part of the defect (advective_form.hpp). Called at set-up; the reference stays
@@ -71,8 +73,11 @@ class FlowModule final : public Module, public Concerned {
  private:
   /// Largest difference between the given pressures, or from the initial one, lattice units.
   double pressure_difference() const;
-  /// The part of it that drives fluid: where a body force acts, the difference of p - f.x (driving_pressure.hpp).
+  /// The part of it that drives fluid: where body forces f act, the difference of p - f.x (driving_pressure.hpp).
   double driving_pressure() const;
+  /// Whether body forces act on the fluid at the start where it can follow them: along joined sides, or with a side or
+  /// opening through which the flow follows from the pressure. In a closed box they are its weight.
+  bool is_driven() const;
   double speed_limit() const { return section_.speed_limit > 0 ? section_.speed_limit : speed_bound; }
   double prescribed_speed() const;
   double lowest_viscosity() const;  ///< lattice units, in the range of temperatures
@@ -106,6 +111,7 @@ class FlowModule final : public Module, public Concerned {
   FlowSection section_;
   LatticeUnits units_;
   const Geometry& geometry_;
+  BodyForces forces_;
   TemperatureRange range_;
   double buoyant_speed_ = 0;  ///< lattice units, of free convection
   ViscosityLaw viscosity_;

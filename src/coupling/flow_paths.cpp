@@ -4,9 +4,11 @@
 #include "coupling/corner_contacts.hpp"
 #include "coupling/force_speed.hpp"
 #include "coupling/mouths.hpp"
+#include "coupling/passages.hpp"
 #include "coupling/pore_width.hpp"
 #include "coupling/pressed_speed.hpp"
 #include "coupling/ways_out.hpp"
+#include "coupling/weight_wave.hpp"
 
 #include <fmt/format.h>
 
@@ -19,46 +21,6 @@
 namespace vug {
 
 namespace {
-
-/// The passage that all fluid from a mouth crosses before it reaches an outlet.
-struct Passage {
-  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: there is no outlet
-  double drag = 0;        ///< pressure over (viscosity * volume per step), lattice units
-  double delay = 0;       ///< steps in which pressure spreads along it, over viscosity
-};
-
-/// Goes through the fronts of nodes at one distance after the other from `mouth`, up to the first that contains a node
-/// of `outlet`: all fluid that enters crosses every front. A front of n nodes has the drag of a slit of n cells,
-/// 12/n^3; where only one of its nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3; without such
-/// nodes, none. The drag is a lower bound, because the nodes may be in several passages. Each node stores 1/c_s^2 of
-/// the pressure.
-Passage passage(const NoSlipWalls& walls, const FluidPicture& picture, const Mouth& mouth,
-                const std::vector<bool>& outlet) {
-  std::vector<bool> seen(picture.size(), false);
-  std::vector<std::size_t> front = mouth.nodes;
-  for (const std::size_t n : front) seen[n] = true;
-  Passage passed{front.size()};
-  double stored = 0;
-  while (!front.empty()) {
-    const auto nodes = static_cast<double>(front.size());
-    const auto held = std::count_if(front.begin(), front.end(), [&](std::size_t n) { return walls.hold(n); });
-    const double drag = (held > 1 ? 12 : 3 * static_cast<double>(held)) / std::pow(nodes, 3);
-    stored += 3 * nodes;
-    passed.least = std::min(passed.least, front.size());
-    passed.drag += drag;
-    passed.delay += drag * stored;
-    if (std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; })) return passed;
-    std::vector<std::size_t> next;
-    for (const std::size_t n : front)
-      picture.for_each_neighbour(n, [&](std::size_t m) {
-        if (seen[m] || !picture.is_fluid(m)) return;
-        seen[m] = true;
-        next.push_back(m);
-      });
-    front = std::move(next);
-  }
-  return {};
-}
 
 /// Throws InputError where a given velocity is above speed_bound.
 void look_for_speeds(const Scene& scene, const std::vector<Mouth>& mouths) {
@@ -154,11 +116,12 @@ void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const Fluid
     for (const Mouth& other : mouths)
       if (other.lets_fluid_through() && other.key != mouth.key)
         for (const std::size_t n : other.nodes) outlet[n] = true;
-    const Passage passed = passage(walls, picture, mouth, outlet);
+    const Passage passed = find_passage(walls, picture, mouth, outlet);
     if (passed.least == 0) continue;
     found.settling_steps = std::max(found.settling_steps, (presses ? both_ends : one_end) * viscosity * passed.delay);
     const double volume = std::abs(mouth.inflow) * mouth.total_length();
     found.passage_speed = std::max(found.passage_speed, volume / static_cast<double>(passed.least));
+    found.passage_peak = std::max(found.passage_peak, volume * passed.peak);
     found.passage_pressure = std::max(found.passage_pressure, viscosity * passed.drag * volume);
   }
 }
@@ -184,7 +147,10 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   look_for_passages(scene, walls, picture, mouths, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
   found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
-  found.force_speed = body_force_speed(scene, picture, mouths, piece, units);
+  const ForceSpeed driven = body_force_speed(scene, picture, mouths, piece, units);
+  found.force_speed = driven.by_the_end;
+  found.lasting_force_speed = driven.ever;
+  found.weight_speed = weight_wave_speed(scene, picture, mouths, piece, units);
   if (std::string remark = remark_on_corners(scene, picture, mouths); !remark.empty())
     found.warnings.push_back(std::move(remark));
   return found;

@@ -23,7 +23,12 @@ struct FlowPaths {
   /// Pressure, lattice units, that prescribed velocities need to overcome the drag up to an outlet: the sum of 12 nu
   /// q/n^3 over the distances from the inlet, with n nodes at each; a lower bound.
   double passage_pressure = 0;
-  double force_speed = 0;  ///< upper bound of the speed that a body force drives, lattice units (force_speed.hpp)
+  /// Largest speed, lattice units, that prescribed velocities may cause on their way to an outlet (passages.hpp).
+  double passage_peak = 0;
+  /// Upper bounds of the speed that body forces drive, lattice units: in the duration of the run, and in any
+  /// (force_speed.hpp).
+  double force_speed = 0, lasting_force_speed = 0;
+  double weight_speed = 0;  ///< upper bound of the speed while the weight of the fluid sets in (weight_wave.hpp)
   /// Lattice steps in which the deviation from the steady flow falls to 1/e; a lower bound as well. For a channel of L
   /// x n cells: 36 nu L^2/(pi n)^2 between two pressures, four times that between a velocity and a pressure.
   double settling_steps = 0;

@@ -46,22 +46,18 @@ void warn_of_short_run(const Scene& scene, std::vector<Held> held, std::vector<s
 
 void warn_of_old_rows(const Scene& scene, const std::vector<Held>& held, std::vector<std::string>& warnings) {
   const OutputSection& output = scene.output;
-  double least = std::numeric_limits<double>::infinity();
-  const char* by = "";
-  const auto take = [&](const char* key, double steps) {
-    if (steps >= least) return;
-    least = steps;
-    by = key;
-  };
-  if (output.history_interval) take("history_interval", *output.history_interval / scene.lattice.time_step);
-  if (output.interval) take("interval", *output.interval / scene.lattice.time_step);
-  if (output.interval_steps) take("interval_steps", static_cast<double>(*output.interval_steps));
+  const char* const snapshots = output.interval_steps ? "interval_steps" : "interval";
+  const double rows = history_interval(scene), least = std::min(rows, output_interval(scene));
+  const char* const by = least == rows ? "history_interval" : snapshots;
+  const bool given = least == rows ? output.history_interval.has_value() : output.interval || output.interval_steps;
+  const std::int64_t steps = last_step(scene);
   constexpr double rounding = 1e-6;
   for (const Held& one : held)
-    if (one.old && one.interval > least + rounding)
+    if (one.old && one.interval > least + rounding && one.interval <= steps)  // longer ones are told of as such
       warnings.push_back(fmt::format(
-          "output.{} is {:.3g} lattice steps, accuracy.{} {}: {} are shown as they were up to {} steps before", by,
-          least, one.key, one.interval, one.old, one.interval - 1));
+          "output.{} is {:.3g} lattice steps{}, accuracy.{} {}: {} are shown as they were up to {} steps before; raise "
+          "the one or lower the other",
+          by, least, given ? "" : " by default", one.key, one.interval, one.old, one.interval - 1));
 }
 
 void warn_of_pulses(const Scene& scene, const std::vector<Held>& held, std::vector<std::string>& warnings) {

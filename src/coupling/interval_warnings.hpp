@@ -8,7 +8,8 @@
 namespace vug {
 
 /// One line for each: an interval longer than the run, which the preset has set (check_times refuses it where the case
-/// gives it; for `update_interval` in any case); rows or snapshots more frequent than the steps of heat or solutes;
+/// gives it; for `update_interval` in any case); rows or snapshots, given or by default, more
+/// frequent than the steps of heat or solutes;
 /// a given flow that changes within an interval; rare looks at how fast the rock may age. None where a tolerance
 /// chooses the intervals.
 std::vector<std::string> interval_warnings(const Scene& scene);

@@ -16,25 +16,23 @@ Schedule schedule(const Scene& scene, double steps, std::optional<double> second
   return {steps, scene.accuracy.dissolution_tolerance > 0 ? seconds.value_or(0) : 0};
 }
 
-/// Lattice steps between two outputs.
+}  // namespace
+
+std::int64_t last_step(const Scene& scene) {
+  if (scene.time.steps) return *scene.time.steps;
+  return static_cast<std::int64_t>(std::ceil(*scene.time.end / scene.lattice.time_step - 1e-6));
+}
+
 double output_interval(const Scene& scene) {
   if (scene.output.interval_steps) return static_cast<double>(*scene.output.interval_steps);
   if (scene.output.interval) return steps_in(*scene.output.interval, scene);
   return static_cast<double>(std::max<std::int64_t>(1, last_step(scene)));
 }
 
-/// Lattice steps between two rows of the history: by default for about 400 rows, which cost very little.
 double history_interval(const Scene& scene) {
-  constexpr std::int64_t rows = 400, fewest_steps = 100;
+  constexpr std::int64_t rows = 400, fewest_steps = 100;  // which cost very little
   if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
   return static_cast<double>(std::max(fewest_steps, last_step(scene) / rows));
-}
-
-}  // namespace
-
-std::int64_t last_step(const Scene& scene) {
-  if (scene.time.steps) return *scene.time.steps;
-  return static_cast<std::int64_t>(std::ceil(*scene.time.end / scene.lattice.time_step - 1e-6));
 }
 
 Schedule output_schedule(const Scene& scene) {

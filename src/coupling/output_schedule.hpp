@@ -28,6 +28,11 @@ class Schedule {
 /// Number of lattice steps of the case.
 std::int64_t last_step(const Scene& scene);
 
+/// Lattice steps between two snapshots and between two rows of the history, not necessarily whole numbers; those that
+/// the case does not give are the defaults: one snapshot at the end, about 400 rows.
+double output_interval(const Scene& scene);
+double history_interval(const Scene& scene);
+
 /// Schedules of snapshots, rows of the history and checkpoints.
 Schedule output_schedule(const Scene& scene);
 Schedule row_schedule(const Scene& scene);

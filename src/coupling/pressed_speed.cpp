@@ -1,5 +1,6 @@
 #include "coupling/pressed_speed.hpp"
 
+#include "coupling/body_forces.hpp"
 #include "coupling/driving_pressure.hpp"
 
 #include <algorithm>
@@ -39,12 +40,11 @@ struct Target {
   Span above;
 };
 
-/// Force of a body force per volume that has a potential, lattice units: none along an axis whose sides are joined.
+/// Body forces at the start as far as they have a potential, lattice units: none along an axis whose sides are joined.
 Vector force_with_potential(const Scene& scene, const LatticeUnits& units) {
-  Vector force{};
+  Vector force = body_forces(scene, units).at_start;
   for (int axis = 0; axis < 2; ++axis)
-    if (!periodic_sides(scene)[axis])
-      force[axis] = scene.flow->body_force[axis] / (units.acceleration() * units.pressure_scale);
+    if (periodic_sides(scene)[axis]) force[axis] = 0;
   return force;
 }
 

@@ -1,6 +1,7 @@
 #include "coupling/run.hpp"
 
 #include "base/require.hpp"
+#include "coupling/carried_steps.hpp"
 #include "coupling/case_warnings.hpp"
 #include "coupling/events.hpp"
 #include "coupling/limit_text.hpp"
@@ -171,6 +172,7 @@ class Run {
       files.write_row();
     }
     Events events(simulation_, events_so_far, Events::runs_backwards(scene_));
+    CarriedSteps carried(scene_, events_so_far);
     const Schedule output = output_schedule(scene_), history = row_schedule(scene_);
     const Schedule checkpoint = checkpoint_schedule(scene_);
     while (!ended()) {
@@ -191,7 +193,11 @@ class Run {
         const Phase phase(ranks_, "files");
         files.write_snapshot();
       }
-      if (row) tell(events.look_at_row(simulation_, files.write_row()));
+      if (row) {
+        const std::vector<HistoryValue> values = files.write_row();
+        tell(events.look_at_row(simulation_, values));
+        tell(carried.look_at_row(clock, values));
+      }
       if (save) {
         files.sync_rows();
         book_.save(simulation_, files.rows(), progress);

@@ -85,11 +85,24 @@ TEST(OldRows, AreWarnedOfWhereTheyAreMoreFrequentThanSteps) {
   EXPECT_THAT(
       warnings({"accuracy.heat_interval=4", "output.history_interval=2"}),
       ElementsAre("output.history_interval is 2 lattice steps, accuracy.heat_interval 4: temperatures are shown "
-                  "as they were up to 3 steps before"));
+                  "as they were up to 3 steps before; raise the one or lower the other"));
   EXPECT_THAT(warnings({"accuracy.solute_interval=4", "output.interval_steps=3", "output.history_interval=8"}),
               ElementsAre(HasSubstr("output.interval_steps is 3 lattice steps, accuracy.solute_interval 4: conc")));
   EXPECT_THAT(warnings({"accuracy.heat_interval=4", "output.history_interval=4", "output.interval=4"}), IsEmpty());
   EXPECT_THAT(warnings({"output.history_interval=1"}), IsEmpty());
+}
+
+/// A row every 100 steps, or the 400th part of the run where that is longer.
+TEST(OldRows, AreWarnedOfWhereTheyComeByDefault) {
+  EXPECT_THAT(warnings({"accuracy.heat_interval=128"}),
+              ElementsAre("output.history_interval is 100 lattice steps by default, accuracy.heat_interval 128: "
+                          "temperatures are shown as they were up to 127 steps before; raise the one or lower the "
+                          "other"));
+  EXPECT_THAT(warnings({"accuracy.heat_interval=100", "accuracy.solute_interval=100"}), IsEmpty());
+  const std::string longer = "time.steps=80000";  // a row every 200 steps
+  EXPECT_THAT(warnings({"accuracy.heat_interval=200", longer}), IsEmpty());
+  EXPECT_THAT(warnings({"accuracy.solute_interval=201", longer}), ElementsAre(HasSubstr("201: concentrations are")));
+  EXPECT_THAT(warnings({"accuracy.heat_interval=128", "output.history_interval=128"}), IsEmpty());
 }
 
 TEST(Pulses, AreWarnedOfWhereAnIntervalIsLonger) {

@@ -1,0 +1,81 @@
+#include "coupling/passages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug {
+
+namespace {
+
+/// The passages of one front after the other.
+class Passages {
+ public:
+  explicit Passages(const FluidPicture& picture) : picture_(picture), in_front_(picture.size(), false) {}
+
+  /// How many nodes each passage has.
+  std::vector<int> of(const std::vector<std::size_t>& front) {
+    std::vector<int> nodes;
+    std::vector<std::size_t> joined;
+    for (const std::size_t n : front) in_front_[n] = true;
+    for (const std::size_t n : front) {
+      if (!in_front_[n]) continue;
+      in_front_[n] = false;
+      joined.assign(1, n);
+      for (std::size_t k = 0; k < joined.size(); ++k)
+        picture_.for_each_neighbour(joined[k], [&](std::size_t m) {
+          if (!in_front_[m]) return;
+          in_front_[m] = false;
+          joined.push_back(m);
+        });
+      nodes.push_back(static_cast<int>(joined.size()));
+    }
+    return nodes;
+  }
+
+ private:
+  const FluidPicture& picture_;
+  std::vector<bool> in_front_;  ///< (node) and not in a passage yet
+};
+
+}  // namespace
+
+double peak_of_passages(const std::vector<int>& nodes) {
+  double widest = 0, carried = 0;
+  for (const int n : nodes) {
+    widest = std::max(widest, static_cast<double>(n));
+    carried += std::pow(n, 3);
+  }
+  return carried > 0 ? 2 * widest * widest / carried : 0;
+}
+
+Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const Mouth& mouth,
+                     const std::vector<bool>& outlet) {
+  std::vector<bool> seen(picture.size(), false);
+  std::vector<std::size_t> front = mouth.nodes;
+  for (const std::size_t n : front) seen[n] = true;
+  Passages passages(picture);
+  Passage passed{front.size()};
+  double stored = 0;
+  while (!front.empty()) {
+    const auto nodes = static_cast<double>(front.size());
+    const auto held = std::count_if(front.begin(), front.end(), [&](std::size_t n) { return walls.hold(n); });
+    const double drag = (held > 1 ? 12 : 3 * static_cast<double>(held)) / std::pow(nodes, 3);
+    stored += 3 * nodes;
+    passed.least = std::min(passed.least, front.size());
+    passed.peak = std::max(passed.peak, held > 0 ? peak_of_passages(passages.of(front)) : 1 / nodes);
+    passed.drag += drag;
+    passed.delay += drag * stored;
+    if (std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; })) return passed;
+    std::vector<std::size_t> next;
+    for (const std::size_t n : front)
+      picture.for_each_neighbour(n, [&](std::size_t m) {
+        if (seen[m] || !picture.is_fluid(m)) return;
+        seen[m] = true;
+        next.push_back(m);
+      });
+    front = std::move(next);
+  }
+  return {};
+}
+
+}  // namespace vug
