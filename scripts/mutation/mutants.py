@@ -33,6 +33,7 @@ LAWS = {
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp heat_setup.cpp history_difference.cpp
         initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp
         mouths.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
+        passages.cpp pore_runs.cpp weight_wave.cpp
         plane_waves.cpp pore_growth.cpp pore_width.cpp pressed_speed.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
         reaction_module.cpp reaction_setup.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp
         rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slit.hpp slits.cpp solid_spread.cpp
