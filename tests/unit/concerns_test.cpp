@@ -77,7 +77,7 @@ bond = { normal_strength = 1e13, cohesion = 1e13 }
 [boundary.bottom.traction]
 support = "roller"
 [boundary.top]
-heat = { type = "flux", flux = 2e8 }
+heat = { type = "flux", flux = 1e8 }
 )";
   Watched heated(bar);
   std::vector<std::string> news;

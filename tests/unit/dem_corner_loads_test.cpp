@@ -106,6 +106,20 @@ TEST(CornersOfTheRock, CountLengthsAlongTheSide) {
   EXPECT_NEAR(Resultant(rough, loads).y / (2e6 * width), 1, 1e-15);
 }
 
+/// A corner that is cut off within the tolerance of both sides belongs to the side that the cut faces more.
+TEST(CornersOfTheRock, BelongToTheSideThatTheyFaceMore) {
+  const double s = 1e-9;
+  for (const auto& [across, down, side] : {std::tuple{s, 3 * s, RockSide::right}, {3 * s, s, RockSide::top}}) {
+    const Assembly cut{{{0, 0}, {width, 0}, {width, height - down}, {width - across, height}, {0, height}},
+                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}},
+                       {}};
+    for (const BoundaryEdge& edge : find_boundary(cut))
+      if (edge.vertex == std::array{2, 3}) {
+        EXPECT_EQ(edge.side, static_cast<int>(side));
+      }
+  }
+}
+
 /// A sliver along the right side, parted from the rest: its other face looks into the rock, however close it is.
 TEST(CornersOfTheRock, HaveNoFacesThatLookInwards) {
   const double thin = 1e-9;
