@@ -109,14 +109,14 @@ TEST(MeasuredChoices, AreOfTheRockWhereThereIsMechanicsAndOfOnePhysicsElsewhere)
 TEST(MeasuredChoices, AreQuotedForACaseThatMakesThem) {
   EXPECT_TRUE(notes_of(channel_with_pixel, {}).empty());
   EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.precision=single", "reaction.wall=paper"}),
-              ElementsAre(StartsWith("precision = single: 0.8"),
+              ElementsAre(StartsWith("precision = single: 1.0"),
                           "reaction.wall = paper: its speed and error have been measured on the paper's rock only"));
   EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.preset=fast"}),
-              ElementsAre(StartsWith("precision = single: 0.8"), StartsWith("preset = fast: its speed and error")));
+              ElementsAre(StartsWith("precision = single: 1.0"), StartsWith("preset = fast: its speed and error")));
   EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.preset=fast", "accuracy.precision=double"}),
               ElementsAre(StartsWith("preset = fast: its speed and error")));
   EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.tolerance=1e-2", "accuracy.dissolution_factor=2"}),
-              ElementsAre(StartsWith("accuracy.tolerance = 0.01 chooses"), StartsWith("precision = single: 0.8")));
+              ElementsAre(StartsWith("accuracy.tolerance = 0.01 chooses"), StartsWith("precision = single: 1.0")));
   EXPECT_THAT(notes_of(channel_with_pixel, {"accuracy.tolerance=1e-3", "accuracy.dissolution_factor=2"}),
               ElementsAre(StartsWith("accuracy.tolerance = 0.001 chooses")));
   const auto rock = choice_notes(read_scene(test::small_rock, {"accuracy.precision=single", "reaction.wall=paper"}));
