@@ -15,7 +15,7 @@ mechanical sub-step. The columns are errors of
 - the temperature (largest, over 200 K);
 - the length of the cracks (in the mean over every millisecond).
 
-**Crack length.** The error is 0.03 to 0.07 where one or two of the eight bonds fail some microseconds to 0.2 ms later
+**Crack length.** The error is 0.03 to 0.10 where one or two of the eight bonds fail some microseconds to 0.2 ms later
 than in the reference computation, on the other side of a moment at which the cracks are looked at.
 
 **Rounding.** Rounding alone, from one build to another, lets a bond fail a mechanical step later. From then on two runs
