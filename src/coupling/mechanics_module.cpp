@@ -134,14 +134,15 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     rock_ = RockIs::changed;
     if (heat_) warm(exec, clock.time());
     if (dissolved_) {
-      dissolved_->let_go(exec, particles, mechanics_.bonds());
       dissolved_->update(exec, *wet_, geometry_.dissolved);
       mechanics_.dissolve(exec, units_.time_step / substeps_, dissolved_->solid_fraction(), dissolved_->d_c());
     }
   }
   const bool looked_at = (clock.step + 1) % update_interval_ == 0;
   if (++owed_ == most_owed || looked_at || owed_ >= many_substeps / substeps_) catch_up(exec);
-  if (looked_at) mechanics_.make_positions_whole(exec);
+  if (!looked_at) return;
+  mechanics_.make_positions_whole(exec);
+  if (dissolved_) dissolved_->let_go(exec, particles, mechanics_.bonds());
 }
 
 /// Takes all owed sub-steps together: if the rock moved in every lattice step, it would find lattice data in the

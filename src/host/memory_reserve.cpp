@@ -31,10 +31,9 @@ void give_reserve_back() {
   throw std::bad_alloc();
 }
 
-[[noreturn]] void on_terminate() {
+void on_terminate() {
   if (!has_spare()) end_out_of_memory();
   usual_end();
-  std::abort();
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST_F(BudgetOfAStep, HasNoWaitNoCopyAndNoAllocationBetweenUpdatesOfThePores) {
   }
 }
 
-TEST_F(BudgetOfAStep, OfAnUpdateOfThePoresIsTwoNumbers) {
+TEST_F(BudgetOfAStep, OfAnUpdateOfThePoresIsThreeNumbers) {
   for (int step = 1; step < 20; ++step) simulation_.step();
   const Tally tally;
   simulation_.step();
@@ -135,8 +135,9 @@ TEST_F(BudgetOfAStep, OfAnUpdateOfThePoresIsTwoNumbers) {
   EXPECT_EQ(tally.launches.count("vug::pathways::look"), 1u);
   EXPECT_EQ(Tally::sum(tally.copies), 0) << Tally::list(tally.copies);
   EXPECT_EQ(Tally::sum(tally.allocations), 0) << Tally::list(tally.allocations);
-  // the sub-steps that are due come with it, and with them as many looks
-  EXPECT_LE(Tally::sum(tally.waits), 2 + looks_of_host(tally)) << Tally::list(tally.waits);
+  // beside what turns fluid, whether rock is out of its place; the sub-steps that are due come with it, and with them
+  // as many looks
+  EXPECT_LE(Tally::sum(tally.waits), 3 + looks_of_host(tally)) << Tally::list(tally.waits);
 }
 
 TEST_F(BudgetOfAStep, OfTheGuardsIsKept) {

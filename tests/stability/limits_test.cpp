@@ -238,7 +238,7 @@ heat = { type = "outflow" }
 )",
                                   "pipe.toml"));
   };
-  Simulation calm = pipe(0.04), wild = pipe(0.001);
+  Simulation calm = pipe(0.06), wild = pipe(0.001);
   EXPECT_THAT(warnings(calm), testing::IsEmpty());
   EXPECT_EQ(divergence(calm, 3000), "");
   EXPECT_THAT(warnings(wild), testing::ElementsAre("heat: grid Peclet number at the largest speed"));
