@@ -62,6 +62,12 @@ TEST(WeightWave, IsHalfAsFastBetweenTwoWallsAsAtAnOpenEnd) {
   EXPECT_NEAR(weight_wave(g, height, true), g * height / sound, 1e-15);
 }
 
+/// What the fluid carries meanwhile is carried at that speed.
+TEST(WeightWave, CountsForWhatTheFluidCarries) {
+  const std::string text = column(1, wall, wall) + "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n";
+  EXPECT_NEAR(limit_of(test::limits_of(text), "solute", "cells per step").value, g * height / (2 * sound), 1e-12);
+}
+
 /// The front of the sound is as wide as viscosity makes it: some 2 % of the largest speed.
 TEST(WeightWave, OfAClosedColumnIsThatOfTheWaveEquation) {
   for (const int axis : {0, 1}) {
