@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vug {
@@ -37,6 +38,23 @@ class FluidPicture {
   void for_each_beside(std::size_t n, const Visit& visit) const {
     for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
       if (const std::optional<std::size_t> m = from(n, dx, dy)) visit(*m);
+  }
+  /// Goes through the fluid from some of its nodes: calls visit(front, within) with the nodes at one distance after the
+  /// other, each one step to any of eight neighbours on, and with all nodes so far, until it returns false.
+  template <class Visit>
+  void for_each_front(std::vector<std::size_t> front, const Visit& visit) const {
+    std::vector<bool> within(size(), false);
+    for (const std::size_t n : front) within[n] = true;
+    while (!front.empty() && visit(front, within)) {
+      std::vector<std::size_t> next;
+      for (const std::size_t n : front)
+        for_each_neighbour(n, [&](std::size_t m) {
+          if (within[m] || !is_fluid(m)) return;
+          within[m] = true;
+          next.push_back(m);
+        });
+      front = std::move(next);
+    }
   }
   /// The node at a distance from another one; none off the lattice, unless sides are joined.
   std::optional<std::size_t> from(std::size_t n, int dx, int dy) const {

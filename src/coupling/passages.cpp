@@ -50,13 +50,11 @@ double peak_of_passages(const std::vector<int>& nodes) {
 
 Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const Mouth& mouth,
                      const std::vector<bool>& outlet) {
-  std::vector<bool> seen(picture.size(), false);
-  std::vector<std::size_t> front = mouth.nodes;
-  for (const std::size_t n : front) seen[n] = true;
   Passages passages(picture);
-  Passage passed{front.size()};
+  Passage passed{mouth.nodes.size()};
   double stored = 0;
-  while (!front.empty()) {
+  bool let_out = false;
+  picture.for_each_front(mouth.nodes, [&](const std::vector<std::size_t>& front, const std::vector<bool>&) {
     const auto nodes = static_cast<double>(front.size());
     const auto held = std::count_if(front.begin(), front.end(), [&](std::size_t n) { return walls.hold(n); });
     const double drag = (held > 1 ? 12 : 3 * static_cast<double>(held)) / std::pow(nodes, 3);
@@ -65,17 +63,10 @@ Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, cons
     passed.peak = std::max(passed.peak, held > 0 ? peak_of_passages(passages.of(front)) : 1 / nodes);
     passed.drag += drag;
     passed.delay += drag * stored;
-    if (std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; })) return passed;
-    std::vector<std::size_t> next;
-    for (const std::size_t n : front)
-      picture.for_each_neighbour(n, [&](std::size_t m) {
-        if (seen[m] || !picture.is_fluid(m)) return;
-        seen[m] = true;
-        next.push_back(m);
-      });
-    front = std::move(next);
-  }
-  return {};
+    let_out = std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; });
+    return !let_out;
+  });
+  return let_out ? passed : Passage{};
 }
 
 }  // namespace vug

@@ -86,14 +86,12 @@ bool are_neighbours(const Mouth& a, const Mouth& b) {
   return a.side && b.side && (a.side == b.side || is_upright(*a.side) != is_upright(*b.side));
 }
 
-/// Follows the fluid from a mouth until it has reached all targets, or no more.
+/// Follows the fluid from a mouth until it has reached all targets, of which there are some, or no more.
 void follow(const Mouth& from, std::vector<Target> targets, Vector force, const FluidPicture& picture,
             const std::vector<int>& width, PressedFlow& fastest) {
-  std::vector<bool> within(picture.size(), false);
-  std::vector<std::size_t> front = from.nodes;
-  for (const std::size_t n : front) within[n] = true;
   Pores pores;
-  for (int distance = 0; !front.empty() && !targets.empty(); ++distance) {
+  int distance = 0;
+  picture.for_each_front(from.nodes, [&](const std::vector<std::size_t>& front, const std::vector<bool>& within) {
     pores.add(front, width);
     std::erase_if(targets, [&](const Target& to) {
       const auto& ends = to.mouth->nodes;
@@ -105,15 +103,9 @@ void follow(const Mouth& from, std::vector<Target> targets, Vector force, const 
       if (speed > fastest.speed) fastest = {speed, from.key, to.mouth->key};
       return true;
     });
-    std::vector<std::size_t> next;
-    for (const std::size_t n : front)
-      picture.for_each_neighbour(n, [&](std::size_t m) {
-        if (within[m] || !picture.is_fluid(m)) return;
-        within[m] = true;
-        next.push_back(m);
-      });
-    front = std::move(next);
-  }
+    ++distance;
+    return !targets.empty();
+  });
 }
 
 }  // namespace
@@ -130,7 +122,7 @@ PressedFlow pressed_flow(const Scene& scene, const FluidPicture& picture, const 
       const Span above = difference_over_time(from.conditions->flow, to.conditions->flow, units);
       if (above.low != 0 || above.high != 0 || force != Vector{}) targets.push_back({&to, above});
     }
-    follow(from, std::move(targets), force, picture, width, fastest);
+    if (!targets.empty()) follow(from, std::move(targets), force, picture, width, fastest);
   }
   return fastest;
 }
