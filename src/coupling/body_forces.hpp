@@ -15,6 +15,7 @@ struct BodyForces {
 
   /// The largest size along an axis.
   double largest(int axis) const { return std::max(-range[axis].low, range[axis].high); }
+  bool act() const { return largest(0) > 0 || largest(1) > 0; }
 };
 
 /// f - g beta (T - T_0) of flow.body_force f and flow.gravity g (Boussinesq; Gray and Giorgini, Int. J. Heat Mass

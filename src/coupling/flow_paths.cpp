@@ -1,10 +1,12 @@
 #include "coupling/flow_paths.hpp"
 
 #include "base/require.hpp"
+#include "coupling/body_forces.hpp"
 #include "coupling/corner_contacts.hpp"
 #include "coupling/force_speed.hpp"
 #include "coupling/mouths.hpp"
 #include "coupling/passages.hpp"
+#include "coupling/pore_runs.hpp"
 #include "coupling/pore_width.hpp"
 #include "coupling/pressed_speed.hpp"
 #include "coupling/ways_out.hpp"
@@ -147,10 +149,13 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   look_for_passages(scene, walls, picture, mouths, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
   found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
-  const ForceSpeed driven = body_force_speed(scene, picture, mouths, piece, units);
-  found.force_speed = driven.by_the_end;
-  found.lasting_force_speed = driven.ever;
-  found.weight_speed = weight_wave_speed(scene, picture, mouths, piece, units);
+  if (const BodyForces forces = body_forces(scene, units); forces.act()) {
+    const std::vector<double> width = shorter_widths(scene, picture);
+    const ForceSpeed driven = body_force_speed(scene, forces, picture, width, mouths, piece, units);
+    found.force_speed = driven.by_the_end;
+    found.lasting_force_speed = driven.ever;
+    found.weight_speed = weight_wave_speed(scene, forces, picture, width, mouths, piece, units);
+  }
   if (std::string remark = remark_on_corners(scene, picture, mouths); !remark.empty())
     found.warnings.push_back(std::move(remark));
   return found;

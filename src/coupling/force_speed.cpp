@@ -1,6 +1,5 @@
 #include "coupling/force_speed.hpp"
 
-#include "coupling/body_forces.hpp"
 #include "coupling/pore_runs.hpp"
 #include "coupling/temperature_range.hpp"
 
@@ -19,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 bool is_open_through(const AxisView& view, const std::vector<Mouth>& mouths, const std::vector<int>& piece) {
   std::array<std::vector<int>, 2> at;
   for (const Mouth& mouth : mouths) {
-    if (!mouth.yields() || mouth.key.starts_with("boundary.shape.")) continue;
+    if (!mouth.yields() || !mouth.side) continue;
     for (const std::size_t n : mouth.nodes) {
       const int k = view.along(n);
       if (k == 0) at[0].push_back(piece[n]);
@@ -71,13 +70,14 @@ double speed_in_series(const AxisView& view, const std::vector<double>& across) 
 
 }  // namespace
 
-ForceSpeed body_force_speed(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
+ForceSpeed body_force_speed(const Scene& scene, const BodyForces& forces, const FluidPicture& picture,
+                            const std::vector<double>& width, const std::vector<Mouth>& mouths,
                             const std::vector<int>& piece, const LatticeUnits& units) {
-  const BodyForces forces = body_forces(scene, units);
   const double viscosity = lowest_viscosity(scene) / units.diffusivity();
   const double steps = scene.time.steps ? static_cast<double>(*scene.time.steps)
                        : scene.time.end ? *scene.time.end / units.time_step
                                         : infinite;
+  const double widest = *std::max_element(width.begin(), width.end());
   ForceSpeed most;
   for (int axis = 0; axis < 2; ++axis) {
     if (forces.largest(axis) == 0) continue;
@@ -86,8 +86,6 @@ ForceSpeed body_force_speed(const Scene& scene, const FluidPicture& picture, con
     if (!ends.joined && !is_open_through(along, mouths, piece)) continue;
     const double g =
         ends.joined ? forces.largest(axis) : acceleration_between_sides(along, mouths, forces.range[axis], units);
-    const std::vector<double> width = shorter_widths(scene, picture);
-    const double widest = *std::max_element(width.begin(), width.end());
     const std::vector<double> across = widths_along({picture, 1 - axis}, ends_of(scene, 1 - axis));
     double speed = g / viscosity * std::min(widest * widest / 8, speed_in_series(along, across));
     if (!ends.joined) speed = std::min(speed, std::sqrt(2 * g * along.length()));

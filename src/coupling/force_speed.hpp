@@ -1,5 +1,6 @@
 #pragma once
 // How fast body forces can drive fluid through pores.
+#include "coupling/body_forces.hpp"
 #include "coupling/mouths.hpp"
 
 #include <vector>
@@ -18,9 +19,10 @@ struct ForceSpeed {
 ///   - between open sides (2 g L)^1/2;
 ///   - by the end of the run, g times its duration.
 /// nu is the lowest viscosity, and g the largest acceleration, of the temperatures of the case. Between sides with
-/// given pressures, g is the sum of the body forces and their gradient: 0 for a fluid at rest under its weight. `piece`
-/// is that of each node.
-ForceSpeed body_force_speed(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
+/// given pressures, g is the sum of the body forces and their gradient: 0 for a fluid at rest under its weight. `width`
+/// and `piece` are those of each node (shorter_widths, pieces_of).
+ForceSpeed body_force_speed(const Scene& scene, const BodyForces& forces, const FluidPicture& picture,
+                            const std::vector<double>& width, const std::vector<Mouth>& mouths,
                             const std::vector<int>& piece, const LatticeUnits& units);
 
 }  // namespace vug

@@ -1,6 +1,5 @@
 #include "coupling/weight_wave.hpp"
 
-#include "coupling/body_forces.hpp"
 #include "coupling/pore_runs.hpp"
 #include "coupling/temperature_range.hpp"
 
@@ -59,12 +58,11 @@ double weight_wave(double g, double height, bool open) {
   return std::sqrt(3.0) * g * height * (open ? 1.0 : 0.5);
 }
 
-double weight_wave_speed(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
+double weight_wave_speed(const Scene& scene, const BodyForces& forces, const FluidPicture& picture,
+                         const std::vector<double>& width, const std::vector<Mouth>& mouths,
                          const std::vector<int>& piece, const LatticeUnits& units) {
-  const BodyForces forces = body_forces(scene, units);
   if (forces.at_start == std::array{0.0, 0.0}) return 0;
   const double viscosity = lowest_viscosity(scene) / units.diffusivity();
-  const std::vector<double> width = shorter_widths(scene, picture);
   std::vector<double> squared;  // (piece) of the speeds along both axes
   for (int axis = 0; axis < 2; ++axis) {
     const double g = std::abs(forces.at_start[axis]);

@@ -1,5 +1,6 @@
 #pragma once
 // The sound with which the pressure of a column of fluid under its weight builds up.
+#include "coupling/body_forces.hpp"
 #include "coupling/mouths.hpp"
 
 #include <vector>
@@ -17,8 +18,10 @@ double weight_wave(double g, double height, bool open);
 /// Upper bound, lattice units, of the speed in any piece of fluid while its weight sets in, from the height of the
 /// piece along each axis. Friction keeps it below g w^2/(8 nu), with w the width of the widest pore of the piece,
 /// unless a given pressure other than that of the start sends sound of its own. Where fluid has a way along an axis and
-/// no pressure is to carry it, the weight drives it instead (force_speed.hpp): 0. `piece` is that of each node.
-double weight_wave_speed(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths,
+/// no pressure is to carry it, the weight drives it instead (force_speed.hpp): 0. `width` and `piece` are those of each
+/// node (shorter_widths, pieces_of).
+double weight_wave_speed(const Scene& scene, const BodyForces& forces, const FluidPicture& picture,
+                         const std::vector<double>& width, const std::vector<Mouth>& mouths,
                          const std::vector<int>& piece, const LatticeUnits& units);
 
 }  // namespace vug
