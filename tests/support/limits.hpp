@@ -32,4 +32,14 @@ inline double history_value(const Simulation& run, const std::string& name) {
   throw std::invalid_argument("no column " + name);
 }
 
+/// The largest Mach number in so many steps, looked at now and then.
+inline double largest_mach(Simulation& run, int steps, int between = 50) {
+  double largest = 0;
+  for (int step = 1; step <= steps; ++step) {
+    run.step();
+    if (step % between == 0) largest = std::max(largest, history_value(run, "largest_mach_1"));
+  }
+  return largest;
+}
+
 }  // namespace vug::test

@@ -1,6 +1,6 @@
 // The bounds of the speed that pressures and body forces drive, against the runs themselves.
 #include "coupling/driving_pressure.hpp"
-#include "coupling/simulation.hpp"
+#include "support/limits.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@ namespace vug {
 namespace {
 
 using Overrides = std::vector<std::string>;
+using test::largest_mach;
 
 const std::string of_pressures = "Mach number that the pressures drive";
 const std::string of_force = "Mach number that the body force can reach";
@@ -23,18 +24,6 @@ double limit_of(const Simulation& run, const std::string& name) {
   for (const Limit& limit : run.limits())
     if (limit.name == name) return limit.value;
   return -1;
-}
-
-/// The largest Mach number in so many steps.
-double largest_mach(Simulation& run, int steps) {
-  double largest = 0;
-  for (int step = 1; step <= steps; ++step) {
-    run.step();
-    if (step % 50 != 0) continue;
-    for (const HistoryValue& value : run.history())
-      if (value.name == "largest_mach_1") largest = std::max(largest, value.value);
-  }
-  return largest;
 }
 
 TEST(LargestDrive, IsTheDifferenceOfPotentials) {

@@ -3,7 +3,7 @@
 #include "coupling/driving_pressure.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/limit_text.hpp"
-#include "coupling/simulation.hpp"
+#include "support/limits.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -16,6 +16,7 @@
 namespace vug {
 namespace {
 
+using test::largest_mach;
 using testing::HasSubstr;
 
 /// A lattice of nx x ny cells, lattice units.
@@ -71,18 +72,6 @@ std::string square(double top, double viscosity) {
   return box(40, 40, viscosity,
              pressed("right", "0") + pressed("top", fmt::format("{}", top)) + "[boundary.injection]\n" +
                  stretch("left", 20, 8) + "flow = { type = \"pressure\", pressure = 2e-4 }\n");
-}
-
-/// The largest Mach number of a run.
-double largest_mach(Simulation& run, int steps) {
-  double largest = 0;
-  for (int step = 1; step <= steps; ++step) {
-    run.step();
-    if (step % 50 != 0) continue;
-    for (const HistoryValue& value : run.history())
-      if (value.name == "largest_mach_1") largest = std::max(largest, value.value);
-  }
-  return largest;
 }
 
 /// The bound is that of the way from the top to the inlet: at most p w/4, with w = 48 at its height, and not that of no

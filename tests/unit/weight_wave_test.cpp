@@ -49,12 +49,7 @@ double mach_of(const Simulation& run) {
 /// The largest Mach number in the time that sound takes over the column twice.
 double largest_mach(const std::string& text) {
   Simulation run(parse_scene(text, "a.toml"));
-  double largest = 0;
-  for (int step = 0; step < 2 * height / sound; ++step) {
-    run.step();
-    largest = std::max(largest, mach_of(run));
-  }
-  return largest;
+  return test::largest_mach(run, static_cast<int>(std::ceil(2 * height / sound)), 1);
 }
 
 TEST(WeightWave, IsHalfAsFastBetweenTwoWallsAsAtAnOpenEnd) {
