@@ -124,11 +124,15 @@ struct BondFailure {
     model.accounts.add_bond(k, 0, width * friction, 0.5 * model.dt * width * damped);
   }
 
-  KOKKOS_FUNCTION void operator()(int k) const {
-    BondState state = model.bonds.state(k);
+  /// Most bonds are neither damaged nor overstressed: this is all that is done for them.
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
+    const BondState state = model.bonds.state(k);
     const bool overstressed = model.bonds.overstressed(k) != 0;
     const bool quiet = !overstressed && model.bonds.d_m(k) == 0 && model.bonds.d_c(k) < model.chemical.failure_at;
-    if (!has_failed(state) && quiet) return;
+    if (has_failed(state) || !quiet) treat(k, state, overstressed);
+  }
+
+  KOKKOS_FUNCTION void treat(int k, BondState state, bool overstressed) const {
     const BondMotion motion = motion_of_bond(model.particles, model.bonds, model.expansion, k);
     const bool fresh = !has_failed(state);
     if (fresh && overstressed) take_damage(k, motion);

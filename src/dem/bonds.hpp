@@ -64,7 +64,7 @@ struct Bonds {
   ScalarField<double> d_m;                                     ///< mean of the two; exactly 1 when both are broken
   ScalarField<double> d_c;                                     ///< chemical damage
   /// Within a step: 1 if a point is beyond its strength and not yet broken. An int because a vector of bytes would hold
-  /// so many that a host would compute the bonds of a group of eight one by one.
+  /// so many that a host would compute short runs of bonds one by one.
   IndexList overstressed;
   Kokkos::View<BondState*> state;
   Kokkos::View<std::uint8_t*> joint;  ///< faces_joined, faces_dissolved or faces_apart

@@ -40,8 +40,9 @@ struct Integrate {
   KOKKOS_FORCEINLINE_FUNCTION void move(int i, int axis, double here, double force, double given,
                                         double inverse_mass) const {
     const bool held = (push.p.held(i) & (axis == 0 ? 1 : 2)) != 0;
-    const double v = push.p.v(i, axis), kick = kicked(v, force, inverse_mass);
-    const double w = here * (held ? push.p.drive(i, axis) : kick);
+    // `drive` is read for all: a read under a condition would keep the loop from being vectorised
+    const double v = push.p.v(i, axis), drive = push.p.drive(i, axis), kick = kicked(v, force, inverse_mass);
+    const double w = here * (held ? drive : kick);
     push.p.v(i, axis) = w;
     push.p.u(i, axis) += control.dt * w;
     push.p.reaction(i, axis) = held ? -force : 0.0;

@@ -199,7 +199,7 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     stiffness(i, piece.side % 2) += piece.length * (part ? part->stiffness : loads.stiffness[side]);
     if (!piece.decides) continue;
     const int axes = held_axes(support, piece.side), own = axes & owned[static_cast<std::size_t>(i)][side];
-    held(i) = static_cast<std::uint8_t>(held(i) | axes);
+    held(i) |= axes;
     for (int axis = 0; axis < 2; ++axis)
       if (own & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][static_cast<std::size_t>(axis)];
   }

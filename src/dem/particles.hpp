@@ -5,8 +5,6 @@
 #include "dem/parameters.hpp"
 #include "dem/triangle.hpp"
 
-#include <cstdint>
-
 namespace vug {
 
 /// Shapes and motion of all particles, SI, 1 m thick. Displacements are stored, not positions, so that micrometres of
@@ -39,9 +37,11 @@ struct Particles {
   /// View where the rock is of one material.
   ScalarField<double> warming;
 
-  Kokkos::View<std::uint8_t*> held;  ///< bits 1, 2, 4: x, y, spin follow `drive` instead of the forces
-  VectorField<double> drive;         ///< (particle, axis) velocity of held axes, m/s
-  VectorField<double> reaction;      ///< (particle, axis) force that holds, N; zero on free axes
+  /// Bits 1, 2, 4: x, y, spin follow `drive` instead of the forces. Not bytes: a vector holds so many of them that a
+  /// loop over particles would not be vectorised, or in far too many registers.
+  IndexList held;
+  VectorField<double> drive;     ///< (particle, axis) velocity of held axes, m/s
+  VectorField<double> reaction;  ///< (particle, axis) force that holds, N; zero on free axes
 };
 
 /// Triangle k of an assembly.

@@ -103,7 +103,8 @@ struct WakeBonds {
     const int first = g * groups.size, last = first + groups.size < bonds.count ? first + groups.size : bonds.count;
     int runs = 0;
     for (int k = first; k < last; ++k)
-      runs |= particles.runs(bonds.pair(k, 0) / particles.size) | particles.runs(bonds.pair(k, 1) / particles.size);
+      runs |= particles.runs(bonds.pair(k, 0) / particles_per_group) |
+              particles.runs(bonds.pair(k, 1) / particles_per_group);
     due.runs(g) = static_cast<std::uint8_t>(runs | groups.runs(g));
     groups.runs(g) = static_cast<std::uint8_t>(runs);
   }
