@@ -65,11 +65,14 @@ Assembly mesh_on_lattice(const LatticeSection& lattice, const std::string& file)
       return x < -slack || x > lattice.length_x + slack || y < -slack || y > lattice.length_y + slack;
     });
   };
-  if (const auto outside = lies_outside(1); outside != assembly.vertices.end())
-    throw InputError(fmt::format(
-        "{}: the point ({:g}, {:g}) m lies outside the lattice, which is [0, {:g}] x [0, {:g}] m{}", file,
-        (*outside)[0], (*outside)[1], lattice.length_x, lattice.length_y,
-        lies_outside(1e-3) == assembly.vertices.end() ? "; a mesh in millimetres is to be written in metres" : ""));
+  const auto none = assembly.vertices.end();
+  if (const auto outside = lies_outside(1); outside != none) {
+    const bool millimetres = lies_outside(1e-3) == none && lies_outside(1e-2) != none;
+    throw InputError(
+        fmt::format("{}: the point ({:g}, {:g}) m lies outside the lattice, which is [0, {:g}] x [0, {:g}] m{}", file,
+                    (*outside)[0], (*outside)[1], lattice.length_x, lattice.length_y,
+                    millimetres ? "; a mesh in millimetres is to be written in metres" : ""));
+  }
   return assembly;
 }
 
