@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 #include "commands.hpp"
 #include "front/short_waits.hpp"
+#include "front/unexpected.hpp"
 #include "host/exit_code.hpp"
 #include "host/memory.hpp"
 #include "host/memory_reserve.hpp"
@@ -113,6 +114,9 @@ int start(int argc, char** argv) {
   vug::describe(app, line);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    const std::string told = vug::told_of_unexpected(app, {argv + 1, argv + argc});
+    return fail(invalid_input, told + " (vug --help lists what there is)");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return help(app, error);
     return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));

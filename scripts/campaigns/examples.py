@@ -47,8 +47,6 @@ def campaign(site, count):
         site.count("examples" if name in known else "commands beside them")
         if name in known:
             site.count("with other numbers than those recorded", done.returncode != 0)
-        elif done.returncode == 2 and "cases/complete" in name:  # made to be read: some of them no run could use
-            site.count("refused")
         elif done.returncode not in (0, 3):
             site.find(f"{name}: exit code {done.returncode}: {said[-300:]}")
         if "Sanitizer" in said or "runtime error" in said or "Kokkos" in said:

@@ -64,7 +64,8 @@ NO_LAWS = {
         detail/delaunay.cpp detail/disc_outline.cpp detail/element_size.cpp detail/hdf5_file.cpp
         detail/image_npy.cpp detail/image_nrrd.cpp detail/image_plain.cpp detail/image_png.cpp detail/image_tiff.cpp
         detail/input_file.cpp detail/line.hpp detail/mesh_sections.cpp detail/nearest_name.cpp
-        detail/poisson_disc.cpp detail/rock_outline.cpp detail/rock_snapshots.cpp detail/toml_cursor.cpp detail/toml_cursor_read.cpp detail/toml_document.cpp
+        detail/poisson_disc.cpp detail/rock_mesher.cpp detail/rock_outline.cpp detail/rock_snapshots.cpp detail/toml_cursor.cpp
+        detail/toml_cursor_read.cpp detail/toml_document.cpp
         detail/toml_hazards.cpp detail/toml_override.cpp detail/warnings.cpp detail/warnings_of_pores.cpp form.cpp
         history_writer.cpp image_reader.cpp json_text.cpp mesh_reader.cpp message.cpp notch_remarks.cpp
         palette_picture.cpp progress.cpp rock_generator.cpp rock_regions.cpp run_folder.cpp""",

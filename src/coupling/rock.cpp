@@ -59,11 +59,20 @@ TriangleNeighbours neighbours_of_triangles(const Assembly& assembly) {
 Assembly mesh_on_lattice(const LatticeSection& lattice, const std::string& file) {
   Assembly assembly = read_mesh(file);
   const double slack = 1e-9 * (lattice.length_x + lattice.length_y);
-  for (const auto& [x, y] : assembly.vertices)
-    if (x < -slack || x > lattice.length_x + slack || y < -slack || y > lattice.length_y + slack)
-      throw InputError(
-          fmt::format("{}: the point ({:g}, {:g}) m lies outside the lattice, which is [0, {:g}] x [0, {:g}] m", file,
-                      x, y, lattice.length_x, lattice.length_y));
+  const auto lies_outside = [&](double unit) {  // m, in which the mesh is written
+    return std::find_if(assembly.vertices.begin(), assembly.vertices.end(), [&](const auto& vertex) {
+      const double x = unit * vertex[0], y = unit * vertex[1];
+      return x < -slack || x > lattice.length_x + slack || y < -slack || y > lattice.length_y + slack;
+    });
+  };
+  const auto none = assembly.vertices.end();
+  if (const auto outside = lies_outside(1); outside != none) {
+    const bool millimetres = lies_outside(1e-3) == none && lies_outside(1e-2) != none;
+    throw InputError(
+        fmt::format("{}: the point ({:g}, {:g}) m lies outside the lattice, which is [0, {:g}] x [0, {:g}] m{}", file,
+                    (*outside)[0], (*outside)[1], lattice.length_x, lattice.length_y,
+                    millimetres ? "; a mesh in millimetres is to be written in metres" : ""));
+  }
   return assembly;
 }
 

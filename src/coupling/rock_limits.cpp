@@ -57,8 +57,8 @@ Limit limit_of_edges(const Mechanics& rock, double spacing) {
       longest < out_of_reach * mean
           ? "bonds snap at once and dissipate what they hold, whatever their fracture energy"
           : fmt::format(
-                "cracks dissipate more than their fracture energy; to avoid this lower rock.element_size to "
-                "{:.2g} m{}",
+                "cracks dissipate more than their fracture energy; to avoid this lower rock.element_size (of a "
+                "mesh, its edges) to {:.2g} m{}",
                 rounded_down(longest),
                 spacing > finest ? fmt::format(", and lattice.spacing to {:.2g} m", rounded_down(finest)) : "");
   return {"mechanics", "mean edge of the bonds", mean, "m", 0, longest, advice};

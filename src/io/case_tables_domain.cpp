@@ -79,6 +79,9 @@ void read_raw(const TomlCursor& table, ImageSection& image) {
       table.refuse(key, "is for raw files; a picture with a header knows its own");
     return;
   }
+  for (const char* ending : {".jpg", ".jpeg", ".bmp", ".gif", ".webp"})
+    if (ends(ending) && !table.has("raw_size"))
+      table.fail("file", fmt::format("is a picture of a kind that is not read, {}; save it as .png or .tif", ending));
   if (!table.describing() && !table.has("raw_size"))
     table.fail("raw_size",
                "is missing; a file that is not .png, .tif, .tiff, .nrrd or .npy is read as raw values and needs "

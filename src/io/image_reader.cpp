@@ -30,10 +30,9 @@ Size cropped_size(const ImageSection& image, const detail::ImageHeader& header) 
   const std::int64_t columns = image.crop_size[0] > 0 ? image.crop_size[0] : header.width - column;
   const std::int64_t rows = image.crop_size[1] > 0 ? image.crop_size[1] : header.height - row;
   if (columns < 1 || rows < 1 || column + columns > header.width || row + rows > header.height)
-    refuse_image(
-        image.file,
-        fmt::format("the crop of {} x {} pixels from column {}, row {} leaves the image, which has {} x {} pixels",
-                    columns, rows, column, row, header.width, header.height));
+    refuse_image(image.file, fmt::format("the crop{} from column {}, row {} leaves the image, which has {} x {} pixels",
+                                         image.crop_size[0] > 0 ? fmt::format(" of {} x {} pixels", columns, rows) : "",
+                                         column, row, header.width, header.height));
   if (columns % image.coarsen != 0 || rows % image.coarsen != 0)
     refuse_image(image.file, fmt::format("{} x {} pixels make no whole number of cells of {} pixels; give "
                                          "geometry.crop_size = [{}, {}]",
@@ -46,14 +45,21 @@ bool turned_sideways(const ImageSection& image) {
   return image.rotate == ImageTurn::left || image.rotate == ImageTurn::right;
 }
 
-void require_lattice(const ImageSection& image, Size pixels, const LatticeSection& lattice) {
+void require_lattice(const ImageSection& image, Size pixels, std::optional<double> pixel_size,
+                     const LatticeSection& lattice) {
   const int across = (turned_sideways(image) ? pixels.rows : pixels.columns) / image.coarsen;
   const int up = (turned_sideways(image) ? pixels.columns : pixels.rows) / image.coarsen;
   if (across == lattice.nx && up == lattice.ny) return;
   const bool changed = image.coarsen > 1 || turned_sideways(image);
   const std::string cells = changed ? fmt::format(", coarsened and turned {} x {} cells", across, up) : "";
-  refuse_image(image.file, fmt::format("the image has {} x {} pixels{}, the lattice {} x {} nodes; they must agree",
-                                       pixels.columns, pixels.rows, cells, lattice.nx, lattice.ny));
+  const std::string of = pixel_size ? fmt::format(" of {:.6g} m", *pixel_size) : "";
+  const double spacing = pixel_size ? *pixel_size * image.coarsen : lattice.spacing;
+  const std::string also = pixel_size ? fmt::format("lattice.spacing = {:.6g} and ", spacing) : "";
+  refuse_image(image.file,
+               fmt::format("the image has {} x {} pixels{}{}, the lattice {} x {} nodes; give {}lattice.size "
+                           "= [{:.6g}, {:.6g}] (m), or use a part of the image (geometry.crop_size)",
+                           pixels.columns, pixels.rows, of, cells, lattice.nx, lattice.ny, also, across * spacing,
+                           up * spacing));
 }
 
 void require_pixel_size(const ImageSection& image, std::optional<double> pixel_size, const LatticeSection& lattice) {
@@ -234,7 +240,7 @@ SolidImage read_solid_image(const ImageSection& image, const LatticeSection& lat
   const detail::ImageHeader& header = rows->header;
   const std::optional<double> pixel_size = image.pixel_size ? image.pixel_size : header.pixel_size;
   const Size size = cropped_size(image, header);
-  require_lattice(image, size, lattice);
+  require_lattice(image, size, pixel_size, lattice);
   require_pixel_size(image, pixel_size, lattice);
   SolidImage read{{}, {}, {header.width, header.height, header.type, pixel_size, 0, 0, {}}};
   Pixels pixels(image, header);

@@ -24,6 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// How far a run came in whose folder nobody writes now: one that its record calls running was killed.
+std::string state_of(const RunSummary& run) {
+  return fmt::format("{} at step {}", run.status == "running" ? "unfinished" : run.status, run.steps);
+}
+
 /// The path without the ending of a file that is being written.
 fs::path finished(const fs::path& path) {
   return path.extension() == ".tmp" ? path.parent_path() / path.stem() : path;
@@ -144,7 +149,7 @@ RunFolder::Descriptor::~Descriptor() {
 void RunFolder::look() {
   held_ = read_run_summary(path_);
   if (held_ && use_ == Use::fresh)
-    throw InputError(fmt::format("{}: holds a run ({} at step {}); {}", path_, held_->status, held_->steps, offer_));
+    throw InputError(fmt::format("{}: holds a run ({}); {}", path_, state_of(*held_), offer_));
   if (!held_ && use_ != Use::resume) refuse_results_of_others();
 }
 
@@ -156,10 +161,10 @@ void RunFolder::refuse_results_of_others() const {
 void RunFolder::require_dispensable() const {
   if (!held_) return refuse_results_of_others();
   if (held_->had_checkpoint())
-    throw InputError(fmt::format(
-        "{}: holds a run ({} at step {}) and no checkpoint to continue it from; bring its checkpoints back, "
-        "or --overwrite replaces it, -o DIR leaves it alone",
-        path_, held_->status, held_->steps));
+    throw InputError(
+        fmt::format("{}: holds a run ({}) and no checkpoint to continue it from; bring its checkpoints back, "
+                    "or --overwrite replaces it, -o DIR leaves it alone",
+                    path_, state_of(*held_)));
 }
 
 bool RunFolder::is_ours() const {

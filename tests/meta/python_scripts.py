@@ -1,4 +1,5 @@
 """The Python scripts of scripts/ and perf/ say in one line what is missing or wrong, and replace no page unasked."""
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -34,6 +35,12 @@ class Called(unittest.TestCase):
         self.assertNotIn("Traceback", said)
         return done.stdout
 
+    @staticmethod
+    def each(check, items):
+        """The check of every item; two at a time, because most of it is waiting for a Python to start."""
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            list(pool.map(check, items))
+
 
 # As if another Python had come first, which would not do either: whichever this one is, it starts no further one.
 AFTER_ANOTHER = {"VUG_FIRST_PYTHON": "/opt/python3: h5py is missing"}
@@ -42,10 +49,13 @@ AFTER_ANOTHER = {"VUG_FIRST_PYTHON": "/opt/python3: h5py is missing"}
 class Packages(Called):
     def test_an_older_python_is_told(self):
         (self.folder / "sitecustomize.py").write_text("import sys\nsys.version_info = (3, 9, 18)\n")
-        for script in NEED_PACKAGES:
+
+        def is_told(script):
             says = (f"{pathlib.Path(script).name}: /opt/python3: h5py is missing; {sys.executable}: "
                     "needs Python 3.11 or later, this is 3.9\n")
             self.require(1, ROOT / script, "--help", says=says, PYTHONPATH=str(self.folder), **AFTER_ANOTHER)
+
+        self.each(is_told, NEED_PACKAGES)
         self.require(1, "-c", "try:\n  import vug\nexcept ImportError as error: raise SystemExit(str(error))",
                      says="vug needs Python 3.11", PYTHONPATH=f"{self.folder}:{ROOT / 'python'}")
 
@@ -54,10 +64,13 @@ class Packages(Called):
                            ("raise ImportError('built for another numpy')", ": built for another numpy\n")):
             for module in ("h5py", "matplotlib", "numpy"):
                 (self.folder / f"{module}.py").write_text(text)
-            for script in NEED_PACKAGES:
+
+            def is_told(script):
                 done = self.call(ROOT / script, "--help", PYTHONPATH=str(self.folder), **AFTER_ANOTHER)
                 self.assertRegex(done.stderr, rf"\A{pathlib.Path(script).name}: .*\n\Z")
                 self.assertIn(says, done.stderr)
+
+            self.each(is_told, NEED_PACKAGES)
 
     def test_a_python_without_packages_gives_way_to_that_of_the_distribution(self):
         """A virtual environment of it, which is the same file; its PYTHONPATH is not taken along."""
@@ -66,15 +79,20 @@ class Packages(Called):
             self.skipTest("the distribution's Python has no packages")
         subprocess.run([system, "-m", "venv", "--without-pip", self.folder / "venv"], check=True)
         (self.folder / "numpy.py").write_text("raise ImportError('of the first Python')")
-        for script in NEED_PACKAGES:
+
+        def gives_way(script):
             done = subprocess.run([self.folder / "venv/bin/python3", "-B", ROOT / script, "--help"], capture_output=True,
                                   text=True, check=False, env=os.environ | {"PYTHONPATH": str(self.folder)})
             self.assertRegex(done.stdout, r"\Ausage: ", done.stderr)
 
+        # one that looks for its Python itself, and one in each folder that leaves it to system_python
+        self.each(gives_way, ("scripts/plot", "scripts/campaign", "perf/slow_scenes"))
+
     def test_help_is_help(self):
-        for script in (*NEED_PACKAGES, "perf/processors", "perf/report_gpu", "perf/report_step", "perf/sweep_cost",
-                       "scripts/mutate", "scripts/scaling"):
-            self.assertRegex(self.require(0, ROOT / script, "--help"), r"\Ausage: ")
+        others = ("perf/processors", "perf/report_gpu", "perf/report_step", "perf/sweep_cost", "scripts/mutate",
+                  "scripts/scaling")
+        self.each(lambda script: self.assertRegex(self.require(0, ROOT / script, "--help"), r"\Ausage: "),
+                  (*NEED_PACKAGES, *others))
 
 
 class Validate(Called):
@@ -210,13 +228,13 @@ class Acid(Called):
             record.write_text(text)
 
     def test_wrong_words_are_told(self):
-        for script, words, says in (("acid-ladder", ["--condition", "20"], "'20' must be a pressure in MPa and Da"),
-                                    ("acid-ladder", ["--jobs", "0"], "'0' must be a whole number"),
-                                    ("acid-ensemble", ["--jobs", "-1"], "must be a whole number"),
-                                    ("reproduce-paper", ["--jobs", "0"], "must be a whole number"),
-                                    ("mutate", ["--part", "3"], "'3' must be K/N"),
-                                    ("mutate", ["--part", "0/3"], "'0/3' must be K/N")):
-            self.require(2, ROOT / "scripts" / script, *words, says=says)
+        wrong = (("acid-ladder", ["--condition", "20"], "'20' must be a pressure in MPa and Da"),
+                 ("acid-ladder", ["--jobs", "0"], "'0' must be a whole number"),
+                 ("acid-ensemble", ["--jobs", "-1"], "must be a whole number"),
+                 ("reproduce-paper", ["--jobs", "0"], "must be a whole number"),
+                 ("mutate", ["--part", "3"], "'3' must be K/N"),
+                 ("mutate", ["--part", "0/3"], "'0/3' must be K/N"))
+        self.each(lambda each: self.require(2, ROOT / "scripts" / each[0], *each[1], says=each[2]), wrong)
 
     def test_an_interruption_is_told(self):
         for error, code, says in (("KeyboardInterrupt", 130, "name: interrupted; call it again"),

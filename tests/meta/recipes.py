@@ -1,8 +1,10 @@
 """The syntax of the recipes in packaging/: what can be said of them without Spack and conda."""
 import ast
+import importlib.metadata
 import pathlib
 import re
 import sys
+import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2] / "packaging"
 VERSION = re.search(r"project\(vug VERSION (\S+)", (ROOT.parent / "CMakeLists.txt").read_text()).group(1)
@@ -18,6 +20,14 @@ except ImportError:
     print("PyYAML is not installed: the recipe for conda was not parsed")
 else:
     assert set(yaml.safe_load(recipe)) >= {"package", "source", "build", "requirements", "test", "about"}
+
+project = tomllib.loads((ROOT.parent / "pyproject.toml").read_text())["project"]
+assert project["version"] == VERSION, f"pyproject.toml is not of version {VERSION}"
+for need in sum(project["optional-dependencies"].values(), project["dependencies"]):  # no more than what the tests run with
+    name, _, least = need.partition(">=")
+    here = importlib.metadata.version(name) if least else ""
+    if [int(part) for part in re.findall(r"\d+", here)] < [int(part) for part in re.findall(r"\d+", least)]:
+        sys.exit(f"pyproject.toml: asks for {need}, and the tests pass with {here}")
 
 words = {line.split()[0] for line in (ROOT / "Containerfile").read_text().replace("\\\n", " ").splitlines()
          if line and not line.startswith("#")}

@@ -36,6 +36,10 @@ class Plot(unittest.TestCase):
     def snapshot(self, kind):
         return sorted((self.folder / "run" / kind).iterdir())[-1]
 
+    def test_where_no_pictures_can_be_written(self):
+        (self.folder / "run/figures").write_text("not a folder")
+        self.require("/run/figures(/drawn.json)?: (File exists|Not a directory)")
+
     def test_snapshots(self):
         os.truncate(self.snapshot("particles"), 500)
         self.require("particles.h5: step_000000000010: ")

@@ -183,6 +183,8 @@ class OpenRuns(unittest.TestCase):
         self.assertGreater(vug.plot.overview(run[-1], self.folder / "overview.png").stat().st_size, 10000)
         topics = vug.plot.topics_of(run.history)
         self.assertEqual(list(topics), ["acid", "rock", "heat", "cracks", "balances"])
+        with self.assertRaisesRegex(KeyError, "no 'rocks'; there are acid, rock, heat, cracks, balances"):
+            vug.plot.topic(run.history, "rocks", "rocks.png")
         spent = {curve.label: curve.values for curve in topics["acid"][0][2]}["spent on rock"]
         np.testing.assert_array_equal(spent, -run.history["L1_gain_reaction"])
         figure, axes = plt.subplots()

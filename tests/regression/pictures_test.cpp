@@ -19,13 +19,22 @@ TEST(Pictures, ThatContradictTheCaseAreRefusedInOneLine) {
   const struct {
     const char *change, *why;
   } mistakes[] = {
-      {"--set geometry.coarsen=1", "the image has 400 x 280 pixels, the lattice 200 x 140 nodes"},
+      {"--set geometry.coarsen=1",
+       "the image has 400 x 280 pixels of 5e-06 m, the lattice 200 x 140 nodes; give lattice.spacing = 5e-06 and "
+       "lattice.size = [0.002, 0.0014] (m), or use a part"},
+      {"--set geometry.rotate=left",
+       "coarsened and turned 140 x 200 cells, the lattice 200 x 140 nodes; give lattice.spacing = 1e-05 and "
+       "lattice.size = [0.0014, 0.002] (m)"},
+      {"--set geometry.coarsen=4 --set geometry.pixel_size=1e-5",
+       "give lattice.spacing = 4e-05 and lattice.size = [0.004, 0.0028] (m)"},
       {"--set geometry.pixel_size=6e-6", "geometry.pixel_size says pixels of 6e-06 m, 2 of them 1.2e-05 m"},
       {"--set lattice.spacing=2e-5 --set geometry.coarsen=4 --set geometry.pixel_size=1e-5", "must agree"},
       {"--set geometry.page=1", "has 1 page, counted from 0"},
       {"--set 'geometry.crop_size=[399, 280]'", "geometry.crop_size = [398, 280]"},
       {"--set 'geometry.grey_range=[0, 255]'", "has values 0 ... 50688, and geometry.grey_range, threshold and invert"},
-      {"--set 'geometry.crop_from=[10, 0]' --set 'geometry.crop_size=[400, 280]'", "leaves the image"},
+      {"--set 'geometry.crop_from=[10, 0]' --set 'geometry.crop_size=[400, 280]'",
+       "the crop of 400 x 280 pixels from column 10, row 0 leaves the image, which has 400 x 280 pixels"},
+      {"--set 'geometry.crop_from=[500, 0]'", "the crop from column 500, row 0 leaves the image"},
   };
   for (const auto& [change, why] : mistakes) {
     const test::Outcome outcome = test::run_vug("run" + slice + change + " -o " + (folder / "out"));

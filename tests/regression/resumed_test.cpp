@@ -84,7 +84,7 @@ TEST(Resumed, WithoutTheCheckpointThatThereWasIsRefused) {
   fs::remove_all(running + "/checkpoint");
   expect_refused(run_vug("run " + test::channel + " --resume --set time.steps=1000000000 -o " + running +
                          " --set output.interval_steps=100"),
-                 "holds a run (running at step");
+                 "holds a run (unfinished at step");
 }
 
 /// What cannot be read is not absent.

@@ -99,7 +99,7 @@ TEST(RunFolder, ServesOneProcessAtATimeAndNamesIt) {
   expect_refused(run_vug(small_lab + out), name);
   first.signal(SIGKILL);
   EXPECT_EQ(first.wait(), 128 + SIGKILL);
-  expect_refused(run_channel(out, ""), "holds a run (running");
+  expect_refused(run_channel(out, ""), "holds a run (unfinished");
   EXPECT_EQ(run_channel(out, "--overwrite").exit_code, 0) << "the lock ended with its holder";
 }
 

@@ -34,6 +34,20 @@ TEST(CaseRemarks, LowReferenceTemperatureHasTheFactorOfItsOwnRate) {
               ElementsAre(HasSubstr("makes the rate 1.53 times as high")));
 }
 
+/// 20 for 20 degC, at the start or at a side, also for a while; not what is written with its unit.
+TEST(CaseRemarks, TemperaturesThatAreMeantInDegreesAreRemarked) {
+  const auto warnings = [](const std::string& start, const std::string& side) {
+    return parsed("[heat]\nfluid_diffusivity = 1e-5\nsolid_diffusivity = 1e-5\ninitial_temperature = " + start +
+                  "\n[boundary.left]\nheat = { type = \"temperature\", temperature = " + side + " }\n")
+        .warnings;
+  };
+  const auto told = Contains(HasSubstr("kelvin; in degrees Celsius it is written \"20 degC\""));
+  EXPECT_THAT(warnings("20", "300"), told);
+  EXPECT_THAT(warnings("\"90 degC\"", "20"), told);
+  EXPECT_THAT(warnings("\"90 degC\"", "[[0, 300], [1, 20]]"), told);
+  EXPECT_THAT(warnings("\"90 degC\"", "\"20 degC\""), Not(Contains(HasSubstr("kelvin"))));
+}
+
 /// At the peak of its table, as fast as a light platen would be.
 TEST(CaseRemarks, FastPlatensAreRemarked) {
   const auto warnings = [](const std::string& top, const std::string& scaling = "1") {

@@ -5,10 +5,14 @@
 #include "front/templates.hpp"
 #include "io/scene.hpp"
 #include "support/run_vug.hpp"
+#include "unit/case_files.hpp"
 
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -72,10 +76,30 @@ TEST(CommandLine, TakesOneWordForEveryOverride) {
             "vug: " + folder.path() + ": holds no run (it has no run.json)\n");
 }
 
-/// All keys of generated rock, whose holes, notches and materials cross each other, make a rock.
-TEST(CommandLine, ChecksTheCaseWithEveryKeyOfGeneratedRock) {
-  const test::Outcome outcome = test::run_vug("check " VUG_SOURCE_DIR "/tests/cases/complete/rock.toml");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+/// A mistyped command or option is told with what was probably meant; who looks for pictures is told where they are.
+TEST(CommandLine, SaysWhatWasProbablyMeant) {
+  const std::string end = " (vug --help lists what there is)\n", run = "run " VUG_SOURCE_DIR "/cases/poiseuille.toml ";
+  for (const auto& [words, told] : std::vector<std::pair<std::string, std::string>>{
+           {"runn case.toml", "there is no command \"runn\"; did you mean \"run\"?"},
+           {"plot runs/a",
+            "there is no command \"plot\"; scripts/plot DIR draws the pictures of a run (installed: vug-plot DIR)"},
+           {"xyzzy", "there is no command \"xyzzy\""},
+           {run + "--error-bar", "not expected: --error-bar; did you mean \"--error-bars\"?"},
+           {run + "--step=5", "not expected: --step=5; did you mean \"--steps\"?"},
+           {run + "--xyzzy more", "not expected: --xyzzy"},
+           {run + "more", "not expected: more"}}) {
+    const test::Outcome outcome = test::run_vug(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_EQ(outcome.output, "vug: " + told + end);
+  }
+}
+
+/// The cases that have every key are cases that could run: also the one whose holes, notches and materials cross.
+TEST(CommandLine, ChecksTheCasesWithEveryKey) {
+  for (const auto& path : testing_cases::cases_in("tests/cases/complete")) {
+    const test::Outcome outcome = test::run_vug("check " + path.string());
+    EXPECT_EQ(outcome.exit_code, 0) << path << ": " << outcome.output;
+  }
 }
 
 TEST(CommandLine, SaysItsVersion) {

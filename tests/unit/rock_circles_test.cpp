@@ -202,5 +202,21 @@ TEST(RockRefusals, NameThePlaceAndTheShapesThere) {
   EXPECT_THAT(refusal(rock), HasSubstr("the rock has no triangles; make the holes smaller"));
 }
 
+/// A corner of a rectangle looks out of a disc by a quarter of an element. The message names smaller elements, and with
+/// these there is a mesh; in a corner of 2.6 degrees none are small enough.
+TEST(RockRefusals, NameElementsThatAreSmallEnough) {
+  RockSection rock = rock_of(3);
+  rock.holes = {Rectangle{{0.02, 0.02}, {0.05, 0.0402}}, Disc{{0.048, 0.034}, 0.006}};
+  const std::string told = refusal(rock), before = "lower rock.element_size (now 0.002 m) to ";
+  const auto at = told.find(before);
+  ASSERT_NE(at, std::string::npos) << told;
+  rock.element_size = std::stod(told.substr(at + before.size()));
+  EXPECT_LT(rock.element_size, element);
+  EXPECT_EQ(refusal(rock), "");
+  rock = rock_of(3);
+  rock.notches = {{{0.02, 0.02}, {0.06, 0.05}, 3, {}, 0}, {{0.02, 0.02}, {0.06, 0.053}, 3, {}, 1}};
+  EXPECT_THAT(refusal(rock), HasSubstr("lower rock.element_size (now 0.002 m) below 0.0007 m"));
+}
+
 }  // namespace
 }  // namespace vug

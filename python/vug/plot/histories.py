@@ -136,7 +136,10 @@ def draw_curves(axes, time, title, unit, curves, logarithmic=False):
 
 def topic(history, name, path, heading=""):
     """One figure of a history: "acid", "rock", "heat", "cracks" or "balances"; writes a PNG."""
-    entries = topics_of(history)[name]
+    topics = topics_of(history)
+    if name not in topics:
+        raise KeyError(f"this history has no {name!r}; there are {', '.join(topics)}")
+    entries = topics[name]
     columns = min(3, len(entries))
     rows = -(-len(entries) // columns)
     width = 7 if columns == 1 else 4.6 * columns

@@ -28,7 +28,7 @@ void check_text(const std::string& text, const std::string& path) {
     refuse(path, "is empty; a case needs at least [lattice] and [time]");
   }
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    refuse(path, "1:1: is UTF-16 text; save it as UTF-8");
+    refuse(path, "is UTF-16 text; save it as UTF-8");
   }
   if (const auto zero = text.find('\0'); zero != std::string::npos) {
     refuse(path, fmt::format("is not a text file (byte {} is zero); a case is TOML text", zero));

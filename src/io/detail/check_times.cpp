@@ -47,7 +47,8 @@ void check_times(const TomlDocument& document, const Scene& scene) {
     if (!interval) return;
     if (*interval < step - slack)
       document.fail(key, fmt::format("is shorter than one lattice.time_step = {:g} s", step));
-    if (*interval > end + slack) document.fail(key, fmt::format("is longer than the whole run, {:g} s", end));
+    if (*interval > end + slack)
+      document.fail(key, fmt::format("is longer than the whole run, {:g} s (vug run --steps N ends it earlier)", end));
   };
   check_interval("output.interval", scene.output.interval);
   check_interval("output.history_interval", scene.output.history_interval);

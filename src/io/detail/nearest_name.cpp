@@ -16,6 +16,15 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+/// The shortest candidate that begins so, the first of equals: "time_s" for a column whose unit was left out.
+std::string beginning_with(const std::string& words, std::span<const std::string> candidates) {
+  std::string shortest;
+  for (const std::string& candidate : candidates)
+    if (lower(candidate).starts_with(words) && (shortest.empty() || candidate.size() < shortest.size()))
+      shortest = candidate;
+  return shortest;
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -51,9 +60,12 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
 }
 
 std::string likely_name(std::string_view name, std::span<const std::string> candidates) {
-  const std::string nearest = nearest_name(name, candidates);
-  const int close = std::max<int>(2, static_cast<int>(nearest.size()) / 3);
-  if (nearest.empty() || edit_distance(lower(name), lower(nearest)) > close) return "";
+  std::string nearest = beginning_with(lower(name) + "_", candidates);
+  if (nearest.empty()) {
+    nearest = nearest_name(name, candidates);
+    const int close = std::max<int>(2, static_cast<int>(nearest.size()) / 3);
+    if (nearest.empty() || edit_distance(lower(name), lower(nearest)) > close) return "";
+  }
   return fmt::format("; did you mean \"{}\"?", nearest);
 }
 

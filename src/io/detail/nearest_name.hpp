@@ -12,7 +12,8 @@ int edit_distance(std::string_view a, std::string_view b);
 /// The candidate with the least edit distance to `name` (the first of equals), empty when there is none.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
-/// "; did you mean "x"?" when a candidate is close, otherwise nothing.
+/// "; did you mean "x"?" when a candidate goes on where the name ends ("time_s" for "time"; the shortest of several),
+/// or is close; otherwise nothing.
 std::string likely_name(std::string_view name, std::span<const std::string> candidates);
 
 /// The same; where no candidate is close, "; valid are a, b, c".

@@ -1,6 +1,7 @@
 // Warnings about fluid, heat, solutes and their reaction: what a case may say but probably does not mean.
 #include "io/detail/case_checks.hpp"
 #include "io/form.hpp"
+#include "io/named_temperatures.hpp"
 #include "io/narrow_cracks.hpp"
 #include "io/periodic.hpp"
 #include "io/units.hpp"
@@ -36,6 +37,17 @@ void warn_about_reaction(Scene& scene) {
     scene.warnings.emplace_back(
         "[reaction] acts on walls of rock, and geometry.type = \"open\" has none but the sides");
   }
+}
+
+/// A temperature that is probably meant in degrees Celsius: no fluid of rock is as cold.
+void warn_about_kelvin(Scene& scene) {
+  const auto named = named_temperatures(scene);
+  const double coldest = *std::min_element(named.begin(), named.end());
+  if (coldest < 150)
+    scene.warnings.push_back(
+        fmt::format("[heat] has a temperature of {0:g} K: numbers without a unit are in kelvin; in "
+                    "degrees Celsius it is written \"{0:g} degC\"",
+                    coldest));
 }
 
 /// Whether fluid may leave the lattice at a boundary at some time. `inward` (of sides only): axis and direction into
@@ -163,6 +175,7 @@ void warn_about_held_slits(Scene& scene) {
 
 void warn_about_pores(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
+  if (scene.heat) warn_about_kelvin(scene);
   warn_about_outlets(scene);
   warn_about_cut_shapes(scene);
   warn_about_scaled_pressure(scene);
