@@ -114,12 +114,20 @@ void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const Fluid
   for (const Mouth& mouth : mouths) {
     const bool presses = mouth.conditions->flow.kind == FlowBoundaryKind::pressure;
     if ((mouth.inflow == 0 && !presses) || mouth.nodes.empty()) continue;
-    std::vector<bool> outlet(picture.size(), false);
-    for (const Mouth& other : mouths)
-      if (other.lets_fluid_through() && other.key != mouth.key)
-        for (const std::size_t n : other.nodes) outlet[n] = true;
-    const Passage passed = find_passage(walls, picture, mouth, outlet);
+    std::vector<bool> inlet(picture.size(), false), outlet(picture.size(), false);
+    std::vector<std::size_t> outlets;
+    for (const std::size_t n : mouth.nodes) inlet[n] = true;
+    for (const Mouth& other : mouths) {
+      if (!other.lets_fluid_through() || other.key == mouth.key) continue;
+      for (const std::size_t n : other.nodes) outlet[n] = true;
+      outlets.insert(outlets.end(), other.nodes.begin(), other.nodes.end());
+    }
+    Passage passed = find_passage(walls, picture, mouth.nodes, outlet);
     if (passed.least == 0) continue;
+    const Passage back = find_passage(walls, picture, outlets, inlet);  // outlets may be narrower than the mouth
+    passed.least = std::min(passed.least, back.least);
+    passed.peak = std::max(passed.peak, back.peak);
+    passed.drag = std::max(passed.drag, back.drag);
     found.settling_steps = std::max(found.settling_steps, (presses ? both_ends : one_end) * viscosity * passed.delay);
     const double volume = std::abs(mouth.inflow) * mouth.total_length();
     found.passage_speed = std::max(found.passage_speed, volume / static_cast<double>(passed.least));

@@ -2,39 +2,92 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug {
 
 namespace {
 
-/// The passages of one front after the other.
-class Passages {
- public:
-  explicit Passages(const FluidPicture& picture) : picture_(picture), in_front_(picture.size(), false) {}
+/// Nodes of one front that are neighbours.
+struct Part {
+  std::size_t front = 0;  ///< its number
+  int nodes = 0, held = 0;
+  bool ends = false;        ///< a node is one of the end
+  bool dead = false;        ///< nothing flows through it
+  std::vector<int> beside;  ///< parts of the fronts before and after it that have neighbours of its nodes
+};
 
-  /// How many nodes each passage has.
-  std::vector<int> of(const std::vector<std::size_t>& front) {
-    std::vector<int> nodes;
-    std::vector<std::size_t> joined;
-    for (const std::size_t n : front) in_front_[n] = true;
-    for (const std::size_t n : front) {
-      if (!in_front_[n]) continue;
-      in_front_[n] = false;
-      joined.assign(1, n);
-      for (std::size_t k = 0; k < joined.size(); ++k)
-        picture_.for_each_neighbour(joined[k], [&](std::size_t m) {
-          if (!in_front_[m]) return;
-          in_front_[m] = false;
-          joined.push_back(m);
-        });
-      nodes.push_back(static_cast<int>(joined.size()));
-    }
-    return nodes;
+/// All fronts from some nodes on, in parts.
+class Parts {
+ public:
+  Parts(const FluidPicture& picture, const NoSlipWalls& walls, const std::vector<std::size_t>& begin,
+        const std::vector<bool>& end)
+      : picture_(picture), walls_(walls), end_(end), part_(picture.size(), unknown) {
+    picture.for_each_front(begin, [&](const std::vector<std::size_t>& front, const std::vector<bool>&) {
+      add(front);
+      return true;
+    });
+    leave_out_dead_ends();
   }
+  /// In the order of fronts.
+  const std::vector<Part>& all() const { return parts_; }
 
  private:
+  void add(const std::vector<std::size_t>& front) {
+    for (const std::size_t n : front) part_[n] = in_front;
+    for (const std::size_t n : front)
+      if (part_[n] == in_front) add_part(n);
+    ++fronts_;
+  }
+  void add_part(std::size_t first) {
+    const int number = static_cast<int>(parts_.size());
+    Part part;
+    part.front = fronts_;
+    std::vector<std::size_t> joined{first};
+    part_[first] = number;
+    for (std::size_t k = 0; k < joined.size(); ++k) {
+      part.held += walls_.hold(joined[k]);
+      part.ends = part.ends || end_[joined[k]];
+      picture_.for_each_neighbour(joined[k], [&](std::size_t m) {
+        const int other = part_[m];
+        if (other == in_front) {
+          part_[m] = number;
+          joined.push_back(m);
+        } else if (other >= 0 && other < number && parts_[other].front + 1 == fronts_ &&
+                   std::find(part.beside.begin(), part.beside.end(), other) == part.beside.end()) {
+          part.beside.push_back(other);
+        }
+      });
+    }
+    part.nodes = static_cast<int>(joined.size());
+    for (const int before : part.beside) parts_[before].beside.push_back(number);
+    parts_.push_back(std::move(part));
+  }
+  /// A part with one other beside it, where fluid neither enters nor leaves, lets nothing through; and then the next.
+  void leave_out_dead_ends() {
+    std::vector<std::size_t> left(parts_.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k) left[k] = parts_[k].beside.size();
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      for (int at = static_cast<int>(k); at >= 0;) {
+        Part& part = parts_[at];
+        if (part.dead || part.ends || left[at] > (part.front == 0 ? 0u : 1u)) break;
+        part.dead = true;
+        at = -1;
+        for (const int next : part.beside)
+          if (!parts_[next].dead) {
+            --left[next];
+            at = next;
+          }
+      }
+  }
+
+  static constexpr int unknown = -1, in_front = -2;
   const FluidPicture& picture_;
-  std::vector<bool> in_front_;  ///< (node) and not in a passage yet
+  const NoSlipWalls& walls_;
+  const std::vector<bool>& end_;
+  std::vector<int> part_;  ///< (node)
+  std::vector<Part> parts_;
+  std::size_t fronts_ = 0;
 };
 
 }  // namespace
@@ -48,25 +101,31 @@ double peak_of_passages(const std::vector<int>& nodes) {
   return carried > 0 ? 2 * widest * widest / carried : 0;
 }
 
-Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const Mouth& mouth,
-                     const std::vector<bool>& outlet) {
-  Passages passages(picture);
-  Passage passed{mouth.nodes.size()};
+Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const std::vector<std::size_t>& begin,
+                     const std::vector<bool>& end) {
+  const Parts parts(picture, walls, begin, end);
+  const std::vector<Part>& all = parts.all();
+  const auto first = std::find_if(all.begin(), all.end(), [](const Part& part) { return part.ends; });
+  if (first == all.end()) return {};
+  Passage passed{begin.size()};
   double stored = 0;
-  bool let_out = false;
-  picture.for_each_front(mouth.nodes, [&](const std::vector<std::size_t>& front, const std::vector<bool>&) {
-    const auto nodes = static_cast<double>(front.size());
-    const auto held = std::count_if(front.begin(), front.end(), [&](std::size_t n) { return walls.hold(n); });
-    const double drag = (held > 1 ? 12 : 3 * static_cast<double>(held)) / std::pow(nodes, 3);
-    stored += 3 * nodes;
-    passed.least = std::min(passed.least, front.size());
-    passed.peak = std::max(passed.peak, held > 0 ? peak_of_passages(passages.of(front)) : 1 / nodes);
+  for (auto part = all.begin(); part != all.end() && part->front <= first->front;) {
+    std::vector<int> passages;
+    int held = 0, nodes = 0;
+    for (const std::size_t front = part->front; part != all.end() && part->front == front; ++part) {
+      stored += 3.0 * part->nodes;
+      if (part->dead) continue;
+      passages.push_back(part->nodes);
+      held += part->held;
+      nodes += part->nodes;
+    }
+    const double drag = (held > 1 ? 12.0 : 3.0 * held) / std::pow(nodes, 3);
+    passed.least = std::min(passed.least, static_cast<std::size_t>(nodes));
+    passed.peak = std::max(passed.peak, held > 0 ? peak_of_passages(passages) : 1.0 / nodes);
     passed.drag += drag;
     passed.delay += drag * stored;
-    let_out = std::any_of(front.begin(), front.end(), [&](std::size_t n) { return outlet[n]; });
-    return !let_out;
-  });
-  return let_out ? passed : Passage{};
+  }
+  return passed;
 }
 
 }  // namespace vug

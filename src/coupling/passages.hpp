@@ -13,21 +13,21 @@ namespace vug {
 /// times the mean in the opening (Kirchhoff), and more with a parabola before it: 2 is above all of them.
 double peak_of_passages(const std::vector<int>& nodes);
 
-/// The passage that all fluid from a mouth crosses before it reaches an outlet.
+/// The passage that all fluid from a mouth crosses before it reaches an outlet, or the other way round.
 struct Passage {
-  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: there is no outlet
+  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: no way to the other end
   double drag = 0;        ///< pressure over (viscosity * volume per step), lattice units
   double delay = 0;       ///< steps in which pressure spreads along it, over viscosity
   double peak = 0;        ///< largest over the volume per step, 1/cells: an upper bound of most flows
 };
 
-/// Goes through the fronts of nodes at one distance after the other from `mouth`, up to the first that contains a node
-/// of `outlet`: all fluid that enters crosses every front. The nodes of a front that are neighbours are one passage
-/// (`peak`; where no no-slip wall is beside a front, its speed is the same everywhere). A front of n nodes has the drag
-/// of a slit of n cells, 12/n^3; where only one of its nodes is beside a no-slip wall, that of a layer with one wall,
-/// 3/n^3; without such nodes, none. The drag is a lower bound, because the nodes may be in several passages. Each node
-/// stores 1/c_s^2 of the pressure.
-Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const Mouth& mouth,
-                     const std::vector<bool>& outlet);
+/// Goes through the fronts of nodes at one distance after the other from `begin`, up to the first that contains a node
+/// of `end`: all fluid between them crosses every front. The nodes of a front that are neighbours are one passage
+/// (`peak`; where no no-slip wall is beside a front, its speed is the same everywhere). Passages that lead nowhere else
+/// are dead ends and only store. A front of n nodes has the drag of a slit of n cells, 12/n^3; where only one of its
+/// nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3; without such nodes, none. The drag is a lower
+/// bound, because the nodes may be in several passages. Each node stores 1/c_s^2 of the pressure.
+Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const std::vector<std::size_t>& begin,
+                     const std::vector<bool>& end);
 
 }  // namespace vug

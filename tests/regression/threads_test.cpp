@@ -49,5 +49,21 @@ TEST(Threads, ThatOpenMpDoesNotGiveAreSaidOrRefused) {
   EXPECT_THAT(many.output, HasSubstr("instead of 1000: at most 512"));
 }
 
+/// Stacks of threads take address space. Those that have started before it is used up must have ended when the refusal
+/// is caught: one that nobody has joined would abort the program.
+TEST(Threads, ThatTheSystemRefusesAreCountedAndHaveEnded) {
+#if defined(__SANITIZE_ADDRESS__) || defined(VUG_SEPARATE_MEMORY)
+  GTEST_SKIP() << "the memory that these builds set aside is beyond any limit";
+#endif
+  if (run_vug("info").output.find("OpenMP") == std::string::npos) GTEST_SKIP() << "no threads on the host";
+  const TemporaryFolder folder;
+  const Outcome refused =
+      run_command("ulimit -v 600000; OMP_PROC_BIND=false OMP_WAIT_POLICY=passive timeout 60 " VUG_EXECUTABLE " run " +
+                  small_rock + " --steps 2 --threads 300 -o " + (folder / "out"));
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_EQ(lines_in(refused.output), 1) << refused.output;
+  EXPECT_THAT(refused.output, testing::ContainsRegex("threads: the system grants [0-9]+ of 300 "));
+}
+
 }  // namespace
 }  // namespace vug

@@ -112,6 +112,10 @@ TEST(FlowPaths, SpeedInTheNarrowestPassageIsThatOfContinuity) {
   // not what lies behind the outlet: a dead end
   const std::string beside = "[boundary.top]\nflow = { type = \"outflow\" }\n";
   EXPECT_DOUBLE_EQ(passage_speed(channel(rectangle("[20, 0]", "[23, 11]"), inflow + beside)), 0.02);
+  // an outlet right beside the inflow, and narrower
+  const std::string corner =
+      "[boundary.injection]\nside = \"top\"\ncentre = 1.5\nwidth = 3\nflow = { type = \"outflow\" }\n";
+  EXPECT_DOUBLE_EQ(passage_speed(channel("", inflow + corner)), 0.02 * 12 / 3);
   EXPECT_EQ(passage_speed(channel("", pressures)), 0);
 }
 

@@ -76,6 +76,20 @@ TEST(Passages, OfTwoSlitsBoundTheFasterOne) {
   EXPECT_NEAR(found, parabola, 0.03 * parabola);
 }
 
+/// A slit of 4 cells beside a dead end of 8: all of the volume passes the slit.
+TEST(Passages, OfADeadEndCountNothing) {
+  const double velocity = 0.004;
+  const std::string wall = rectangle(20, 4, 140, 6), end = rectangle(130, 6, 140, 14);
+  Simulation run(parse_scene(channel(velocity, 0.2, 160, wall + end), "a.toml"));
+  const double volume = 14 * velocity, parabola = 1.5 * volume / 4;
+  EXPECT_DOUBLE_EQ(run.parts().paths.passage_speed, volume / 4);
+  EXPECT_NEAR(peak_of(run), parabola * 2 / 1.5, 1e-12);
+  EXPECT_NEAR(speed_after(run, 100000), parabola, 0.02 * parabola);  // the dead end fills slowly
+  // without its end it is a passage, which takes 8 parts of 9
+  const Simulation open(parse_scene(channel(velocity, 0.2, 160, wall), "a.toml"));
+  EXPECT_NEAR(peak_of(open), 2 * volume * 64 / (64 + 512.0), 1e-12);
+}
+
 /// A jet behind a sharp edge is narrower than the opening: up to (pi + 2)/pi times as fast as the mean in it.
 TEST(Passages, OfASharpEdgeBoundItsJet) {
   Simulation run(parse_scene(channel(0.01, 0.006, 120, rectangle(40, 0, 42, 8)), "a.toml"));

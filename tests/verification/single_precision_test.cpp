@@ -124,6 +124,27 @@ TEST(SinglePrecision, TakesFromTheFluidWhatASlowWallDissolves) {
   }
 }
 
+/// A rise to the last node that is one place of the concentration there: what the outflow subtracts of the inward
+/// population for it is an eighth of that population's last place.
+TEST(SinglePrecision, LeavesWithoutASmallGradient) {
+  const int steps = 40000;
+  const double tau = 0.8, w = D2Q5::w(1), rise = 0x1p-24, expected = -w * (tau - 1) * rise;
+  SoluteParameters parameters;
+  parameters.tau_1 = parameters.tau_h = tau;
+  ReactiveBox<D2Q5, float> box(3, 1, [](int, int) { return false; }, parameters, 1.0, {false, true});
+  const BoundaryLinks links = find_boundary_links(box.exec, box.nodes, Side::right, 0, 0, D2Q5::Q);
+  const ScalarField<double> gain("gain", links.count);
+  test::edit(box.acid.C, [&](const auto& C) { C(test::host_copy(links.fluid)(0) - 1) = float(1 - rise); });
+  const auto before = test::host_copy(box.acid.h);
+  for (int s = 0; s < steps; ++s) {
+    Kokkos::deep_copy(box.acid.h, before);
+    box.acid.rounding = rounding_of_step<float>(s);
+    const std::array condition{outflow_condition(links, parameters, box.acid, gain)};
+    dress<D2Q5, float>(box.exec, box.nodes, std::span<const SoluteCondition<float>>(condition));
+  }
+  EXPECT_NEAR(sum_in_order(gain) / steps, expected, 0.1 * expected);  // 0 by the nearest number
+}
+
 TEST(SinglePrecision, KeepsTheBalanceOfALongRun) {
   const int n = 100, steps = 100000;
   ReactiveBox<D2Q5, float> box(

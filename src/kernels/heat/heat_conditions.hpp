@@ -63,8 +63,9 @@ struct TemperatureIn {
 template <class T>
 struct OutflowIn {
   static constexpr bool mirrors = true, looks_inside = true, has_plane = false;
+  Rounding<T> rounding;
   KOKKOS_FUNCTION T operator()(const SideLink<T>& link) const {
-    return link.rock ? link.leaving : link.inward - link.weight * link.slope;
+    return link.rock ? link.leaving : rounding.sum(link.inward, -(link.weight * link.slope), link.node);
   }
 };
 
@@ -107,7 +108,7 @@ struct ConditionOf {
         return visit(ConvectionIn<T>{static_cast<T>(value), static_cast<T>(transfer),
                                      static_cast<T>(transfer / capacity_ratio), rounding});
       case HeatCondition::outflow:
-        return visit(OutflowIn<T>{});
+        return visit(OutflowIn<T>{rounding});
     }
   }
 };

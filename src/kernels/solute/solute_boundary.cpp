@@ -36,10 +36,12 @@ struct SoluteOutflowRule {
   Kokkos::View<const int*> source;
   int capacity, turned;
   T slope;
+  Rounding<T> rounding;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T) const {
     const int before = upstream_node(source, capacity, q, i);
     const T inward = h[turned ? source(q * capacity + i) : Set::opposite(q) * capacity + i];
-    return before >= 0 ? inward - T(Set::w(q)) * slope * (C[i] - C[before]) : inward;  // a wall sends back what leaves
+    if (before < 0) return inward;  // a wall sends back what leaves
+    return rounding.sum(inward, -(T(Set::w(q)) * slope * (C[i] - C[before])), i);
   }
 };
 
@@ -71,7 +73,7 @@ struct DressSolutes {
     using Kind = typename Entry::Kind;
     using Outflow = DressLinks<T, SoluteOutflowRule<T, Set>>;
     if (c.kind == Kind::outflow)
-      run(DressOneWay<Outflow>{{c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope}}, way});
+      run(DressOneWay<Outflow>{{c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope, c.rounding}}, way});
     else if (c.kind == Kind::concentration)
       run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing}});
     else
