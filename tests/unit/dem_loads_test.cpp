@@ -71,7 +71,7 @@ TEST(Servo, HoldsItsPressureAgainstDashpotsOfAnyStrength) {
     rock.advance(Exec(), step * rock.critical_step(), steps);
     const double error = -rock.reaction(RockSide::top).y / side / pressure - 1;
     std::printf("    eta %g s/m, %g of the critical step: off by %.2g\n", damping, step, error);
-    EXPECT_LT(std::abs(error), 0.02) << damping << " " << step;
+    EXPECT_LT(std::abs(error), 2e-4) << damping << " " << step;
   }
 }
 
