@@ -61,10 +61,9 @@ void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<s
   for (int c = 0; c < 3; ++c) {
     const std::string name = stress_components[static_cast<std::size_t>(c)];
     if (!is_asked_for(name)) continue;
-    add(list.particles, name, "Pa", 1, [particles, bonds, c] {
-      return [stress = on_host(stress_of_triangles(Exec(), particles, bonds)), c](std::size_t i, int) {
-        return stress(i, c);
-      };
+    add(list.particles, name, "Pa", 1, [&rock, c] {
+      return [stress = on_host(stress_of_triangles(Exec(), rock.particles(), rock.bonds(), rock.outer_moments())), c](
+                 std::size_t i, int) { return stress(i, c); };
     });
   }
   scalar(list.bonds, "d_m", "1", bonds.d_m);

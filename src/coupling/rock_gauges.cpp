@@ -100,6 +100,7 @@ RockGauges::RockGauges(const Scene& scene, const Assembly& assembly, const Mecha
     const std::string what = fmt::format("{}: output.gauges.{}", scene.path, g), name = gauge.name;
     const Particles particles = rock.particles();
     const Bonds bonds = rock.bonds();
+    const Mechanics* const whole = &rock;  // which the module that has these gauges owns
     const double expansion = rock.parameters().thermal_expansion;
     const auto two = [name](const char* first, const char* second, const char* unit, auto&& measure) -> Read {
       return [=](const Exec& exec, std::vector<HistoryValue>& row) {
@@ -141,7 +142,7 @@ RockGauges::RockGauges(const Scene& scene, const Assembly& assembly, const Mecha
       case GaugeKind::stress: {
         const IndexList members = triangles_of(gauge, assembly, what);
         gauges_.push_back([=](const Exec& exec, std::vector<HistoryValue>& row) {
-          const Stress stress = mean_stress(exec, particles, bonds, members);
+          const Stress stress = mean_stress(exec, particles, bonds, members, whole->outer_moments());
           row.push_back({name + "_xx_Pa", stress.xx});
           row.push_back({name + "_yy_Pa", stress.yy});
           row.push_back({name + "_xy_Pa", stress.xy});

@@ -10,6 +10,7 @@ namespace {
 struct StressTimesArea {
   Particles particles;
   Bonds bonds;
+  ForceMoments outer;  ///< may be empty
 
   KOKKOS_FUNCTION double area(int i) const {
     const auto corner = [&](int c) { return Vec2{particles.corner(i, c, 0), particles.corner(i, c, 1)}; };
@@ -17,6 +18,7 @@ struct StressTimesArea {
   }
   KOKKOS_FUNCTION Stress operator()(int i) const {
     Stress sum;
+    if (outer.extent(0) > 0) sum = {outer(i, 0), outer(i, 2), outer(i, 1)};
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
       const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
       const double sign = end == 0 ? 1 : -1;
@@ -59,19 +61,22 @@ struct ShareOfMember {
 }  // namespace
 
 Kokkos::View<double* [3], Kokkos::LayoutLeft> stress_of_triangles(const Exec& exec, const Particles& particles,
-                                                                  const Bonds& bonds) {
+                                                                  const Bonds& bonds, const ForceMoments& outer) {
   const Kokkos::View<double* [3], Kokkos::LayoutLeft> stress("vug::dem::triangle_stress",
                                                              static_cast<std::size_t>(particles.count));
-  for_each_node(exec, "vug::dem::stress_of_triangles", particles.count, StressOfTriangle{{particles, bonds}, stress});
+  for_each_node(exec, "vug::dem::stress_of_triangles", particles.count,
+                StressOfTriangle{{particles, bonds, outer}, stress});
   exec.fence("vug::dem::stress_of_triangles");
   return stress;
 }
 
-Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bonds, const IndexList& members) {
+Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bonds, const IndexList& members,
+                   const ForceMoments& outer) {
   const int count = static_cast<int>(members.extent(0));
   const auto sum = [&](int component) {
     const ScalarField<double> blocks("vug::dem::mean_stress_blocks", static_cast<std::size_t>(block_count(count)));
-    add_per_block(exec, "vug::dem::mean_stress", count, ShareOfMember{{particles, bonds}, members, component}, blocks);
+    add_per_block(exec, "vug::dem::mean_stress", count, ShareOfMember{{particles, bonds, outer}, members, component},
+                  blocks);
     exec.fence("vug::dem::mean_stress");
     return sum_in_order(blocks);
   };
@@ -79,8 +84,9 @@ Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bo
   return {sum(0) / area, sum(2) / area, sum(1) / area};
 }
 
-Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members) {
-  return mean_stress(Exec(), particles, bonds, to_device<IndexList>("vug::dem::mean_stress_members", members));
+Stress mean_stress(const Particles& particles, const Bonds& bonds, const std::vector<int>& members,
+                   const ForceMoments& outer) {
+  return mean_stress(Exec(), particles, bonds, to_device<IndexList>("vug::dem::mean_stress_members", members), outer);
 }
 
 }  // namespace vug

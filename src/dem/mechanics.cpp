@@ -58,6 +58,7 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       contacts_(make_contacts(particles_, bonds_, faces_itself(assembly, boundary_))),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
+      outer_forces_(assembly, boundary_, loads, particles_),
       servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)),
       timed_(make_timed_loads(assembly, boundary_, loads, particles_, loads_)),
       loss_(make_mass_loss(particles_, bonds_)),

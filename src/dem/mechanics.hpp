@@ -7,6 +7,7 @@
 #include "dem/mass_loss.hpp"
 #include "dem/monitors.hpp"
 #include "dem/neighbour_grid.hpp"
+#include "dem/outer_forces.hpp"
 #include "dem/preload_report.hpp"
 #include "dem/recording.hpp"
 #include "dem/rest.hpp"
@@ -92,6 +93,8 @@ class Mechanics {
   void set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity);
   /// Force that holds a side, N per m of thickness.
   Vec2 reaction(RockSide side) const;
+  /// What stresses, springs and supports of the sides add to the stress of triangles (mean_stress.hpp), for output.
+  ForceMoments outer_moments() const { return outer_forces_.moments(particles_, time_); }
   /// The energy ledger, J per m; work and losses only with parameters().energy_ledger.
   Energies energies(const Exec& exec) const;
   /// Restarts the ledger from the present state.
@@ -156,6 +159,7 @@ class Mechanics {
   Contacts contacts_;
   NeighbourGrid grid_;
   BoundaryLoads loads_;
+  OuterForces outer_forces_;
   std::vector<ServoPlaten> servos_;
   std::optional<TimedLoads> timed_;  ///< where loads change in time or platens move as given by a table
   MassLoss loss_;

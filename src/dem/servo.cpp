@@ -4,6 +4,7 @@
 #include "kernels/launch/launch.hpp"
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace vug {
@@ -27,21 +28,29 @@ struct FollowPressure {
   }
 };
 
-/// Stiffness of the bonds that join the particles in `held` to others, along the axis, N/m per m of thickness.
-double stiffness_behind(const std::set<int>& held, int axis, const BondParameters& rock, const Bonds& bonds) {
+/// What the bonds that join the particles in `held` to others answer along the axis, per m of thickness.
+struct Behind {
+  double stiffness = 0;  ///< N/m
+  double damping = 0;    ///< N s/m
+};
+
+Behind behind(const std::set<int>& held, int axis, const BondParameters& rock, const Bonds& bonds) {
   const auto own_normal = on_host(bonds.elasticity.normal_modulus),
-             own_tangential = on_host(bonds.elasticity.tangential_modulus);
+             own_tangential = on_host(bonds.elasticity.tangential_modulus),
+             own_damping = on_host(bonds.elasticity.damping);
   const auto pair = on_host(bonds.pair);
   const auto length = on_host(bonds.length);
   const auto spacing = on_host(bonds.spacing);
   const auto normal = on_host(bonds.normal);
-  double sum = 0;
+  Behind sum;
   for (int k = 0; k < bonds.count; ++k) {
     if (held.contains(pair(k, 0)) == held.contains(pair(k, 1))) continue;
     const double n2 = normal(k, axis) * normal(k, axis);
     const double m_n = bonds.elasticity.given() ? own_normal(k) : rock.normal_modulus;
     const double m_t = bonds.elasticity.given() ? own_tangential(k) : rock.tangential_modulus;
-    sum += length(k) / (rock.length_factor * spacing(k)) * (m_n * n2 + m_t * (1 - n2));
+    const double eta = bonds.elasticity.given() ? own_damping(k) : rock.damping;
+    sum.stiffness += length(k) / (rock.length_factor * spacing(k)) * (m_n * n2 + m_t * (1 - n2));
+    sum.damping += length(k) * eta * (m_n * n2 + m_t * (1 - n2));
   }
   return sum;
 }
@@ -67,11 +76,12 @@ std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& bou
       platen.length += std::abs(q[along] - p[along]);
       held.insert(edge.particle);
     }
-    const double stiffness = stiffness_behind(held, platen.axis, law, bonds);
+    const auto [stiffness, damping] = behind(held, platen.axis, law, bonds);
     if (!(stiffness > 0))
       throw InputError(loads.name[static_cast<std::size_t>(side)] +
                        ": a servo needs a bond between the triangles it holds and others");
     platen.compliance = servo_gain * platen.length / stiffness;
+    platen.fluidity = damping > 0 ? servo_gain * platen.length / damping : std::numeric_limits<double>::infinity();
     platen.held = to_device<IndexList>("vug::dem::servo_held", {held.begin(), held.end()});
     platens.push_back(platen);
   }
@@ -81,7 +91,7 @@ std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& bou
 void follow_pressure(const Exec& exec, const ServoPlaten& platen, double dt, double load_factor,
                      const Particles& particles) {
   for_each_node(exec, "vug::dem::follow_pressure", 1,
-                FollowPressure{platen, platen.compliance / dt, load_factor * platen.pressure, particles});
+                FollowPressure{platen, platen.speed_per_stress(dt), load_factor * platen.pressure, particles});
 }
 
 }  // namespace vug

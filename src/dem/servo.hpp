@@ -3,6 +3,7 @@
 #include "dem/bonds.hpp"
 #include "dem/loads.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace vug {
@@ -16,6 +17,9 @@ inline constexpr double servo_gain = 0.5;
 /// where p is the pressure on it in the last step, and K the sum of (k_n n^2 + k_t t^2) l over the bonds between held
 /// and free particles, divided by the length of the platen. This is the servo of granular mechanics (Itasca, PFC):
 ///   v = G (sigma_measured - sigma_required),  G = alpha A / (k_n N dt).
+/// Dashpots of these bonds answer to v at once, with C v, C being the sum of eta (M_n n^2 + M_t t^2) l over the length.
+/// With s(n + 1) = s(n) - g s(n - 1) - G C (s(n) - s(n - 1)) this is stable for G C < 1 - g / 2. Where dashpots are
+/// strong or steps short, G is therefore no more than servo_gain / C.
 /// To waves it is a boundary of impedance 1 / G. Rock that keeps moving outwards at v presses with p_wanted + v / G.
 struct ServoPlaten {
   int axis = 0;           ///< of its normal
@@ -23,7 +27,11 @@ struct ServoPlaten {
   double pressure = 0;    ///< wanted, Pa
   double length = 0;      ///< of the side at the start, m
   double compliance = 0;  ///< servo_gain / K, m/Pa
-  IndexList held;         ///< its particles, ascending
+  double fluidity = 0;    ///< servo_gain / C, m/(s Pa); infinite without dashpots
+
+  /// G for steps of dt, m/(s Pa).
+  double speed_per_stress(double dt) const { return std::min(compliance / dt, fluidity); }
+  IndexList held;  ///< its particles, ascending
 };
 
 /// Makes the servo platens of the loads. Throws InputError where no bond joins the triangles that one holds to others.

@@ -8,8 +8,8 @@
 namespace vug {
 
 /// One line on what is wrong: a particle whose motion is not finite or faster than `runaway_speed` (held: its platen;
-/// loose: a fragment, which fluid may drive where there is any; bonded: an unstable step), or more contacts than the
-/// list holds; empty when nothing is wrong. Waits for the device.
+/// of a loose piece that moves as one: what drives it, fluid where there is any; otherwise an unstable step), or more
+/// contacts than the list holds; empty when nothing is wrong. Waits for the device.
 std::string what_is_unsound(const Exec& exec, const Mechanics& rock, bool in_fluid = false);
 
 /// Throws StabilityError with that line, if there is one.

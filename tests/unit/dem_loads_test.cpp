@@ -50,6 +50,31 @@ TEST(LoadOnAPart, HasItsForceAndItsLeverArm) {
 }
 
 /// A ramp of a hundred steps, then three looks in a row, a fifth of the ramp apart, that find the rock at rest.
+/// Dashpots answer to the platen's speed at once: a servo that took them for springs would swing ever wider where they
+/// are strong or steps are short.
+TEST(Servo, HoldsItsPressureAgainstDashpotsOfAnyStrength) {
+  const double pressure = 4e6, side = 0.02;
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+  loads.support[static_cast<std::size_t>(RockSide::top)] = Support::servo;
+  loads.traction[static_cast<std::size_t>(RockSide::top)] = {0, -pressure};
+  struct Setting {
+    double damping, step;  // s/m, of the critical step
+    int steps;
+  };
+  for (const auto& [damping, step, steps] : {Setting{4.6e-6, 0.3, 3000}, Setting{4.6e-6, 0.01, 20000},
+                                             Setting{4.6e-5, 0.3, 6000}, Setting{4.6e-4, 0.3, 20000}}) {
+    MechanicsParameters parameters = test::elastic(0.7);
+    parameters.bond.damping = damping;
+    Mechanics rock(test::block(side, side, 4e-3, 0.2), parameters, loads);
+    rock.advance(Exec(), step * rock.critical_step(), steps);
+    const double error = -rock.reaction(RockSide::top).y / side / pressure - 1;
+    std::printf("    eta %g s/m, %g of the critical step: off by %.2g\n", damping, step, error);
+    EXPECT_LT(std::abs(error), 2e-4) << damping << " " << step;
+  }
+}
+
 TEST(Preload, CountsItsSteps) {
   Mechanics rock(lone, nearly_free(), {});
   const PreloadReport report = rock.preload(Exec(), 100 * 0.3 * rock.critical_step());

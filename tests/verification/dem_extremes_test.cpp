@@ -4,9 +4,14 @@
 #include "dem/soundness.hpp"
 #include "dem_support.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -121,6 +126,51 @@ TEST(Extremes, TenThousandBondsThatFailAtOnceReleaseWhatTheyHeld) {
   EXPECT_EQ(what_is_unsound(Exec(), rock), "");
 }
 
+/// The bonds between the upper half of a block and its lower half fail; the triangles of the upper half.
+std::vector<int> part_across(const Mechanics& rock, double height) {
+  const auto x0 = host_copy(rock.particles().x0);
+  const auto pair = host_copy(rock.bonds().pair);
+  const auto state = host_copy(rock.bonds().state);
+  const auto above = [&](int i) { return x0(i, 1) > height; };
+  for (int k = 0; k < rock.bonds().count; ++k)
+    if (above(pair(k, 0)) != above(pair(k, 1))) state(k) = BondState::failed_in_tension;
+  Kokkos::deep_copy(rock.bonds().state, state);
+  std::vector<int> upper;
+  for (int i = 0; i < rock.particles().count; ++i)
+    if (above(i)) upper.push_back(i);
+  return upper;
+}
+
+TEST(Extremes, PiecesThatRunAwayAsOneAreNoMatterOfTheStep) {
+  Loads loads;
+  loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::fixed;
+  Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), {}, loads);
+  const auto said = [&](bool in_fluid = false) { return what_is_unsound(Exec(), rock, in_fluid); };
+  const auto has = [](const std::string& words) { return testing::HasSubstr(words); };
+  const std::vector<int> upper = part_across(rock, 0.01);
+  rock.set_velocity(upper, {0, 5000});
+  const std::string piece = "of a piece of " + std::to_string(upper.size()) + " triangles that neither bonds nor";
+  EXPECT_THAT(said(), testing::AllOf(has(piece), has("thrown it off"), testing::Not(has("sub-steps"))));
+  EXPECT_THAT(said(true), testing::AllOf(has(piece), has("the fluid drives it")));
+  // half of it against the other half: no load does that
+  const std::vector<int> half(upper.begin(), upper.begin() + static_cast<long>(upper.size() / 2));
+  rock.set_velocity(half, {0, -5000});
+  EXPECT_THAT(said(), has("more sub-steps"));
+  // what a support holds cannot fly off as a whole
+  rock.set_velocity(upper, {0, 0});
+  std::vector<int> lower;
+  const auto held = host_copy(rock.particles().held);
+  for (int i = 0; i < rock.particles().count; ++i)
+    if (std::find(upper.begin(), upper.end(), i) == upper.end() && held(i) == 0) lower.push_back(i);
+  rock.set_velocity(lower, {0, 5000});
+  EXPECT_THAT(said(), has("more sub-steps"));
+  Mechanics free(test::block(0.01, 0.02, 2e-3, 0.25), {}, {});
+  std::vector<int> all(static_cast<std::size_t>(free.particles().count));
+  std::iota(all.begin(), all.end(), 0);
+  free.set_velocity(all, {4000, 0});
+  EXPECT_THAT(what_is_unsound(Exec(), free), has("no support holds the rock"));
+}
+
 TEST(Extremes, MotionThatIsNotANumberOrRunsAwayStops) {
   Mechanics rock(test::block(0.01, 0.02, 2e-3, 0.25), {}, {});
   EXPECT_NO_THROW(require_sound(Exec(), rock));
@@ -144,7 +194,7 @@ TEST(Extremes, MotionThatIsNotANumberOrRunsAwayStops) {
   Kokkos::deep_copy(rock.bonds().state, state);
   EXPECT_TRUE(says("fragment"));
   EXPECT_FALSE(says("fluid"));
-  EXPECT_TRUE(says("fragment that the fluid drives", true));
+  EXPECT_TRUE(says("a fragment that no bond holds: the fluid drives it", true));
   const auto held = host_copy(rock.particles().held);
   held(5) = 1;
   Kokkos::deep_copy(rock.particles().held, held);
