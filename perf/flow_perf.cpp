@@ -1,6 +1,7 @@
 // The flow sweep: geometries, precisions, collisions.
 #include "hand_written_flow.hpp"
 #include "kernels/flow/flow.hpp"
+#include "kernels/flow/two_relaxation_times.hpp"
 #include "measure.hpp"
 #include "rock_geometry.hpp"
 #include "support/set_equilibrium.hpp"

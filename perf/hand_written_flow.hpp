@@ -1,7 +1,7 @@
 #pragma once
 // The flow sweep over the fluid list written by hand with raw pointers, without stored moments: what the layout itself
 // can do, as a yardstick for the kernel of the library.
-#include "kernels/flow/mrt.hpp"
+#include "kernels/flow/two_relaxation_times.hpp"
 #include "kernels/launch/launch.hpp"
 
 namespace vug::perf {

@@ -1,6 +1,6 @@
 #include "coupling/plane_waves.hpp"
 
-#include "kernels/flow/mrt.hpp"
+#include "kernels/flow/two_relaxation_times.hpp"
 #include "kernels/heat/heat_kernels.hpp"
 #include "kernels/solute/solute_sweep.hpp"
 

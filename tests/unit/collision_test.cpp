@@ -1,5 +1,5 @@
 // The collisions on one node: bases, conservation, fixed points.
-#include "kernels/flow/mrt.hpp"
+#include "kernels/flow/two_relaxation_times.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // The sweep in place does what the textbook does with two lattices, node by node: at openings, through births, after
 // even and odd numbers of steps.
+#include "kernels/flow/two_relaxation_times.hpp"
 #include "support/dress_one.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

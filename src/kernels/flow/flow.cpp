@@ -1,5 +1,6 @@
 #include "kernels/flow/flow.hpp"
 
+#include "kernels/flow/two_relaxation_times.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/nodes/streaming.hpp"
 
