@@ -80,13 +80,14 @@ TEST(Passages, OfTwoSlitsBoundTheFasterOne) {
 TEST(Passages, OfADeadEndCountNothing) {
   const double velocity = 0.004;
   const std::string wall = rectangle(20, 4, 140, 6), end = rectangle(130, 6, 140, 14);
-  Simulation run(parse_scene(channel(velocity, 0.2, 160, wall + end), "a.toml"));
+  Simulation run(parse_scene(channel(velocity, 0.02, 160, wall + end), "a.toml"));
   const double volume = 14 * velocity, parabola = 1.5 * volume / 4;
   EXPECT_DOUBLE_EQ(run.parts().paths.passage_speed, volume / 4);
   EXPECT_NEAR(peak_of(run), parabola * 2 / 1.5, 1e-12);
-  EXPECT_NEAR(speed_after(run, 100000), parabola, 0.02 * parabola);  // the dead end fills slowly
+  // of four nodes the faster ones; no link enters through the corners of the inflow (-2 %)
+  EXPECT_NEAR(speed_after(run, 60000), 15.0 / 16 * parabola, 0.02 * parabola);
   // without its end it is a passage, which takes 8 parts of 9
-  const Simulation open(parse_scene(channel(velocity, 0.2, 160, wall), "a.toml"));
+  const Simulation open(parse_scene(channel(velocity, 0.02, 160, wall), "a.toml"));
   EXPECT_NEAR(peak_of(open), 2 * volume * 64 / (64 + 512.0), 1e-12);
 }
 
