@@ -134,8 +134,8 @@ TEST(Collision, KeepsMomentumOnAverageInSinglePrecision) {
           gained_y += D2Q9::c(q, 1) * (double(after[q]) - double(f[q]));
         }
       }
-      EXPECT_NEAR(gained_x / nodes - 1e-6, 0, 1e-9 * 0.05) << "tau " << tau;  // rounding at random: 2e-10
-      EXPECT_NEAR(gained_y / nodes + 2e-6, 0, 1e-9 * 0.05) << "tau " << tau;
+      EXPECT_NEAR(gained_x / nodes, 1e-6, 5e-11) << "tau " << tau;
+      EXPECT_NEAR(gained_y / nodes, -2e-6, 5e-11) << "tau " << tau;
     }
 }
 

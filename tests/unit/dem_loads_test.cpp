@@ -49,7 +49,6 @@ TEST(LoadOnAPart, HasItsForceAndItsLeverArm) {
   }
 }
 
-/// A ramp of a hundred steps, then three looks in a row, a fifth of the ramp apart, that find the rock at rest.
 /// Dashpots answer to the platen's speed at once: a servo that took them for springs would swing ever wider where they
 /// are strong or steps are short.
 TEST(Servo, HoldsItsPressureAgainstDashpotsOfAnyStrength) {
@@ -75,6 +74,7 @@ TEST(Servo, HoldsItsPressureAgainstDashpotsOfAnyStrength) {
   }
 }
 
+/// A ramp of a hundred steps, then three looks in a row, a fifth of the ramp apart, that find the rock at rest.
 TEST(Preload, CountsItsSteps) {
   Mechanics rock(lone, nearly_free(), {});
   const PreloadReport report = rock.preload(Exec(), 100 * 0.3 * rock.critical_step());

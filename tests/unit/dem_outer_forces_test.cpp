@@ -18,10 +18,20 @@ constexpr double width = 0.02, height = 0.03, edge = 2e-3;
 constexpr auto right = static_cast<std::size_t>(RockSide::right), top = static_cast<std::size_t>(RockSide::top),
                left = static_cast<std::size_t>(RockSide::left), bottom = static_cast<std::size_t>(RockSide::bottom);
 
-Loads on_rollers() {
+/// On rollers at left and bottom, with these stresses on the other two sides.
+Loads on_rollers(double xx = 0, double yy = 0) {
   Loads loads;
   loads.support[left] = loads.support[bottom] = Support::roller;
+  loads.traction[right] = {xx, 0};
+  loads.traction[top] = {0, yy};
   return loads;
+}
+
+/// A block at rest under these stresses; `jitter` of its triangles.
+Mechanics pressed(double xx, double yy, double jitter) {
+  Mechanics rock(test::block(width, height, edge, jitter), elastic(), on_rollers(xx, yy));
+  EXPECT_TRUE(rock.preload_statically(Exec()));
+  return rock;
 }
 
 Stress stress_of_all(const Mechanics& rock, bool with_sides = true) {
@@ -33,11 +43,7 @@ Stress stress_of_all(const Mechanics& rock, bool with_sides = true) {
 /// Mean over a body at rest: the sum of x (x) F over what acts on its outline, over its area. Rollers at x = 0 and
 /// y = 0 add nothing to it along their normals, wherever on the side they press.
 TEST(OuterForces, MakeTheMeanStressOfABlockThatOfItsSides) {
-  Loads loads = on_rollers();
-  loads.traction[right] = {-5e6, 0};
-  loads.traction[top] = {0, -7.5e6};
-  Mechanics rock(test::block(width, height, edge, 0.2), elastic(), loads);
-  ASSERT_TRUE(rock.preload_statically(Exec()));
+  const Mechanics rock = pressed(-5e6, -7.5e6, 0.2);
   const Stress stress = stress_of_all(rock), bonds = stress_of_all(rock, false);
   EXPECT_NEAR(stress.xx, -5e6, 1e-8 * 5e6);
   EXPECT_NEAR(stress.yy, -7.5e6, 1e-8 * 7.5e6);
@@ -47,9 +53,8 @@ TEST(OuterForces, MakeTheMeanStressOfABlockThatOfItsSides) {
 
 /// The same where a side is held, moved by a servo or backed by rock beyond: then it is the reaction or the spring.
 TEST(OuterForces, AreThoseOfSupportsAndOfTheRockBeyond) {
-  Loads loads = on_rollers();
+  Loads loads = on_rollers(0, -4e6);
   loads.support[top] = Support::servo;
-  loads.traction[top] = {0, -4e6};
   loads.stiffness[right] = 5e11;
   Mechanics rock(test::block(width, height, edge, 0.2), elastic(0.7), loads);
   Kokkos::deep_copy(rock.particles().temperature_change, 30.0);
@@ -64,11 +69,7 @@ TEST(OuterForces, AreThoseOfSupportsAndOfTheRockBeyond) {
 
 /// A triangle at a loaded side bears the stress of the side, not a third of it.
 TEST(OuterForces, GiveTrianglesAtASideTheStressOfTheBlock) {
-  Loads loads = on_rollers();
-  loads.traction[right] = {-6e6, 0};
-  loads.traction[top] = {0, -6e6};
-  Mechanics rock(test::block(width, height, edge, 0), elastic(), loads);
-  ASSERT_TRUE(rock.preload_statically(Exec()));
+  const Mechanics rock = pressed(-6e6, -6e6, 0);
   const auto stress = host_copy(stress_of_triangles(Exec(), rock.particles(), rock.bonds(), rock.outer_moments()));
   const auto bonds = host_copy(stress_of_triangles(Exec(), rock.particles(), rock.bonds()));
   double worst = 0, least = -6e6;

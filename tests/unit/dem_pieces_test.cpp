@@ -53,12 +53,12 @@ std::vector<int> flooded(const Block& block) {
   }
   std::vector<int> lowest(static_cast<std::size_t>(block.particles().count), -1);
   for (int start = 0; start < block.particles().count; ++start) {
-    std::set<int> todo{start};
-    while (!todo.empty()) {
-      const int i = todo.extract(todo.begin()).value();
+    std::set<int> reached{start};
+    while (!reached.empty()) {
+      const int i = reached.extract(reached.begin()).value();
       if (lowest[static_cast<std::size_t>(i)] >= 0) continue;
       lowest[static_cast<std::size_t>(i)] = start;
-      for (auto [k, end] = beside.equal_range(i); k != end; ++k) todo.insert(k->second);
+      for (auto [k, end] = beside.equal_range(i); k != end; ++k) reached.insert(k->second);
     }
   }
   return lowest;

@@ -145,6 +145,24 @@ TEST(SinglePrecision, LeavesWithoutASmallGradient) {
   EXPECT_NEAR(sum_in_order(gain) / steps, expected, 0.1 * expected);  // 0 by the nearest number
 }
 
+/// The same of heat.
+TEST(SinglePrecision, LetsHeatLeaveWithoutASmallGradient) {
+  const int steps = 40000;
+  const double kappa = 0.1, tau = 0.5 + 3 * kappa;
+  HeatBox<float> box(
+      3, 1, {kappa, kappa, 1, ScalarVelocitySet::d2q5}, [](int, int) { return false; },
+      [](int x, int) { return x == 1 ? 1 - 0x1p-23 : 1.0; }, {false, true});
+  box.side(Side::right, HeatCondition::outflow, 0);
+  const std::vector<double> theta = box.theta();
+  for (int s = 0; s < steps; ++s) {
+    box.fields.rounding = rounding_of_step<float>(s);
+    fill_heat_sides<float>(box.exec, box.fields, box.sides);
+  }
+  const double expected = -D2Q5::w(1) * (tau - 1) * (theta[2] - theta[1]);
+  ASSERT_GT(expected, 1e-9);
+  EXPECT_NEAR(box.entered() / steps, expected, 0.05 * expected);  // 0 by the nearest number
+}
+
 TEST(SinglePrecision, KeepsTheBalanceOfALongRun) {
   const int n = 100, steps = 100000;
   ReactiveBox<D2Q5, float> box(
