@@ -214,6 +214,12 @@ class Acid(Called):
         self.require(1, ROOT / "scripts/reproduce-paper", "--coarse", "--only", "p10*5", "-o", self.runs,
                      "--vug", "/bin/false", says="vug ended with code 1; see")
 
+    def test_double_precision_comes_after_the_preset(self):
+        for words, settings in (([], 'speed_limit=0.1 *$'), (["--double"], 'speed_limit=0.1 --set accuracy.precision="double" *$')):
+            self.require(1, ROOT / "scripts/reproduce-paper", "--medium", *words, "--only", "p10_da1.5", "-o", self.runs,
+                         "--vug", "/bin/echo", says="no run has got anywhere yet")
+            self.assertRegex((self.runs / "p10_da1.5.log").read_text().splitlines()[-1], settings)
+
     def test_finished_runs_of_something_else_are_told(self):
         words = ["--only", "kept_400"]
         self.acid(0, "acid-ladder", *words)
