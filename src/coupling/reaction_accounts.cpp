@@ -226,12 +226,24 @@ void ReactionModule<T, Set>::mineral_ledger(Ledger& ledger) const {
 }
 
 template <class T, class Set>
+ReactingNodes ReactionModule<T, Set>::reacting_nodes() const {
+  if (!has_minerals()) return {};
+  const Kokkos::View<std::uint8_t*> reacts("vug::minerals::reacts", solids_.size());
+  const auto host = Kokkos::create_mirror_view(reacts);
+  for (std::size_t m = 0; m < solids_.size(); ++m)
+    host(m) = std::any_of(attacks_.begin(), attacks_.end(),
+                          [&](const Attack<T>& attack) { return attack.rates[m].rate_constant > 0; });
+  Kokkos::deep_copy(reacts, host);
+  return {geometry_.mineral, reacts};
+}
+
+template <class T, class Set>
 void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
   gather_links();
   VectorField<double> normal;
   if (section_.surface_normal)
     find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);
-  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal);
+  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal, reacting_nodes());
   row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
   const double dissolved = with_dissolving(sum_in_order(geometry_.dissolved), 1);
   row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});

@@ -5,6 +5,7 @@
 #include "coupling/pore_growth.hpp"
 #include "coupling/solute_module.hpp"
 #include "kernels/reaction/reactive_wall.hpp"
+#include "kernels/reaction/surface_normal.hpp"
 
 namespace vug {
 
@@ -129,6 +130,8 @@ class ReactionModule final : public Module, public Concerned {
   }
   /// Product that an attack has released into the fluid.
   double released(const Attack<T>& attack, double consumed) const;
+  /// The nodes that some reactant can dissolve.
+  ReactingNodes reacting_nodes() const;
   /// Amount of reactant that each mineral has consumed.
   std::vector<double> acid_of_minerals(const Attack<T>& attack) const;
   /// Sums for each mineral over the solid nodes, or over the links of an attack.

@@ -44,6 +44,14 @@ TEST(Minerals, SlabsDissolveEachAtItsOwnSpeed) {
   EXPECT_EQ(run.gain("quartz_volume", "dissolved"), 0);
 }
 
+/// Walls of a mineral that nothing dissolves are no reactive area, whether it is inert or has no rate.
+TEST(Minerals, OnlyWallsThatReactAreReactiveArea) {
+  test::CoupledRun run(channels);
+  EXPECT_NEAR(run.now("reactive_area_m2_per_m"), 2 * channel * dx, 1e-15);
+  test::CoupledRun without_rate(channels, {"mineral.1.rate_constant=0"});
+  EXPECT_NEAR(without_rate.now("reactive_area_m2_per_m"), channel * dx, 1e-15);
+}
+
 TEST(Minerals, InertGrainsDoNotChange) {
   test::CoupledRun run(channels, {"mineral.0.molar_volume=8e-4", "mineral.1.molar_volume=8e-4"});
   run.steps(60000);

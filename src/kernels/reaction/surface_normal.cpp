@@ -176,7 +176,9 @@ struct SurfaceNodeArea {
   DenseNeighbour lattice;
   IndexList node, index;
   LinkArea area;
+  ReactingNodes reacts;
   KOKKOS_FUNCTION double operator()(int s) const {
+    if (!reacts(node(s))) return 0;
     double sum = 0;
     for (int q = 1; q < Set::Q; ++q) {
       if (lattice.fluid_along(index, node(s), q) >= 0) sum += 6 * Set::w(q) * area.share(s, q);
@@ -187,9 +189,9 @@ struct SurfaceNodeArea {
 
 template <class Set>
 double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
-                    const VectorField<double>& normal) {
+                    const VectorField<double>& normal, const ReactingNodes& reacts) {
   return sum_of_list(exec, "vug::surface_normal::sum_area", surface.count,
-                     SurfaceNodeArea<Set>{nodes.around(), surface.node, nodes.index, {normal}});
+                     SurfaceNodeArea<Set>{nodes.around(), surface.node, nodes.index, {normal}, reacts});
 }
 
 VUG_COMPILE(surface_area<D2Q5>)

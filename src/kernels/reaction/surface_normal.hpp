@@ -17,11 +17,20 @@ void find_normals(const Exec& exec, const FluidNodes& nodes, const Surface& surf
                   const ScalarField<double>& dissolved, VectorField<double>& normal,
                   const std::optional<Share>& only = {});
 
-/// Area of the reactive surface in nodes (per node of depth): sum over the links between solid and fluid of
+/// Which solid nodes react: those of minerals that do, all where there are no minerals.
+struct ReactingNodes {
+  Kokkos::View<const std::uint8_t*> mineral{};  ///< (dense node) number of its mineral; empty: none has one
+  Kokkos::View<const std::uint8_t*> reacts{};   ///< (mineral) 1 or 0
+  KOKKOS_FORCEINLINE_FUNCTION bool operator()(int node) const {
+    return mineral.extent(0) == 0 || reacts(mineral(node)) != 0;
+  }
+};
+
+/// Area of the reactive surface in nodes (per node of depth): sum over the links between reacting solid and fluid of
 /// 6 w |n.c|, which is the true length of a straight wall of any orientation. Without normals (extent 0) the area of
 /// the stair-step. Waits for the device; for the history, not inside a step.
 template <class Set>
 double surface_area(const Exec& exec, const FluidNodes& nodes, const Surface& surface,
-                    const VectorField<double>& normal);
+                    const VectorField<double>& normal, const ReactingNodes& reacts = {});
 
 }  // namespace vug
