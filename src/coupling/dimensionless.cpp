@@ -12,19 +12,25 @@ namespace vug {
 
 namespace {
 
-/// Largest velocity that a side, an injection or an opening prescribes, m/s; of a flow rate, its mean over the stretch
-/// or the outline of the shape.
+/// Largest velocity that a side, an injection or an opening prescribes, m/s; of a flow rate, its mean over the side
+/// without its injections, the injection or the outline of the shape.
 double largest_prescribed_speed(const Scene& scene) {
   double largest = 0;
   const auto look = [&](const FlowBoundary& flow, double length) {
     if (flow.kind == FlowBoundaryKind::periodic) return;
     largest = std::max(largest, flow.peak_speed());
-    if (length > 0) largest = std::max(largest, std::abs(flow.peak_rate(scene.flow->density)) / length);
+    if (length > 1e-6 * scene.lattice.spacing)  // injections may take all of a side
+      largest = std::max(largest, std::abs(flow.peak_rate(scene.flow->density)) / length);
   };
-  look(scene.left.flow, scene.lattice.length_y);
-  look(scene.right.flow, scene.lattice.length_y);
-  look(scene.bottom.flow, scene.lattice.length_x);
-  look(scene.top.flow, scene.lattice.length_x);
+  const auto look_at_side = [&](const char* name, const FlowBoundary& flow, double length) {
+    for (const InjectionSection& injection : scene.injections)
+      if (injection.side == name) length -= injection.width;
+    look(flow, length);
+  };
+  look_at_side("left", scene.left.flow, scene.lattice.length_y);
+  look_at_side("right", scene.right.flow, scene.lattice.length_y);
+  look_at_side("bottom", scene.bottom.flow, scene.lattice.length_x);
+  look_at_side("top", scene.top.flow, scene.lattice.length_x);
   for (const InjectionSection& injection : scene.injections) look(injection.conditions.flow, injection.width);
   for (const OpeningSection& opening : scene.openings)
     look(opening.conditions.flow, outline_length(scene.geometry.shapes[opening.shape].form));

@@ -6,6 +6,8 @@
 #include "kernels/nodes/fluid_nodes.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace vug {
 
@@ -57,17 +59,21 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
       boundary.find(exec, fluid, D2Q9::Q, corner_order(boundary.stretch, boundaries_, geometry_.lattice));
   }
   find_ends(exec, fluid, geometry_.spacing, boundaries_);
+  std::map<std::string, double> inflow;  // (key of the case) a flow rate enters by all parts of its side
   for (StretchLinks& boundary : boundaries_) {
     const FlowBoundary& flow = boundary.stretch.conditions.flow;
     const bool outflow = flow.kind == FlowBoundaryKind::outflow;
     if (boundary.stretch.opening && flow.kind == FlowBoundaryKind::velocity)
       boundary.area = link_areas(exec, fluid, *boundary.stretch.opening, D2Q9::Q);
     boundary.share = shares_at_links(exec, fluid, boundary, geometry_.spacing);
-    if (flow.has_rate()) boundary.inflow = inflow_per_speed(boundary);
+    if (flow.has_rate()) inflow[boundary.stretch.key] += inflow_per_speed(boundary);
     if (outflow || flow.kind == FlowBoundaryKind::pressure)
       boundary.mirror = find_mirror_links(exec, fluid, boundary.links);
     if (outflow) fit_to_links(exec, fluid, boundary.links, boundary.outflow);
   }
+  for (StretchLinks& boundary : boundaries_)
+    if (boundary.stretch.conditions.flow.has_rate()) boundary.inflow = inflow[boundary.stretch.key];
+  find_links_past_ends(exec, fluid, geometry_.spacing, boundaries_);
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }
 
@@ -108,6 +114,19 @@ FlowCondition FlowModule<T>::sliding(const StretchLinks& boundary, double time, 
 }
 
 template <class T>
+FlowCondition FlowModule<T>::joined(FlowCondition made, const StretchLinks& boundary, double time) const {
+  made.past = boundary.past.data();
+  for (int e = 0; e < 2; ++e) {
+    const StretchEnd& end = boundary.ends[e];
+    if (end.link < 0) continue;
+    const int across = is_upright(boundary.stretch.side) ? 0 : 1;
+    made.ends.link[e] = end.link;
+    made.ends.velocity[e][across] = end.other_share * given_velocity(boundaries_[end.other], time)[across];
+  }
+  return made;
+}
+
+template <class T>
 FlowCondition FlowModule<T>::condition(const StretchLinks& boundary, double time,
                                        const ScalarField<double>& gain) const {
   const FlowBoundary& flow = boundary.stretch.conditions.flow;
@@ -116,14 +135,15 @@ FlowCondition FlowModule<T>::condition(const StretchLinks& boundary, double time
     case FlowBoundaryKind::pressure: {
       const double start = section_.initial_pressure;
       const double pressure = start + flow.risen(time) * (flow.pressure.at(time) - start);
-      return pressure_condition(boundary.links, boundary.mirror, units_.lattice_pressure(pressure), gain);
+      return joined(pressure_condition(boundary.links, boundary.mirror, units_.lattice_pressure(pressure), gain),
+                    boundary, time);
     }
     case FlowBoundaryKind::velocity:
       if (boundary.stretch.opening)
         return normal_speed_condition(boundary.links, boundary.area, given_speed(boundary, time), gain);
       return velocity_condition(boundary.links, given_velocity(boundary, time), boundary.share, gain);
     case FlowBoundaryKind::outflow:
-      return outflow_condition(boundary.links, boundary.mirror, boundary.outflow, gain);
+      return joined(outflow_condition(boundary.links, boundary.mirror, boundary.outflow, gain), boundary, time);
     case FlowBoundaryKind::wall:
       if (flow.peak_speed() == 0) return {};
       return velocity_condition(boundary.links, given_velocity(boundary, time), {}, gain);

@@ -105,6 +105,8 @@ class FlowModule final : public Module, public Concerned {
   /// The condition of a boundary at a time (s), which adds what enters to gain (link).
   FlowCondition condition(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
   FlowCondition sliding(const StretchLinks& boundary, double time, const ScalarField<double>& gain) const;
+  /// The condition of a pressure or an outflow, with what other boundaries do to the links past its ends.
+  FlowCondition joined(FlowCondition made, const StretchLinks& boundary, double time) const;
   void fit_carrier(const Exec& exec, Carrier<T>& carrier);
   void find_excess(const Exec& exec) const;
 

@@ -46,6 +46,14 @@ void FlowModule<T>::find_halos() {
       nodes.push_back(node(own(k)));
       slots.push_back(direction(own(k)) * fluid.capacity + nodes.back());
     }
+    if (boundary.past.extent(0) > 0) {
+      const auto past = on_host(boundary.past);
+      for (int e = 0; e < 2; ++e) {
+        if (past(e).link < 0 || split.owner_of(node(past(e).link)) != split.ranks().rank()) continue;
+        nodes.push_back(past(e).fluid);
+        slots.push_back(past(e).direction * fluid.capacity + past(e).fluid);
+      }
+    }
     const bool outflow = boundary.outflow.along.extent(0) > 0;
     if (outflow && boundary.links.own_count > 0) add_nodes_at(fluid, boundary.links, nodes);
   }

@@ -19,9 +19,14 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     if (is_upright(side)) return {side == Side::left ? 0.0 : lattice.nx, along};
     return {along, side == Side::bottom ? 0.0 : lattice.ny};
   };
-  const auto add = [&](const std::string& name, const std::string& key, Side side, int first, int last,
+  struct Whole {
+    int first, last;
+  };
+  const auto add = [&](const std::string& name, const std::string& key, Side side, int first, int last, Whole whole,
                        const BoundarySection& conditions, double centre) {
-    if (first <= last) stretches.push_back({name, side, first, last, conditions, nullptr, middle(side, centre), key});
+    if (first <= last)
+      stretches.push_back(
+          {name, side, first, last, conditions, nullptr, middle(side, centre), key, whole.first, whole.last});
   };
   const auto side = [&](Side which, int length, const BoundarySection& conditions) {
     const std::string name = name_of(which), key = "boundary." + name;
@@ -30,15 +35,17 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
     for (const InjectionSection& injection : scene.injections)
       if (injection.side == name) here.push_back(&injection);
     std::sort(here.begin(), here.end(), [](const auto* a, const auto* b) { return a->centre < b->centre; });
+    const Whole all{0, length - 1};
     int begin = 0;
     for (const InjectionSection* injection : here) {
       const int first = std::clamp(cell(injection->centre - injection->width / 2), begin, length - 1);
       const int last = std::clamp(cell(injection->centre + injection->width / 2) - 1, first, length - 1);
-      add(name, key, which, begin, first - 1, conditions, length / 2.0);
-      add(injection->name, injection->key, which, first, last, injection->conditions, (first + last + 1) / 2.0);
+      add(name, key, which, begin, first - 1, all, conditions, length / 2.0);
+      add(injection->name, injection->key, which, first, last, {first, last}, injection->conditions,
+          (first + last + 1) / 2.0);
       begin = last + 1;
     }
-    add(name, key, which, begin, length - 1, conditions, length / 2.0);
+    add(name, key, which, begin, length - 1, all, conditions, length / 2.0);
   };
   side(Side::left, lattice.ny, scene.left);
   side(Side::right, lattice.ny, scene.right);

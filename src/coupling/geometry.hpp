@@ -46,6 +46,10 @@ struct Stretch {
   const Opening* opening = nullptr;    ///< of the geometry; then side, first and last mean nothing
   std::array<double, 2> centre{0, 0};  ///< of the whole side, the injection or the opening, cells
   std::string key{};                   ///< of its table in the case: "boundary.left", "boundary.shape.well"
+  /// The same of the whole side or injection, which a profile spans; a side with injections on it has several parts.
+  int whole_first = 0, whole_last = -1;
+
+  int whole_length() const { return whole_last + 1 - whole_first; }  ///< cells
 };
 
 /// The four sides, divided where injections are.

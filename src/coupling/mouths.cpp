@@ -63,21 +63,40 @@ double volume_per_speed(const Stretch& stretch, const Mouth& mouth, const FluidP
   double sum = 0;
   for (const std::size_t n : mouth.nodes) {
     const auto at = static_cast<int>(is_upright(stretch.side) ? n / picture.nx : n % picture.nx);
-    sum += share_of_cell(mouth.conditions->flow, at - stretch.first, stretch.last + 1 - stretch.first, spacing);
+    sum += share_of_cell(mouth.conditions->flow, at - stretch.whole_first, stretch.whole_length(), spacing);
   }
   return sum;
 }
 
-double peak_speed_of(const FlowBoundary& flow, const Stretch& stretch, const Mouth& mouth, const FluidPicture& picture,
-                     double density, const LatticeUnits& units) {
+/// What a flow rate is spread over: all parts of a side that injections divide, or the surface of an opening.
+struct Spread {
+  double cells = 0;   ///< of fluid
+  double volume = 0;  ///< volume_per_speed
+};
+
+/// (key of the case) For all boundaries with a flow rate.
+std::map<std::string, Spread> spreads_of_rates(const std::vector<Stretch>& stretches, const std::vector<Mouth>& mouths,
+                                               const FluidPicture& picture, double spacing) {
+  std::map<std::string, Spread> spreads;
+  for (std::size_t m = 0; m < mouths.size(); ++m) {
+    if (!mouths[m].conditions->flow.has_rate()) continue;
+    Spread& all = spreads[mouths[m].key];
+    all.cells += mouths[m].total_length();
+    all.volume += volume_per_speed(stretches[m], mouths[m], picture, spacing);
+  }
+  return spreads;
+}
+
+double peak_speed_of(const FlowBoundary& flow, const Spread& spread, double density, const LatticeUnits& units) {
   if (!flow.has_rate()) return largest_share(flow) * flow.peak_speed() / units.velocity();
-  if (mouth.nodes.empty()) return 0;
-  const double volume = volume_per_speed(stretch, mouth, picture, units.spacing);
+  if (spread.cells <= 0) return 0;
+  const double volume = spread.volume;
   if (volume <= 0) return std::numeric_limits<double>::infinity();
   return largest_share(flow) * std::abs(flow.peak_rate(density)) / units.diffusivity() / volume;
 }
 
-/// Volume that enters per step through each of the `cells` of a boundary, cells; `of` takes a value from a table.
+/// Volume that enters per step through each of the `cells` of a boundary, cells; `of` takes a value from a table. A
+/// rate is spread over all cells of its side.
 template <class Of>
 double inflow_of(const FlowBoundary& flow, const Stretch& stretch, double cells, double density,
                  const LatticeUnits& units, const Of& of) {
@@ -85,8 +104,7 @@ double inflow_of(const FlowBoundary& flow, const Stretch& stretch, double cells,
   if (flow.flow_rate) return of(*flow.flow_rate) / units.diffusivity() / cells;
   if (flow.mass_flow_rate) return of(*flow.mass_flow_rate) / density / units.diffusivity() / cells;
   const double speed = stretch.opening ? of(flow.speed) : inward(stretch.side, flow.velocity, of);
-  const double length = (stretch.last + 1 - stretch.first) * units.spacing;
-  return speed / units.velocity() * mean_share(flow, length);
+  return speed / units.velocity() * (stretch.opening ? 1 : mean_share(flow, stretch, units.spacing));
 }
 
 }  // namespace
@@ -94,8 +112,9 @@ double inflow_of(const FlowBoundary& flow, const Stretch& stretch, double cells,
 std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const LatticeUnits& units,
                              const FluidPicture& picture) {
   std::vector<Mouth> mouths;
+  const std::vector<Stretch> stretches = boundary_stretches(scene, geometry);
   int opening = 0;
-  for (const Stretch& stretch : boundary_stretches(scene, geometry)) {
+  for (const Stretch& stretch : stretches) {
     const auto injection = std::find_if(scene.injections.begin(), scene.injections.end(),
                                         [&](const InjectionSection& own) { return own.name == stretch.name; });
     const bool injects = injection != scene.injections.end();
@@ -111,17 +130,22 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
       look_beside_side(stretch, picture, mouth);
     if (!stretch.opening) mouth.side = stretch.side;
     mouth.centre = stretch.centre;
-    if (scene.flow) {
-      const FlowBoundary& flow = mouth.conditions->flow;
-      const auto inflow = [&flow, stretch, cells = mouth.total_length(), density = scene.flow->density,
-                           units](const auto& of) { return inflow_of(flow, stretch, cells, density, units, of); };
-      mouth.inflow = inflow([](const TimeTable& table) { return table.peak(); });
-      mouth.inflow_at = [&flow, inflow](double time) {
-        return flow.risen(time) * inflow([time](const TimeTable& table) { return table.at(time); });
-      };
-      mouth.peak_speed = peak_speed_of(flow, stretch, mouth, picture, scene.flow->density, units);
-    }
     mouths.push_back(std::move(mouth));
+  }
+  if (!scene.flow) return mouths;
+  const std::map<std::string, Spread> spreads = spreads_of_rates(stretches, mouths, picture, units.spacing);
+  for (std::size_t m = 0; m < mouths.size(); ++m) {
+    Mouth& mouth = mouths[m];
+    const FlowBoundary& flow = mouth.conditions->flow;
+    const auto found = spreads.find(mouth.key);
+    const Spread spread = found == spreads.end() ? Spread{mouth.total_length()} : found->second;
+    const auto inflow = [&flow, stretch = stretches[m], cells = spread.cells, density = scene.flow->density,
+                         units](const auto& of) { return inflow_of(flow, stretch, cells, density, units, of); };
+    mouth.inflow = inflow([](const TimeTable& table) { return table.peak(); });
+    mouth.inflow_at = [&flow, inflow](double time) {
+      return flow.risen(time) * inflow([time](const TimeTable& table) { return table.at(time); });
+    };
+    mouth.peak_speed = peak_speed_of(flow, spread, scene.flow->density, units);
   }
   return mouths;
 }

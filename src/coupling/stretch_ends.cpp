@@ -3,7 +3,9 @@
 #include "coupling/velocity_profile.hpp"
 #include "kernels/nodes/fluid_nodes.hpp"
 
+#include <array>
 #include <optional>
+#include <utility>
 
 namespace vug {
 
@@ -17,6 +19,11 @@ bool gives_velocity(const Stretch& stretch) {
 }
 bool gives_velocity_or_wall(const Stretch& stretch) {
   return gives_velocity(stretch) || (!stretch.opening && stretch.conditions.flow.kind == FlowBoundaryKind::wall);
+}
+/// Whether the flow through a stretch of a side follows from a pressure.
+bool yields(const Stretch& stretch) {
+  const FlowBoundaryKind kind = stretch.conditions.flow.kind;
+  return !stretch.opening && (kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::outflow);
 }
 /// Whether its own velocity has a component along the side.
 bool moves_along(const Stretch& stretch) {
@@ -70,9 +77,17 @@ class Meetings {
     return -1;
   }
 
+  int fluid_at(int number, int link) const {
+    return on_host(Kokkos::subview(boundaries_[number].links.fluid, std::pair(link, link + 1)))(0);
+  }
+  int direction_at(int number, int link) const {
+    return on_host(Kokkos::subview(boundaries_[number].links.direction, std::pair(link, link + 1)))(0);
+  }
+
   double share(int number, int end) const {
-    const double length = (stretch(number).last + 1 - stretch(number).first) * spacing_;
-    return share_of_velocity(stretch(number).conditions.flow, end == lower ? 0 : length, length);
+    const Stretch& own = stretch(number);
+    const int at = (end == lower ? own.first : own.last + 1) - own.whole_first;
+    return share_of_velocity(own.conditions.flow, at * spacing_, own.whole_length() * spacing_);
   }
 
  private:
@@ -124,6 +139,36 @@ void find_ends(const Exec& exec, const FluidNodes& fluid, double spacing, std::v
       if (end.link >= 0 && end.beyond != Beyond::nothing) boundary.slides = true;
     }
     if (boundary.slides) boundary.image = find_mirror_links(exec, fluid, boundary.links);
+  }
+}
+
+void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spacing,
+                          std::vector<StretchLinks>& boundaries) {
+  Meetings meetings(fluid, spacing, boundaries);
+  for (int b = 0; b < static_cast<int>(boundaries.size()); ++b) {
+    StretchLinks& boundary = boundaries[b];
+    boundary.past = {};
+    if (!yields(boundary.stretch)) continue;
+    std::array<LinkPastEnd, 2> past;
+    for (const int e : {lower, upper}) {
+      const int other = meetings.beyond(b, e);
+      if (other < 0 || other == b || meetings.is_corner(b, e)) continue;
+      const Stretch& theirs = boundaries[other].stretch;
+      if (!yields(theirs) && !gives_velocity(theirs)) continue;
+      const int their_end = meetings.end_of_other(b, e);
+      const int own_link = meetings.link(b, e), their_link = meetings.link(other, their_end);
+      if (own_link < 0 || their_link < 0) continue;  // rock
+      if (gives_velocity(theirs))
+        boundary.ends[e] = {StretchEnd::Beyond::same_side, own_link, other, 1, meetings.share(other, their_end)};
+      else
+        past[e] = {own_link, meetings.fluid_at(other, their_link), meetings.direction_at(other, their_link)};
+    }
+    if (past[lower].link < 0 && past[upper].link < 0) continue;
+    boundary.past = Kokkos::View<LinkPastEnd*>(Kokkos::view_alloc(exec, "vug::boundary::past_ends"), 2);
+    const auto host = Kokkos::create_mirror_view(boundary.past);
+    for (const int e : {lower, upper}) host(e) = past[e];
+    Kokkos::deep_copy(exec, boundary.past, host);
+    exec.fence("vug::boundary::past_ends");
   }
 }
 

@@ -12,6 +12,12 @@ namespace vug {
 /// (m). Waits for the device where a velocity along a side or two velocities at a corner are given.
 void find_ends(const Exec& exec, const FluidNodes& fluid, double spacing, std::vector<StretchLinks>& boundaries);
 
+/// Fills `past` and `ends` of pressures and outflows on sides, whose mirror links have been found: their links past an
+/// end, where another stretch goes on along the side. Called after find_ends. Waits for the device where there are
+/// such.
+void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spacing,
+                          std::vector<StretchLinks>& boundaries);
+
 /// Velocity on the link at an end of `boundary`, from its own velocity and that of the stretch beyond.
 std::array<double, 2> velocity_at_end(const StretchLinks& boundary, const StretchEnd& end, std::array<double, 2> own,
                                       std::array<double, 2> other);

@@ -10,7 +10,8 @@
 
 namespace vug {
 
-/// An end of a stretch of a side: the diagonal link that leads past it.
+/// An end of a stretch of a side: the diagonal link that leads past it. Of a pressure or an outflow only where a
+/// velocity is given beyond on the same side.
 struct StretchEnd {
   /// What is past it: nothing that takes part; a corner with an open side; a corner with a wall or a given velocity; a
   /// wall or a given velocity on the same side.
@@ -37,6 +38,8 @@ struct StretchLinks {
   std::array<StretchEnd, 2> ends{};  ///< lower or left, and upper or right; only of sides
   bool slides = false;               ///< a velocity along the side acts on its links, its own or of a stretch beyond
   IndexList image{};                 ///< (link) see find_mirror_links; only where it slides
+  /// (end) of a pressure or an outflow beside another one; else empty.
+  Kokkos::View<LinkPastEnd*> past{};
 
   void find(const Exec& exec, const FluidNodes& fluid, int directions, const SideOrder& order = all_sides) {
     entered = total();

@@ -43,11 +43,15 @@ double largest_share(const FlowBoundary& flow) {
   return flow.profile == VelocityShape::parabolic ? 1.5 : 1.0;
 }
 
-double mean_share(const FlowBoundary& flow, double length) {
-  if (flow.profile != VelocityShape::table) return 1;
+double mean_share(const FlowBoundary& flow, const Stretch& stretch, double spacing) {
+  const int cells = stretch.last + 1 - stretch.first, before = stretch.first - stretch.whole_first;
+  const bool all_of_parabola = flow.profile == VelocityShape::parabolic && cells == stretch.whole_length();
+  if (flow.profile == VelocityShape::uniform || all_of_parabola) return 1;
   constexpr int samples = 1000;
+  const double length = cells * spacing, whole = stretch.whole_length() * spacing;
   double sum = 0;
-  for (int i = 0; i < samples; ++i) sum += share_of_velocity(flow, (i + 0.5) / samples * length, length);
+  for (int i = 0; i < samples; ++i)
+    sum += share_of_velocity(flow, before * spacing + (i + 0.5) / samples * length, whole);
   return sum / samples;
 }
 
@@ -75,9 +79,9 @@ ScalarField<double> shares_at_links(const Exec& exec, const FluidNodes& fluid, c
       exec, "vug::velocity_profile::crossing", links.count,
       CrossingOfLink{fluid.lattice, is_upright(stretch.side), fluid.node, links.fluid, links.direction, share});
   const auto host = on_host(share);
-  const double length = (stretch.last + 1 - stretch.first) * spacing;
+  const double length = stretch.whole_length() * spacing;
   for (int link = 0; link < links.count; ++link)
-    host(link) = share_of_velocity(flow, (host(link) - stretch.first) * spacing, length);
+    host(link) = share_of_velocity(flow, (host(link) - stretch.whole_first) * spacing, length);
   Kokkos::deep_copy(share, host);
   return share;
 }

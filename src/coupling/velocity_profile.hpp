@@ -9,9 +9,9 @@ namespace vug {
 double share_of_velocity(const FlowBoundary& flow, double at, double length);
 /// Mean share over one cell of a stretch of `cells` cells, by Simpson's rule: the same as of the links of its node.
 double share_of_cell(const FlowBoundary& flow, int cell, int cells, double spacing);
-/// The largest share, and the mean share.
+/// The largest share, and the mean share over a stretch.
 double largest_share(const FlowBoundary& flow);
-double mean_share(const FlowBoundary& flow, double length);
+double mean_share(const FlowBoundary& flow, const Stretch& stretch, double spacing);
 
 /// (link) The share where each link crosses the side, half way between its ends; empty where all are 1. For a parabola,
 /// their sum weighted with the links' volumes (1/6, 2/3, 1/6 of a face) is its mean (Simpson's rule). Waits for the

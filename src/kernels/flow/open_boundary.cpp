@@ -40,7 +40,8 @@ struct DressMirrored {
 
   KOKKOS_FUNCTION void operator()(int item) const {
     const int link = links.link(item), image = links.mirror[link];
-    if (image < link) return;  // a wall, or dressed in the call for its image
+    if (image < 0) return dress_past_end(link);
+    if (image < link) return;  // dressed in the call for its image
     const T here = returned(link, image), there = returned(image, link), slip = slide(link, image);
     bring_in(link, there - slip);
     if (image != link) bring_in(image, here + slip);
@@ -51,8 +52,10 @@ struct DressMirrored {
   /// directions; the velocity along the surface is reversed with the image unless fluid may slide.
   KOKKOS_FORCEINLINE_FUNCTION T returned(int image, int link) const {
     const int i = links.fluid[image], q = links.direction[image];
-    const T rho = rule.density(image);
-    return even(q, i, rho) + even(Rule::slides ? links.direction[link] : q, i, rho) - f(q * capacity + i);
+    return returned(i, q, f(q * capacity + i), rule.density(image), links.direction[link]);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION T returned(int i, int q, T leaving, T rho, int along) const {
+    return even(q, i, rho) + even(Rule::slides ? along : q, i, rho) - leaving;
   }
   KOKKOS_FORCEINLINE_FUNCTION T even(int q, int i, T rho) const {
     const T ux = u(i, 0), uy = u(i, 1);
@@ -60,16 +63,51 @@ struct DressMirrored {
   }
   /// 6 w t.u, where u is the mean velocity of both nodes and t the part of the link's direction along the surface.
   KOKKOS_FORCEINLINE_FUNCTION T slide(int link, int image) const {
+    return slide(link, links.fluid[image], links.direction[image]);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION T slide(int link, int j, int p) const {
     if constexpr (!Rule::slides) return T(0);
-    const int i = links.fluid[link], j = links.fluid[image], q = links.direction[link], p = links.direction[image];
+    const int i = links.fluid[link], q = links.direction[link];
     const T along =
         T(D2Q9::c(q, 0) - D2Q9::c(p, 0)) * (u(i, 0) + u(j, 0)) + T(D2Q9::c(q, 1) - D2Q9::c(p, 1)) * (u(i, 1) + u(j, 1));
     return T(1.5 * D2Q9::w(q)) * along;
+  }
+  /// A link without an image in this stretch: one past an end, or a wall.
+  KOKKOS_FUNCTION void dress_past_end(int link) const {
+    for (int end = 0; end < 2; ++end) {
+      if (links.ends.link[end] == link) {
+        const int q = links.direction[link];
+        const double* const given = links.ends.velocity[end];
+        const T across = T(D2Q9::c(q, 0) * given[0] + D2Q9::c(q, 1) * given[1]);
+        return bring_in(link, f(q * capacity + links.fluid[link]) - T(6 * D2Q9::w(q)) * across);
+      }
+      if (links.past == nullptr || links.past[end].link != link) continue;
+      const LinkPastEnd& image = links.past[end];
+      const T returns =
+          returned(image.fluid, image.direction, T(image.leaving), rule.density(link), links.direction[link]);
+      return bring_in(link, returns - slide(link, image.fluid, image.direction));
+    }
   }
   KOKKOS_FORCEINLINE_FUNCTION void bring_in(int link, T incoming) const {
     const int slot = links.direction[link] * capacity + links.fluid[link];
     links.gain[link] += double(incoming) - double(f(slot));
     f(slot) = incoming;
+  }
+};
+
+/// Takes the populations that leave along images of other stretches, before these are dressed.
+template <class T>
+struct TakePastEnds {
+  using Entry = FlowCondition;
+  ScalarField<T> f;
+  int capacity;
+  static int count(const FlowCondition& c) { return c.past ? 2 : 0; }
+  template <class Run>
+  KOKKOS_FUNCTION void operator()(const FlowCondition& c, const Run& run) const {
+    run([c, populations = f, stride = capacity](int end) {
+      LinkPastEnd& image = c.past[end];
+      if (image.link >= 0) image.leaving = double(populations(image.direction * stride + image.fluid));
+    });
   }
 };
 
@@ -246,6 +284,7 @@ void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondit
   else
     for_each_team_of_lists(exec, "vug::open_boundary::pressure_along", conditions, threads_of_pieces(conditions),
                            pressures);
+  for_each_of_lists(exec, "vug::open_boundary::past_ends", conditions, TakePastEnds<T>{fields.f, nodes.capacity});
   for_each_of_lists(exec, "vug::open_boundary::dress", conditions, DressFlow<T>{fields.f, fields.u, nodes.capacity});
 }
 

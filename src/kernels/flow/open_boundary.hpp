@@ -9,10 +9,19 @@
 
 namespace vug {
 
-/// Velocities on the links past the ends of a stretch.
+/// Velocities on the links past the ends of a stretch: of what slides; of a pressure or an outflow, where a velocity is
+/// given beyond.
 struct SlidingEnds {
   int link[2] = {-1, -1};  ///< -1: none
   double velocity[2][2] = {{0, 0}, {0, 0}};
+};
+
+/// The link past an end of a pressure or an outflow, where another one begins on the same side: its mirror image starts
+/// there, at another stretch's node.
+struct LinkPastEnd {
+  int link = -1;                  ///< in the list of this stretch; -1: none
+  int fluid = -1, direction = 0;  ///< of the image
+  double leaving = 0;             ///< population that leaves along the image in this step
 };
 
 /// The condition at the links of one stretch, made by the functions below.
@@ -22,8 +31,9 @@ struct FlowCondition : DressedLinks {
   const int* mirror = nullptr;   ///< (link) mirror image, for pressures, outflows and what slides
   const double* part = nullptr;  ///< (link) share of a velocity, area of a normal speed
   double value[2] = {0, 0};
-  int axis = 0;                                                            ///< along the side, of what slides
-  SlidingEnds ends{};                                                      ///< of what slides
+  int axis = 0;  ///< along the side, of what slides
+  SlidingEnds ends{};
+  LinkPastEnd* past = nullptr;  ///< (end) of pressures and outflows; null: none
   double faces = 0, *total = nullptr, *level = nullptr, *along = nullptr;  ///< as in OutflowState
   int pieces = 0, longest = 0;                                             ///< as in OutflowState
   const int *order = nullptr, *piece = nullptr, *face = nullptr;           ///< as in OutflowState
@@ -39,8 +49,10 @@ struct FlowCondition : DressedLinks {
 /// where A' is the population that leaves along its mirror image (find_mirror_links), c' the direction of the image and
 /// u' the velocity of its node. Anti-bounce-back sets the pressure. With the image's population it also reverses the
 /// velocity along the surface, whereas anti-bounce-back with the link's own leaves the shear free. Creeping flow that
-/// leaves at right angles is continued exactly: with its sign reversed and mirrored it is a flow again. A link without
-/// an image is a wall.
+/// leaves at right angles is continued exactly: with its sign reversed and mirrored it is a flow again. Where another
+/// pressure or an outflow goes on along the side, the image of the link past the end is that of the other (`past`);
+/// where a velocity is given there, that link has its component across the side (`ends`). Any other link without an
+/// image is a wall. The same holds for outflows.
 FlowCondition pressure_condition(const BoundaryLinks& links, const IndexList& mirror, double pressure,
                                  const ScalarField<double>& gain);
 
@@ -89,8 +101,8 @@ void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 
-/// Dresses the links of all stretches, which must have no link in common. One launch, and three more where there are
-/// outflows.
+/// Dresses the links of all stretches, which must have no link in common. One launch, three more where there are
+/// outflows, and one where pressures or outflows meet on a side.
 template <class T>
 void dress(const Exec& exec, const FluidNodes& nodes, std::span<const FlowCondition> conditions,
            const FlowFields<T>& fields);
