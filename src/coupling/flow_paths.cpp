@@ -106,6 +106,24 @@ void look_for_cut_profiles(const Scene& scene, const Geometry& geometry, const s
   }
 }
 
+/// Warns where a pressure that changes drives fluid to an outflow, which answers to the change of its speed
+/// (docs/model.md, "Outflow").
+void look_for_changing_pressures(const Scene& scene, const std::vector<Mouth>& mouths, FlowPaths& found) {
+  const auto first = [&](const auto& wanted) {
+    return std::find_if(mouths.begin(), mouths.end(),
+                        [&](const Mouth& mouth) { return !mouth.nodes.empty() && wanted(mouth.conditions->flow); });
+  };
+  const auto out = first([](const FlowBoundary& flow) { return flow.kind == FlowBoundaryKind::outflow; });
+  const auto driven = first([](const FlowBoundary& flow) {
+    return flow.kind == FlowBoundaryKind::pressure && (flow.ramp_time > 0 || !flow.pressure.constant());
+  });
+  if (out == mouths.end() || driven == mouths.end()) return;
+  found.warnings.push_back(fmt::format(
+      "{}.flow changes its pressure, and {}.flow is an outflow: it holds back changes of the flow as {} more "
+      "cells of fluid along the flow would; give it type = \"pressure\" where changes matter",
+      driven->key, out->key, 4 * std::max(scene.lattice.nx, scene.lattice.ny)));
+}
+
 void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const FluidPicture& picture,
                        const std::vector<Mouth>& mouths, const LatticeUnits& units, FlowPaths& found) {
   // decay time of the slowest mode of a channel over viscosity * delay, with a pressure at one end or at both
@@ -156,6 +174,7 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   const NoSlipWalls walls(picture, scene);
   look_for_passages(scene, walls, picture, mouths, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
+  look_for_changing_pressures(scene, mouths, found);
   found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
   if (const BodyForces forces = body_forces(scene, units); forces.act()) {
     const std::vector<double> width = shorter_widths(scene, picture);

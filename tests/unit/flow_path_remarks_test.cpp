@@ -38,6 +38,20 @@ TEST(FlowPaths, AParabolaOverRockIsRemarkedOn) {
   EXPECT_THAT(remarks(channel(slabs, injection + outlet)), IsEmpty());
 }
 
+TEST(FlowPaths, APressureThatChangesBeforeAnOutflowIsRemarkedOn) {
+  const std::string held = "[boundary.right]\nflow = { type = \"pressure\", pressure = 0 }\n";
+  for (const char* given : {"0.01, ramp_time = 50", "[[0, 0], [50, 0.01]]"}) {
+    const std::string changing =
+        fmt::format("[boundary.left]\nflow = {{ type = \"pressure\", pressure = {} }}\n", given);
+    EXPECT_THAT(remarks(channel("", changing + outlet)),
+                Contains(HasSubstr("boundary.left.flow changes its pressure, and boundary.right.flow is an outflow: it "
+                                   "holds back changes of the flow as 160 more cells of fluid")));
+    EXPECT_THAT(remarks(channel("", changing + held)), IsEmpty());
+  }
+  EXPECT_THAT(remarks(channel("", "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n" + outlet)),
+              IsEmpty());
+}
+
 TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
   EXPECT_THAT(remarks(channel("", pressures)), IsEmpty());
   EXPECT_THAT(remarks(channel("", inflow + outlet)), IsEmpty());
