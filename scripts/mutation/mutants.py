@@ -7,8 +7,8 @@ from .source import Source
 
 LAWS = {
     "kernels": """flow/equilibrium.hpp flow/face_flow.cpp flow/flow.cpp flow/flow_fields.cpp flow/guards.cpp
-        flow/link_populations.cpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp flow/outflow.hpp
-        flow/outflow_pressure.hpp flow/slit_drag.cpp flow/two_relaxation_times.hpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp
+        flow/link_populations.cpp flow/mirrored_links.hpp flow/momentum_exchange.cpp flow/mrt.hpp flow/open_boundary.cpp
+        flow/outflow.hpp flow/outflow_pieces.cpp flow/outflow_pressure.hpp flow/slit_drag.cpp flow/two_relaxation_times.hpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp
         heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp heat/heat_openings.cpp
         heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp nodes/opening.cpp
         reaction/dissolution.cpp reaction/link_area.hpp reaction/reacting_solutes.cpp reaction/reaction.hpp

@@ -49,7 +49,7 @@ void FlowModule<T>::find_halos() {
     if (boundary.past.extent(0) > 0) {
       const auto past = on_host(boundary.past);
       for (int e = 0; e < 2; ++e) {
-        if (past(e).link < 0 || split.owner_of(node(past(e).link)) != split.ranks().rank()) continue;
+        if (past(e).fluid < 0 || split.owner_of(node(past(e).link)) != split.ranks().rank()) continue;
         nodes.push_back(past(e).fluid);
         slots.push_back(past(e).direction * fluid.capacity + past(e).fluid);
       }

@@ -25,6 +25,9 @@ bool yields(const Stretch& stretch) {
   const FlowBoundaryKind kind = stretch.conditions.flow.kind;
   return !stretch.opening && (kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::outflow);
 }
+bool is_outflow(const Stretch& stretch) {
+  return !stretch.opening && stretch.conditions.flow.kind == FlowBoundaryKind::outflow;
+}
 /// Whether its own velocity has a component along the side.
 bool moves_along(const Stretch& stretch) {
   const FlowBoundary& flow = stretch.conditions.flow;
@@ -152,8 +155,12 @@ void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spac
     std::array<LinkPastEnd, 2> past;
     for (const int e : {lower, upper}) {
       const int other = meetings.beyond(b, e);
-      if (other < 0 || other == b || meetings.is_corner(b, e)) continue;
+      if (other < 0 || other == b) continue;
       const Stretch& theirs = boundaries[other].stretch;
+      if (meetings.is_corner(b, e)) {
+        if (is_outflow(boundary.stretch) && is_outflow(theirs)) past[e].link = meetings.link(b, e);
+        continue;
+      }
       if (!yields(theirs) && !gives_velocity(theirs)) continue;
       const int their_end = meetings.end_of_other(b, e);
       const int own_link = meetings.link(b, e), their_link = meetings.link(other, their_end);

@@ -13,8 +13,8 @@ namespace vug {
 void find_ends(const Exec& exec, const FluidNodes& fluid, double spacing, std::vector<StretchLinks>& boundaries);
 
 /// Fills `past` and `ends` of pressures and outflows on sides, whose mirror links have been found: their links past an
-/// end, where another stretch goes on along the side. Called after find_ends. Waits for the device where there are
-/// such.
+/// end, where another stretch goes on along the side or two outflows meet at a corner. Called after find_ends. Waits
+/// for the device where there are such.
 void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spacing,
                           std::vector<StretchLinks>& boundaries);
 

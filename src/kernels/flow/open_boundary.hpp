@@ -16,11 +16,11 @@ struct SlidingEnds {
   double velocity[2][2] = {{0, 0}, {0, 0}};
 };
 
-/// The link past an end of a pressure or an outflow, where another one begins on the same side: its mirror image starts
-/// there, at another stretch's node.
+/// The link past an end of a pressure or an outflow, where another one begins. On the same side its mirror image starts
+/// there, at another stretch's node; out of a corner of the lattice it has none.
 struct LinkPastEnd {
   int link = -1;                  ///< in the list of this stretch; -1: none
-  int fluid = -1, direction = 0;  ///< of the image
+  int fluid = -1, direction = 0;  ///< of the image; -1: a corner
   double leaving = 0;             ///< population that leaves along the image in this step
 };
 
@@ -97,7 +97,9 @@ void fit_to_links(const Exec& exec, const FluidNodes& nodes, const BoundaryLinks
 /// the reference pressure. The first, for the whole surface, is c_s times the recent change of the mean outward speed:
 /// sound that arrives leaves (Thompson 1987; Poinsot and Lele 1992, with their relaxation to a pressure far away), and
 /// the mean pressure returns to the reference. The second, along each straight piece, is a pressure of mean zero with
-/// which vortices are carried out unchanged (PressureAlong in outflow_pressure.hpp).
+/// which vortices are carried out unchanged (PressureAlong in outflow_pressure.hpp). Where two outflows meet at a
+/// corner of the lattice, fluid leaves there with the velocity of its node, f_in = A - 6 w max(c.u, 0), and none
+/// enters.
 FlowCondition outflow_condition(const BoundaryLinks& links, const IndexList& mirror, const OutflowState& state,
                                 const ScalarField<double>& gain);
 

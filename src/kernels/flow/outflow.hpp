@@ -56,34 +56,4 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr int upwards(int face) {
   return D2Q9::c(face, 0) != 0 ? 2 : 1;
 }
 
-/// Finds for each straight link (face) of an outflow the faces beside it, for each diagonal link a face of its node,
-/// and counts the faces. Where joined sides close the row, the last face has no next one.
-struct FindPieces {
-  BoundaryLinks links;
-  Upstream upstream;
-  IndexList next, previous, face;
-
-  KOKKOS_FUNCTION void operator()(int link, int& faces) const {
-    const int q = links.direction(link), i = links.fluid(link);
-    next(link) = previous(link) = face(link) = -1;
-    if (q < D2Q5::Q) {
-      const int above = beside(link, upwards(q)), below = beside(link, D2Q9::opposite(upwards(q)));
-      if (above > link) next(link) = above;
-      if (below < link) previous(link) = below;
-      face(link) = link;
-      ++faces;
-      return;
-    }
-    const int along_x = D2Q9::c(q, 0) > 0 ? 1 : 3, along_y = D2Q9::c(q, 1) > 0 ? 2 : 4;
-    const int of_x = links.find(link, i, along_x);
-    face(link) = of_x >= 0 ? of_x : links.find(link, i, along_y);
-  }
-
- private:
-  KOKKOS_FORCEINLINE_FUNCTION int beside(int link, int towards) const {
-    const int neighbour = upstream(D2Q9::opposite(towards), links.fluid(link));
-    return neighbour < 0 ? -1 : links.find(link, neighbour, links.direction(link));
-  }
-};
-
 }  // namespace vug
