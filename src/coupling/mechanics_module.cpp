@@ -90,7 +90,6 @@ template <class T>
 void MechanicsModule<T>::begin(const Exec& exec) {
   if (!section_.static_preload || !mechanics_.preload_statically(exec))
     mechanics_.preload(exec, section_.preload_time, section_.preload_damping);
-  if (section_.from_unloaded) mechanics_.count_from_unloaded();
   for (const auto& [triangles, velocity] : initial_velocities_) mechanics_.set_velocity(triangles, velocity);
 }
 

@@ -33,13 +33,13 @@ void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<s
         [view] { return [host = on_host(view)](std::size_t i, int axis) { return host(i, axis); }; });
   };
   add(list.particles, "displacement", "m", 2, [particles] {
-    return [u = on_host(particles.u), reference = on_host(particles.u_reference)](std::size_t i, int axis) {
-      return u(i, axis) - reference(i, axis);
+    return [u = on_host(particles.u), origin = on_host(particles.u_origin)](std::size_t i, int axis) {
+      return u(i, axis) - origin(i, axis);
     };
   });
   add(list.particles, "rotation", "rad", 1, [particles] {
-    return [angle = on_host(particles.angle), reference = on_host(particles.angle_reference)](std::size_t i, int) {
-      return angle(i) - reference(i);
+    return [angle = on_host(particles.angle), origin = on_host(particles.angle_origin)](std::size_t i, int) {
+      return angle(i) - origin(i);
     };
   });
   scalar(list.particles, "temperature_change", "K", particles.temperature_change);

@@ -18,9 +18,9 @@ struct PointDisplacement {
     const int i = point.particle;
     const double scale = thermal_scale(expansion, p.warming(i));
     const Vec2 arm = (scale - 1) * point.arm + scale * Rotation{p.rotation(i, 0), p.rotation(i, 1)}.move(point.arm) -
-                     Rotation::by(p.angle_reference(i)).move(point.arm);
-    out(0) = p.u(i, 0) - p.u_reference(i, 0) + arm.x;
-    out(1) = p.u(i, 1) - p.u_reference(i, 1) + arm.y;
+                     Rotation::by(p.angle_origin(i)).move(point.arm);
+    out(0) = p.u(i, 0) - p.u_origin(i, 0) + arm.x;
+    out(1) = p.u(i, 1) - p.u_origin(i, 1) + arm.y;
   }
 };
 

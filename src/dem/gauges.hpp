@@ -14,6 +14,7 @@ struct RockPoint {
 
 /// Displacement of a point since the end of the preload, m, consistent with the openings of bonds:
 ///   u - u_0 + ((1 + alpha dT) Q - Q_0) arm,  Q the rotation, `expansion` alpha (MechanicsParameters).
+/// With output_from_unloaded since before it: u_0 = 0, Q_0 = 1.
 /// The preload is taken to have been done at the temperature without thermal stress, as it is in a run.
 Vec2 displacement_of(const Exec& exec, const Particles& particles, double expansion, const RockPoint& point);
 

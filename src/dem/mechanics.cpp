@@ -192,11 +192,6 @@ void Mechanics::set_platen_velocity(RockSide side, std::array<double, 2> velocit
   vug::set_platen_velocity(boundary_, side, velocity, particles_);
 }
 
-void Mechanics::count_from_unloaded() {
-  Kokkos::deep_copy(particles_.u_reference, 0.0);
-  Kokkos::deep_copy(particles_.angle_reference, 0.0);
-}
-
 void Mechanics::set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity) {
   const auto v = on_host(particles_.v);
   for (const int i : triangles)

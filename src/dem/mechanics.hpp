@@ -86,9 +86,6 @@ class Mechanics {
 
   /// Sets the velocity of the platen of a held side from now on, m/s.
   void set_platen_velocity(RockSide side, std::array<double, 2> velocity);
-  /// Makes displacements count from the unloaded rock from now on; not for use where rock beyond the sides reacts to
-  /// them.
-  void count_from_unloaded();
   /// Sets the velocity of the listed triangles, m/s; not their spin.
   void set_velocity(const std::vector<int>& triangles, std::array<double, 2> velocity);
   /// Force that holds a side, N per m of thickness.

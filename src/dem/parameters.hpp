@@ -56,8 +56,9 @@ struct MechanicsParameters {
   double thermal_expansion = 8e-6;  ///< 1/K, linear
   double local_damping = 0;         ///< Cundall's alpha, 0 to 1
   double mass_scaling = 1;          ///< density scaling of inertia only, >= 1
-  double rest_tolerance = 0;   ///< unrest below which rock sleeps, over the force in its bonds (rest.hpp); 0: never
-  bool energy_ledger = false;  ///< keep account of work, fracture, friction and damping (costs about a tenth)
+  double rest_tolerance = 0;  ///< unrest below which rock sleeps, over the force in its bonds (rest.hpp); 0: never
+  bool output_from_unloaded = false;  ///< output counts displacements from the rock before the preload, not after it
+  bool energy_ledger = false;         ///< keep account of work, fracture, friction and damping (costs about a tenth)
   BondParameters bond;
   ContactParameters contact;
   ChemicalDamageLaw chemical;

@@ -75,6 +75,8 @@ void allocate(Particles& p, int n) {
   p.solid_fraction = fresh<ScalarField<double>>("solid_fraction", n);
   p.temperature_change = fresh<ScalarField<double>>("temperature_change", n);
   p.warming = p.temperature_change;
+  p.u_origin = p.u_reference;
+  p.angle_origin = p.angle_reference;
   p.held = fresh<decltype(p.held)>("held", n);
   p.drive = fresh<VectorField<double>>("drive", n);
   p.reaction = fresh<VectorField<double>>("reaction", n);
@@ -91,6 +93,10 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
   p.radius = parameters.contact.radius_factor * smallest_inradius(assembly);
   allocate(p, static_cast<int>(assembly.triangles.size()));
   if (!assembly.region.empty()) p.warming = fresh<ScalarField<double>>("warming", p.count);
+  if (parameters.output_from_unloaded) {
+    p.u_origin = fresh<VectorField<double>>("u_origin", p.count);
+    p.angle_origin = fresh<ScalarField<double>>("angle_origin", p.count);
+  }
   const auto x0 = Kokkos::create_mirror_view(p.x0);
   const auto corner = Kokkos::create_mirror_view(p.corner);
   const auto eroded = Kokkos::create_mirror_view(p.eroded);

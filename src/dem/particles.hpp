@@ -23,9 +23,11 @@ struct Particles {
 
   VectorField<double> u;                ///< displacement of the centroid since the assembly, m
   VectorField<double> u_reference;      ///< displacement at the end of the preload, m
+  VectorField<double> u_origin;         ///< from which output counts u: the same View as u_reference, or zero
   VectorField<double> v;                ///< velocity of the centroid, half a step behind u, m/s
   ScalarField<double> angle;            ///< rotation since the assembly, counter-clockwise
   ScalarField<double> angle_reference;  ///< rotation at the end of the preload
+  ScalarField<double> angle_origin;     ///< from which output counts rotations, likewise
   ScalarField<double> spin;             ///< 1/s, half a step behind angle
   VectorField<double> rotation;         ///< (cos(angle) - 1, sin(angle)), kept with angle
 

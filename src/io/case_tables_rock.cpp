@@ -125,7 +125,7 @@ MechanicsSection read_mechanics(const TomlCursor& table, const MechanicsSection&
   table.read("critical_fraction", mechanics.critical_fraction, unit::none, range::positive_to(1));
   table.read("force_unstable", mechanics.force_unstable);
   table.choose("preload", mechanics.static_preload, {{"static", true}, {"dynamic", false}});
-  table.choose("displacement_from", mechanics.from_unloaded, {{"preload", false}, {"unloaded", true}});
+  table.choose("displacement_from", parameters.output_from_unloaded, {{"preload", false}, {"unloaded", true}});
   table.read("preload_time", mechanics.preload_time, unit::second, range::not_negative);
   table.read("preload_damping", mechanics.preload_damping, unit::none,
              {.low = 0, .high = 1, .low_open = true, .high_open = true});

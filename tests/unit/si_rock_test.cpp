@@ -130,5 +130,21 @@ TEST(RockInSI, RockBeyondAnswersToWhatComesAfterThePreload) {
   EXPECT_NEAR(displacement_of_end(backed, 0) / displacement_of_end(dead, 0), 1, 1e-4);
 }
 
+/// The rock beyond answers what comes after the preload, whatever output counts from.
+TEST(RockInSI, RockBeyondDoesNotDependOnWhatOutputCountsFrom) {
+  const std::string backed = block + side("left", "support = \"roller\"", 370) +
+                             side("bottom", "support = \"roller\"", 370) + side("top", "support = \"free\"", 370) +
+                             side("right", "normal_stress = 5e6, stiffness = 1e12", 370) +
+                             "[[output.gauges]]\nname = \"end\"\ntype = \"displacement\"\nat = [0.0195, 0.007]\n";
+  test::CoupledRun after(backed), before(backed, {"mechanics.displacement_from=unloaded"});
+  const double preload = before.now("end_x_m");
+  EXPECT_NEAR(preload / (-5e6 / young * width), 1, 0.1);
+  EXPECT_EQ(after.now("end_x_m"), 0);
+  after.steps(300);
+  before.steps(300);
+  EXPECT_EQ(before.now("elastic_energy_J_per_m"), after.now("elastic_energy_J_per_m"));
+  EXPECT_NEAR(before.now("end_x_m") - preload, after.now("end_x_m"), 1e-15);
+}
+
 }  // namespace
 }  // namespace vug

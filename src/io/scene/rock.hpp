@@ -78,7 +78,6 @@ struct MechanicsSection {
   bool static_preload = true;  ///< the outer stress is applied by a direct solver, or by a ramp where the solver fails
   double preload_time = 150e-6;    ///< s over which the outer stress is ramped before the run
   double preload_damping = 0.7;    ///< Cundall's alpha, used until the rock is at rest
-  bool from_unloaded = false;      ///< displacements are counted from the rock before the preload
   bool scaling_chosen = false;     ///< parameters.mass_scaling is what a tolerance allows (rock_inertia.hpp)
   bool lets_fragments_go = false;  ///< pieces that have left their place no longer carry or push anything
 };
