@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "coupling/force_change.hpp"
+#include "coupling/handed_push.hpp"
 #include "coupling/rock_loads.hpp"
 #include "dem/soundness.hpp"
 #include "io/named_temperatures.hpp"
@@ -42,6 +43,7 @@ MechanicsModule<T>::MechanicsModule(const Exec& exec, const Scene& scene, const 
       guard_interval_(scene.accuracy.guard_interval),
       warming_(scene.heat ? largest_named_change(scene) : 0),
       holds_forces_(flow && (exchange_interval_ > 1 || scene.accuracy.chooses_intervals())),
+      neighbours_(rock.neighbours),
       thermal_(heat ? thermal_nodes(scene, rock, geometry.lattice) : ThermalNodes{}),
       mechanics_(rock.assembly, section_.parameters, boundary_loads(scene)),
       gauges_(scene, rock.assembly, mechanics_),
@@ -128,6 +130,7 @@ void MechanicsModule<T>::step(const Exec& exec, const Clock& clock) {
     const auto [x, y] = components(particles.force);
     forces_.exchange<double, 3>(exec, {x, y, particles.torque});
     flow_->add_slit_drag(exec, particles.x0, particles.force, particles.torque);
+    if (dissolved_) hand_on_push(exec, neighbours_, particles);
   }
   if (updated) {
     rock_ = RockIs::changed;

@@ -59,7 +59,8 @@ class MechanicsModule final : public Module, public Concerned, public LetsFragme
   double warming_ = 0;           ///< largest change of temperature that the case names, K
   bool holds_forces_;            ///< forces of the fluid are held for more than a step
   VectorField<double> watched_;  ///< (triangle, axis) force of the fluid at the last look; empty where unused
-  ThermalNodes thermal_;         ///< only with heat
+  TriangleNeighbours neighbours_;
+  ThermalNodes thermal_;  ///< only with heat
   Mechanics mechanics_;
   std::vector<std::pair<std::vector<int>, std::array<double, 2>>> initial_velocities_;  ///< triangles, m/s
   RockGauges gauges_;

@@ -5,12 +5,20 @@
 
 namespace vug {
 
-/// The force on a triangle is summed by the rank of the fluid at its first link, for the rank that moves the triangle.
-/// A triangle without links has no force, on any rank.
+/// The force on a triangle is summed by the rank of the fluid at its first link, for the rank that moves the triangle,
+/// and for those that move its neighbours, which take it over when the triangle is gone (handed_push.hpp). A triangle
+/// without links has no force, on any rank.
 template <class T>
 void MechanicsModule<T>::share_links() {
   const Split& split = geometry_.split;
   const auto first_link = on_host(links_.first), slot = on_host(links_.slot);
+  const auto neighbour = on_host(neighbours_);
+  const auto needed = [&](int g) {
+    bool ours = mechanics_.moves(g);
+    for (int k = 0; k < 3; ++k)
+      ours = ours || (dissolved_ && neighbour(g, k) >= 0 && mechanics_.moves(neighbour(g, k)));
+    return ours;
+  };
   std::vector<int> ours, slots, others, owners;
   for (int g = 0; g < links_.groups(); ++g) {
     const int first = first_link(g), last = first_link(g + 1);
@@ -18,7 +26,7 @@ void MechanicsModule<T>::share_links() {
     if (owner == split.ranks().rank()) {
       ours.push_back(g);
       for (int k = first; k < last; ++k) slots.push_back(slot(k));
-    } else if (mechanics_.moves(g)) {
+    } else if (needed(g)) {
       others.push_back(g);
       owners.push_back(owner);
     }

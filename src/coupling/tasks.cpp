@@ -89,9 +89,11 @@ void TurnoverModule<T, Set>::tasks(std::vector<Task>& schedule) const {
 
 template <class T>
 void MechanicsModule<T>::tasks(std::vector<Task>& schedule) const {
+  std::vector<std::string> of_force{"flow/f"};
+  if (dissolved_) of_force.emplace_back("mechanics/solid_fraction");  // which triangles are gone
   if (flow_)
     schedule.push_back(
-        {"rock: the fluid's force", exchange_interval_, {"flow/f"}, {"mechanics/force", "mechanics/torque"}, {}});
+        {"rock: the fluid's force", exchange_interval_, of_force, {"mechanics/force", "mechanics/torque"}, {}});
   if (heat_)
     schedule.push_back({"rock: its temperature", update_interval_, {"heat/g"}, {"mechanics/temperature_change"}, {}});
   if (dissolved_)

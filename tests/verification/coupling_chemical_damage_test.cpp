@@ -1,4 +1,5 @@
 // Dissolution to mass and chemical damage: what the lattice dissolves, triangle by triangle and bond by bond.
+#include "dem/dissolved_rock.hpp"
 #include "dem_support.hpp"
 #include "support/coupled_run.hpp"
 #include "support/pickled_rock.hpp"
@@ -124,6 +125,84 @@ TEST(DissolvedTriangle, IsNotMendedByPathwaysThatOpen) {
   Kokkos::deep_copy(bonds.d_m, d_m);
   never_falls(2);
   ASSERT_GT(run.now("nodes_opened_by_damage_1"), opened + 20);
+}
+
+/// A round cavity under pressure that acid widens. The rock that is there feels the pressure on the whole wall, also
+/// where what is left of triangles that are gone holds the fluid up: 2 pi r p over all directions.
+TEST(DissolvedTriangle, LeavesThePressureOnTheRockBehind) {
+  test::CoupledRun run(R"(
+[lattice]
+size = [0.03, 0.03]
+spacing = 5e-4
+time_step = 1e-6
+[time]
+steps = 2000
+[geometry]
+type = "rock"
+[[geometry.shapes]]
+type = "disc"
+name = "well"
+centre = [0.015, 0.015]
+radius = 0.003
+[rock]
+element_size = 3e-3
+[[rock.holes]]
+type = "disc"
+centre = [0.015, 0.015]
+radius = 0.006
+[flow]
+viscosity = 0.025
+initial_pressure = 1e5
+[solute]
+[[solute.species]]
+name = "acid"
+diffusivity = 2e-2
+[reaction]
+reactant = "acid"
+rate_constant = 1
+molar_volume = 1e-5
+[mechanics]
+local_damping = 0.7
+[mechanics.bond]
+normal_strength = 1e12
+cohesion = 1e12
+[boundary.shape.well]
+flow = { type = "pressure", pressure = 1.1e6, ramp_time = 2e-4 }
+solute = { type = "concentration", concentration = { acid = 3000 } }
+[boundary.left]
+traction = { support = "roller" }
+[boundary.bottom]
+traction = { support = "roller" }
+[accuracy]
+dissolution_factor = 300
+)");
+  const Particles& particles = run.rock().particles();
+  const auto x0 = test::host_copy(particles.x0);
+  run.steps(500);
+  int gone = 0;
+  for (int part = 0; part < 10; ++part) {
+    run.steps(60);
+    const auto force = test::host_copy(particles.force);
+    const auto fraction = test::host_copy(particles.solid_fraction);
+    double push = 0;
+    gone = 0;
+    for (int i = 0; i < particles.count; ++i) {
+      const double x = x0(i, 0) - 0.015, y = x0(i, 1) - 0.015;
+      if (is_gone(fraction(i)))
+        ++gone;
+      else
+        push += (force(i, 0) * x + force(i, 1) * y) / std::hypot(x, y);
+    }
+    double cells = 0, pressure = 0, fluid = 0;
+    const std::vector<double> type = run.nodes("node_type"), p = run.nodes("gauge_pressure");
+    for (std::size_t n = 0; n < type.size(); ++n) {
+      cells += type[n] != 1;
+      if (type[n] == 0) pressure += p[n], fluid += 1;
+    }
+    const double circumference = 2 * std::sqrt(3.14159265 * cells) * 5e-4;
+    EXPECT_NEAR(push / (circumference * pressure / fluid), 1, 0.03) << gone << " triangles are gone";
+  }
+  EXPECT_GT(gone, 20);
 }
 
 }  // namespace
