@@ -22,6 +22,7 @@ import numpy as np
 import vug
 import vug.plot
 from matplotlib import pyplot as plt
+from vug.plot import laboratory
 
 SMALL_ROCK = "tests/cases/coupled/small_rock.toml"
 
@@ -204,6 +205,24 @@ class Pictures(unittest.TestCase):
         for left, right in zip(boxes, boxes[1:]):
             self.assertLess(left.x1, right.x0)
         plt.close(figure)
+
+    def test_the_legend_of_a_flat_specimen_lies_below_the_label_of_its_axis(self):
+        for height in (0.003, 0.015, 0.2):
+            particles = h5py.File(f"specimen {height}", "w", driver="core", backing_store=False)
+            particles["rock/triangle_vertex_numbers"] = [[0, 1, 2], [1, 3, 2]]
+            step = particles.create_group("step_0")
+            step.attrs["time"] = 1e-3
+            step["triangles/vertices"] = [[0, 0, 0], [0.06, 0, 0], [0, height, 0], [0.06, 0, 0], [0.06, height, 0], [0, height, 0]]
+            step["bonds/vertices"] = [[0.06, 0, 0], [0, height, 0]] * 2
+            step["bonds/state"] = [1, 3]
+            with unittest.mock.patch("vug.plot.laboratory.save", lambda figure, path: figure):
+                figure = laboratory.plot_cracks(particles, "step_0", self.folder, "", "")
+            figure.canvas.draw()
+            axes = figure.axes[0]
+            legend = axes.get_legend().get_window_extent()
+            self.assertLess(legend.y1, axes.xaxis.label.get_window_extent().y0, height)
+            self.assertGreater(legend.y0, 0)
+            plt.close(figure)
 
 
 if __name__ == "__main__":

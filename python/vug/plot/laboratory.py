@@ -5,6 +5,8 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import ScaledTranslation
 
 from ..field import attribute_of, values_of
 from ..history import History
@@ -70,6 +72,7 @@ def plot_crack_count(path, folder, heading):
     axes.set_xlabel("depth below the cold face / mm")
     axes.set_ylabel("cracks")
     axes.set_ylim(0)
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     tidy(axes)
     return save(figure, os.path.join(folder, "cracks_over_depth.png"))
 
@@ -111,6 +114,8 @@ def plot_cracks(particles, step, folder, suffix, heading):
     axes.set_ylabel("y / cm")
     axes.set_title(f"{heading}bonds at t = {1e3 * float(attribute_of(group, 'time')):.3g} ms", fontsize=10)
     if handles:
-        axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=7, frameon=False,
-                    ncol=1 if height > width else len(handles))
+        # below the label of the axis, however flat the specimen
+        below = axes.transAxes + ScaledTranslation(0, -0.5, figure.dpi_scale_trans)  # inches
+        axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=below, fontsize=7,
+                    frameon=False, ncol=1 if height > width else len(handles))
     return save(figure, os.path.join(folder, f"crack_pattern{suffix}.png"))
