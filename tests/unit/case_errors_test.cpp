@@ -109,6 +109,49 @@ TEST(CaseErrors, TomlSyntaxKeepsLineAndColumn) {
   EXPECT_THAT(message(lattice + lattice), AllOf(StartsWith("a.toml:5:"), HasSubstr("not valid TOML")));
 }
 
+/// What new users write, and what they are told to write instead; the rest of a line, and other lines, have no part in
+/// it.
+TEST(CaseErrors, TomlMistakesSayWhatToWriteInstead) {
+  const auto told = [](const std::string& line) {
+    const std::string found = message("[case]\nname = \"x, yes: 5 um\"  # 1,5 mm\n[flow]\n" + line + "\n[time]\n");
+    EXPECT_THAT(found, StartsWith("a.toml:4:")) << line;
+    const auto hint = found.rfind("; ");
+    return hint == std::string::npos ? std::string() : found.substr(hint + 2);
+  };
+  const std::string unit = "a number with a unit stands in quotes: ";
+  EXPECT_EQ(told("viscosity = 1 mm2/s"), unit + "\"1 mm2/s\"");
+  EXPECT_EQ(told("gravity = [0, 9.81 m/s2]"), unit + "\"9.81 m/s2\"");
+  EXPECT_EQ(told("a = { pressure = 20MPa, b = \"1\" } # 1"), unit + "\"20MPa\"");
+  for (const char* line : {"viscosity = 0,001", "viscosity = 1,5e-6", "end = 1,5 s"})
+    EXPECT_EQ(told(line), "the decimal sign is a point: 0.5") << line;
+  for (const char* line : {"viscosity = .5", "viscosity = 1.", "viscosity = 1.e-6", "a = [0.5, -.5]"})
+    EXPECT_EQ(told(line), "digits stand on both sides of a decimal point: 0.5, 1.0e-6") << line;
+  for (const char* line : {"viscosity = 4*10^-6", "viscosity = 10^-6", "viscosity = 1d-6", "viscosity = 4x10-6"})
+    EXPECT_EQ(told(line), "powers of ten are written 4e-6") << line;
+  EXPECT_EQ(told("porosity = 15 %"), "a fraction is a number from 0 to 1: 0.15 for 15 %");
+  EXPECT_EQ(told("viscosity = 1 // water"), "a comment begins with #");
+  EXPECT_EQ(told("viscosity = 1;"), "no semicolon ends a line");
+  for (const char* line : {"flows = yes", "flows = True", "flows = FALSE # none"})
+    EXPECT_EQ(told(line), "write true or false") << line;
+  for (const char* line : {"file = rock.png", "file = ./rock.png", "type = pressure", "a = { type = pressure }"})
+    EXPECT_EQ(told(line), "text, such as a word or a path, stands in quotes") << line;
+  for (const char* line : {"file = \"C:\\Users\\me\\a.png\"", "file = \"..\\s1\\a.png\""})
+    EXPECT_EQ(told(line), "\\ has a meaning of its own in double quotes: write a path with / instead") << line;
+  EXPECT_EQ(told("file = \"a.png"), "a quotation mark is missing");
+  EXPECT_EQ(told("file = a.png\""), "a quotation mark is missing");
+  EXPECT_EQ(told("viscosity: 1e-6"), "a key and its value are joined by =");
+  for (const char* line : {"size = (1, 2)", "size = (\"1 mm\", \"2 mm\")"})
+    EXPECT_EQ(told(line), "lists stand in square brackets: [1, 2]") << line;
+  EXPECT_EQ(told("flow = { type = \"wall\""), "a table in braces ends with } on the same line");
+  for (const char* line : {"viscosity =", "a = 1\na = 2", "[flow]", "x = \"1\" \"2\""})
+    EXPECT_THAT(message("[flow]\n" + std::string(line) + "\n"), Not(HasSubstr("; "))) << line;
+}
+
+TEST(CaseErrors, DecimalCommaOfAQuantityIsNamed) {
+  EXPECT_EQ(message(lattice + time + "[flow]\nviscosity = \"1,5 mm2/s\"\n"),
+            "a.toml:8:13: flow.viscosity = \"1,5 mm2/s\" must have a decimal point instead of a comma");
+}
+
 TEST(CaseErrors, ContradictionsBetweenTables) {
   const auto broken = [](const std::string& override_text, const std::string& expected) {
     EXPECT_THAT(quickstart_message({override_text}), HasSubstr(expected)) << override_text;

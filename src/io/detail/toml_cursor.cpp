@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 #include "io/detail/nearest_name.hpp"
 #include "io/detail/quantity.hpp"
+#include "io/detail/toml_hint.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,6 +110,7 @@ double TomlCursor::number(const toml::node& node, const std::string& key, Unit u
   } else if (const auto* text = node.as_string()) {
     const auto parsed = parse_quantity(text->get(), unit);
     const std::string units = accepted_units(unit);
+    if (!parsed && has_decimal_comma(text->get())) document_->fail(key, "must have a decimal point instead of a comma");
     if (!parsed && units.empty()) document_->fail(key, "must be a number, without quotes");
     if (!parsed)
       document_->fail(key, fmt::format("must be a number{} or text with one of the units {}", in_unit(unit), units));

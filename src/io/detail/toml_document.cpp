@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "io/detail/toml_hazards.hpp"
+#include "io/detail/toml_hint.hpp"
 #include "io/message.hpp"
 
 #include <fmt/format.h>
@@ -64,8 +65,10 @@ TomlDocument::TomlDocument(const std::string& text, std::string path, const std:
     root_ = toml::parse(text, path_);
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
-    throw InputError(one_line(fmt::format("{}:{}:{}: not valid TOML: {}", path_, std::max(begin.line, 1u),
-                                          std::max(begin.column, 1u), excerpt(error.description(), 300))));
+    const std::string hint = hint_on(line_of(text, begin.line));
+    throw InputError(one_line(fmt::format("{}:{}:{}: not valid TOML: {}{}", path_, std::max(begin.line, 1u),
+                                          std::max(begin.column, 1u), excerpt(error.description(), 300),
+                                          hint.empty() ? "" : "; " + hint)));
   }
   for (const std::string& line : overrides) overrides_.push_back(apply_override(root_, line));
 }
