@@ -124,6 +124,28 @@ void look_for_changing_pressures(const Scene& scene, const std::vector<Mouth>& m
       driven->key, out->key, 4 * std::max(scene.lattice.nx, scene.lattice.ny)));
 }
 
+/// Warns where a temperature given for the fluid that enters is that of rock beside it as well.
+void look_for_rock_at_given_temperature(const Scene& scene, const Geometry& geometry, const std::vector<Mouth>& mouths,
+                                        FlowPaths& found) {
+  if (!scene.heat) return;
+  constexpr double notable = 0.1;  // share of rock
+  const std::vector<Stretch> stretches = boundary_stretches(scene, geometry);
+  for (std::size_t m = 0; m < mouths.size(); ++m) {
+    const Stretch& stretch = stretches[m];
+    const FlowBoundaryKind flow = stretch.conditions.flow.kind;
+    const std::size_t cells = stretch.last + 1 - stretch.first, wet = mouths[m].nodes.size();
+    if (stretch.opening || stretch.conditions.heat.kind != HeatCondition::temperature || wet == 0 ||
+        (flow != FlowBoundaryKind::velocity && flow != FlowBoundaryKind::pressure) ||
+        static_cast<double>(cells - wet) <= notable * static_cast<double>(cells))
+      continue;
+    found.warnings.push_back(fmt::format(
+        "{}.heat: {} of the {} nodes there are rock, which is kept at the given temperature as well as the fluid that "
+        "enters; if only the fluid is meant, give a [boundary.injection] as wide as the fluid, or let some cells of "
+        "fluid lie in front of the rock",
+        mouths[m].key, cells - wet, cells));
+  }
+}
+
 void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const FluidPicture& picture,
                        const std::vector<Mouth>& mouths, const LatticeUnits& units, FlowPaths& found) {
   // decay time of the slowest mode of a channel over viscosity * delay, with a pressure at one end or at both
@@ -175,6 +197,7 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   look_for_passages(scene, walls, picture, mouths, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
   look_for_changing_pressures(scene, mouths, found);
+  look_for_rock_at_given_temperature(scene, geometry, mouths, found);
   found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
   if (const BodyForces forces = body_forces(scene, units); forces.act()) {
     const std::vector<double> width = shorter_widths(scene, picture);

@@ -23,6 +23,7 @@ using test::wall;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 TEST(FlowPaths, AParabolaOverRockIsRemarkedOn) {
   const std::string slabs = rectangle("[0, 0]", "[40, 2]") + rectangle("[0, 10]", "[40, 12]");
@@ -50,6 +51,30 @@ TEST(FlowPaths, APressureThatChangesBeforeAnOutflowIsRemarkedOn) {
   }
   EXPECT_THAT(remarks(channel("", "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n" + outlet)),
               IsEmpty());
+}
+
+/// A temperature of a side is that of rock and fluid: 8 of 12 nodes. Not remarked on: walls and outflows, an injection
+/// as wide as the fluid, cells of fluid in front of the rock, a wall of one cell.
+TEST(FlowPaths, RockAtTheTemperatureOfTheInflowIsRemarkedOn) {
+  const std::string warm = "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\ninitial_temperature = 300\n";
+  const std::string given = "heat = { type = \"temperature\", temperature = 350 }\n";
+  const auto slabs = [](const std::string& begin) {
+    return rectangle(("[" + begin + ", 0]").c_str(), "[40, 4]") + rectangle(("[" + begin + ", 8]").c_str(), "[40, 12]");
+  };
+  const auto told =
+      Contains(HasSubstr("boundary.left.heat: 8 of the 12 nodes there are rock, which is kept at the given"));
+  const std::string pressed = "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n";
+  EXPECT_THAT(remarks(channel(slabs("0"), warm + inflow + given + outlet)), told);
+  EXPECT_THAT(remarks(channel(slabs("0"), warm + pressed + given + outlet)), told);
+  EXPECT_THAT(remarks(channel(slabs("0"), warm + inflow + "heat = { type = \"outflow\" }\n" + outlet)), Not(told));
+  EXPECT_THAT(remarks(channel(slabs("0"), warm + "[boundary.left]\n" + given + outlet)), Not(told));
+  EXPECT_THAT(remarks(channel(slabs("2"), warm + inflow + given + outlet)), Not(told));
+  EXPECT_THAT(remarks(channel(rectangle("[0, 0]", "[40, 1]"), warm + inflow + given + outlet)),
+              Not(Contains(HasSubstr("are rock, which is kept"))));
+  const std::string injection =
+      "[boundary.injection]\nside = \"left\"\ncentre = 6\nwidth = 4\n" + inflow.substr(inflow.find('\n') + 1) + given;
+  EXPECT_THAT(remarks(channel(slabs("0"), warm + injection + outlet)),
+              Not(Contains(HasSubstr("are rock, which is kept"))));
 }
 
 TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
