@@ -13,7 +13,7 @@ namespace vug {
 
 namespace {
 
-constexpr double breakthrough = 0.01;  // share of what was injected
+constexpr double breakthrough = 0.01;  // share of what was injected or made
 const std::string breakthrough_of = "breakthrough of ";
 constexpr double grown = 1e-9;  // share of the solid; smaller values are rounding
 const std::string has_grown = "warning: rock has grown";
@@ -80,13 +80,14 @@ std::string at(const Clock& clock) {
   return fmt::format("step {}, {:.4g} s: ", clock.step, clock.time());
 }
 
-/// Amounts of a species that have entered and left through sides and openings.
+/// Amounts of a species that have entered and left through sides and openings, and that reactions have made.
 struct Passed {
-  double in = 0, out = 0;
+  double in = 0, out = 0, made = 0;
 };
 
-/// Amounts of each species, from the columns "L1_gain_injected_mol_per_m", "..._outflow_..." and "..._shape_<name>_..."
-/// of a row.
+/// Amounts of each species, from the columns "L1_gain_injected_mol_per_m", "..._outflow_...", "..._shape_<name>_..."
+/// and
+/// "..._reaction_..." of a row.
 std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
   std::map<std::string, Passed> passed;
   for (const HistoryValue& value : row) {
@@ -97,6 +98,8 @@ std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
       Passed& of = passed[value.name.substr(0, at)];
       (value.value > 0 ? of.in : of.out) += std::abs(value.value);
     }
+    if (const std::size_t at = value.name.find("_gain_reaction"); at != std::string::npos)
+      passed[value.name.substr(0, at)].made += std::max(value.value, 0.0);
   }
   return passed;
 }
@@ -239,11 +242,14 @@ std::vector<std::string> Events::look_at_row(const Simulation& simulation, const
                       "reactant)"
                     : "negative concentrations of the reactant (a given flux that draws more than there "
                       "is, or undershoots)"));
-  for (const auto& [species, passed] : passed_by(row))
-    if (passed.in > 0 && passed.out > breakthrough * passed.in &&
-        next_.try_emplace(breakthrough_of + species, 0).second)
-      news.push_back(fmt::format("{}{}{}: {:.2g} % of what was injected has left", at(simulation.clock()),
-                                 breakthrough_of, species, 100 * passed.out / passed.in));
+  for (const auto& [species, passed] : passed_by(row)) {
+    // of a product a trace may enter beside the reactant: what has left is a share of what was made
+    const double there = passed.in + passed.made;
+    if (there > 0 && passed.out > breakthrough * there && next_.try_emplace(breakthrough_of + species, 0).second)
+      news.push_back(fmt::format("{}{}{}: {:.2g} % of what was {} has left", at(simulation.clock()), breakthrough_of,
+                                 species, 100 * passed.out / there,
+                                 passed.made > passed.in ? "made by reactions" : "injected"));
+  }
   return news;
 }
 
