@@ -44,6 +44,8 @@ TEST(CaseRemarks, TemperaturesThatAreMeantInDegreesAreRemarked) {
   const auto told = Contains(HasSubstr("kelvin; in degrees Celsius it is written \"20 degC\""));
   EXPECT_THAT(warnings("20", "300"), told);
   EXPECT_THAT(warnings("\"90 degC\"", "20"), told);
+  EXPECT_THAT(warnings("215", "300"), Contains(HasSubstr("it is written \"215 degC\"")));
+  EXPECT_THAT(warnings("260", "300"), Not(Contains(HasSubstr("kelvin"))));
   EXPECT_THAT(warnings("\"90 degC\"", "[[0, 300], [1, 20]]"), told);
   EXPECT_THAT(warnings("\"90 degC\"", "\"20 degC\""), Not(Contains(HasSubstr("kelvin"))));
 }

@@ -39,11 +39,11 @@ void warn_about_reaction(Scene& scene) {
   }
 }
 
-/// A temperature that is probably meant in degrees Celsius: no fluid of rock is as cold.
+/// A temperature that is probably meant in degrees Celsius: no fluid of rock is as cold, and geothermal rock as hot.
 void warn_about_kelvin(Scene& scene) {
   const auto named = named_temperatures(scene);
   const double coldest = *std::min_element(named.begin(), named.end());
-  if (coldest < 150)
+  if (coldest < 250)
     scene.warnings.push_back(
         fmt::format("[heat] has a temperature of {0:g} K: numbers without a unit are in kelvin; in "
                     "degrees Celsius it is written \"{0:g} degC\"",
