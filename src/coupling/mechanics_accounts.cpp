@@ -14,7 +14,8 @@ template <class T>
 void MechanicsModule<T>::limits(LimitTable& table) const {
   const double critical = mechanics_.critical_step();
   table.push_back({"mechanics", "sub-steps per lattice step", static_cast<double>(substeps_), "1", 1, 1e4,
-                   "lower lattice.time_step or raise rock.element_size"});
+                   "lower lattice.time_step or raise rock.element_size; where loads change slowly, as in rock that "
+                   "cools for seconds, raise mechanics.mass_scaling"});
   table.push_back({"mechanics", "sub-step over its critical step", units_.time_step / substeps_ / critical, "1", 0, 0.5,
                    "raise mechanics.substeps or leave it out"});
   table.push_back(limit_of_edges(mechanics_, units_.spacing));

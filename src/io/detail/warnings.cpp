@@ -77,10 +77,16 @@ void warn_about_mass_scaling(Scene& scene) {
   constexpr double notable = 4;
   const double scaling = scene.mechanics->parameters.mass_scaling;
   if (scaling <= notable || scene.mechanics->scaling_chosen) return;
+  // dashpots of bonds take less from slower waves
+  const char* undamped =
+      scene.mechanics->parameters.local_damping > 0
+          ? ""
+          : "; with mechanics.local_damping = 0 these waves hardly decay and break bonds: give 0.3 or "
+            "more where loads change slowly";
   scene.warnings.push_back(
       fmt::format("mechanics.mass_scaling = {:g} slows waves down by a factor of {:.3g}, and the rock appears "
-                  "stronger: in a compression test by 6 % at 16 and by 17 % at 100",
-                  scaling, std::sqrt(scaling)));
+                  "stronger: in a compression test by 6 % at 16 and by 17 % at 100{}",
+                  scaling, std::sqrt(scaling), undamped));
 }
 
 /// With s times the mass a press acts as if it were sqrt(s) times as fast. Inertia increases the mean strength: in
