@@ -16,10 +16,11 @@ namespace {
 constexpr double busy = 2;  // mean wall time of the steps over that of the fastest, above which to warn
 
 std::string image_line(const ImageSummary& image, double spacing) {
-  std::string text = fmt::format("picture of {} x {} pixels, {}, values {:g} ... {:g}, pixel size {}", image.width,
-                                 image.height, image.type, image.least, image.largest,
-                                 image.pixel_size ? fmt::format("{:g} m", *image.pixel_size)
-                                                  : fmt::format("not known (lattice.spacing is {:g} m)", spacing));
+  std::string text =
+      fmt::format("picture of {} x {} pixels, {}, values {:g} ... {:g}{}{}, pixel size {}", image.width, image.height,
+                  image.type, image.least, image.largest, image.rock.empty() ? "" : ", ", image.rock,
+                  image.pixel_size ? fmt::format("{:g} m", *image.pixel_size)
+                                   : fmt::format("not known (lattice.spacing is {:g} m)", spacing));
   for (const auto& [label, share] : image.labels) text += fmt::format("\n  label {}: {:.2f} %", label, 100 * share);
   return text;
 }

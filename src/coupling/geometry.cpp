@@ -94,12 +94,19 @@ void draw(const Form& shape, const LatticeSection& lattice, const Paint& paint) 
   std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape);
 }
 
+/// What to give where grey values of a picture are all rock or all pore, as of a mask of 0 and 1.
+std::string told_apart(const ImageSummary& found) {
+  if (found.rock.empty() || !(found.largest > found.least)) return "";
+  return fmt::format(" ({}); geometry.grey_range = [{:g}, {:g}] tells them apart", found.rock, found.least,
+                     found.largest);
+}
+
 /// The warning where a picture shows no rock at all.
 std::string without_rock(const ImageSection& image, const ImageSummary& found) {
-  return fmt::format(
-      "{}: has values {:g} ... {:g}, and {} no rock of any of them: all is pore", image.file, found.least,
-      found.largest,
-      image.labelled() ? "geometry.solid_labels make" : "geometry.grey_range, threshold and invert make");
+  return fmt::format("{}: has values {:g} ... {:g}, and {} no rock of any of them: all is pore{}", image.file,
+                     found.least, found.largest,
+                     image.labelled() ? "geometry.solid_labels make" : "geometry.grey_range, threshold and invert make",
+                     told_apart(found));
 }
 
 }  // namespace
@@ -118,8 +125,8 @@ DrawnRock drawn_rock(const Scene& scene) {
     if (all_rock && (scene.flow || scene.solute) && !geometry.image.labelled())  // e.g. 12 bits taken for 16
       throw InputError(
           fmt::format("{}: has values {:g} ... {:g}, and geometry.grey_range, threshold and invert make "
-                      "rock of them all: there is no fluid",
-                      geometry.image.file, image.summary.least, image.summary.largest));
+                      "rock of them all: there is no fluid{}",
+                      geometry.image.file, image.summary.least, image.summary.largest, told_apart(image.summary)));
     return {std::move(image.solid), std::move(image.mineral),
             no_rock ? without_rock(geometry.image, image.summary) : ""};
   }

@@ -132,6 +132,10 @@ class Pixels {
                                             largest_, white_));
     summary.least = least_;
     summary.largest = largest_;
+    const bool below = image_.invert != (white_ > black_);
+    if (!image_.labelled())
+      summary.rock =
+          fmt::format("rock {} {:g}", below ? "below" : "from", black_ + image_.threshold * (white_ - black_));
     for (const auto& [label, seen] : labels_)
       summary.labels.emplace_back(static_cast<std::int64_t>(label), static_cast<double>(seen.count) / pixels);
   }

@@ -14,6 +14,7 @@ struct ImageSummary {
   std::string type;                                     ///< of its values
   std::optional<double> pixel_size;                     ///< m, from the case or else from the file
   double least = 0, largest = 0;                        ///< values in the part that is used
+  std::string rock;                                     ///< which values are rock, "rock below 127.5"; empty of labels
   std::vector<std::pair<std::int64_t, double>> labels;  ///< of a label map: share of the pixels of each label
 };
 
