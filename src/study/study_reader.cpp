@@ -112,6 +112,8 @@ Study read_study(const std::string& path) {
   study.path = path;
   study.text = read_case_text(path);
   const TomlDocument document(study.text, path, {});
+  if (document.find("study") == nullptr && document.find("lattice") != nullptr)
+    document.fail_at("", "is a case, which `vug run` runs; a study has a table [study] that names its case");
   check_known(document, document.root(), "", {"study"});
   const TomlCursor table = TomlCursor(document).table("study");
   if (!table.given()) document.fail_at("", "has no table [study]");

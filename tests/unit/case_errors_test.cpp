@@ -57,6 +57,10 @@ TEST(CaseErrors, MisspeltKeyGetsTheNearestValidOne) {
   EXPECT_THAT(message(lattice + time + flow + "[boundary.rihgt]\n"), HasSubstr("did you mean \"right\"?"));
 }
 
+TEST(CaseErrors, AStudyIsSentToTheCommandThatRunsIt) {
+  EXPECT_EQ(message("[study]\ncase = \"a.toml\"\n"), "a.toml:1:2: unknown table \"study\"; `vug sweep` runs a study");
+}
+
 TEST(CaseErrors, KeyOfAnotherTableIsSaidSo) {
   EXPECT_THAT(message(lattice + time + flow + "porosity = 0.1\n"), HasSubstr("table \"rock\" has a key of this name"));
 }

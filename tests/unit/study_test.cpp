@@ -75,6 +75,16 @@ TEST(Study, LatinHypercubeHasOneValueInEveryPart) {
   EXPECT_EQ(sample(study), runs);
 }
 
+TEST(Study, ACaseIsSentToTheCommandThatRunsIt) {
+  try {
+    read_study(channel);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              channel + ": is a case, which `vug run` runs; a study has a table [study] that names its case");
+  }
+}
+
 TEST(Study, SaysInOneLineWhatIsWrong) {
   const std::string key = "[[study.keys]]\nkey = \"flow.viscosity\"\n";
   EXPECT_THAT(refusal(""), HasSubstr("study.keys is missing"));

@@ -114,7 +114,8 @@ struct NameCheck {
     const auto valid = spelled_out(names);
     const std::string what = documented.empty() ? "table" : "key";
     const std::string shown_key = excerpt(key, 100);
-    const std::string hint = suggestion(own, valid) + elsewhere(own, tree);
+    const bool study = documented.empty() && own == "study";
+    const std::string hint = study ? "; `vug sweep` runs a study" : suggestion(own, valid) + elsewhere(own, tree);
     throw InputError(
         one_line(fmt::format("{}: unknown {} \"{}\"{}", position(document, key, name), what, shown_key, hint)));
   }
