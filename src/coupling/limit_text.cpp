@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace vug {
 
@@ -23,9 +24,12 @@ std::string range_of(const Limit& limit) {
 std::string warning_of(const Limit& limit) {
   const double bound = limit.value < limit.low ? limit.low : limit.high;
   int digits = 4;
+  std::string advice = limit.advice;
+  if (const std::string_view change = "change "; advice.starts_with(change))
+    advice.replace(0, change.size(), limit.value < limit.low ? "raise " : "lower ");
   while (digits < 17 && fmt::format("{:.{}g}", limit.value, digits) == fmt::format("{:.{}g}", bound, digits)) ++digits;
   return fmt::format("{}: {} = {:.{}g} is outside {}; {}", limit.module, limit.name, limit.value, digits,
-                     range_in(limit, digits), limit.advice);
+                     range_in(limit, digits), advice);
 }
 
 }  // namespace vug

@@ -14,7 +14,9 @@ struct Limit {
   std::string unit;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  std::string advice;  ///< what to change when it is out of range
+  /// What to do when it is out of range; where it begins with "change", it is said whether to raise or to lower what
+  /// the value grows with.
+  std::string advice;
 
   bool inside() const { return value >= low && value <= high; }
 };

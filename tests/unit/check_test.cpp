@@ -30,6 +30,14 @@ TEST(Limits, NumberIsToldFromTheBoundItBreaks) {
             "flow: number = 0.49999999 is outside >= 0.5; raise it");
 }
 
+TEST(Limits, AdviceToChangeSaysInWhichDirection) {
+  const auto told = [](double value) {
+    return warning_of({"heat", "tau", value, "1", 0.5, 3.5, "change lattice.time_step"});
+  };
+  EXPECT_EQ(told(0.4), "heat: tau = 0.4 is outside 0.5 to 3.5; raise lattice.time_step");
+  EXPECT_EQ(told(4), "heat: tau = 4 is outside 0.5 to 3.5; lower lattice.time_step");
+}
+
 TEST(Check, SaysWhatItMeasured) {
   const CheckReport report = check_case(parse_scene(obstacle, "a.toml"));
   EXPECT_GE(report.measured_steps, 10);
