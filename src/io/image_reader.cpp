@@ -246,7 +246,7 @@ SolidImage read_solid_image(const ImageSection& image, const LatticeSection& lat
   const Size size = cropped_size(image, header);
   require_lattice(image, size, pixel_size, lattice);
   require_pixel_size(image, pixel_size, lattice);
-  SolidImage read{{}, {}, {header.width, header.height, header.type, pixel_size, 0, 0, {}}};
+  SolidImage read{{}, {}, {header.width, header.height, header.type, pixel_size, 0, 0, {}, {}}};
   Pixels pixels(image, header);
   const Cells cells = cells_of(image, *rows, size, pixels);
   read.solid = placed(cells.solid, image, size.columns / image.coarsen, lattice);

@@ -141,6 +141,7 @@ TEST(CaseErrors, TomlMistakesSayWhatToWriteInstead) {
     EXPECT_EQ(told(line), "text, such as a word or a path, stands in quotes") << line;
   for (const char* line : {"file = \"C:\\Users\\me\\a.png\"", "file = \"..\\s1\\a.png\""})
     EXPECT_EQ(told(line), "\\ has a meaning of its own in double quotes: write a path with / instead") << line;
+  EXPECT_EQ(told("file = \"a\\\\b \\\"c\\\" # d\" 5"), "");
   EXPECT_EQ(told("file = \"a.png"), "a quotation mark is missing");
   EXPECT_EQ(told("file = a.png\""), "a quotation mark is missing");
   EXPECT_EQ(told("viscosity: 1e-6"), "a key and its value are joined by =");

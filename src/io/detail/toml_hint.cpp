@@ -106,7 +106,13 @@ std::string hint_on(std::string_view line) {
   for (std::size_t at = 0; at <= line.size(); ++at) {
     const char c = at < line.size() ? line[at] : '\n';
     if (quote != 0) {
-      if (c == '\\' && quote == '"') return "\\ has a meaning of its own in double quotes: write a path with / instead";
+      if (c == '\\' && quote == '"') {
+        const char next = at + 1 < line.size() ? line[at + 1] : ' ';
+        if (next != '"' && next != '\\')
+          return "\\ has a meaning of its own in double quotes: write a path with / instead";
+        ++at;
+        continue;
+      }
       if (c == '\n') return "a quotation mark is missing";
       if (c == quote) quote = 0;
       continue;
