@@ -218,8 +218,8 @@ void FlowModule<T>::limits(LimitTable& table) const {
     table.push_back({"flow", "pressure that the prescribed velocities need", paths_.passage_pressure, "lattice", 0,
                      0.125, "lower the velocity or lattice.time_step: 12 nu u L/n^2 along a channel of n cells"});
   if (steady_.on() && paths_.settling_steps > 0)
-    table.push_back({"flow", "steps in which a change of the flow falls to 1/e", paths_.settling_steps, "1", 0,
-                     std::numeric_limits<double>::infinity(),
+    table.push_back({"flow", "steps, at least, in which a change of the flow falls to 1/e", paths_.settling_steps, "1",
+                     0, std::numeric_limits<double>::infinity(),
                      "use a coarser lattice or a lower viscosity in lattice units"});
   // The speed that a pressure causes is not known in advance.
   const double speed = std::max(prescribed_speed(), paths_.passage_speed);
