@@ -45,7 +45,11 @@ std::string told_of_unexpected(const CLI::App& app, const std::vector<std::strin
   });
   if (first == words.end()) return "a word is not expected";
   const std::string word = excerpt(*first, 60);
-  return is_option(word) ? no_option(given.empty() ? app : *given.front(), word) : "not expected: " + word;
+  if (is_option(word)) return no_option(given.empty() ? app : *given.front(), word);
+  const bool after_set =
+      std::any_of(words.begin(), first, [](const auto& before) { return before.starts_with("--set"); });
+  return fmt::format("not expected: {}{}", word,
+                     after_set ? "; --set takes one word, in quotes where it has blanks: 'table.key=20 MPa'" : "");
 }
 
 }  // namespace vug

@@ -87,7 +87,11 @@ TEST(CommandLine, SaysWhatWasProbablyMeant) {
            {run + "--error-bar", "not expected: --error-bar; did you mean \"--error-bars\"?"},
            {run + "--step=5", "not expected: --step=5; did you mean \"--steps\"?"},
            {run + "--xyzzy more", "not expected: --xyzzy"},
-           {run + "more", "not expected: more"}}) {
+           {run + "more", "not expected: more"},
+           {run + "--set flow.viscosity=1 mm2/s",
+            "not expected: mm2/s; --set takes one word, in quotes where it has blanks: 'table.key=20 MPa'"},
+           {run + "--set flow.viscosity = 1",
+            "not expected: =; --set takes one word, in quotes where it has blanks: 'table.key=20 MPa'"}}) {
     const test::Outcome outcome = test::run_vug(words);
     EXPECT_EQ(outcome.exit_code, 2) << words;
     EXPECT_EQ(outcome.output, "vug: " + told + end);
