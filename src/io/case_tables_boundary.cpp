@@ -51,14 +51,11 @@ FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
   const bool all = table.describing(), driven = boundary.kind == Kind::velocity;
-  if (boundary.kind == Kind::pressure || all)
-    table.need("pressure", boundary.pressure, unit::pascal, range::not_negative);
-  else
-    table.refuse("pressure", "is only for type = \"pressure\"");
-  if (boundary.kind == Kind::pressure || driven || all)
-    table.read("ramp_time", boundary.ramp_time, unit::second, range::not_negative);
-  else
-    table.refuse("ramp_time", "is only for type = \"pressure\" or \"velocity\"");
+  table.need_if(boundary.kind == Kind::pressure, "pressure", "is only for type = \"pressure\"", boundary.pressure,
+                unit::pascal, range::not_negative);
+  table.read_if(boundary.kind == Kind::pressure || driven, "ramp_time",
+                "is only for type = \"pressure\" or \"velocity\"", boundary.ramp_time, unit::second,
+                range::not_negative);
   if (driven || all) {
     read_velocity(table, boundary, place);
   } else {
@@ -66,14 +63,10 @@ FlowBoundary read_flow_boundary(const TomlCursor& table, Place place) {
   }
   const bool rate = boundary.flow_rate || boundary.mass_flow_rate;
   if (place == Place::opening) {
-    if ((driven && !rate) || all)
-      table.need("speed", boundary.speed, unit::metre_per_second);
-    else
-      table.refuse("speed", "is only for type = \"velocity\"");
-    if (boundary.kind == Kind::wall || all)
-      table.read("velocity", boundary.velocity, unit::metre_per_second);
-    else
-      table.refuse("velocity", "is only for a moving wall; fluid crosses the surface of a shape at the given speed");
+    table.need_if(driven && !rate, "speed", "is only for type = \"velocity\"", boundary.speed, unit::metre_per_second);
+    table.read_if(boundary.kind == Kind::wall, "velocity",
+                  "is only for a moving wall; fluid crosses the surface of a shape at the given speed",
+                  boundary.velocity, unit::metre_per_second);
     return boundary;
   }
   if (driven || all) {
@@ -102,21 +95,13 @@ HeatBoundary read_heat_boundary(const TomlCursor& table) {
                      {"outflow", Kind::outflow},
                      {"periodic", Kind::periodic}});
   const bool convects = boundary.kind == Kind::convection;
-  if (boundary.kind == Kind::temperature || convects || table.describing()) {
-    table.need("temperature", boundary.temperature, unit::kelvin, range::positive);
-  } else {
-    table.refuse("temperature", "is only for type = \"temperature\" or \"convection\"");
-  }
-  if (convects || table.describing()) {
-    table.need("coefficient", boundary.coefficient, unit::watt_per_square_metre_kelvin, range::positive);
-  } else {
-    table.refuse("coefficient", "is only for type = \"convection\"");
-  }
-  if (boundary.kind == Kind::flux || table.describing()) {
-    table.need("flux", boundary.flux, unit::watt_per_square_metre);
-  } else {
-    table.refuse("flux", "is only for type = \"flux\"");
-  }
+  table.need_if(boundary.kind == Kind::temperature || convects, "temperature",
+                "is only for type = \"temperature\" or \"convection\"", boundary.temperature, unit::kelvin,
+                range::positive);
+  table.need_if(convects, "coefficient", "is only for type = \"convection\"", boundary.coefficient,
+                unit::watt_per_square_metre_kelvin, range::positive);
+  table.need_if(boundary.kind == Kind::flux, "flux", "is only for type = \"flux\"", boundary.flux,
+                unit::watt_per_square_metre);
   return boundary;
 }
 

@@ -81,15 +81,9 @@ RockRegion read_region(const TomlCursor& table, FormOf of) {
   RockRegion region;
   region.form = read_form(table, of);
   const std::string type = table.describing() || region.form ? "" : word_of_type(table);
-  if (type == "group" || table.describing())
-    table.need("group", region.group);
-  else
-    table.refuse("group", "is only for type = \"group\"");
+  table.need_if(type == "group", "group", "is only for type = \"group\"", region.group);
   if (of != FormOf::rock) return region;
-  if (type == "mineral" || table.describing())
-    table.need("mineral", region.mineral);
-  else
-    table.refuse("mineral", "is only for type = \"mineral\"");
+  table.need_if(type == "mineral", "mineral", "is only for type = \"mineral\"", region.mineral);
   return region;
 }
 

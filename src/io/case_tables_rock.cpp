@@ -30,14 +30,10 @@ void read_notch(const TomlCursor& table, int entry, bool in_metres, std::vector<
     table.need("to", notch.to, unit::metre);
     points = {notch.from, notch.to};
   }
-  if (!in_metres || table.describing())
-    table.read("aperture", notch.aperture, unit::cells, range::between(0, 1000));
-  else
-    table.refuse("aperture", "is in cells, and rock.pathway_width says that widths are in metres; give width");
-  if (in_metres || table.describing())
-    table.read("width", notch.width, unit::metre, range::not_negative);
-  else
-    table.refuse("width", "is of rock.pathway_width");
+  table.read_if(!in_metres, "aperture",
+                "is in cells, and rock.pathway_width says that widths are in metres; give width", notch.aperture,
+                unit::cells, range::between(0, 1000));
+  table.read_if(in_metres, "width", "is of rock.pathway_width", notch.width, unit::metre, range::not_negative);
   if (notch.aperture > 0 && notch.aperture < 1) table.fail("aperture", "must be 0, a closed crack, or 1 cell or more");
   notch.entry = entry;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -74,22 +70,16 @@ void read_contact(const TomlCursor& table, ContactParameters& contact) {
 RockSection read_rock(const TomlCursor& table) {
   RockSection rock;
   table.read("mesh", rock.mesh);
-  const bool meshed = rock.mesh.has_value() && !table.describing();
-  if (meshed) {
-    for (const char* key : {"element_size", "grading", "seed"})
-      table.refuse(key, "is for the generator; rock.mesh replaces it");
-  } else {
-    table.need("element_size", rock.element_size, unit::metre, range::positive);
-    table.read("grading", rock.grading, unit::none, range::between(1, 100));
-    table.read("seed", rock.seed);
-  }
+  const bool meshed = rock.mesh.has_value();
+  const char* const replaced = "is for the generator; rock.mesh replaces it";
+  table.need_if(!meshed, "element_size", replaced, rock.element_size, unit::metre, range::positive);
+  table.read_if(!meshed, "grading", replaced, rock.grading, unit::none, range::between(1, 100));
+  table.read_if(!meshed, "seed", replaced, rock.seed);
   table.read("porosity", rock.porosity, unit::none, {.low = 0, .high = 1, .high_open = true});
   table.read("pathway_width", rock.pathway_width, unit::metre, range::positive);
   const bool in_metres = rock.pathway_width.has_value();
-  if (!in_metres || table.describing())
-    table.read("pathway_aperture", rock.pathway_aperture, unit::cells, range::between(1, 1000));
-  else
-    table.refuse("pathway_aperture", "is the same in cells as pathway_width in metres; give one of them");
+  table.read_if(!in_metres, "pathway_aperture", "is the same in cells as pathway_width in metres; give one of them",
+                rock.pathway_aperture, unit::cells, range::between(1, 1000));
   int entry = 0;
   for (const TomlCursor& notch : table.tables("notches")) read_notch(notch, entry++, in_metres, rock.notches);
   if (const TomlCursor hole = table.table("hole"); hole.given()) rock.hole = read_hole(hole);
@@ -165,20 +155,14 @@ void read_fit(const TomlCursor& table, const char* key, QuadraticFit& fit) {
 DamageSection read_damage(const TomlCursor& table, bool in_metres, ChemicalDamageLaw& chemical) {
   DamageSection damage;
   table.read("pathway_factor", damage.pathway_factor, unit::none, range::between(0, 10));
-  if (!in_metres || table.describing())
-    table.read("minimum_aperture", damage.minimum_aperture, unit::cells, range::between(1, 1000));
-  else
-    table.refuse("minimum_aperture",
-                 "is in cells, and rock.pathway_width says that widths are in metres; give minimum_width");
-  if (in_metres || table.describing())
-    table.read("minimum_width", damage.minimum_width, unit::metre, range::not_negative);
-  else
-    table.refuse("minimum_width", "is of rock.pathway_width");
+  table.read_if(!in_metres, "minimum_aperture",
+                "is in cells, and rock.pathway_width says that widths are in metres; give minimum_width",
+                damage.minimum_aperture, unit::cells, range::between(1, 1000));
+  table.read_if(in_metres, "minimum_width", "is of rock.pathway_width", damage.minimum_width, unit::metre,
+                range::not_negative);
   table.choose("aperture", damage.aperture, {{"damage", ApertureLaw::damage}, {"opening", ApertureLaw::opening}});
-  if (damage.aperture == ApertureLaw::opening || table.describing())
-    table.read("residual_aperture", damage.residual_aperture, unit::metre, range::not_negative);
-  else
-    table.refuse("residual_aperture", "is of damage.aperture = \"opening\"");
+  table.read_if(damage.aperture == ApertureLaw::opening, "residual_aperture", "is of damage.aperture = \"opening\"",
+                damage.residual_aperture, unit::metre, range::not_negative);
   table.choose("pathway_widening", damage.widening,
                {{"largest", PathwayWidening::largest}, {"added", PathwayWidening::added}});
   read_fit(table, "strength_fit", chemical.strength);

@@ -86,6 +86,16 @@ class TomlCursor {
   template <class Value>
   void need_choice(std::string_view key, Value& value, Choices<std::type_identity_t<Value>> choices) const;
 
+  /// As `read` and `need` where the key is `used`; elsewhere refuses it, for this reason.
+  template <class Value, class... Arguments>
+  void read_if(bool used, std::string_view key, std::string_view reason, Value& value, Arguments... arguments) const {
+    used || describing() ? read(key, value, arguments...) : refuse(key, reason);
+  }
+  template <class Value, class... Arguments>
+  void need_if(bool used, std::string_view key, std::string_view reason, Value& value, Arguments... arguments) const {
+    used || describing() ? need(key, value, arguments...) : refuse(key, reason);
+  }
+
   /// Refuses `key` where another choice makes it meaningless; `reason` as in "is only for type = \"pressure\"".
   void refuse(std::string_view key, std::string_view reason) const;
   [[noreturn]] void fail(std::string_view key, std::string_view problem) const {
