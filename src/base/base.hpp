@@ -42,6 +42,24 @@ auto on_host(const ViewType& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
+/// Writes the entries of a View on the host: those of the View itself where it is in host memory, else those of a
+/// mirror, zeros at first, which is copied to the View when the writer goes out of scope.
+template <class ViewType>
+class HostWriter {
+ public:
+  explicit HostWriter(const ViewType& view) : view_(view), host_(Kokkos::create_mirror_view(view)) {}
+  HostWriter(const HostWriter&) = delete;
+  ~HostWriter() { Kokkos::deep_copy(view_, host_); }
+  template <class... Index>
+  decltype(auto) operator()(Index... index) const {
+    return host_(index...);
+  }
+
+ private:
+  ViewType view_;
+  typename ViewType::host_mirror_type host_;
+};
+
 /// Compiles a function template for these arguments.
 #define VUG_COMPILE(...) template decltype(__VA_ARGS__) __VA_ARGS__;
 /// The same for both numbers, or for both numbers and velocity sets: name<Set, T>.

@@ -69,12 +69,11 @@ void FlowModule<T>::prepare_thermal_flow(const Exec& exec, const Scene& scene) {
   viscosity_.reference = section_.reference_temperature;
   viscosity_.zero = units_.reference_temperature;
   viscosity_.points = VectorField<double>("vug::flow::viscosity", section_.viscosity_table.size());
-  const auto points = Kokkos::create_mirror_view(viscosity_.points);
+  const HostWriter points(viscosity_.points);
   for (std::size_t p = 0; p < section_.viscosity_table.size(); ++p) {
     points(p, 0) = section_.viscosity_table[p][0];
     points(p, 1) = section_.viscosity_table[p][1] / nu;
   }
-  Kokkos::deep_copy(viscosity_.points, points);
 }
 
 template <class T>

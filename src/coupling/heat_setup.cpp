@@ -20,10 +20,9 @@ void HeatModule<T>::set_up_minerals(const Scene& scene) {
   if (!differ) minerals_.clear();
   if (!differ || !scene.reaction) return;
   solid_share_ = ScalarField<double>("vug::minerals::solid_share", minerals_.size());
-  const auto share = Kokkos::create_mirror_view(solid_share_);
+  const HostWriter share(solid_share_);
   for (std::size_t m = 0; m < minerals_.size(); ++m)
     share(m) = solid_share(minerals_[m].density, minerals_[m].heat_capacity, minerals_[m].diffusivity);
-  Kokkos::deep_copy(solid_share_, share);
 }
 
 template <class T>

@@ -48,10 +48,9 @@ std::vector<std::uint8_t> mineral_of_nodes(const Scene& scene, const std::vector
 Kokkos::View<std::uint8_t*> mineral_field(const Lattice& lattice, const std::vector<std::uint8_t>& mineral) {
   if (mineral.empty()) return {};
   const Kokkos::View<std::uint8_t*> field("vug::minerals::of_node", lattice.size());
-  const auto host = Kokkos::create_mirror_view(field);
+  const HostWriter host(field);
   for (std::size_t n = 0; n < mineral.size(); ++n)
     host(lattice.node(static_cast<int>(n) % lattice.nx, static_cast<int>(n) / lattice.nx)) = mineral[n];
-  Kokkos::deep_copy(field, host);
   return field;
 }
 

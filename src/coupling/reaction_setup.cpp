@@ -54,7 +54,7 @@ void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
   const std::vector<RateLaw> rates = has_minerals() ? attack.rates : std::vector<RateLaw>{attack.rate};
   if (!has_minerals() && attack.rate.order == 1) return;  // the constants of the wall are enough
   if (attack.table.extent(0) == 0) attack.table = Kokkos::View<MineralRate*>("vug::minerals::rate", rates.size());
-  const auto host = Kokkos::create_mirror_view(attack.table);
+  const HostWriter host(attack.table);
   for (std::size_t m = 0; m < rates.size(); ++m)
     host(m) = {scaled(rates[m]),
                rates[m].activation_energy / gas_constant,
@@ -62,7 +62,6 @@ void ReactionModule<T, Set>::set_volumes(Attack<T>& attack) {
                rates[m].order,
                volume_per_acid(solids_.empty() ? section_.molar_volume : solids_[m].molar_volume, rates[m]),
                rates[m].product_yield()};
-  Kokkos::deep_copy(attack.table, host);
   wall.minerals = {geometry_.mineral, attack.table};
 }
 

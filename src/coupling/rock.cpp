@@ -28,7 +28,7 @@ std::vector<int> sector_of_nodes(const RockRaster& raster) {
 
 SectorPairs sectors_of_bonds(const Assembly& assembly, const BondEdges& bonds) {
   const SectorPairs sectors("vug::rock_map::sectors_of_bond", bonds.vertices.size());
-  const auto host = Kokkos::create_mirror_view(sectors);
+  const HostWriter host(sectors);
   std::vector<int> found(bonds.vertices.size(), 0);
   for (std::size_t t = 0; t < assembly.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -36,7 +36,6 @@ SectorPairs sectors_of_bonds(const Assembly& assembly, const BondEdges& bonds) {
       const auto bond = bonds.number.find(ordered(triangle[k], triangle[(k + 1) % 3]));
       if (bond != bonds.number.end()) host(bond->second, found[bond->second]++) = 3 * static_cast<int>(t) + k;
     }
-  Kokkos::deep_copy(sectors, host);
   return sectors;
 }
 

@@ -50,12 +50,10 @@ void allocate(Bonds& b, int n, int particles) {
 
 void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, const Particles& particles, Bonds& b) {
   const auto x0 = on_host(particles.x0);
-  const auto pair = Kokkos::create_mirror_view(b.pair);
-  const auto vertex = Kokkos::create_mirror_view(b.vertex);
-  const auto length = Kokkos::create_mirror_view(b.length);
-  const auto spacing = Kokkos::create_mirror_view(b.spacing);
-  const auto normal = Kokkos::create_mirror_view(b.normal);
-  const auto arm = Kokkos::create_mirror_view(b.arm);
+  const HostWriter pair(b.pair), vertex(b.vertex);
+  const HostWriter length(b.length), spacing(b.spacing);
+  const HostWriter normal(b.normal);
+  const HostWriter arm(b.arm);
   for (int k = 0; k < b.count; ++k) {
     const Edge& edge = edges[static_cast<std::size_t>(k)];
     const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
@@ -81,12 +79,6 @@ void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, con
     normal(k, 0) = n.x;
     normal(k, 1) = n.y;
   }
-  Kokkos::deep_copy(b.pair, pair);
-  Kokkos::deep_copy(b.vertex, vertex);
-  Kokkos::deep_copy(b.length, length);
-  Kokkos::deep_copy(b.spacing, spacing);
-  Kokkos::deep_copy(b.normal, normal);
-  Kokkos::deep_copy(b.arm, arm);
 }
 
 /// Parameters of each bond; one entry for all where the rock is of one material.
@@ -111,9 +103,8 @@ std::vector<BondParameters> laws_of_bonds(const Assembly& assembly, const std::v
 void fill_elasticity(const std::vector<BondParameters>& laws, Bonds& b) {
   const auto fill = [&](const char* label, double BondParameters::*number, ScalarField<double>& values) {
     values = fresh<ScalarField<double>>(label, laws.size());
-    const auto host = Kokkos::create_mirror_view(values);
+    const HostWriter host(values);
     for (std::size_t k = 0; k < laws.size(); ++k) host(k) = laws[k].*number;
-    Kokkos::deep_copy(values, host);
   };
   fill("bond_normal_modulus", &BondParameters::normal_modulus, b.elasticity.normal_modulus);
   fill("bond_tangential_modulus", &BondParameters::tangential_modulus, b.elasticity.tangential_modulus);
@@ -124,25 +115,23 @@ void fill_elasticity(const std::vector<BondParameters>& laws, Bonds& b) {
 /// Draws one property of all bonds: scatter from the rock's seed and shape, mean from the parameters of each bond.
 void draw(const BondParameters& rock, const std::vector<BondParameters>& laws, const std::vector<Edge>& edges,
           BondProperty property, double BondParameters::*mean, const ScalarField<double>& values) {
-  const auto host = Kokkos::create_mirror_view(values);
+  const HostWriter host(values);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto [low, high] = std::minmax(edges[k].vertex[0], edges[k].vertex[1]);
     const double u = uniform_of(rock.seed, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high),
                                 static_cast<std::uint64_t>(property));
     host(k) = laws[laws.size() == 1 ? 0 : k].*mean * weibull_of_mean_one(u, rock.weibull_shape);
   }
-  Kokkos::deep_copy(values, host);
 }
 
 void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edges, Bonds& b) {
   std::set<std::array<int, 2>> cracks;
-  const auto events = Kokkos::create_mirror_view(b.events);
+  const HostWriter events(b.events);
   events(bond_has_failed) = assembly.initial_cracks.empty() ? 0 : 1;
-  Kokkos::deep_copy(b.events, events);
   for (const auto& c : assembly.initial_cracks) cracks.insert({std::min(c[0], c[1]), std::max(c[0], c[1])});
-  const auto state = Kokkos::create_mirror_view(b.state);
-  const auto d_m = Kokkos::create_mirror_view(b.d_m);
-  const auto point_damage = Kokkos::create_mirror_view(b.point_damage);
+  const HostWriter state(b.state);
+  const HostWriter d_m(b.d_m);
+  const HostWriter point_damage(b.point_damage);
   for (int k = 0; k < b.count; ++k) {
     const auto& v = edges[static_cast<std::size_t>(k)].vertex;
     const bool cracked = cracks.erase({std::min(v[0], v[1]), std::max(v[0], v[1])}) > 0;
@@ -154,15 +143,11 @@ void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edge
     throw InputError("rock assembly: initial crack " + std::to_string(v[0]) + "-" + std::to_string(v[1]) +
                      " is no edge between two triangles");
   }
-  Kokkos::deep_copy(b.state, state);
-  Kokkos::deep_copy(b.d_m, d_m);
-  Kokkos::deep_copy(b.point_damage, point_damage);
 }
 
 void fill_rows(const std::vector<Edge>& edges, int particles, Bonds& b) {
-  const auto row = Kokkos::create_mirror_view(b.row);
-  const auto entry = Kokkos::create_mirror_view(b.entry);
-  const auto slot = Kokkos::create_mirror_view(b.slot);
+  const HostWriter row(b.row), entry(b.entry);
+  const HostWriter slot(b.slot);
   std::vector<std::vector<int>> of(static_cast<std::size_t>(particles));
   for (int k = 0; k < b.count; ++k) {
     for (int end = 0; end < 2; ++end) {
@@ -180,9 +165,6 @@ void fill_rows(const std::vector<Edge>& edges, int particles, Bonds& b) {
     }
   }
   row(particles) = next;
-  Kokkos::deep_copy(b.row, row);
-  Kokkos::deep_copy(b.entry, entry);
-  Kokkos::deep_copy(b.slot, slot);
 }
 
 }  // namespace

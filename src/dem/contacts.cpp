@@ -50,13 +50,11 @@ Contacts make_contacts(const Particles& particles, const Bonds& bonds, bool awak
   c.energy = fresh<ScalarField<double>>("energy", n);
   c.u_built = fresh<VectorField<double>>("u_built", n);
   c.angle_built = fresh<ScalarField<double>>("angle_built", n);
-  const auto status = Kokkos::create_mirror_view(c.status);
+  const HostWriter status(c.status);
   status(contacts_stale) = 1;
-  Kokkos::deep_copy(c.status, status);
   if (awake) {
-    const auto events = Kokkos::create_mirror_view(bonds.events);
+    const HostWriter events(bonds.events);
     events(bond_has_failed) = 1;
-    Kokkos::deep_copy(bonds.events, events);
   }
   return c;
 }

@@ -73,9 +73,8 @@ double held_height(const Mechanics& rock, RockSide side) {
 /// Sets the velocities of uniform straining, so that no shock starts at the platen.
 void start_uniform_straining(const Particles& p, double low, double high, double speed) {
   const auto x0 = on_host(p.x0);
-  const auto v = Kokkos::create_mirror_view(p.v);
+  const HostWriter v(p.v);
   for (int i = 0; i < p.count; ++i) v(i, 1) = -speed * (x0(i, 1) - low) / (high - low);
-  Kokkos::deep_copy(p.v, v);
 }
 
 /// Takes `steps` steps, in each of which the specimen warms at its rate, but not beyond the time `end`.

@@ -175,11 +175,8 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
   BoundaryLoads out{VectorField<double>("vug::dem::boundary_force", n),
                     VectorField<double>("vug::dem::boundary_moment", n),
                     VectorField<double>("vug::dem::boundary_stiffness", n), loads.gravity[0], loads.gravity[1]};
-  const auto force = Kokkos::create_mirror_view(out.force);
-  const auto moment = Kokkos::create_mirror_view(out.moment);
-  const auto stiffness = Kokkos::create_mirror_view(out.stiffness);
-  const auto held = Kokkos::create_mirror_view(particles.held);
-  const auto drive = Kokkos::create_mirror_view(particles.drive);
+  const HostWriter force(out.force), moment(out.moment), stiffness(out.stiffness), drive(particles.drive);
+  const HostWriter held(particles.held);
   require_edges(assembly, boundary, loads, particles);
   const std::vector<LoadedPiece> pieces = pieces_of_boundary(assembly, boundary, loads, particles);
   const std::vector<AxesOfSides> owned = axes_held(pieces, loads, particles.count);
@@ -203,11 +200,6 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     for (int axis = 0; axis < 2; ++axis)
       if (own & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][static_cast<std::size_t>(axis)];
   }
-  Kokkos::deep_copy(out.force, force);
-  Kokkos::deep_copy(out.moment, moment);
-  Kokkos::deep_copy(out.stiffness, stiffness);
-  Kokkos::deep_copy(particles.held, held);
-  Kokkos::deep_copy(particles.drive, drive);
   return out;
 }
 

@@ -32,12 +32,11 @@ MechanicsParameters checked(MechanicsParameters parameters) {
 ScalarField<double> relative_expansions(const Assembly& assembly, const MechanicsParameters& given, double largest) {
   if (assembly.region.empty()) return {};
   const ScalarField<double> relative("vug::dem::relative_expansion", assembly.triangles.size());
-  const auto host = Kokkos::create_mirror_view(relative);
+  const HostWriter host(relative);
   for (int i = 0; i < static_cast<int>(assembly.triangles.size()); ++i) {
     const double own = material_of(given, assembly, i).thermal_expansion;
     host(i) = own == largest ? 1 : own / largest;
   }
-  Kokkos::deep_copy(relative, host);
   return relative;
 }
 

@@ -32,7 +32,7 @@ OuterForces::OuterForces(const Assembly& assembly, const std::vector<BoundaryEdg
 
 ForceMoments OuterForces::moments(const Particles& particles, double time) const {
   const ForceMoments moments("vug::dem::outer_moments", static_cast<std::size_t>(particles.count));
-  const auto sum = Kokkos::create_mirror_view(moments);
+  const HostWriter sum(moments);
   const auto u = on_host(particles.u), reference = on_host(particles.u_reference);
   const auto reaction = on_host(particles.reaction);
   const auto fraction = on_host(particles.solid_fraction);
@@ -49,7 +49,6 @@ ForceMoments OuterForces::moments(const Particles& particles, double time) const
     add(piece.particle, piece.arm, force);
   }
   for (const auto& [i, axis, arm] : borne_) add(i, arm, axis == 0 ? Vec2{reaction(i, 0), 0} : Vec2{0, reaction(i, 1)});
-  Kokkos::deep_copy(moments, sum);
   return moments;
 }
 

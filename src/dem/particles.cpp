@@ -97,12 +97,10 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
     p.u_origin = fresh<VectorField<double>>("u_origin", p.count);
     p.angle_origin = fresh<ScalarField<double>>("angle_origin", p.count);
   }
-  const auto x0 = Kokkos::create_mirror_view(p.x0);
-  const auto corner = Kokkos::create_mirror_view(p.corner);
-  const auto eroded = Kokkos::create_mirror_view(p.eroded);
-  const auto vertex = Kokkos::create_mirror_view(p.vertex);
-  const auto mass = Kokkos::create_mirror_view(p.mass);
-  const auto inertia = Kokkos::create_mirror_view(p.inertia);
+  const HostWriter x0(p.x0);
+  const HostWriter corner(p.corner), eroded(p.eroded);
+  const HostWriter vertex(p.vertex);
+  const HostWriter mass(p.mass), inertia(p.inertia);
   for (int i = 0; i < p.count; ++i) {
     const Triangle triangle = triangle_of(assembly, i);
     const Vec2 c = triangle.centroid();
@@ -120,12 +118,6 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
       vertex(i, k) = assembly.triangles[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
     }
   }
-  Kokkos::deep_copy(p.x0, x0);
-  Kokkos::deep_copy(p.corner, corner);
-  Kokkos::deep_copy(p.eroded, eroded);
-  Kokkos::deep_copy(p.vertex, vertex);
-  Kokkos::deep_copy(p.mass, mass);
-  Kokkos::deep_copy(p.inertia, inertia);
   return p;
 }
 

@@ -28,7 +28,7 @@ Loads roller_at_the_mid_plane() {
 /// Sets the temperature change of each triangle: mean over its corners (weight 1/12 each) and its centroid (3/4), which
 /// is exact for a quadratic field.
 void cool(const Assembly& slab, double top, const SlabCooling& cooling, double length, const Particles& p) {
-  const auto change = Kokkos::create_mirror_view(p.temperature_change);
+  const HostWriter change(p.temperature_change);
   for (int i = 0; i < p.count; ++i) {
     double centroid = 0, sum = 0;
     for (const int v : slab.triangles[static_cast<std::size_t>(i)]) {
@@ -38,7 +38,6 @@ void cool(const Assembly& slab, double top, const SlabCooling& cooling, double l
     }
     change(i) = sum + 0.75 * cooling.change(centroid, length);
   }
-  Kokkos::deep_copy(p.temperature_change, change);
 }
 
 /// Edges of broken bonds, without notches, as (x, depth) pairs of their ends.

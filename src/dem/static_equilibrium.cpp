@@ -187,8 +187,8 @@ class Search {
 
   /// Moves all particles by `moved_` from the start of the increment, with the velocities that do so in a long time.
   void move() {
-    const auto u = host_copy(particles_.u), v = host_copy(particles_.v), rotation = host_copy(particles_.rotation);
-    const auto angle = host_copy(particles_.angle), spin = host_copy(particles_.spin);
+    const HostWriter u(particles_.u), v(particles_.v), rotation(particles_.rotation);
+    const HostWriter angle(particles_.angle), spin(particles_.spin);
     for (int i = 0; i < particles_.count; ++i) {
       const auto by = [&](int c) { return linear_.row(i, c) < 0 ? 0.0 : moved_[linear_.row(i, c)]; };
       for (int c = 0; c < 2; ++c) {
@@ -201,11 +201,6 @@ class Search {
       rotation(i, 0) = turned.cos_minus_1;
       rotation(i, 1) = turned.sin;
     }
-    Kokkos::deep_copy(particles_.u, u);
-    Kokkos::deep_copy(particles_.v, v);
-    Kokkos::deep_copy(particles_.angle, angle);
-    Kokkos::deep_copy(particles_.spin, spin);
-    Kokkos::deep_copy(particles_.rotation, rotation);
   }
 
   Exec exec_;

@@ -91,9 +91,8 @@ struct TimedPieces {
 /// Fills in length and arm of every piece, and the other loads on their particles: all loads at the start without these
 /// pieces.
 void fill(const TimedPieces& pieces, const BoundaryLoads& at_start, TimedLoads& timed) {
-  const auto length = Kokkos::create_mirror_view(timed.length);
-  const auto arm = Kokkos::create_mirror_view(timed.arm);
-  const auto force = Kokkos::create_mirror_view(timed.force), moment = Kokkos::create_mirror_view(timed.moment);
+  const HostWriter length(timed.length);
+  const HostWriter arm(timed.arm), force(timed.force), moment(timed.moment);
   const auto first_force = on_host(at_start.force);
   const auto first_moment = on_host(at_start.moment);
   for (std::size_t j = 0; j < pieces.particle.size(); ++j)
@@ -114,10 +113,6 @@ void fill(const TimedPieces& pieces, const BoundaryLoads& at_start, TimedLoads& 
       moment(j, 0) -= cross(piece.arm, f);
       moment(j, 1) -= dot(piece.arm, f);
     }
-  Kokkos::deep_copy(timed.length, length);
-  Kokkos::deep_copy(timed.arm, arm);
-  Kokkos::deep_copy(timed.force, force);
-  Kokkos::deep_copy(timed.moment, moment);
 }
 
 }  // namespace

@@ -33,11 +33,10 @@ double rate_of(double diffusivity, double stretch = 1) {
 
 /// Sets the rates of all kinds of matter.
 void set_matter_rates(const HeatParameters& parameters, double stretch, const HeatMatter& matter) {
-  const auto rate = Kokkos::create_mirror_view(matter.rate);
+  const HostWriter rate(matter.rate);
   rate(0) = rate_of(parameters.fluid_diffusivity, stretch);
   for (std::size_t m = 0; m < parameters.minerals.size(); ++m)
     rate(1 + m) = rate_of(parameters.minerals[m].diffusivity, stretch);
-  Kokkos::deep_copy(matter.rate, rate);
 }
 
 /// Makes the kinds of matter. Their tables have an entry for every value of a node's byte.
@@ -47,14 +46,13 @@ HeatMatter make_matter(const Exec& exec, const HeatParameters& parameters, std::
   HeatMatter matter{Kokkos::View<std::uint8_t*>(Kokkos::view_alloc(exec, "vug::heat::matter"), nodes),
                     ScalarField<double>("vug::heat::capacity", kinds), ScalarField<double>("vug::heat::rate", kinds),
                     mineral};
-  const auto capacity = Kokkos::create_mirror_view(matter.capacity);
+  const HostWriter capacity(matter.capacity);
   capacity(0) = 1;
   for (std::size_t m = 0; m < parameters.minerals.size(); ++m) {
     require_positive("mineral diffusivity", parameters.minerals[m].diffusivity);
     require_positive("heat capacity ratio of a mineral", parameters.minerals[m].capacity_ratio);
     capacity(1 + m) = parameters.minerals[m].capacity_ratio;
   }
-  Kokkos::deep_copy(matter.capacity, capacity);
   set_matter_rates(parameters, 1, matter);
   return matter;
 }

@@ -120,7 +120,7 @@ ScalarField<double> link_areas(const BoundaryLinks& links, int directions,
                                const std::function<double(int, int)>& facing) {
   const ScalarField<double> area("vug::fluid_nodes::link_area", links.count);
   const auto direction = on_host(links.direction);
-  const auto host = Kokkos::create_mirror_view(area);
+  const HostWriter host(area);
   double straight = 0, all = 0;
   for (int link = 0; link < links.count; ++link) {
     const int q = direction(link);
@@ -130,7 +130,6 @@ ScalarField<double> link_areas(const BoundaryLinks& links, int directions,
     if (q < D2Q5::Q) straight += across;
   }
   for (int link = 0; link < links.count; ++link) host(link) *= straight / all;
-  Kokkos::deep_copy(area, host);
   return area;
 }
 

@@ -8,8 +8,8 @@ Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, cons
   constexpr int links = D2Q9::Q - 1;
   Opening opening{IndexList("vug::opening::node", nodes.size()),
                   ScalarField<double>("vug::opening::facing", links * nodes.size())};
-  const auto node = Kokkos::create_mirror_view(opening.node);
-  const auto facing = Kokkos::create_mirror_view(opening.facing);
+  const HostWriter node(opening.node);
+  const HostWriter facing(opening.facing);
   for (std::size_t item = 0; item < nodes.size(); ++item) {
     node(item) = nodes[item];
     for (int q = 1; q < D2Q9::Q; ++q) {
@@ -18,8 +18,6 @@ Opening make_opening(const Lattice& lattice, const std::vector<int>& nodes, cons
       facing(links * item + q - 1) = scale * std::abs(n[0] * c[0] + n[1] * c[1]);
     }
   }
-  Kokkos::deep_copy(opening.node, node);
-  Kokkos::deep_copy(opening.facing, facing);
   return opening;
 }
 
@@ -77,9 +75,8 @@ ScalarField<double> areas(const FoundLinks& found, const Opening& opening, int d
 IndexList dense_numbers(const Lattice& lattice, const Kokkos::View<NodeType*>& type) {
   IndexList number("vug::opening::number", lattice.size());
   const auto host_type = on_host(type);
-  const auto host = Kokkos::create_mirror_view(number);
+  const HostWriter host(number);
   for (int n = 0; n < lattice.size(); ++n) host(n) = host_type(n) == NodeType::opening ? -1 : n;
-  Kokkos::deep_copy(number, host);
   return number;
 }
 
