@@ -72,16 +72,16 @@ struct ConvectRows {
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) conducted += P::load(g + q * at.plane);
     const Pack<T> added = at.law.added(conducted, P::spread(wet, lagged)), temperature = conducted + added;
-    RestGain<T, Set, Pack<T>> rest(added);
+    RestPopulation<T, Set, Pack<T>> rest(added, added);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const Pack<T> carried = P::blend(pack.closed[q - 1], at.law.carried(q, temperature, ux, uy), Pack<T>{});
       const Pack<T> change = T(Set::w(q)) * at.law.change(added, carried);
       const Pack<T> before = P::load(g + q * at.plane), after = before + change;
       P::store(g + q * at.plane, after);
-      rest.give(q, before, after, change);
+      rest.change(q, before, after, change);
     }
-    P::store(g, rest.added_to(P::load(g), at.rounding, pack.node));
+    P::store(g, rest.of_gain(P::load(g), at.rounding, pack.node));
     P::add_to(sum, added);
   }
 };

@@ -48,13 +48,13 @@ KOKKOS_FORCEINLINE_FUNCTION void conduct_node(T (&g)[Set::Q], const T (&pulled)[
     lost += Rounding<T>::lacking(pulled[q], gained, in[q]);
   }
   const T even = (2 - s) * temperature;
-  RestPopulation<T, Set, T> rest(g[0], temperature, lost);
+  RestPopulation<T, Set, T> rest(temperature, lost);
   VUG_UNROLL
   for (int q = 1; q < Set::Q; ++q) {
     g[q] = (s - 1) * in[Set::opposite(q)] + T(Set::w(q)) * even;
-    rest.replace(q, in[q], g[q]);
+    rest.change(q, in[q], g[q], g[q]);
   }
-  g[0] = rest.value(rounding, node);
+  g[0] = rest.of_sum(g[0], rounding, node);
 }
 
 /// What the conjugate link takes for the node beyond: its mask, or, where nothing is computed (`outside_lattice`,
@@ -214,15 +214,15 @@ struct Advect {
     const T conducted = sum_of_populations<Set, T>(&g(n), plane);
     const T added = law.added(conducted, excess), temperature = conducted + added;
     const unsigned walled = walls(i);
-    RestGain<T, Set, T> rest(added);
+    RestPopulation<T, Set, T> rest(added, added);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       const T carried = walled >> q & 1u ? T(0) : law.carried(q, temperature, u(i, 0), u(i, 1));
       const T change = T(Set::w(q)) * law.change(added, carried), before = g(q * plane + n);
       g(q * plane + n) = before + change;
-      rest.give(q, before, before + change, change);
+      rest.change(q, before, before + change, change);
     }
-    g(n) = rest.added_to(g(n), rounding, n);
+    g(n) = rest.of_gain(g(n), rounding, n);
     lagged(i) = excess;
     return static_cast<double>(added);
   }

@@ -82,77 +82,49 @@ struct Rounding {
   }
 };
 
-/// Changes of the populations that move, in single precision. Their sum is taken by pairs of opposite directions: what
-/// flows through a node leaves one of them and enters the other, and cancels exactly, however large it is.
-template <class V, class Set>
-struct ChangesByPairs {
-  V of[Set::Q];
-
-  KOKKOS_FORCEINLINE_FUNCTION V sum() const {
-    V all{};
-    VUG_UNROLL
-    for (int q = 1; q < Set::Q; ++q)
-      if (q < Set::opposite(q)) all += of[q] + of[Set::opposite(q)];
-    return all;
-  }
-};
-
-/// What the population at rest gains where the others change: an amount that is `added` to all of them, less what the
-/// others store of it. In single precision the amount is kept apart until the end.
-template <class T, class Set, class V>
-class RestGain {
- public:
-  KOKKOS_FORCEINLINE_FUNCTION explicit RestGain(const V& added) : added_(added), left_(added) {}
-
-  /// Population q becomes `after` by `change`.
-  KOKKOS_FORCEINLINE_FUNCTION void give(int q, const V& before, const V& after, const V& change) {
-    if constexpr (Rounding<T>::to_nearest)
-      left_ -= change;
-    else
-      changes_.of[q] = after - before;
-  }
-
-  /// The population at rest of a node or of a pack of nodes, which was `rest`.
-  KOKKOS_FORCEINLINE_FUNCTION V added_to(const V& rest, const Rounding<T>& rounding, int node) const {
-    if constexpr (Rounding<T>::to_nearest)
-      return rest + left_;
-    else
-      return rounding.sum(rest, -changes_.sum(), added_, node);
-  }
-
- private:
-  V added_, left_;
-  ChangesByPairs<V, Set> changes_;
-};
-
-/// The population at rest after a collision, which conserves the sum of populations.
+/// The population at rest of a node, or of a pack of nodes, where the others change and the sum of all is given. In
+/// double precision it gets what the others leave of an amount. In single precision it loses what they gain and gains
+/// what is `added` to all of them, which is kept apart until the end. Their changes are summed by pairs of opposite
+/// directions: what flows through a node leaves one of them and enters the other, and cancels exactly, however large it
+/// is.
 template <class T, class Set, class V>
 class RestPopulation {
  public:
-  /// `rest` is the population at rest that has arrived. `sum` is the sum of all of them and of what is `added`, which
-  /// in single precision is kept apart until the end.
-  KOKKOS_FORCEINLINE_FUNCTION RestPopulation(const V& rest, const V& sum, const V& added = {})
-      : rest_(rest), added_(added), left_(sum) {}
+  KOKKOS_FORCEINLINE_FUNCTION RestPopulation(const V& amount, const V& added) : left_(amount), added_(added) {}
 
-  /// Population q becomes `after`.
-  KOKKOS_FORCEINLINE_FUNCTION void replace(int q, const V& before, const V& after) {
+  /// Population q becomes `after` and so takes `taken` of the amount.
+  KOKKOS_FORCEINLINE_FUNCTION void change(int q, const V& before, const V& after, const V& taken) {
     if constexpr (Rounding<T>::to_nearest)
-      left_ -= after;
+      left_ -= taken;
     else
-      changes_.of[q] = after - before;
+      change_[q] = after - before;
   }
 
-  /// That of a node or of a pack of nodes.
-  KOKKOS_FORCEINLINE_FUNCTION V value(const Rounding<T>& rounding, int node) const {
+  /// What was `rest`, where the amount is the sum of all populations.
+  KOKKOS_FORCEINLINE_FUNCTION V of_sum(const V& rest, const Rounding<T>& rounding, int node) const {
     if constexpr (Rounding<T>::to_nearest)
       return left_;
     else
-      return rounding.sum(rest_, -changes_.sum(), added_, node);
+      return changed(rest, rounding, node);
+  }
+  /// The same where the amount is what is added to all of them.
+  KOKKOS_FORCEINLINE_FUNCTION V of_gain(const V& rest, const Rounding<T>& rounding, int node) const {
+    if constexpr (Rounding<T>::to_nearest)
+      return rest + left_;
+    else
+      return changed(rest, rounding, node);
   }
 
  private:
-  V rest_, added_, left_;
-  ChangesByPairs<V, Set> changes_;
+  KOKKOS_FORCEINLINE_FUNCTION V changed(const V& rest, const Rounding<T>& rounding, int node) const {
+    V all{};
+    VUG_UNROLL
+    for (int q = 1; q < Set::Q; ++q)
+      if (q < Set::opposite(q)) all += change_[q] + change_[Set::opposite(q)];
+    return rounding.sum(rest, -all, added_, node);
+  }
+
+  V left_, added_, change_[Set::Q];
 };
 
 /// The roundings of a step: at nodes, and where something enters or reacts.

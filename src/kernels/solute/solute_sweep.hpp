@@ -63,16 +63,16 @@ struct SoluteCollision {
                                          const V& added = {}) const {
     x *= rate_difference;
     y *= rate_difference;
-    RestPopulation<T, Set, V> rest(g[0], c, added);
+    RestPopulation<T, Set, V> rest(c, added);
     VUG_UNROLL
     for (int q = 1; q < Set::Q; ++q) {
       V wc = T(Set::w(q)) * c;
       if constexpr (moves) wc *= scalar_equilibrium<Set, T>(q, ux, uy);
       const V before = g[q];
       g[q] += rate_h * (wc - g[q]) + T(3 * Set::w(q)) * along(q, x, y);
-      rest.replace(q, before, g[q]);
+      rest.change(q, before, g[q], g[q]);
     }
-    g[0] = rest.value(rounding, i);
+    g[0] = rest.of_sum(g[0], rounding, i);
   }
 };
 
