@@ -37,21 +37,8 @@ struct PendingDrag {
   }
 };
 
-struct Value {
-  ScalarField<double> values;
-  KOKKOS_FUNCTION double operator()(int i) const { return values(i); }
-};
-
-template <class Body>
-double total(const Exec& exec, const char* label, int n, const Body& body) {
-  const ScalarField<double> blocks("vug::dem::energy_blocks", static_cast<std::size_t>(block_count(n)));
-  add_per_block(exec, label, n, body, blocks);
-  exec.fence("vug::dem::energy");
-  return sum_in_order(blocks);
-}
-
 double total(const Exec& exec, const ScalarField<double>& values) {
-  return total(exec, "vug::dem::sum_account", static_cast<int>(values.extent(0)), Value{values});
+  return sum_of_list(exec, "vug::dem::sum_account", static_cast<int>(values.extent(0)), ValueOf{values});
 }
 
 }  // namespace
@@ -87,17 +74,17 @@ Energies measure_energies(const Exec& exec, const MechanicsParameters& parameter
                           const std::optional<Accounts>& accounts) {
   Energies e;
   e.kinetic =
-      total(exec, "vug::dem::kinetic_energy", particles.count, KineticEnergy{parameters.mass_scaling, particles});
-  e.elastic = total(exec, "vug::dem::elastic_energy", bonds.count,
-                    ElasticEnergy{parameters.bond, parameters.thermal_expansion, dt, particles, bonds}) +
+      sum_of_list(exec, "vug::dem::kinetic_energy", particles.count, KineticEnergy{parameters.mass_scaling, particles});
+  e.elastic = sum_of_list(exec, "vug::dem::elastic_energy", bonds.count,
+                          ElasticEnergy{parameters.bond, parameters.thermal_expansion, dt, particles, bonds}) +
               total(exec, contacts.energy);
   if (accounts) {
     e.work = total(exec, accounts->particle_work);
     e.fracture = total(exec, accounts->bond_fracture);
     e.friction = total(exec, accounts->bond_friction) + total(exec, accounts->pair_friction);
     e.damping = total(exec, accounts->bond_damping) + total(exec, accounts->particle_damping) +
-                total(exec, "vug::dem::pending_drag", bonds.count,
-                      PendingDrag{parameters.thermal_expansion, dt, particles, bonds, *accounts});
+                sum_of_list(exec, "vug::dem::pending_drag", bonds.count,
+                            PendingDrag{parameters.thermal_expansion, dt, particles, bonds, *accounts});
   }
   return e;
 }

@@ -90,12 +90,8 @@ Vec2 displacement_of(const Exec& exec, const Particles& particles, double expans
 Vec2 reaction_of(const Exec& exec, const Particles& particles, const std::array<IndexList, 2>& held) {
   const auto sum = [&](int axis) {
     const IndexList& members = held[static_cast<std::size_t>(axis)];
-    const int count = static_cast<int>(members.extent(0));
-    if (count == 0) return 0.0;
-    const ScalarField<double> blocks("vug::dem::gauge_blocks", static_cast<std::size_t>(block_count(count)));
-    add_per_block(exec, "vug::dem::gauge_reaction", count, ReactionOf{particles, members, axis}, blocks);
-    exec.fence("vug::dem::gauge_reaction");
-    return sum_in_order(blocks);
+    return sum_of_list(exec, "vug::dem::gauge_reaction", static_cast<int>(members.extent(0)),
+                       ReactionOf{particles, members, axis});
   };
   return {sum(0), sum(1)};
 }

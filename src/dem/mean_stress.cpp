@@ -74,11 +74,8 @@ Stress mean_stress(const Exec& exec, const Particles& particles, const Bonds& bo
                    const ForceMoments& outer) {
   const int count = static_cast<int>(members.extent(0));
   const auto sum = [&](int component) {
-    const ScalarField<double> blocks("vug::dem::mean_stress_blocks", static_cast<std::size_t>(block_count(count)));
-    add_per_block(exec, "vug::dem::mean_stress", count, ShareOfMember{{particles, bonds, outer}, members, component},
-                  blocks);
-    exec.fence("vug::dem::mean_stress");
-    return sum_in_order(blocks);
+    return sum_of_list(exec, "vug::dem::mean_stress", count,
+                       ShareOfMember{{particles, bonds, outer}, members, component});
   };
   const double area = sum(3);
   return {sum(0) / area, sum(2) / area, sum(1) / area};

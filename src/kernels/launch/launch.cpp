@@ -8,11 +8,6 @@ constexpr int most_copied = 1 << 16;
 
 }  // namespace
 
-struct ValueOf {
-  ScalarField<double> values;
-  KOKKOS_FUNCTION double operator()(int i) const { return values(i); }
-};
-
 double sum_in_order(const ScalarField<double>& values) {
   if constexpr (!runs_on_host)
     if (const int n = static_cast<int>(values.extent(0)); n > most_copied)

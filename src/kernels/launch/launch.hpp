@@ -201,6 +201,12 @@ void add_per_block(const Exec& exec, const std::string& label, const Share& list
   }
 }
 
+/// An entry of a field, as the body of a sum.
+struct ValueOf {
+  ScalarField<double> values;
+  KOKKOS_FUNCTION double operator()(int i) const { return values(i); }
+};
+
 /// Sum of all entries in index order, read on the host: for monitors and ledgers, not inside a step.
 double sum_in_order(const ScalarField<double>& values);
 
