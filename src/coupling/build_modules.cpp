@@ -94,6 +94,7 @@ void build_physics(const Exec& exec, const Scene& scene, Parts& parts) {
     const auto* mechanics =
         add(std::make_unique<MechanicsModule<T>>(exec, scene, parts.units, geometry, *parts.rock, flow, heat));
     parts.mechanics = &mechanics->mechanics();
+    parts.fragments_let_go = [mechanics] { return mechanics->fragments_let_go(); };
     d_m = mechanics->mechanics().bonds().d_m;
     if (opener && scene.damage->aperture == ApertureLaw::opening)
       opener->follow_cracks(mechanics->mechanics(), scene.damage->residual_aperture, geometry.spacing);

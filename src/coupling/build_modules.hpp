@@ -9,6 +9,7 @@
 #include "dem/mechanics.hpp"
 #include "io/units.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,9 +26,10 @@ struct Parts {
   /// In the order of a step: a module sees this step's results of the modules before it and the previous step's of
   /// those after it.
   std::vector<std::unique_ptr<Module>> modules;
-  std::unique_ptr<PoreGrowth> growth;    ///< null where no node can become fluid
-  const Mechanics* mechanics = nullptr;  ///< null without [mechanics]
-  const Ageing* ageing = nullptr;        ///< null without accuracy.dissolution_tolerance
+  std::unique_ptr<PoreGrowth> growth;     ///< null where no node can become fluid
+  const Mechanics* mechanics = nullptr;   ///< null without [mechanics]
+  std::function<int()> fragments_let_go;  ///< number of triangles so far; null without [mechanics]
+  const Ageing* ageing = nullptr;         ///< null without accuracy.dissolution_tolerance
 
   Parts() = default;
   Parts(const Parts&) = delete;

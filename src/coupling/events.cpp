@@ -1,8 +1,5 @@
 #include "coupling/events.hpp"
 
-#include "coupling/concerns.hpp"
-#include "coupling/fragments.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,9 +28,8 @@ std::vector<Count> counts_of(const Simulation& simulation) {
   const Parts& parts = simulation.parts();
   if (parts.mechanics)
     counts.push_back({"bonds have failed", "bond has failed", parts.mechanics->bond_counts().failed()});
-  for (const auto& module : parts.modules)
-    if (const auto* rock = dynamic_cast<const LetsFragmentsGo*>(module.get()))
-      counts.push_back({"triangles have been let go", "triangle has been let go", rock->fragments_let_go()});
+  if (parts.fragments_let_go)
+    counts.push_back({"triangles have been let go", "triangle has been let go", parts.fragments_let_go()});
   if (parts.growth) {
     counts.push_back({"nodes have dissolved", "node has dissolved", parts.growth->dissolved_nodes()});
     counts.push_back(
@@ -155,15 +151,12 @@ bool Events::runs_backwards(const Scene& scene) {
 
 std::vector<std::string> Events::look_at_concerns(const Simulation& simulation) {
   std::vector<std::string> news;
-  for (const auto& module : simulation.parts().modules) {
-    const auto* concerned = dynamic_cast<const Concerned*>(module.get());
-    if (!concerned) continue;
-    for (const Concern& concern : concerned->concerns(Exec{})) {
+  for (const auto& module : simulation.parts().modules)
+    for (const Concern& concern : module->concerns(Exec{})) {
       const auto tells = [&](const std::string& line) { return tells_of(line, concern.what); };
       if (std::any_of(earlier_.begin(), earlier_.end(), tells) || !next_.try_emplace(concern.what, 0).second) continue;
       news.push_back(at(simulation.clock()) + "warning: " + concern.what + concern.detail);
     }
-  }
   return news;
 }
 

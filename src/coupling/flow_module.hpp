@@ -2,7 +2,6 @@
 // Flow through the pores (paper section 2.1).
 #include "coupling/body_forces.hpp"
 #include "coupling/carrier.hpp"
-#include "coupling/concerns.hpp"
 #include "coupling/flow_paths.hpp"
 #include "coupling/module.hpp"
 #include "coupling/steady_flow.hpp"
@@ -20,7 +19,7 @@ namespace vug {
 /// Owns the flow populations, velocity and pressure. Of other data it writes only which links of the fluid nodes are
 /// open at its sides and openings (mark_open).
 template <class T>
-class FlowModule final : public Module, public Concerned {
+class FlowModule final : public Module {
  public:
   /// `paths`: the flow paths at the start.
   FlowModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,

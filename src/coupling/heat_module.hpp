@@ -1,6 +1,5 @@
 #pragma once
 // Heat through fluid and rock (paper section 2.2).
-#include "coupling/concerns.hpp"
 #include "coupling/face_temperature.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
@@ -20,7 +19,7 @@ inline constexpr double largest_relaxation_time = 3.5, longest_way = 1;
 /// Owns the temperature of every node. `flow` may be null: conduction only. A step is taken every
 /// accuracy.heat_interval lattice steps, with diffusivities and velocity multiplied by that number.
 template <class T>
-class HeatModule final : public Module, public Concerned {
+class HeatModule final : public Module {
  public:
   HeatModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
              FlowModule<T>* flow);

@@ -1,9 +1,7 @@
 #pragma once
 // The rock's mechanics, driven by fluid, heat and dissolution (paper sections 2.4, 3.1, 3.4).
 #include "coupling/chemical_damage.hpp"
-#include "coupling/concerns.hpp"
 #include "coupling/flow_module.hpp"
-#include "coupling/fragments.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/rock.hpp"
@@ -18,7 +16,7 @@ namespace vug {
 
 /// Owns particles and bonds. `flow` and `heat` may be null; dissolution acts where rock_dissolves.
 template <class T>
-class MechanicsModule final : public Module, public Concerned, public LetsFragmentsGo {
+class MechanicsModule final : public Module {
  public:
   MechanicsModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
                   const Rock& rock, const FlowModule<T>* flow, const HeatModule<T>* heat);
@@ -32,7 +30,6 @@ class MechanicsModule final : public Module, public Concerned, public LetsFragme
   void guard(const Exec& exec, const Clock& clock) override;
   void limits(LimitTable& table) const override;
   std::vector<Concern> concerns(const Exec& exec) const override;
-  int fragments_let_go() const override { return section_.lets_fragments_go ? dissolved_->let_go_count() : 0; }
   void history(std::vector<HistoryValue>& row) const override;
   void fields(FieldList& list) const override;
   void watch(const Exec& exec, const Clock& clock, Changes& changes) override;
@@ -41,6 +38,8 @@ class MechanicsModule final : public Module, public Concerned, public LetsFragme
   void state(StateList& list) override;
 
   const Mechanics& mechanics() const { return mechanics_; }
+  /// Number of triangles of fragments that have been let go so far; waits for the device.
+  int fragments_let_go() const { return section_.lets_fragments_go ? dissolved_->let_go_count() : 0; }
 
  private:
   void choose_substeps();

@@ -2,6 +2,7 @@
 // One physics of the scene. It owns its state and reads that of others through const Views.
 #include "base/base.hpp"
 #include "coupling/clock.hpp"
+#include "coupling/concerns.hpp"
 #include "coupling/history_value.hpp"
 #include "coupling/intervals.hpp"
 #include "coupling/ledger.hpp"
@@ -49,6 +50,9 @@ class Module {
   virtual void births(const Exec&, const Births&) {}
   /// Throws StabilityError when the state is out of bounds; called every guard interval, may wait for the device.
   virtual void guard(const Exec&, const Clock&) {}
+  /// What is wrong with the state although the run goes on. Called by all ranks after each guard; may wait for the
+  /// device.
+  virtual std::vector<Concern> concerns(const Exec&) const { return {}; }
   /// Adds derived numbers with their safe ranges.
   virtual void limits(LimitTable&) const {}
   /// Adds conserved sums.

@@ -45,7 +45,7 @@ struct Attack {
 /// step: this module comes before them in the list of modules, and TurnoverModule after them. `heat` may be null: then
 /// the temperature of the case is used everywhere. `opener` may be null where there are no pathways.
 template <class T, class Set>
-class ReactionModule final : public Module, public Concerned {
+class ReactionModule final : public Module {
  public:
   ReactionModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, Geometry& geometry,
                  SoluteModule<T, Set>& solutes, const HeatModule<T>* heat, PathwayOpener* opener);

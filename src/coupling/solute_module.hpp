@@ -1,6 +1,5 @@
 #pragma once
 // Dissolved species carried by the fluid (paper sections 2.3, 3.2).
-#include "coupling/concerns.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/module.hpp"
 #include "coupling/step_times.hpp"
@@ -55,7 +54,7 @@ inline constexpr double longest_way_of_solutes = 0.4, largest_diffusivity_of_sol
 /// Owns the populations of all species. `flow` may be null: diffusion only. A step is taken every
 /// accuracy.solute_interval lattice steps, with diffusivity, velocity and rate constant multiplied by that number.
 template <class T, class Set>
-class SoluteModule final : public Module, public Concerned {
+class SoluteModule final : public Module {
  public:
   SoluteModule(const Exec& exec, const Scene& scene, const LatticeUnits& units, const Geometry& geometry,
                FlowModule<T>* flow);
