@@ -15,11 +15,9 @@ std::vector<double> moments_of(const Scene& scene) {
     moments.insert(moments.end(), table.moments().begin(), table.moments().end());
   };
   for_each_boundary(scene, [&](const BoundarySection& given) {
-    for (const TimeTable* table : {&given.flow.pressure, &given.flow.velocity[0], &given.flow.velocity[1],
-                                   &given.flow.speed, &given.heat.temperature, &given.heat.flux})
-      add(*table);
-    if (given.flow.flow_rate) add(*given.flow.flow_rate);
-    if (given.flow.mass_flow_rate) add(*given.flow.mass_flow_rate);
+    given.flow.for_each_table(add);
+    add(given.heat.temperature);
+    add(given.heat.flux);
     for (const auto* tables : {&given.solute.concentration, &given.solute.flux})
       for (const auto& [species, table] : *tables) add(table);
   });

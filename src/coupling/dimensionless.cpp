@@ -22,15 +22,12 @@ double largest_prescribed_speed(const Scene& scene) {
     if (length > 1e-6 * scene.lattice.spacing)  // injections may take all of a side
       largest = std::max(largest, std::abs(flow.peak_rate(scene.flow->density)) / length);
   };
-  const auto look_at_side = [&](const char* name, const FlowBoundary& flow, double length) {
+  for (const Side side : all_sides) {
+    double length = scene.lattice.length_of(side);
     for (const InjectionSection& injection : scene.injections)
-      if (injection.side == name) length -= injection.width;
-    look(flow, length);
-  };
-  look_at_side("left", scene.left.flow, scene.lattice.length_y);
-  look_at_side("right", scene.right.flow, scene.lattice.length_y);
-  look_at_side("bottom", scene.bottom.flow, scene.lattice.length_x);
-  look_at_side("top", scene.top.flow, scene.lattice.length_x);
+      if (injection.side == side) length -= injection.width;
+    look(scene.side(side).flow, length);
+  }
   for (const InjectionSection& injection : scene.injections) look(injection.conditions.flow, injection.width);
   for (const OpeningSection& opening : scene.openings)
     look(opening.conditions.flow, outline_length(scene.geometry.shapes[opening.shape].form));

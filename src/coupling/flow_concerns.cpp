@@ -7,22 +7,6 @@
 
 namespace vug {
 
-namespace {
-
-/// Whether a given velocity or flow rate draws fluid out.
-bool draws(const Stretch& stretch) {
-  const FlowBoundary& flow = stretch.conditions.flow;
-  if (flow.kind != FlowBoundaryKind::velocity) return false;
-  if (flow.has_rate())
-    return (flow.flow_rate && flow.flow_rate->lowest() < 0) ||
-           (flow.mass_flow_rate && flow.mass_flow_rate->lowest() < 0);
-  if (stretch.opening) return flow.speed.lowest() < 0;
-  const TimeTable& across = flow.velocity[is_upright(stretch.side) ? 0 : 1];
-  return stretch.side == Side::left || stretch.side == Side::bottom ? across.lowest() < 0 : across.highest() > 0;
-}
-
-}  // namespace
-
 template <class T>
 std::vector<Concern> FlowModule<T>::concerns(const Exec& exec) const {
   // without a side that has a pressure, the level of all pressures is arbitrary; from 0, pressures below it are meant
@@ -31,8 +15,10 @@ std::vector<Concern> FlowModule<T>::concerns(const Exec& exec) const {
     return kind == FlowBoundaryKind::pressure || kind == FlowBoundaryKind::outflow;
   });
   if (!known || section_.initial_pressure == 0) return {};
-  const auto by = std::find_if(boundaries_.begin(), boundaries_.end(),
-                               [](const StretchLinks& boundary) { return draws(boundary.stretch); });
+  const auto by = std::find_if(boundaries_.begin(), boundaries_.end(), [](const StretchLinks& boundary) {
+    const Stretch& stretch = boundary.stretch;
+    return draws(stretch.conditions.flow, stretch.opening ? std::nullopt : std::optional(stretch.side));
+  });
   if (by == boundaries_.end()) return {};
   constexpr double noise = 1e-3;  // share of the pressure differences
   const Ranks& ranks = geometry_.split.ranks();

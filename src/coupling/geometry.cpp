@@ -28,12 +28,14 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
       stretches.push_back(
           {name, side, first, last, conditions, nullptr, middle(side, centre), key, whole.first, whole.last});
   };
-  const auto side = [&](Side which, int length, const BoundarySection& conditions) {
+  for (const Side which : all_sides) {
+    const BoundarySection& conditions = scene.side(which);
+    const int length = is_upright(which) ? lattice.ny : lattice.nx;
     const std::string name = name_of(which), key = "boundary." + name;
     const auto cell = [&](double at) { return first_cell(at / lattice.spacing); };
     std::vector<const InjectionSection*> here;
     for (const InjectionSection& injection : scene.injections)
-      if (injection.side == name) here.push_back(&injection);
+      if (injection.side == which) here.push_back(&injection);
     std::sort(here.begin(), here.end(), [](const auto* a, const auto* b) { return a->centre < b->centre; });
     const Whole all{0, length - 1};
     int begin = 0;
@@ -46,11 +48,7 @@ std::vector<Stretch> boundary_stretches(const Scene& scene) {
       begin = last + 1;
     }
     add(name, key, which, begin, length - 1, all, conditions, length / 2.0);
-  };
-  side(Side::left, lattice.ny, scene.left);
-  side(Side::right, lattice.ny, scene.right);
-  side(Side::bottom, lattice.nx, scene.bottom);
-  side(Side::top, lattice.nx, scene.top);
+  }
   return stretches;
 }
 

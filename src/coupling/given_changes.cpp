@@ -29,11 +29,9 @@ GivenChanges::GivenChanges(const Scene& scene) {
     if (!table.constant() && scale > 0) tables_.push_back({table, scale, acts_on});
   };
   for_each_boundary(scene, [&](const BoundarySection& given) {
-    const FlowBoundary& flow = given.flow;
-    if (scene.flow) add(flow.pressure, scene.flow->initial_pressure, of_flow);
-    for (const TimeTable* table : {&flow.velocity[0], &flow.velocity[1], &flow.speed}) add(*table, 0, of_flow);
-    if (flow.flow_rate) add(*flow.flow_rate, 0, of_flow);
-    if (flow.mass_flow_rate) add(*flow.mass_flow_rate, 0, of_flow);
+    given.flow.for_each_table([&](const TimeTable& table) {
+      add(table, scene.flow && &table == &given.flow.pressure ? scene.flow->initial_pressure : 0, of_flow);
+    });
     if (scene.heat) add(given.heat.temperature, scene.heat->initial_temperature, {&Changes::heat});
     add(given.heat.flux, 0, {&Changes::heat});
     for (const auto* tables : {&given.solute.concentration, &given.solute.flux})

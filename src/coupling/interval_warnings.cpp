@@ -92,13 +92,9 @@ void warn_of_rare_looks(const Scene& scene, std::vector<std::string>& warnings) 
 
 double quickest_flow(const Scene& scene) {
   double shortest = std::numeric_limits<double>::infinity();
-  const auto take = [&](const TimeTable& table) { shortest = std::min(shortest, table.quickest()); };
   for_each_boundary(scene, [&](const BoundarySection& given) {
-    const FlowBoundary& flow = given.flow;
-    for (const TimeTable* table : {&flow.pressure, &flow.velocity[0], &flow.velocity[1], &flow.speed}) take(*table);
-    if (flow.flow_rate) take(*flow.flow_rate);
-    if (flow.mass_flow_rate) take(*flow.mass_flow_rate);
-    if (flow.ramp_time > 0) shortest = std::min(shortest, flow.ramp_time);
+    given.flow.for_each_table([&](const TimeTable& table) { shortest = std::min(shortest, table.quickest()); });
+    if (given.flow.ramp_time > 0) shortest = std::min(shortest, given.flow.ramp_time);
   });
   return shortest;
 }

@@ -118,12 +118,9 @@ std::vector<Mouth> mouths_of(const Scene& scene, const Geometry& geometry, const
     const auto injection = std::find_if(scene.injections.begin(), scene.injections.end(),
                                         [&](const InjectionSection& own) { return own.name == stretch.name; });
     const bool injects = injection != scene.injections.end();
-    Mouth mouth{stretch.key, stretch.opening                ? &geometry.openings[opening++].conditions
-                             : injects                      ? &injection->conditions
-                             : stretch.side == Side::left   ? &scene.left
-                             : stretch.side == Side::right  ? &scene.right
-                             : stretch.side == Side::bottom ? &scene.bottom
-                                                            : &scene.top};
+    Mouth mouth{stretch.key, stretch.opening ? &geometry.openings[opening++].conditions
+                             : injects       ? &injection->conditions
+                                             : &scene.side(stretch.side)};
     if (stretch.opening)
       look_beside_opening(*stretch.opening, geometry, picture, mouth);
     else

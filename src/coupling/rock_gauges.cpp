@@ -78,8 +78,8 @@ std::array<IndexList, 2> held_particles(const Gauge& gauge, const Assembly& asse
   std::sort(held.begin(), held.end());  // a triangle in a corner may have two edges on one side
   held.erase(std::unique(held.begin(), held.end()), held.end());
   if (held.empty())
-    throw InputError(
-        fmt::format("{}: the rock has no edge with its middle on this stretch of the {} side", what, gauge.side));
+    throw InputError(fmt::format("{}: the rock has no edge with its middle on this stretch of the {} side", what,
+                                 name_of(gauge.side)));
   const std::vector<LoadedPiece> pieces = pieces_of_boundary(assembly, rock.boundary(), loads, rock.particles());
   const std::vector<AxesOfSides> axes = axes_held(pieces, loads, rock.particles().count);
   std::array<IndexList, 2> lists;

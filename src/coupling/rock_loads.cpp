@@ -80,20 +80,16 @@ double largest(double density, double expansion, const BondParameters& bond, con
 
 }  // namespace
 
-RockSide rock_side(std::string_view name) {
-  return name == "right"  ? RockSide::right
-         : name == "top"  ? RockSide::top
-         : name == "left" ? RockSide::left
-                          : RockSide::bottom;
-}
-
 Loads boundary_loads(const Scene& scene) {
   Loads loads;
   loads.gravity = scene.mechanics->gravity;
   loads.largest = largest_load(scene);
-  const auto add = [&](RockSide which, const char* side, const TractionBoundary& boundary, double length) {
+  for (const Side side : {Side::right, Side::top, Side::left, Side::bottom}) {
+    const TractionBoundary& boundary = scene.side(side).traction;
+    const double length = scene.lattice.length_of(side);
+    const RockSide which = rock_side(side);
     const auto s = static_cast<std::size_t>(which);
-    loads.name[s] = fmt::format("{}: boundary.{}.traction", scene.path, side);
+    loads.name[s] = fmt::format("{}: boundary.{}.traction", scene.path, name_of(side));
     loads.support[s] = boundary.load.support;
     loads.stiffness[s] = boundary.load.stiffness;
     loads.traction[s] = traction_at(boundary.load, which, 0);
@@ -107,11 +103,7 @@ Loads boundary_loads(const Scene& scene) {
       loads.parts.push_back(side_part(part.load, which, point ? std::min(part.from, last) : part.from,
                                       point ? std::min(part.to, last) : part.to, name));
     }
-  };
-  add(RockSide::right, "right", scene.right.traction, scene.lattice.length_y);
-  add(RockSide::top, "top", scene.top.traction, scene.lattice.length_x);
-  add(RockSide::left, "left", scene.left.traction, scene.lattice.length_y);
-  add(RockSide::bottom, "bottom", scene.bottom.traction, scene.lattice.length_x);
+  }
   return loads;
 }
 

@@ -3,12 +3,13 @@
 #include "dem/loads.hpp"
 #include "io/scene.hpp"
 
-#include <string_view>
-
 namespace vug {
 
-/// "left", "right", "bottom" or "top".
-RockSide rock_side(std::string_view name);
+constexpr RockSide rock_side(Side side) {
+  return static_cast<RockSide>(static_cast<int>(side) - 1);
+}
+static_assert(rock_side(Side::right) == RockSide::right && rock_side(Side::top) == RockSide::top &&
+              rock_side(Side::left) == RockSide::left && rock_side(Side::bottom) == RockSide::bottom);
 
 /// Stresses and supports of the four sides and their parts, and gravity. A side whose loads change in time, or whose
 /// platen moves, is stored as a part as long as the side.

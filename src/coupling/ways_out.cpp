@@ -82,10 +82,7 @@ std::vector<double> moments_of(const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     const FlowBoundary& flow = part.mouth->conditions->flow;
     if (flow.ramp_time > 0) points.push_back(flow.ramp_time);
-    const TimeTable* const rate = flow.flow_rate        ? &*flow.flow_rate
-                                  : flow.mass_flow_rate ? &*flow.mass_flow_rate
-                                                        : nullptr;
-    for (const TimeTable* table : {&flow.velocity[0], &flow.velocity[1], &flow.speed, rate})
+    for (const TimeTable* table : {&flow.velocity[0], &flow.velocity[1], &flow.speed, flow.given_rate()})
       if (table) points.insert(points.end(), table->moments().begin(), table->moments().end());
   }
   std::sort(points.begin(), points.end());

@@ -1,6 +1,5 @@
 // [boundary.left|right|bottom|top], [boundary.injection] and [boundary.shape.<name>]: the conditions on the sides of
 // the lattice and on the openings inside it.
-#include "base/side.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +7,12 @@
 #include <algorithm>
 
 namespace vug {
+
+void read_side(const TomlCursor& table, Side& side) {
+  table.need_choice("side", side,
+                    {{"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}});
+}
+
 namespace {
 
 enum class Place { side, opening };
@@ -152,10 +157,7 @@ InjectionSection read_injection(const TomlCursor& table) {
   table.read("name", name);
   if (name && !is_plain_name(*name)) table.fail("name", plain_name_rule);
   if (name) injection.name += "_" + *name;
-  Side side = Side::left;
-  table.need_choice("side", side,
-                    {{"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}});
-  injection.side = std::string(name_of(side));
+  read_side(table, injection.side);
   table.need("centre", injection.centre, unit::metre, range::not_negative);
   table.need("width", injection.width, unit::metre, range::positive);
   read_lattice_conditions(table, injection.conditions);

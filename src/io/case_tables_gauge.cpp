@@ -1,5 +1,4 @@
 // [[output.gauges]]: quantities of the rock in the history.
-#include "base/side.hpp"
 #include "io/detail/case_tables.hpp"
 
 #include <set>
@@ -47,10 +46,7 @@ Gauge read_gauge(const TomlCursor& table) {
   if (of(Kind::crack_tip)) table.need("from", gauge.from, unit::metre);
   if (of(Kind::crack_tip)) table.read("direction", gauge.direction, unit::none);
   if (of(Kind::reaction)) {
-    Side side = Side::left;
-    table.need_choice("side", side,
-                      {{"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}});
-    gauge.side = std::string(name_of(side));
+    read_side(table, gauge.side);
     table.read("first", gauge.first, unit::metre, range::not_negative);
     table.read("last", gauge.last, unit::metre, range::not_negative);
   }

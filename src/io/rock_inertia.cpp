@@ -26,8 +26,7 @@ double quickest(const FlowBoundary& flow, double initial_pressure) {
   if (flow.kind == FlowBoundaryKind::pressure) shortest = quickest(flow.pressure, initial_pressure, flow.ramp_time);
   for (const TimeTable& component : flow.velocity)
     shortest = std::min(shortest, quickest(component, 0, flow.ramp_time));
-  if (flow.flow_rate) shortest = std::min(shortest, quickest(*flow.flow_rate, 0, flow.ramp_time));
-  if (flow.mass_flow_rate) shortest = std::min(shortest, quickest(*flow.mass_flow_rate, 0, flow.ramp_time));
+  if (const TimeTable* rate = flow.given_rate()) shortest = std::min(shortest, quickest(*rate, 0, flow.ramp_time));
   return shortest;
 }
 

@@ -35,6 +35,9 @@ struct Scene {
   std::optional<DamageSection> damage;
   std::optional<LaboratorySection> laboratory;  ///< then lattice, time and all other physics are absent
   BoundarySection left, right, bottom, top;
+  const BoundarySection& side(Side which) const {
+    return which == Side::left ? left : which == Side::right ? right : which == Side::bottom ? bottom : top;
+  }
   std::vector<InjectionSection> injections;
   std::vector<OpeningSection> openings;  ///< one per named shape, in the order of shapes
   AccuracySection accuracy;

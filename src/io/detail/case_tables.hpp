@@ -14,6 +14,9 @@ std::optional<Form> read_form(const TomlCursor& table, FormOf of);
 /// A form or, where there is a mesh, its named surface: keys of a form and `group`; with FormOf::rock also `mineral`.
 RockRegion read_region(const TomlCursor& table, FormOf of);
 
+/// Reads the required key `side`.
+void read_side(const TomlCursor& table, Side& side);
+
 void read_case(const TomlCursor& table, Scene& scene);
 LatticeSection read_lattice(const TomlCursor& table);
 TimeSection read_time(const TomlCursor& table);

@@ -13,15 +13,6 @@
 namespace vug {
 namespace {
 
-struct NamedBoundary {
-  const char* name;
-  const BoundarySection& section;
-};
-
-std::array<NamedBoundary, 4> sides(const Scene& scene) {
-  return {{{"left", scene.left}, {"right", scene.right}, {"bottom", scene.bottom}, {"top", scene.top}}};
-}
-
 /// A condition needs the table of its module.
 void check_modules_of(const TomlDocument& document, const Scene& scene, const std::string& name) {
   const auto refuse = [&](const char* physics, bool modelled, const char* needed) {
@@ -120,25 +111,23 @@ void check_profile(const TomlDocument& document, const std::string& key, const F
 }
 
 void check_injection(const TomlDocument& document, const Scene& scene, const InjectionSection& injection) {
-  const bool upright = injection.side == "left" || injection.side == "right";
-  const double side = upright ? scene.lattice.length_y : scene.lattice.length_x;
+  const double side = scene.lattice.length_of(injection.side);
+  const char* const name = name_of(injection.side);
   const double slack = 1e-6 * scene.lattice.spacing;
   if (injection.width > side + slack) {
-    document.fail(injection.key + ".width", fmt::format("m is wider than the {} side, {:g} m", injection.side, side));
+    document.fail(injection.key + ".width", fmt::format("m is wider than the {} side, {:g} m", name, side));
   }
   if (injection.width < scene.lattice.spacing - slack) {
     document.fail(injection.key + ".width",
                   fmt::format("m is narrower than one cell, lattice.spacing = {:g} m", scene.lattice.spacing));
   }
   if (injection.centre - injection.width / 2 < -slack || injection.centre + injection.width / 2 > side + slack) {
-    document.fail(injection.key + ".centre",
-                  fmt::format("m with width = {:g} m reaches beyond the {} side, 0 ... {:g} m", injection.width,
-                              injection.side, side));
+    document.fail(
+        injection.key + ".centre",
+        fmt::format("m with width = {:g} m reaches beyond the {} side, 0 ... {:g} m", injection.width, name, side));
   }
-  for (const auto& [name, section] : sides(scene)) {
-    if (injection.side == name && is_periodic(scene, section))
-      document.fail(injection.key + ".side", "is periodic; a stretch of it cannot have conditions of its own");
-  }
+  if (is_periodic(scene, scene.side(injection.side)))
+    document.fail(injection.key + ".side", "is periodic; a stretch of it cannot have conditions of its own");
 }
 
 /// Two injections must not share a cell.
@@ -188,8 +177,8 @@ void check_openings(const TomlDocument& document, const Scene& scene) {
 }
 
 /// A wall may only move along itself.
-void check_wall(const TomlDocument& document, const std::string& key, std::string_view side, const FlowBoundary& flow) {
-  const int normal = side == "left" || side == "right" ? 0 : 1;
+void check_wall(const TomlDocument& document, const std::string& key, Side side, const FlowBoundary& flow) {
+  const int normal = is_upright(side) ? 0 : 1;
   if (flow.kind == FlowBoundaryKind::wall && flow.velocity[normal].peak() != 0) {
     document.fail(key + ".flow.velocity", fmt::format("moves a wall through itself; its {} component must be 0",
                                                       normal == 0 ? "first" : "second"));
@@ -199,13 +188,13 @@ void check_wall(const TomlDocument& document, const std::string& key, std::strin
 }  // namespace
 
 void check_boundaries(const TomlDocument& document, Scene& scene) {
-  for (const NamedBoundary& side : sides(scene)) {
-    check_modules_of(document, scene, side.name);
-    check_concentrations(document, scene, side.name, side.section.solute);
-    check_wall(document, "boundary." + std::string(side.name), side.name, side.section.flow);
-    const bool upright = &side.section == &scene.left || &side.section == &scene.right;
-    check_profile(document, "boundary." + std::string(side.name), side.section.flow,
-                  upright ? scene.lattice.length_y : scene.lattice.length_x, scene.lattice.spacing);
+  for (const Side side : all_sides) {
+    const std::string name = name_of(side);
+    const BoundarySection& own = scene.side(side);
+    check_modules_of(document, scene, name);
+    check_concentrations(document, scene, name, own.solute);
+    check_wall(document, "boundary." + name, side, own.flow);
+    check_profile(document, "boundary." + name, own.flow, scene.lattice.length_of(side), scene.lattice.spacing);
   }
   check_periodic(document, scene, "left", scene.left, "right", scene.right);
   check_periodic(document, scene, "bottom", scene.bottom, "top", scene.top);

@@ -11,10 +11,9 @@ namespace vug {
 namespace {
 
 /// A frictionless platen moves nothing along itself, and no platen is faster than sound in rock.
-void check_platen(const TomlDocument& document, const std::string& key, std::string_view side,
-                  const TractionLoad& load) {
+void check_platen(const TomlDocument& document, const std::string& key, Side side, const TractionLoad& load) {
   const bool slides = load.support == Support::roller || load.support == Support::pin_roller;
-  const int along = side == "left" || side == "right" ? 1 : 0;
+  const int along = is_upright(side) ? 1 : 0;
   if (slides && load.velocity[along].peak() != 0)
     document.fail(key + ".velocity",
                   fmt::format("moves a roller along itself; its platen is frictionless: the {} component must be 0",
@@ -27,26 +26,23 @@ void check_platen(const TomlDocument& document, const std::string& key, std::str
 }
 
 /// Parts must lie on their side.
-void check_side(const TomlDocument& document, const Scene& scene, const std::string& name,
-                const TractionBoundary& traction) {
-  const std::string key = fmt::format("boundary.{}.traction", name);
-  const double length = name == "left" || name == "right" ? scene.lattice.length_y : scene.lattice.length_x;
-  check_platen(document, key, name, traction.load);
+void check_side(const TomlDocument& document, const Scene& scene, Side side) {
+  const TractionBoundary& traction = scene.side(side).traction;
+  const std::string key = fmt::format("boundary.{}.traction", name_of(side));
+  const double length = scene.lattice.length_of(side);
+  check_platen(document, key, side, traction.load);
   for (std::size_t p = 0; p < traction.parts.size(); ++p) {
     const std::string part = fmt::format("{}.parts.{}", key, p);
     if (traction.parts[p].to > length * (1 + 1e-9))
-      document.fail(part + ".to", fmt::format("m lies beyond the end of the {} side, {:g} m", name, length));
-    check_platen(document, part, name, traction.parts[p].load);
+      document.fail(part + ".to", fmt::format("m lies beyond the end of the {} side, {:g} m", name_of(side), length));
+    check_platen(document, part, side, traction.parts[p].load);
   }
 }
 
 }  // namespace
 
 void check_traction(const TomlDocument& document, const Scene& scene) {
-  check_side(document, scene, "left", scene.left.traction);
-  check_side(document, scene, "right", scene.right.traction);
-  check_side(document, scene, "bottom", scene.bottom.traction);
-  check_side(document, scene, "top", scene.top.traction);
+  for (const Side side : all_sides) check_side(document, scene, side);
 }
 
 }  // namespace vug

@@ -17,10 +17,10 @@ namespace {
 
 /// Whether the hole opens where the injection is.
 bool meets(const InjectionSection& injection, const InjectionHole& hole, const Scene& scene) {
-  const bool upright = injection.side == "left" || injection.side == "right";
-  const double side_at = injection.side == "right" ? scene.lattice.length_x
-                         : injection.side == "top" ? scene.lattice.length_y
-                                                   : 0;
+  const bool upright = is_upright(injection.side);
+  const double side_at = injection.side == Side::right ? scene.lattice.length_x
+                         : injection.side == Side::top ? scene.lattice.length_y
+                                                       : 0;
   const int across = upright ? 0 : 1, along = upright ? 1 : 0;
   const double cell = scene.lattice.spacing;
   const bool touches = std::min(std::abs(hole.from[across] - side_at), std::abs(hole.to[across] - side_at)) < cell;
@@ -32,7 +32,7 @@ void warn_about_injections(Scene& scene) {
   const InjectionHole& hole = *scene.rock->hole;
   const auto& all = scene.injections;
   if (std::any_of(all.begin(), all.end(), [&](const InjectionSection& own) { return meets(own, hole, scene); })) return;
-  scene.warnings.push_back(fmt::format("{} on the {} side does not meet rock.hole", all[0].key, all[0].side));
+  scene.warnings.push_back(fmt::format("{} on the {} side does not meet rock.hole", all[0].key, name_of(all[0].side)));
 }
 
 /// A hole or notch smaller than a cell may have no node.
@@ -51,12 +51,13 @@ void warn_about_small_cavities(Scene& scene) {
 
 /// Rock without a support drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
-  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top}) {
+  for (const Side side : all_sides) {
+    const TractionBoundary& traction = scene.side(side).traction;
     const auto holds = [](const TractionLoad& load) {
       return load.support != Support::free && load.support != Support::servo;
     };
-    const std::vector<TractionPart>& parts = side->traction.parts;
-    if (holds(side->traction.load)) return;
+    const std::vector<TractionPart>& parts = traction.parts;
+    if (holds(traction.load)) return;
     if (std::any_of(parts.begin(), parts.end(), [&](const TractionPart& part) { return holds(part.load); })) return;
   }
   scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
@@ -119,16 +120,13 @@ void warn_about_platens(Scene& scene) {
         "the strength, soon more than 5 %",
         key, speed, scaled, fastest_press));
   };
-  const auto side = [&](const char* name, const TractionBoundary& traction) {
-    const std::string key = fmt::format("boundary.{}.traction", name);
+  for (const Side side : all_sides) {
+    const TractionBoundary& traction = scene.side(side).traction;
+    const std::string key = fmt::format("boundary.{}.traction", name_of(side));
     remark(key, traction.load);
     for (std::size_t p = 0; p < traction.parts.size(); ++p)
       remark(fmt::format("{}.parts.{}", key, p), traction.parts[p].load);
-  };
-  side("left", scene.left.traction);
-  side("right", scene.right.traction);
-  side("bottom", scene.bottom.traction);
-  side("top", scene.top.traction);
+  }
 }
 
 }  // namespace

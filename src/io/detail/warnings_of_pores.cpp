@@ -50,22 +50,15 @@ void warn_about_kelvin(Scene& scene) {
                     coldest));
 }
 
-/// Whether fluid may leave the lattice at a boundary at some time. `inward` (of sides only): axis and direction into
-/// the lattice.
-bool may_leave(const FlowBoundary& flow, std::optional<std::pair<int, int>> inward) {
-  if (flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow) return true;
-  if (flow.kind != FlowBoundaryKind::velocity) return false;
-  if (flow.flow_rate && flow.flow_rate->lowest() < 0) return true;
-  if (flow.mass_flow_rate && flow.mass_flow_rate->lowest() < 0) return true;
-  if (!inward) return flow.speed.lowest() < 0;
-  const auto& [axis, sign] = *inward;
-  return sign > 0 ? flow.velocity[axis].lowest() < 0 : flow.velocity[axis].highest() > 0;
+/// Whether fluid may leave the lattice at a side or, without one, an opening at some time.
+bool may_leave(const FlowBoundary& flow, std::optional<Side> side) {
+  return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow || draws(flow, side);
 }
 
 /// Heat and solutes accumulate at an outlet of the fluid where their own conditions do not let them out.
 void warn_about_outlets(Scene& scene) {
-  const auto look = [&](const std::string& key, const BoundarySection& at, std::optional<std::pair<int, int>> inward) {
-    if (!scene.flow || !may_leave(at.flow, inward)) return;
+  const auto look = [&](const std::string& key, const BoundarySection& at, std::optional<Side> side) {
+    if (!scene.flow || !may_leave(at.flow, side)) return;
     const auto remark = [&](const char* what, const char* given) {
       scene.warnings.push_back(
           fmt::format("{0} lets fluid out, but {1} is {2}: what the fluid carries there accumulates at the side; "
@@ -80,15 +73,8 @@ void warn_about_outlets(Scene& scene) {
     if (scene.solute && solute == SoluteBoundaryKind::no_flux) remark("solute", "without flux");
     if (scene.solute && solute == SoluteBoundaryKind::flux) remark("solute", "a flux");
   };
-  look("boundary.left", scene.left, std::pair{0, 1});
-  look("boundary.right", scene.right, std::pair{0, -1});
-  look("boundary.bottom", scene.bottom, std::pair{1, 1});
-  look("boundary.top", scene.top, std::pair{1, -1});
-  for (const InjectionSection& injection : scene.injections) {
-    const bool upright = injection.side == "left" || injection.side == "right";
-    const bool low = injection.side == "left" || injection.side == "bottom";
-    look(injection.key, injection.conditions, std::pair{upright ? 0 : 1, low ? 1 : -1});
-  }
+  for (const Side side : all_sides) look(fmt::format("boundary.{}", name_of(side)), scene.side(side), side);
+  for (const InjectionSection& injection : scene.injections) look(injection.key, injection.conditions, injection.side);
   for (const OpeningSection& opening : scene.openings)
     look("boundary.shape." + scene.geometry.shapes[opening.shape].name, opening.conditions, std::nullopt);
 }
@@ -149,8 +135,8 @@ void warn_about_missing_columns(Scene& scene) {
     force = force || scene.flow.has_value();
     flow = flow || has_flow_column(scene, at);
   };
-  for (const BoundarySection* side : {&scene.left, &scene.right, &scene.bottom, &scene.top})
-    if (!is_periodic(scene, *side)) look(*side);
+  for (const Side side : all_sides)
+    if (!is_periodic(scene, scene.side(side))) look(scene.side(side));
   for (const InjectionSection& injection : scene.injections) look(injection.conditions);
   for (const OpeningSection& opening : scene.openings) look(opening.conditions);
   if (output.forces && !force)

@@ -1,6 +1,7 @@
 #pragma once
 // Conditions on the sides of the lattice, on stretches of them and on the surfaces of named shapes.
 #include "base/choices.hpp"
+#include "base/side.hpp"
 #include "dem/support.hpp"
 #include "io/time_table.hpp"
 
@@ -26,7 +27,9 @@ struct FlowBoundary {
   VelocityShape profile = VelocityShape::uniform;
   std::vector<std::array<double, 2>> profile_table;  ///< (m along the stretch, share of the velocity)
 
-  bool has_rate() const { return flow_rate || mass_flow_rate; }
+  /// The flow rate that is given, whichever it is; null: none.
+  const TimeTable* given_rate() const { return flow_rate ? &*flow_rate : mass_flow_rate ? &*mass_flow_rate : nullptr; }
+  bool has_rate() const { return given_rate() != nullptr; }
   /// Prescribed volume per depth that enters, m2/s.
   double rate(double density, double time) const {
     return flow_rate ? flow_rate->at(time) : mass_flow_rate ? mass_flow_rate->at(time) / density : 0.0;
@@ -38,11 +41,18 @@ struct FlowBoundary {
   double peak_speed() const {
     return std::max(std::hypot(velocity[0].peak(), velocity[1].peak()), std::abs(speed.peak()));
   }
+  /// Calls visit(table) for everything that may change in time, besides the ramp.
+  template <class Visit>
+  void for_each_table(const Visit& visit) const {
+    for (const TimeTable* table : {&pressure, &velocity[0], &velocity[1], &speed}) visit(*table);
+    if (flow_rate) visit(*flow_rate);
+    if (mass_flow_rate) visit(*mass_flow_rate);
+  }
   /// Time after which nothing of it changes, s.
   double settled() const {
-    double last = std::max({ramp_time, pressure.settled(), velocity[0].settled(), speed.settled()});
-    if (flow_rate) last = std::max(last, flow_rate->settled());
-    return mass_flow_rate ? std::max(last, mass_flow_rate->settled()) : last;
+    double last = ramp_time;
+    for_each_table([&](const TimeTable& table) { last = std::max(last, table.settled()); });
+    return last;
   }
   /// Share of its value that a ramp has reached at a time (s).
   double risen(double time) const { return ramp_time > 0 ? std::min(1.0, time / ramp_time) : 1.0; }
@@ -51,6 +61,14 @@ struct FlowBoundary {
 inline bool is_open(const FlowBoundary& flow) {
   return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow ||
          flow.kind == FlowBoundaryKind::velocity;
+}
+/// Whether a given velocity or flow rate draws fluid out at some time, through a side or, without one, an opening.
+inline bool draws(const FlowBoundary& flow, std::optional<Side> side) {
+  if (flow.kind != FlowBoundaryKind::velocity) return false;
+  if (const TimeTable* rate = flow.given_rate()) return rate->lowest() < 0;
+  if (!side) return flow.speed.lowest() < 0;
+  const TimeTable& across = flow.velocity[is_upright(*side) ? 0 : 1];
+  return *side == Side::left || *side == Side::bottom ? across.lowest() < 0 : across.highest() > 0;
 }
 struct HeatBoundary {
   HeatCondition kind = HeatCondition::adiabatic;
@@ -89,7 +107,7 @@ struct BoundarySection {
 struct InjectionSection {
   std::string key = "boundary.injection";  ///< of its table
   std::string name = "injection";          ///< for columns of the history and names of state blocks
-  std::string side = "left";
+  Side side = Side::left;
   double centre = 0;  ///< m along the side
   double width = 0;   ///< m
   BoundarySection conditions;

@@ -1,5 +1,7 @@
 #pragma once
 // The lattice and what is drawn on it: shapes, pictures of rock.
+#include "base/side.hpp"
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -15,6 +17,8 @@ struct LatticeSection {
   double spacing = 0;                 ///< m
   double time_step = 0;               ///< s
   int nx = 0, ny = 0;                 ///< derived: nodes
+
+  double length_of(Side side) const { return is_upright(side) ? length_y : length_x; }  ///< m
 };
 
 struct Rectangle {

@@ -55,7 +55,7 @@ struct Gauge {
   std::array<double, 2> from{0, 0}, to{0, 0};  ///< m, of opening; `from` also of crack_tip
   std::array<double, 2> direction{1, 0};       ///< of crack_tip
   std::optional<Form> region;                  ///< of stress
-  std::string side;                            ///< of reaction
+  Side side = Side::left;                      ///< of reaction
   std::optional<double> first, last;           ///< m along it
 };
 struct OutputSection {
