@@ -70,16 +70,6 @@ KOKKOS_FORCEINLINE_FUNCTION double sum_of_block(const Body& body, int first, int
   return sum_of_lanes(sum);
 }
 
-template <class Body>
-struct BlockSum {
-  Body body;
-  ScalarField<double> total;
-  KOKKOS_FUNCTION void operator()(int first, int last) const {
-    const Body local = body;
-    total(first / nodes_per_block) += sum_of_block(local, first, last);
-  }
-};
-
 /// On a GPU: runs the item at one place.
 template <class Body>
 struct NodeOfBlocks {
@@ -108,13 +98,21 @@ struct ItemsOfBlock {
   KOKKOS_FORCEINLINE_FUNCTION int end(int block) const { return begin(block + 1) < n ? begin(block + 1) : n; }
 };
 
-/// On a GPU: adds up a block, or a row, by a team.
+/// Adds up a block, or a row: on a host in parts of at most a block, on a GPU by a team.
 template <class Items, class Body>
-struct TeamSum {
+struct SumOfItems {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
   Items items;
   Body body;
   ScalarField<double> total;
+  KOKKOS_FUNCTION void operator()(int rank) const {
+    const Body local = body;
+    const int k = items.number(rank), last = items.end(k);
+    double sum = 0;
+    for (int first = items.begin(k); first < last; first += nodes_per_block)
+      sum += sum_of_block(local, first, first + nodes_per_block < last ? first + nodes_per_block : last);
+    total(k) += sum;
+  }
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int k = items.number(team.league_rank());
     add_by_team(team, items.begin(k), items.end(k), body, &total(k));
@@ -183,22 +181,28 @@ void for_each_team(const Exec& exec, const std::string& label, int count, int th
   Kokkos::parallel_for(label, Policy(exec, count, std::min(threads, most), width), body);
 }
 
+namespace detail {
+
+/// Adds up `count` blocks or rows, on a GPU by teams of `threads`.
+template <class Items, class Body>
+void add_up(const Exec& exec, const std::string& label, int count, int threads, const SumOfItems<Items, Body>& sums) {
+  if (count <= 0) return;
+  if constexpr (runs_on_host)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, count), sums);
+  else
+    for_each_team(exec, label, count, threads, sums);
+}
+
+}  // namespace detail
+
 /// total(block) += sum of body(i) over the block's nodes, for the items i of a list of n; `total` has at least
 /// block_count(n) entries. body(i) returns double or int and may also write node i. Same bits for any number of
 /// host threads.
 template <class Body>
 void add_per_block(const Exec& exec, const std::string& label, const Share& list, const Body& body,
                    const ScalarField<double>& total) {
-  const int n = list.n, blocks = list.whole() ? block_count(n) : list.blocks;
-  if (n <= 0 || blocks == 0) return;
-  if constexpr (runs_on_host) {
-    using Blocks = detail::Block<detail::BlockSum<Body>>;
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, 0, blocks),
-                         Blocks{{body, total}, n, nodes_per_block, list.block});
-  } else {
-    for_each_team(exec, label, blocks, threads_per_sum,
-                  detail::TeamSum<detail::ItemsOfBlock, Body>{{n, list.block}, body, total});
-  }
+  detail::add_up(exec, label, list.whole() ? block_count(list.n) : list.blocks, threads_per_sum,
+                 detail::SumOfItems<detail::ItemsOfBlock, Body>{{list.n, list.block}, body, total});
 }
 
 /// An entry of a field, as the body of a sum.

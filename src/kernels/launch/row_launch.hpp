@@ -48,22 +48,6 @@ struct EntriesOfRow {
   KOKKOS_FORCEINLINE_FUNCTION int end(int y) const { return first(y + 1); }
 };
 
-/// On a host: adds up a row in blocks.
-template <class Body>
-struct RowSum {
-  Body body;
-  Lattice lattice;
-  ScalarField<double> total;
-  KOKKOS_FUNCTION void operator()(int y) const {
-    const Body local = body;
-    const int last = lattice.node(lattice.nx, y);
-    double sum = 0;
-    for (int node = lattice.node(0, y); node < last; node += nodes_per_block)
-      sum += sum_of_block(local, node, node + nodes_per_block < last ? node + nodes_per_block : last);
-    total(y) += sum;
-  }
-};
-
 }  // namespace detail
 
 /// Runs body(node) for every node of `rows`, `node` in the dense numbering. Iterations must be independent.
@@ -90,23 +74,17 @@ void for_each_dense_node(const Exec& exec, const std::string& label, const Latti
 template <class Body>
 void add_per_dense_row(const Exec& exec, const std::string& label, const Lattice& lattice, const Rows& rows,
                        const Body& body, const ScalarField<double>& total) {
-  if (rows.count <= 0) return;
-  if constexpr (runs_on_host)
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<Exec>(exec, rows.first, rows.first + rows.count),
-                         detail::RowSum<Body>{body, lattice, total});
-  else
-    for_each_team(exec, label, rows.count, threads_per_sum,
-                  detail::TeamSum<detail::NodesOfRow, Body>{{lattice, rows.first}, body, total});
+  detail::add_up(exec, label, rows.count, threads_per_sum,
+                 detail::SumOfItems<detail::NodesOfRow, Body>{{lattice, rows.first}, body, total});
 }
 
-/// On a GPU: the same over the entries of a list that is ordered by rows. Row y has the entries [first(y), first(y +
+/// The same over the entries of a list that is ordered by rows. Row y has the entries [first(y), first(y +
 /// 1)).
 template <class Body>
 void add_per_listed_row(const Exec& exec, const std::string& label, const IndexList& first, const Rows& rows,
                         const Body& body, const ScalarField<double>& total) {
-  if (rows.count <= 0) return;
-  for_each_team(exec, label, rows.count, threads_per_sum / 2,  // a row of rock has some hundred fluid nodes
-                detail::TeamSum<detail::EntriesOfRow, Body>{{first, rows.first}, body, total});
+  detail::add_up(exec, label, rows.count, threads_per_sum / 2,  // a row of rock has some hundred fluid nodes
+                 detail::SumOfItems<detail::EntriesOfRow, Body>{{first, rows.first}, body, total});
 }
 
 }  // namespace vug
