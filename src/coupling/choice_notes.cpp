@@ -35,8 +35,8 @@ constexpr std::array<Problem, 4> problems{{{"wall", "concentration", "acid diffu
                                            {"receding", "recession", "a wall dissolves", "1.7e-02"}}};
 
 std::string alone(const MeasuredChoice& choice) {
-  const Problem& problem = *std::find_if(problems.begin(), problems.end(),
-                                         [&](const Problem& p) { return std::string(p.name) == choice.problem; });
+  const Problem& problem =
+      *std::find_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.name == choice.problem; });
   return fmt::format(
       "{}: {} of the time of preset = careful, error of the {} {} instead of {}, where {} and nothing "
       "else is computed",
@@ -51,7 +51,7 @@ void note_unknown(const char* key, double value, const std::vector<double>& meas
 }
 
 bool is_of_rock(const MeasuredChoice& choice) {
-  return std::string(choice.problem) == "rock";
+  return choice.problem == "rock";
 }
 
 bool is_of_ladder(const std::string& name) {
