@@ -1,10 +1,5 @@
 #include "coupling/history_difference.hpp"
 
-#include "base/require.hpp"
-#include "io/detail/nearest_name.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,13 +43,7 @@ double scale_of(const History& history, int column) {
 }
 
 std::vector<int> columns_of(const History& history, const std::vector<std::string>& wanted, double sound) {
-  std::vector<int> columns;
-  for (const std::string& name : wanted) {
-    const int column = history.find(name);
-    if (column < 0)
-      throw InputError(fmt::format("\"{}\" is no column of the history{}", name, suggestion(name, history.names)));
-    columns.push_back(column);
-  }
+  std::vector<int> columns = history.find_all(wanted);
   for (std::size_t c = 0; wanted.empty() && c < history.names.size(); ++c)
     if (const int column = static_cast<int>(c);
         is_amount(history.names[c]) && !is_rounding_of_velocity(history, column, sound))

@@ -1,7 +1,6 @@
 #include "front/watch.hpp"
 
 #include "base/require.hpp"
-#include "io/detail/nearest_name.hpp"
 #include "io/progress.hpp"
 
 #include <fmt/format.h>
@@ -35,14 +34,8 @@ bool changes(const std::vector<double>& values) {
 
 /// Indices of the columns to draw.
 std::vector<int> chosen_columns(const History& history, const WatchView& view) {
-  std::vector<int> chosen;
-  for (const std::string& name : view.columns) {
-    const int column = history.find(name);
-    if (column < 0)
-      throw InputError(fmt::format("\"{}\" is no column of the history{}", name, suggestion(name, history.names)));
-    chosen.push_back(column);
-  }
-  if (!view.columns.empty()) return chosen;
+  std::vector<int> chosen = history.find_all(view.columns);
+  if (!chosen.empty()) return chosen;
   constexpr int other_lines = 5;
   for (std::size_t c = 0; c < history.names.size(); ++c)
     if (!is_secondary(history.names[c]) && changes(history.values[c])) chosen.push_back(static_cast<int>(c));

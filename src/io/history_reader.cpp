@@ -1,6 +1,7 @@
 #include "io/history_reader.hpp"
 
 #include "base/require.hpp"
+#include "io/detail/nearest_name.hpp"
 
 #include <fmt/format.h>
 
@@ -30,6 +31,16 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 int History::find(const std::string& name) const {
   const auto at = std::find(names.begin(), names.end(), name);
   return at == names.end() ? -1 : static_cast<int>(at - names.begin());
+}
+
+std::vector<int> History::find_all(const std::vector<std::string>& wanted, const std::string& where) const {
+  std::vector<int> columns;
+  for (const std::string& name : wanted) {
+    columns.push_back(find(name));
+    if (columns.back() < 0)
+      throw InputError(fmt::format("{}\"{}\" is no column of the history{}", where, name, suggestion(name, names)));
+  }
+  return columns;
 }
 
 History read_history(const std::string& path) {

@@ -14,6 +14,8 @@ struct History {
   const std::vector<double>& time() const { return values.front(); }
   /// Index of a column, or -1.
   int find(const std::string& name) const;
+  /// The same of columns that must be there; throws InputError, beginning with `where`, for one that is not.
+  std::vector<int> find_all(const std::vector<std::string>& wanted, const std::string& where = "") const;
 };
 
 /// Reads a file that HistoryWriter wrote; an incomplete last line is left out. Throws FileError where there is no such

@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "io/detail/files.hpp"
-#include "io/detail/nearest_name.hpp"
 #include "io/history_reader.hpp"
 #include "io/message.hpp"
 #include "io/run_summary.hpp"
@@ -40,10 +39,7 @@ std::string last_value(const History& history, const std::string& name) {
 }
 
 void require_columns(const Study& study, const History& history) {
-  for (const std::string& name : study.results)
-    if (history.find(name) < 0)
-      throw InputError(fmt::format("{}: study.results: \"{}\" is no column of the history{}", study.path, name,
-                                   suggestion(name, history.names)));
+  history.find_all(study.results, study.path + ": study.results: ");
 }
 
 /// Throws FileError where the end of a history is missing: an earlier row would be taken for the result.

@@ -50,35 +50,18 @@ NrrdHeader read_header(const BinaryFile& file) {
 }
 
 SampleType type_of(const NrrdHeader& header) {
-  constexpr std::pair<const char*, SampleType> types[] = {{"uchar", SampleType::uint8},
-                                                          {"unsigned char", SampleType::uint8},
-                                                          {"uint8", SampleType::uint8},
-                                                          {"uint8_t", SampleType::uint8},
-                                                          {"signed char", SampleType::int8},
-                                                          {"int8", SampleType::int8},
-                                                          {"int8_t", SampleType::int8},
-                                                          {"ushort", SampleType::uint16},
-                                                          {"unsigned short", SampleType::uint16},
-                                                          {"uint16", SampleType::uint16},
-                                                          {"uint16_t", SampleType::uint16},
-                                                          {"unsigned short int", SampleType::uint16},
-                                                          {"short", SampleType::int16},
-                                                          {"short int", SampleType::int16},
-                                                          {"int16", SampleType::int16},
-                                                          {"int16_t", SampleType::int16},
-                                                          {"uint", SampleType::uint32},
-                                                          {"unsigned int", SampleType::uint32},
-                                                          {"uint32", SampleType::uint32},
-                                                          {"uint32_t", SampleType::uint32},
-                                                          {"int", SampleType::int32},
-                                                          {"signed int", SampleType::int32},
-                                                          {"int32", SampleType::int32},
-                                                          {"int32_t", SampleType::int32},
-                                                          {"float", SampleType::float32},
-                                                          {"double", SampleType::float64}};
+  static const std::pair<SampleType, std::vector<std::string>> types[] = {
+      {SampleType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {SampleType::int8, {"signed char", "int8", "int8_t"}},
+      {SampleType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {SampleType::int16, {"short", "short int", "int16", "int16_t"}},
+      {SampleType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {SampleType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {SampleType::float32, {"float"}},
+      {SampleType::float64, {"double"}}};
   const std::string name = header.need("type");
-  for (const auto& [known, type] : types)
-    if (name == known) return type;
+  for (const auto& [type, names] : types)
+    if (std::find(names.begin(), names.end(), name) != names.end()) return type;
   refuse_image(header.path, fmt::format("has values of the type \"{}\", which is not read", name));
 }
 

@@ -41,22 +41,22 @@ std::string_view MeshText::word() {
   return found;
 }
 
-std::int64_t MeshText::integer() {
+template <class Value>
+Value MeshText::parsed(const char* expected) {
   const auto text = word();
-  std::int64_t value = 0;
+  Value value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    fail(fmt::format("found '{}', expected a whole number", excerpt(text)));
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(static_cast<double>(value)))
+    fail(fmt::format("found '{}', expected {}", excerpt(text), expected));
   return value;
 }
 
+std::int64_t MeshText::integer() {
+  return parsed<std::int64_t>("a whole number");
+}
+
 double MeshText::number() {
-  const auto text = word();
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    fail(fmt::format("found '{}', expected a finite number", excerpt(text)));
-  return value;
+  return parsed<double>("a finite number");
 }
 
 std::string MeshText::quoted() {

@@ -24,6 +24,8 @@ class MeshText {
 
  private:
   void skip_blanks();
+  template <class Value>
+  Value parsed(const char* expected);
   std::string_view rest_;
   std::string path_;
   int line_ = 1;
