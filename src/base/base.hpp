@@ -42,6 +42,12 @@ auto on_host(const ViewType& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
+/// Makes `view` one of so many items, all zero.
+template <class ViewType>
+void make_zeros(ViewType& view, const std::string& label, int count) {
+  view = ViewType(label, count);
+}
+
 /// Writes the entries of a View on the host: those of the View itself where it is in host memory, else those of a
 /// mirror, zeros at first, which is copied to the View when the writer goes out of scope.
 template <class ViewType>

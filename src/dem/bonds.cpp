@@ -7,45 +7,38 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace vug {
 
 namespace {
 
-template <class V>
-V fresh(const char* label, std::size_t count) {
-  return V(std::string("vug::dem::") + label, count);
-}
-
 void allocate(Bonds& b, int n, int particles) {
-  const auto size = static_cast<std::size_t>(n);
   b.count = n;
-  b.pair = fresh<decltype(b.pair)>("bond_pair", size);
-  b.vertex = fresh<decltype(b.vertex)>("bond_vertex", size);
-  b.length = fresh<ScalarField<double>>("bond_length", size);
-  b.spacing = fresh<ScalarField<double>>("bond_spacing", size);
-  b.normal = fresh<VectorField<double>>("bond_normal", size);
-  b.arm = fresh<decltype(b.arm)>("bond_arm", size);
-  b.normal_strength = fresh<ScalarField<double>>("bond_normal_strength", size);
-  b.cohesion = fresh<ScalarField<double>>("bond_cohesion", size);
-  b.energy_I = fresh<ScalarField<double>>("bond_energy_I", size);
-  b.energy_II = fresh<ScalarField<double>>("bond_energy_II", size);
-  b.point_damage = fresh<decltype(b.point_damage)>("bond_point_damage", size);
-  b.d_m = fresh<ScalarField<double>>("bond_d_m", size);
-  b.d_c = fresh<ScalarField<double>>("bond_d_c", size);
-  b.overstressed = fresh<decltype(b.overstressed)>("bond_overstressed", size);
-  b.state = fresh<decltype(b.state)>("bond_state", size);
-  b.joint = fresh<decltype(b.joint)>("bond_joint", size);
-  b.events = fresh<IndexList>("bond_events", 2);
+  make_zeros(b.pair, "vug::dem::bond_pair", n);
+  make_zeros(b.vertex, "vug::dem::bond_vertex", n);
+  make_zeros(b.length, "vug::dem::bond_length", n);
+  make_zeros(b.spacing, "vug::dem::bond_spacing", n);
+  make_zeros(b.normal, "vug::dem::bond_normal", n);
+  make_zeros(b.arm, "vug::dem::bond_arm", n);
+  make_zeros(b.normal_strength, "vug::dem::bond_normal_strength", n);
+  make_zeros(b.cohesion, "vug::dem::bond_cohesion", n);
+  make_zeros(b.energy_I, "vug::dem::bond_energy_I", n);
+  make_zeros(b.energy_II, "vug::dem::bond_energy_II", n);
+  make_zeros(b.point_damage, "vug::dem::bond_point_damage", n);
+  make_zeros(b.d_m, "vug::dem::bond_d_m", n);
+  make_zeros(b.d_c, "vug::dem::bond_d_c", n);
+  make_zeros(b.overstressed, "vug::dem::bond_overstressed", n);
+  make_zeros(b.state, "vug::dem::bond_state", n);
+  make_zeros(b.joint, "vug::dem::bond_joint", n);
+  make_zeros(b.events, "vug::dem::bond_events", 2);
   Kokkos::deep_copy(b.joint, faces_joined);
-  b.slip = fresh<decltype(b.slip)>("bond_slip", size);
-  b.stress = fresh<decltype(b.stress)>("bond_stress", size);
-  b.load = fresh<decltype(b.load)>("bond_load", size + 1);
-  b.row = fresh<IndexList>("bond_row", static_cast<std::size_t>(particles) + 1);
-  b.entry = fresh<IndexList>("bond_entry", 2 * size);
-  b.slot = fresh<decltype(b.slot)>("bond_slot", static_cast<std::size_t>(particles));
+  make_zeros(b.slip, "vug::dem::bond_slip", n);
+  make_zeros(b.stress, "vug::dem::bond_stress", n);
+  make_zeros(b.load, "vug::dem::bond_load", n + 1);
+  make_zeros(b.row, "vug::dem::bond_row", particles + 1);
+  make_zeros(b.entry, "vug::dem::bond_entry", 2 * n);
+  make_zeros(b.slot, "vug::dem::bond_slot", particles);
 }
 
 void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, const Particles& particles, Bonds& b) {
@@ -55,18 +48,16 @@ void fill_geometry(const Assembly& assembly, const std::vector<Edge>& edges, con
   const HostWriter normal(b.normal);
   const HostWriter arm(b.arm);
   for (int k = 0; k < b.count; ++k) {
-    const Edge& edge = edges[static_cast<std::size_t>(k)];
-    const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
-    const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-    const Vec2 half{0.5 * (q[0] - p[0]), 0.5 * (q[1] - p[1])};
-    const Vec2 middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
+    const Edge& edge = edges[k];
+    const Vec2 p = vertex_of(assembly, edge.vertex[0]), q = vertex_of(assembly, edge.vertex[1]);
+    const Vec2 half = 0.5 * (q - p), middle = 0.5 * (p + q);
     const double l = 2 * norm(half);
     const Vec2 n{2 * half.y / l, -2 * half.x / l};
     Vec2 centre[2];
     for (int end = 0; end < 2; ++end) {
-      const int i = edge.triangle[static_cast<std::size_t>(end)];
+      const int i = edge.triangle[end];
       pair(k, end) = i;
-      vertex(k, end) = edge.vertex[static_cast<std::size_t>(end)];
+      vertex(k, end) = edge.vertex[end];
       centre[end] = {x0(i, 0), x0(i, 1)};
       for (int point = 0; point < 2; ++point) {
         const Vec2 r = middle + (point == 0 ? -gauss_point : gauss_point) * half - centre[end];
@@ -88,11 +79,8 @@ std::vector<BondParameters> laws_of_bonds(const Assembly& assembly, const std::v
   const auto x0 = on_host(particles.x0);
   std::vector<BondParameters> laws;
   for (const Edge& edge : edges) {
-    const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
-    const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-    const auto distance = [&](int i) {
-      return std::abs(cross({q[0] - p[0], q[1] - p[1]}, {x0(i, 0) - p[0], x0(i, 1) - p[1]}));
-    };
+    const Vec2 p = vertex_of(assembly, edge.vertex[0]), along = vertex_of(assembly, edge.vertex[1]) - p;
+    const auto distance = [&](int i) { return std::abs(cross(along, Vec2{x0(i, 0), x0(i, 1)} - p)); };
     const auto [a, b] = edge.triangle;
     laws.push_back(joint_of(material_of(parameters, assembly, a).bond, distance(a),
                             material_of(parameters, assembly, b).bond, distance(b)));
@@ -102,14 +90,14 @@ std::vector<BondParameters> laws_of_bonds(const Assembly& assembly, const std::v
 
 void fill_elasticity(const std::vector<BondParameters>& laws, Bonds& b) {
   const auto fill = [&](const char* label, double BondParameters::*number, ScalarField<double>& values) {
-    values = fresh<ScalarField<double>>(label, laws.size());
+    make_zeros(values, label, static_cast<int>(laws.size()));
     const HostWriter host(values);
     for (std::size_t k = 0; k < laws.size(); ++k) host(k) = laws[k].*number;
   };
-  fill("bond_normal_modulus", &BondParameters::normal_modulus, b.elasticity.normal_modulus);
-  fill("bond_tangential_modulus", &BondParameters::tangential_modulus, b.elasticity.tangential_modulus);
-  fill("bond_internal_friction", &BondParameters::internal_friction, b.elasticity.internal_friction);
-  fill("bond_damping", &BondParameters::damping, b.elasticity.damping);
+  fill("vug::dem::bond_normal_modulus", &BondParameters::normal_modulus, b.elasticity.normal_modulus);
+  fill("vug::dem::bond_tangential_modulus", &BondParameters::tangential_modulus, b.elasticity.tangential_modulus);
+  fill("vug::dem::bond_internal_friction", &BondParameters::internal_friction, b.elasticity.internal_friction);
+  fill("vug::dem::bond_damping", &BondParameters::damping, b.elasticity.damping);
 }
 
 /// Draws one property of all bonds: scatter from the rock's seed and shape, mean from the parameters of each bond.
@@ -133,7 +121,7 @@ void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edge
   const HostWriter d_m(b.d_m);
   const HostWriter point_damage(b.point_damage);
   for (int k = 0; k < b.count; ++k) {
-    const auto& v = edges[static_cast<std::size_t>(k)].vertex;
+    const auto& v = edges[k].vertex;
     const bool cracked = cracks.erase({std::min(v[0], v[1]), std::max(v[0], v[1])}) > 0;
     state(k) = cracked ? BondState::cracked_at_start : BondState::intact;
     d_m(k) = point_damage(k, 0) = point_damage(k, 1) = cracked ? 1 : 0;
@@ -148,18 +136,14 @@ void open_initial_cracks(const Assembly& assembly, const std::vector<Edge>& edge
 void fill_rows(const std::vector<Edge>& edges, int particles, Bonds& b) {
   const HostWriter row(b.row), entry(b.entry);
   const HostWriter slot(b.slot);
-  std::vector<std::vector<int>> of(static_cast<std::size_t>(particles));
-  for (int k = 0; k < b.count; ++k) {
-    for (int end = 0; end < 2; ++end) {
-      const auto i = edges[static_cast<std::size_t>(k)].triangle[static_cast<std::size_t>(end)];
-      of[static_cast<std::size_t>(i)].push_back(2 * k + end);
-    }
-  }
+  std::vector<std::vector<int>> of(particles);
+  for (int k = 0; k < b.count; ++k)
+    for (int end = 0; end < 2; ++end) of[edges[k].triangle[end]].push_back(2 * k + end);
   int next = 0;
   for (int i = 0; i < particles; ++i) {
     row(i) = next;
     for (int edge = 0; edge < 3; ++edge) slot(i, edge) = 2 * b.count;
-    for (const int e : of[static_cast<std::size_t>(i)]) {
+    for (const int e : of[i]) {
       slot(i, next - row(i)) = e;
       entry(next++) = e;
     }

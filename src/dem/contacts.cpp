@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace vug {
 
 namespace {
 
 constexpr int pairs_per_particle = 10;  // a triangulation has about 5 per particle that share a corner but no edge
-
-template <class V>
-V fresh(const char* label, std::size_t count) {
-  return V(std::string("vug::dem::contact_") + label, count);
-}
 
 /// A fifth of the mean edge of the smallest particle: wide enough for few rebuilds, narrow enough for few pairs.
 double choose_skin(const Particles& particles) {
@@ -34,22 +28,21 @@ double choose_skin(const Particles& particles) {
 }  // namespace
 
 Contacts make_contacts(const Particles& particles, const Bonds& bonds, bool awake) {
-  const auto n = static_cast<std::size_t>(particles.count);
+  const int n = particles.count;
   Contacts c;
   c.capacity = pairs_per_particle * particles.count + 64;
   c.skin = choose_skin(particles);
-  const auto size = static_cast<std::size_t>(c.capacity);
-  c.status = fresh<IndexList>("status", 3);
-  c.first = fresh<decltype(c.first)>("first", n + 1);
-  c.other = fresh<decltype(c.other)>("other", size);
-  c.stretch = fresh<decltype(c.stretch)>("stretch", size);
-  c.load = fresh<decltype(c.load)>("load", size);
-  c.row = fresh<IndexList>("row", n + 1);
-  c.entry = fresh<IndexList>("entry", 2 * size);
-  c.push = fresh<decltype(c.push)>("push", n);
-  c.energy = fresh<ScalarField<double>>("energy", n);
-  c.u_built = fresh<VectorField<double>>("u_built", n);
-  c.angle_built = fresh<ScalarField<double>>("angle_built", n);
+  make_zeros(c.status, "vug::dem::contact_status", 3);
+  make_zeros(c.first, "vug::dem::contact_first", n + 1);
+  make_zeros(c.other, "vug::dem::contact_other", c.capacity);
+  make_zeros(c.stretch, "vug::dem::contact_stretch", c.capacity);
+  make_zeros(c.load, "vug::dem::contact_load", c.capacity);
+  make_zeros(c.row, "vug::dem::contact_row", n + 1);
+  make_zeros(c.entry, "vug::dem::contact_entry", 2 * c.capacity);
+  make_zeros(c.push, "vug::dem::contact_push", n);
+  make_zeros(c.energy, "vug::dem::contact_energy", n);
+  make_zeros(c.u_built, "vug::dem::contact_u_built", n);
+  make_zeros(c.angle_built, "vug::dem::contact_angle_built", n);
   const HostWriter status(c.status);
   status(contacts_stale) = 1;
   if (awake) {

@@ -26,7 +26,7 @@ std::vector<Edge> find_edges(const Assembly& assembly) {
   std::vector<Edge> edges;
   std::unordered_map<std::uint64_t, std::size_t> known;
   for (int k = 0; k < static_cast<int>(assembly.triangles.size()); ++k) {
-    const auto& corners = assembly.triangles[static_cast<std::size_t>(k)];
+    const auto& corners = assembly.triangles[k];
     for (std::size_t c = 0; c < 3; ++c) {
       const int p = corners[c], q = corners[(c + 1) % 3];
       const auto [place, is_new] = known.try_emplace(key_of(p, q), edges.size());

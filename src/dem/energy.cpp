@@ -3,8 +3,6 @@
 #include "dem/elastic_energy.hpp"
 #include "kernels/launch/launch.hpp"
 
-#include <string>
-
 namespace vug {
 
 namespace {
@@ -44,21 +42,17 @@ double total(const Exec& exec, const ScalarField<double>& values) {
 }  // namespace
 
 Accounts make_accounts(const Particles& particles, const Bonds& bonds, const Contacts& contacts) {
-  const auto fresh = [](const char* label, int n) {
-    return ScalarField<double>(std::string("vug::dem::account_") + label, static_cast<std::size_t>(n));
-  };
-  return {
-      Kokkos::View<double* [4], Kokkos::LayoutLeft>("vug::dem::account_drag", static_cast<std::size_t>(bonds.count)),
-      fresh("fracture", bonds.count),
-      fresh("friction", bonds.count),
-      fresh("damping", bonds.count),
-      fresh("pair_friction", particles.count),
-      Kokkos::View<double* [4], Kokkos::LayoutLeft>("vug::dem::account_pair_drag",
-                                                    static_cast<std::size_t>(contacts.capacity)),
-      Kokkos::View<double* [3], Kokkos::LayoutLeft>("vug::dem::account_particle_drag",
-                                                    static_cast<std::size_t>(particles.count)),
-      fresh("work", particles.count),
-      fresh("local_damping", particles.count)};
+  Accounts a;
+  make_zeros(a.bond_drag, "vug::dem::account_drag", bonds.count);
+  make_zeros(a.bond_fracture, "vug::dem::account_fracture", bonds.count);
+  make_zeros(a.bond_friction, "vug::dem::account_friction", bonds.count);
+  make_zeros(a.bond_damping, "vug::dem::account_damping", bonds.count);
+  make_zeros(a.pair_friction, "vug::dem::account_pair_friction", particles.count);
+  make_zeros(a.pair_drag, "vug::dem::account_pair_drag", contacts.capacity);
+  make_zeros(a.particle_drag, "vug::dem::account_particle_drag", particles.count);
+  make_zeros(a.particle_work, "vug::dem::account_work", particles.count);
+  make_zeros(a.particle_damping, "vug::dem::account_local_damping", particles.count);
+  return a;
 }
 
 void reset(const Exec& exec, const Accounts& a) {

@@ -20,7 +20,7 @@ inline Extent extent_of(const Assembly& assembly) {
   Extent e{far, far, -far, -far};
   for (const auto& triangle : assembly.triangles)
     for (const int v : triangle) {
-      const auto& [x, y] = assembly.vertices[static_cast<std::size_t>(v)];
+      const auto& [x, y] = assembly.vertices[v];
       e = {std::min(e.left, x), std::min(e.bottom, y), std::max(e.right, x), std::max(e.top, y)};
     }
   return e;

@@ -89,7 +89,7 @@ Vec2 displacement_of(const Exec& exec, const Particles& particles, double expans
 
 Vec2 reaction_of(const Exec& exec, const Particles& particles, const std::array<IndexList, 2>& held) {
   const auto sum = [&](int axis) {
-    const IndexList& members = held[static_cast<std::size_t>(axis)];
+    const IndexList& members = held[axis];
     return sum_of_list(exec, "vug::dem::gauge_reaction", static_cast<int>(members.extent(0)),
                        ReactionOf{particles, members, axis});
   };

@@ -9,6 +9,7 @@
 #include "host/interruption.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,29 +34,19 @@ struct Gauge {
   }
 };
 
-/// Gauge along y, between 20 and 80 % of the height.
-Gauge axial_gauge(const Particles& p, const Extent& e) {
-  Gauge gauge{{}, 1};
+/// The gauges along x, between the flanks in the middle 60 % of the height, and along y, between 20 and 80 % of it.
+std::array<Gauge, 2> gauges_of(const Particles& p, const Extent& e) {
+  std::array<Gauge, 2> gauges{{{{}, 0}, {{}, 1}}};
   const auto x0 = on_host(p.x0);
   for (int i = 0; i < p.count; ++i) {
-    const double place = (x0(i, 1) - e.bottom) / e.height();
-    if (std::abs(place - 0.2) < 0.05) gauge.group[0].push_back(i);
-    if (std::abs(place - 0.8) < 0.05) gauge.group[1].push_back(i);
+    const double across = (x0(i, 0) - e.left) / e.width(), up = (x0(i, 1) - e.bottom) / e.height();
+    const bool in_middle = std::abs(up - 0.5) <= 0.3;
+    if (in_middle && across < 0.15) gauges[0].group[0].push_back(i);
+    if (in_middle && across > 0.85) gauges[0].group[1].push_back(i);
+    if (std::abs(up - 0.2) < 0.05) gauges[1].group[0].push_back(i);
+    if (std::abs(up - 0.8) < 0.05) gauges[1].group[1].push_back(i);
   }
-  return gauge;
-}
-
-/// Gauge along x, between the flanks in the middle 60 % of the height.
-Gauge lateral_gauge(const Particles& p, const Extent& e) {
-  Gauge gauge{{}, 0};
-  const auto x0 = on_host(p.x0);
-  for (int i = 0; i < p.count; ++i) {
-    const double across = (x0(i, 0) - e.left) / e.width();
-    if (std::abs((x0(i, 1) - e.bottom) / e.height() - 0.5) > 0.3) continue;
-    if (across < 0.15) gauge.group[0].push_back(i);
-    if (across > 0.85) gauge.group[1].push_back(i);
-  }
-  return gauge;
+  return gauges;
 }
 
 /// Mean height of the centroids that a platen holds.
@@ -120,9 +111,7 @@ double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundar
   double length = 0;
   for (const BoundaryEdge& edge : boundary) {
     if (edge.side != static_cast<int>(RockSide::top) && edge.side != static_cast<int>(RockSide::bottom)) continue;
-    const auto &p = disc.vertices[static_cast<std::size_t>(edge.vertex[0])],
-               &q = disc.vertices[static_cast<std::size_t>(edge.vertex[1])];
-    length += 0.5 * std::abs(q[0] - p[0]);
+    length += 0.5 * std::abs(disc.vertices[edge.vertex[1]][0] - disc.vertices[edge.vertex[0]][0]);
   }
   return std::min(1.0, length / extent_of(disc).width());
 }
@@ -158,7 +147,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   const double area = block ? extent.width()
                             : 0.5 * Kokkos::numbers::pi * extent.width() /
                                   splitting_share(std::asin(flat_width(specimen, rock.boundary())));
-  const Gauge axial = axial_gauge(rock.particles(), extent), lateral = lateral_gauge(rock.particles(), extent);
+  const auto [lateral, axial] = gauges_of(rock.particles(), extent);
   const double axial_start = axial.strain(rock.particles()), lateral_start = lateral.strain(rock.particles());
   PlatenResult result;
   result.gauged = !block || (axial.has_triangles() && lateral.has_triangles());

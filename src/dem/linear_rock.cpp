@@ -46,7 +46,7 @@ void LinearRock::add_spring(std::vector<Eigen::Triplet<double>>& entries, int k,
     const std::array<double, 3> change{along.x, along.y, cross(arm, along)};
     for (int j = 0; j < 3; ++j) {
       row[at(end, j)] = this->row(pair_(k, end), j);
-      g[at(end, j)] = sign * change[static_cast<std::size_t>(j)];
+      g[at(end, j)] = sign * change[j];
     }
   }
   for (std::size_t a = 0; a < 6; ++a)

@@ -89,7 +89,7 @@ void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const s
   std::vector<Interval> left{{low, high}};
   int point = -1;
   for (int n = static_cast<int>(parts.size()) - 1; n >= 0; --n) {
-    const SidePart& part = parts[static_cast<std::size_t>(n)];
+    const SidePart& part = parts[n];
     if (static_cast<int>(part.side) != edge.side) continue;
     if (part.from == part.to && part.from >= low && part.from < high && point < 0) point = n;
     for (const auto& [a, b] : take(left, part.from, part.to)) add(n, a, b);
@@ -110,46 +110,39 @@ std::vector<BoundaryEdge> find_boundary(const Assembly& assembly) {
   std::vector<BoundaryEdge> boundary;
   for (const Edge& edge : find_edges(assembly)) {
     if (edge.triangle[1] >= 0) continue;
-    const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
-    const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-    boundary.push_back({edge.triangle[0], edge.vertex, side_of(p, q, rock)});
+    const int side = side_of(assembly.vertices[edge.vertex[0]], assembly.vertices[edge.vertex[1]], rock);
+    boundary.push_back({edge.triangle[0], edge.vertex, side});
   }
   return boundary;
 }
 
 bool faces_itself(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary) {
   const double tolerance = tolerance_of(extent_of(assembly));
-  const auto place = [&](int v) {
-    const auto& point = assembly.vertices[static_cast<std::size_t>(v)];
-    return Vec2{point[0], point[1]};
-  };
   // every vertex of the boundary is the first one of some edge
   return std::any_of(boundary.begin(), boundary.end(), [&](const BoundaryEdge& edge) {
     if (edge.side >= 0) return false;  // nothing lies beyond the bounding box
-    const Vec2 p = place(edge.vertex[0]), along = place(edge.vertex[1]) - p;
+    const Vec2 p = vertex_of(assembly, edge.vertex[0]), along = vertex_of(assembly, edge.vertex[1]) - p;
     const double beyond = -tolerance * norm(along);
-    return std::any_of(boundary.begin(), boundary.end(),
-                       [&](const BoundaryEdge& other) { return cross(along, place(other.vertex[0]) - p) < beyond; });
+    return std::any_of(boundary.begin(), boundary.end(), [&](const BoundaryEdge& other) {
+      return cross(along, vertex_of(assembly, other.vertex[0]) - p) < beyond;
+    });
   });
 }
 
 Support support_of(const LoadedPiece& piece, const Loads& loads) {
-  return piece.part >= 0 ? loads.parts[static_cast<std::size_t>(piece.part)].support
-                         : loads.support[static_cast<std::size_t>(piece.side)];
+  return piece.part >= 0 ? loads.parts[piece.part].support : loads.support[piece.side];
 }
 
 std::vector<AxesOfSides> axes_held(const std::vector<LoadedPiece>& pieces, const Loads& loads, int particles) {
-  std::vector<AxesOfSides> held(static_cast<std::size_t>(particles)), owned(held.size());
+  std::vector<AxesOfSides> held(particles), owned(held.size());
   for (const LoadedPiece& piece : pieces)
-    if (piece.decides)
-      held[static_cast<std::size_t>(piece.particle)][static_cast<std::size_t>(piece.side)] |=
-          held_axes(support_of(piece, loads), piece.side);
+    if (piece.decides) held[piece.particle][piece.side] |= held_axes(support_of(piece, loads), piece.side);
   for (std::size_t i = 0; i < held.size(); ++i)
     for (const int axis : {0, 1}) {
       int owner = -1;
       for (const int s : {axis, axis + 2, 1 - axis, 3 - axis})  // the sides with this normal, then the others
-        if (owner < 0 && (held[i][static_cast<std::size_t>(s)] & 1 << axis) != 0) owner = s;
-      if (owner >= 0) owned[i][static_cast<std::size_t>(owner)] |= 1 << axis;
+        if (owner < 0 && (held[i][s] & 1 << axis) != 0) owner = s;
+      if (owner >= 0) owned[i][owner] |= 1 << axis;
     }
   return owned;
 }
@@ -157,21 +150,17 @@ std::vector<AxesOfSides> axes_held(const std::vector<LoadedPiece>& pieces, const
 std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary,
                                             const Loads& loads, const Particles& particles) {
   const auto x0 = on_host(particles.x0);
-  const auto point = [&](int v) {
-    const auto& vertex = assembly.vertices[static_cast<std::size_t>(v)];
-    return Vec2{vertex[0], vertex[1]};
-  };
   std::vector<LoadedPiece> pieces;
   for (const BoundaryEdge& edge : boundary)
     if (edge.side >= 0)
-      add_pieces(edge, point(edge.vertex[0]), point(edge.vertex[1]), {x0(edge.particle, 0), x0(edge.particle, 1)},
-                 loads.parts, pieces);
+      add_pieces(edge, vertex_of(assembly, edge.vertex[0]), vertex_of(assembly, edge.vertex[1]),
+                 {x0(edge.particle, 0), x0(edge.particle, 1)}, loads.parts, pieces);
   return pieces;
 }
 
 BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEdge>& boundary, const Loads& loads,
                           const Particles& particles) {
-  const auto n = static_cast<std::size_t>(particles.count);
+  const int n = particles.count;
   BoundaryLoads out{VectorField<double>("vug::dem::boundary_force", n),
                     VectorField<double>("vug::dem::boundary_moment", n),
                     VectorField<double>("vug::dem::boundary_stiffness", n), loads.gravity[0], loads.gravity[1]};
@@ -182,8 +171,8 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
   const std::vector<AxesOfSides> owned = axes_held(pieces, loads, particles.count);
   for (const LoadedPiece& piece : pieces) {
     const int i = piece.particle;
-    const auto side = static_cast<std::size_t>(piece.side);
-    const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[static_cast<std::size_t>(piece.part)];
+    const int side = piece.side;
+    const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[piece.part];
     std::array<double, 2> traction = loads.traction[side];
     if (part) traction = {value_at(part->traction[0], 0), value_at(part->traction[1], 0)};
     const Support support = support_of(piece, loads);
@@ -195,10 +184,10 @@ BoundaryLoads apply_loads(const Assembly& assembly, const std::vector<BoundaryEd
     moment(i, 1) += dot(piece.arm, f);
     stiffness(i, piece.side % 2) += piece.length * (part ? part->stiffness : loads.stiffness[side]);
     if (!piece.decides) continue;
-    const int axes = held_axes(support, piece.side), own = axes & owned[static_cast<std::size_t>(i)][side];
+    const int axes = held_axes(support, piece.side), own = axes & owned[i][side];
     held(i) |= axes;
     for (int axis = 0; axis < 2; ++axis)
-      if (own & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][static_cast<std::size_t>(axis)];
+      if (own & 1 << axis) drive(i, axis) = part ? 0 : loads.velocity[side][axis];
   }
   return out;
 }
@@ -210,7 +199,7 @@ void set_platen_velocity(const std::vector<BoundaryEdge>& boundary, RockSide sid
   for (const BoundaryEdge& edge : boundary) {
     if (edge.side != static_cast<int>(side)) continue;
     for (int axis = 0; axis < 2; ++axis) {
-      if (held(edge.particle) & 1 << axis) drive(edge.particle, axis) = velocity[static_cast<std::size_t>(axis)];
+      if (held(edge.particle) & 1 << axis) drive(edge.particle, axis) = velocity[axis];
     }
   }
   Kokkos::deep_copy(particles.drive, drive);

@@ -45,9 +45,9 @@ struct TakeStiffness {
 }  // namespace
 
 MassLoss make_mass_loss(const Particles& particles, const Bonds& bonds) {
-  const auto n = static_cast<std::size_t>(particles.count);
+  const int n = particles.count;
   return {VectorField<double>("vug::dem::lost_momentum", n), ScalarField<double>("vug::dem::lost_kinetic", n),
-          ScalarField<double>("vug::dem::lost_elastic", static_cast<std::size_t>(bonds.count))};
+          ScalarField<double>("vug::dem::lost_elastic", bonds.count)};
 }
 
 void reset(const Exec& exec, const MassLoss& loss) {

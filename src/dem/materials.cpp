@@ -20,9 +20,9 @@ double in_series(double m_a, double h_a, double m_b, double h_b) {
 }  // namespace
 
 RockMaterial material_of(const MechanicsParameters& parameters, const Assembly& assembly, int triangle) {
-  const int region = assembly.region.empty() ? 0 : assembly.region[static_cast<std::size_t>(triangle)];
+  const int region = assembly.region.empty() ? 0 : assembly.region[triangle];
   if (region == 0) return {parameters.density, parameters.thermal_expansion, parameters.bond};
-  return parameters.materials[static_cast<std::size_t>(region - 1)];
+  return parameters.materials[region - 1];
 }
 
 BondParameters joint_of(const BondParameters& a, double h_a, const BondParameters& b, double h_b) {

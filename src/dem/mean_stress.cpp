@@ -62,8 +62,7 @@ struct ShareOfMember {
 
 Kokkos::View<double* [3], Kokkos::LayoutLeft> stress_of_triangles(const Exec& exec, const Particles& particles,
                                                                   const Bonds& bonds, const ForceMoments& outer) {
-  const Kokkos::View<double* [3], Kokkos::LayoutLeft> stress("vug::dem::triangle_stress",
-                                                             static_cast<std::size_t>(particles.count));
+  const Kokkos::View<double* [3], Kokkos::LayoutLeft> stress("vug::dem::triangle_stress", particles.count);
   for_each_node(exec, "vug::dem::stress_of_triangles", particles.count,
                 StressOfTriangle{{particles, bonds, outer}, stress});
   exec.fence("vug::dem::stress_of_triangles");

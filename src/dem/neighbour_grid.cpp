@@ -23,8 +23,8 @@ NeighbourGrid make_neighbour_grid(const Particles& particles, double skin) {
   grid.cell = 2.05 * grid.reach + skin;  // room for warm triangles
   grid.nx = 1 + static_cast<int>((right - grid.left) / grid.cell);
   grid.ny = 1 + static_cast<int>((top - grid.bottom) / grid.cell);
-  grid.start = IndexList("vug::dem::grid_start", static_cast<std::size_t>(grid.nx * grid.ny) + 1);
-  grid.item = IndexList("vug::dem::grid_item", static_cast<std::size_t>(particles.count));
+  grid.start = IndexList("vug::dem::grid_start", grid.nx * grid.ny + 1);
+  grid.item = IndexList("vug::dem::grid_item", particles.count);
   return grid;
 }
 

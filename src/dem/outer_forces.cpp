@@ -10,7 +10,7 @@ OuterForces::OuterForces(const Assembly& assembly, const std::vector<BoundaryEdg
   std::vector<std::array<double, 2>> lengths(owned.size());  // likewise, m
   for (const LoadedPiece& piece : pieces) {
     const auto i = static_cast<std::size_t>(piece.particle), side = static_cast<std::size_t>(piece.side);
-    const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[static_cast<std::size_t>(piece.part)];
+    const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[piece.part];
     Loaded loaded{piece, {}, piece.length * (part ? part->stiffness : loads.stiffness[side])};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double steady = loads.traction[side][axis];
@@ -31,7 +31,7 @@ OuterForces::OuterForces(const Assembly& assembly, const std::vector<BoundaryEdg
 }
 
 ForceMoments OuterForces::moments(const Particles& particles, double time) const {
-  const ForceMoments moments("vug::dem::outer_moments", static_cast<std::size_t>(particles.count));
+  const ForceMoments moments("vug::dem::outer_moments", particles.count);
   const HostWriter sum(moments);
   const auto u = on_host(particles.u), reference = on_host(particles.u_reference);
   const auto reaction = on_host(particles.reaction);

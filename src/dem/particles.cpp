@@ -10,12 +10,13 @@
 
 namespace vug {
 
+Vec2 vertex_of(const Assembly& assembly, int v) {
+  return {assembly.vertices[v][0], assembly.vertices[v][1]};
+}
+
 Triangle triangle_of(const Assembly& assembly, int k) {
   Triangle triangle;
-  for (int c = 0; c < 3; ++c) {
-    const auto& point = assembly.vertices[static_cast<std::size_t>(assembly.triangles[static_cast<std::size_t>(k)][c])];
-    triangle.corner[c] = {point[0], point[1]};
-  }
+  for (int c = 0; c < 3; ++c) triangle.corner[c] = vertex_of(assembly, assembly.triangles[k][c]);
   return triangle;
 }
 
@@ -50,36 +51,31 @@ double smallest_inradius(const Assembly& assembly) {
   return smallest;
 }
 
-template <class V>
-V fresh(const char* label, int count) {
-  return V(std::string("vug::dem::") + label, static_cast<std::size_t>(count));
-}
-
 void allocate(Particles& p, int n) {
   p.count = n;
-  p.x0 = fresh<VectorField<double>>("x0", n);
-  p.corner = fresh<decltype(p.corner)>("corner", n);
-  p.eroded = fresh<decltype(p.eroded)>("eroded", n);
-  p.vertex = fresh<decltype(p.vertex)>("vertex", n);
-  p.mass = fresh<ScalarField<double>>("mass", n);
-  p.inertia = fresh<ScalarField<double>>("inertia", n);
-  p.u = fresh<VectorField<double>>("u", n);
-  p.u_reference = fresh<VectorField<double>>("u_reference", n);
-  p.v = fresh<VectorField<double>>("v", n);
-  p.angle = fresh<ScalarField<double>>("angle", n);
-  p.angle_reference = fresh<ScalarField<double>>("angle_reference", n);
-  p.spin = fresh<ScalarField<double>>("spin", n);
-  p.rotation = fresh<VectorField<double>>("rotation", n);
-  p.force = fresh<VectorField<double>>("force", n);
-  p.torque = fresh<ScalarField<double>>("torque", n);
-  p.solid_fraction = fresh<ScalarField<double>>("solid_fraction", n);
-  p.temperature_change = fresh<ScalarField<double>>("temperature_change", n);
+  make_zeros(p.x0, "vug::dem::x0", n);
+  make_zeros(p.corner, "vug::dem::corner", n);
+  make_zeros(p.eroded, "vug::dem::eroded", n);
+  make_zeros(p.vertex, "vug::dem::vertex", n);
+  make_zeros(p.mass, "vug::dem::mass", n);
+  make_zeros(p.inertia, "vug::dem::inertia", n);
+  make_zeros(p.u, "vug::dem::u", n);
+  make_zeros(p.u_reference, "vug::dem::u_reference", n);
+  make_zeros(p.v, "vug::dem::v", n);
+  make_zeros(p.angle, "vug::dem::angle", n);
+  make_zeros(p.angle_reference, "vug::dem::angle_reference", n);
+  make_zeros(p.spin, "vug::dem::spin", n);
+  make_zeros(p.rotation, "vug::dem::rotation", n);
+  make_zeros(p.force, "vug::dem::force", n);
+  make_zeros(p.torque, "vug::dem::torque", n);
+  make_zeros(p.solid_fraction, "vug::dem::solid_fraction", n);
+  make_zeros(p.temperature_change, "vug::dem::temperature_change", n);
   p.warming = p.temperature_change;
   p.u_origin = p.u_reference;
   p.angle_origin = p.angle_reference;
-  p.held = fresh<decltype(p.held)>("held", n);
-  p.drive = fresh<VectorField<double>>("drive", n);
-  p.reaction = fresh<VectorField<double>>("reaction", n);
+  make_zeros(p.held, "vug::dem::held", n);
+  make_zeros(p.drive, "vug::dem::drive", n);
+  make_zeros(p.reaction, "vug::dem::reaction", n);
   Kokkos::deep_copy(p.solid_fraction, 1.0);
 }
 
@@ -92,10 +88,10 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
   Particles p;
   p.radius = parameters.contact.radius_factor * smallest_inradius(assembly);
   allocate(p, static_cast<int>(assembly.triangles.size()));
-  if (!assembly.region.empty()) p.warming = fresh<ScalarField<double>>("warming", p.count);
+  if (!assembly.region.empty()) make_zeros(p.warming, "vug::dem::warming", p.count);
   if (parameters.output_from_unloaded) {
-    p.u_origin = fresh<VectorField<double>>("u_origin", p.count);
-    p.angle_origin = fresh<ScalarField<double>>("angle_origin", p.count);
+    make_zeros(p.u_origin, "vug::dem::u_origin", p.count);
+    make_zeros(p.angle_origin, "vug::dem::angle_origin", p.count);
   }
   const HostWriter x0(p.x0);
   const HostWriter corner(p.corner), eroded(p.eroded);
@@ -115,7 +111,7 @@ Particles make_particles(const Assembly& assembly, const MechanicsParameters& pa
       corner(i, k, 1) = sharp.y;
       eroded(i, k, 0) = inner.x;
       eroded(i, k, 1) = inner.y;
-      vertex(i, k) = assembly.triangles[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      vertex(i, k) = assembly.triangles[i][k];
     }
   }
   return p;

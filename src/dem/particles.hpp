@@ -46,6 +46,7 @@ struct Particles {
   VectorField<double> reaction;  ///< (particle, axis) force that holds, N; zero on free axes
 };
 
+Vec2 vertex_of(const Assembly& assembly, int v);
 /// Triangle k of an assembly.
 Triangle triangle_of(const Assembly& assembly, int k);
 

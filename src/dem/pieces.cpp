@@ -29,7 +29,7 @@ int count_all(const Exec& exec, const char* label, int items, const Counter& cou
 /// Disjoint sets of numbers; the root of a set is its lowest member.
 class Sets {
  public:
-  explicit Sets(int count) : above_(static_cast<std::size_t>(count)) { std::iota(above_.begin(), above_.end(), 0); }
+  explicit Sets(int count) : above_(count) { std::iota(above_.begin(), above_.end(), 0); }
   int root(int i) {
     while (above(i) != i) i = above(i) = above(above(i));  // halves the way for the next search
     return i;
@@ -40,7 +40,7 @@ class Sets {
   }
 
  private:
-  int& above(int i) { return above_[static_cast<std::size_t>(i)]; }
+  int& above(int i) { return above_[i]; }
   std::vector<int> above_;
 };
 
@@ -54,8 +54,8 @@ std::vector<int> find_pieces(const Particles& particles, const Bonds& bonds) {
   for (int b = 0; b < bonds.count; ++b)
     if (!has_failed(state(b)) && !is_gone(fraction(pair(b, 0))) && !is_gone(fraction(pair(b, 1))))
       sets.join(pair(b, 0), pair(b, 1));
-  std::vector<int> piece(static_cast<std::size_t>(particles.count));
-  for (int t = 0; t < particles.count; ++t) piece[static_cast<std::size_t>(t)] = sets.root(t);
+  std::vector<int> piece(particles.count);
+  for (int t = 0; t < particles.count; ++t) piece[t] = sets.root(t);
   return piece;
 }
 
@@ -76,10 +76,10 @@ std::vector<int> find_loose_pieces(const Particles& particles, const Bonds& bond
   }
   if (!piece.empty()) {
     const auto heaviest = std::max_element(weight.begin(), weight.end());
-    stays[static_cast<std::size_t>(heaviest - weight.begin())] = true;
+    stays[heaviest - weight.begin()] = true;
   }
   for (int& own : piece)
-    if (stays[static_cast<std::size_t>(own)]) own = -1;
+    if (stays[own]) own = -1;
   return piece;
 }
 

@@ -31,8 +31,8 @@ void cool(const Assembly& slab, double top, const SlabCooling& cooling, double l
   const HostWriter change(p.temperature_change);
   for (int i = 0; i < p.count; ++i) {
     double centroid = 0, sum = 0;
-    for (const int v : slab.triangles[static_cast<std::size_t>(i)]) {
-      const double depth = top - slab.vertices[static_cast<std::size_t>(v)][1];
+    for (const int v : slab.triangles[i]) {
+      const double depth = top - slab.vertices[v][1];
       centroid += depth / 3;
       sum += cooling.change(depth, length) / 12;
     }
@@ -47,8 +47,7 @@ std::vector<std::array<std::array<double, 2>, 2>> broken_edges(const Assembly& s
   std::vector<std::array<std::array<double, 2>, 2>> edges;
   for (int k = 0; k < bonds.count; ++k) {
     if (!has_broken(state(k))) continue;
-    const auto& p = slab.vertices[static_cast<std::size_t>(vertex(k, 0))];
-    const auto& q = slab.vertices[static_cast<std::size_t>(vertex(k, 1))];
+    const auto &p = slab.vertices[vertex(k, 0)], &q = slab.vertices[vertex(k, 1)];
     edges.push_back({{{p[0], top - p[1]}, {q[0], top - q[1]}}});
   }
   return edges;

@@ -61,25 +61,22 @@ std::vector<ServoPlaten> make_servo_platens(const std::vector<BoundaryEdge>& bou
                                             const Loads& loads, const BondParameters& law, const Bonds& bonds) {
   std::vector<ServoPlaten> platens;
   for (int side = 0; side < rock_side_count; ++side) {
-    if (loads.support[static_cast<std::size_t>(side)] != Support::servo) continue;
+    if (loads.support[side] != Support::servo) continue;
     ServoPlaten platen;
     platen.axis = side % 2;
     platen.outward = side < 2 ? 1 : -1;
-    platen.pressure =
-        -platen.outward * loads.traction[static_cast<std::size_t>(side)][static_cast<std::size_t>(platen.axis)];
+    platen.pressure = -platen.outward * loads.traction[side][platen.axis];
     std::set<int> held;  // a corner's triangle may have two edges on one side
     for (const BoundaryEdge& edge : boundary) {
       if (edge.side != side) continue;
-      const auto& p = assembly.vertices[static_cast<std::size_t>(edge.vertex[0])];
-      const auto& q = assembly.vertices[static_cast<std::size_t>(edge.vertex[1])];
-      const std::size_t along = 1 - static_cast<std::size_t>(platen.axis);
+      const auto &p = assembly.vertices[edge.vertex[0]], &q = assembly.vertices[edge.vertex[1]];
+      const int along = 1 - platen.axis;
       platen.length += std::abs(q[along] - p[along]);
       held.insert(edge.particle);
     }
     const auto [stiffness, damping] = behind(held, platen.axis, law, bonds);
     if (!(stiffness > 0))
-      throw InputError(loads.name[static_cast<std::size_t>(side)] +
-                       ": a servo needs a bond between the triangles it holds and others");
+      throw InputError(loads.name[side] + ": a servo needs a bond between the triangles it holds and others");
     platen.compliance = servo_gain * platen.length / stiffness;
     platen.fluidity = damping > 0 ? servo_gain * platen.length / damping : std::numeric_limits<double>::infinity();
     platen.held = to_device<IndexList>("vug::dem::servo_held", {held.begin(), held.end()});

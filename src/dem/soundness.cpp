@@ -28,7 +28,7 @@ Piece piece_of(const Mechanics& rock, int particle) {
   Vec2 momentum;
   double all = 0;
   for (int i = 0; i < p.count; ++i) {
-    if (piece[static_cast<std::size_t>(i)] != piece[static_cast<std::size_t>(particle)]) continue;
+    if (piece[i] != piece[particle]) continue;
     const double own = mass(i) * mass_fraction(fraction(i));
     ++out.triangles;
     out.held = out.held || held(i) != 0;

@@ -85,9 +85,9 @@ class Search {
         bonds_(bonds),
         contacts_(contacts),
         linear_(particles, bonds),
-        force_("vug::dem::imbalance", static_cast<std::size_t>(particles.count)),
-        stiffness_("vug::dem::point_stiffness", static_cast<std::size_t>(bonds.count)),
-        slip_("vug::dem::slip_before", static_cast<std::size_t>(bonds.count)),
+        force_("vug::dem::imbalance", particles.count),
+        stiffness_("vug::dem::point_stiffness", bonds.count),
+        slip_("vug::dem::slip_before", bonds.count),
         stretch_("vug::dem::stretch_before", contacts.stretch.extent(0)) {}
 
   bool operator()() {

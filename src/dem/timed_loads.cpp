@@ -73,14 +73,14 @@ struct TimedPieces {
               const std::vector<int>& number, const std::vector<AxesOfSides>& held) {
     std::map<int, std::vector<LoadedPiece>> pieces;  // by particle
     for (const LoadedPiece& piece : boundary)
-      if (piece.part >= 0 && number[static_cast<std::size_t>(piece.part)] >= 0) pieces[piece.particle].push_back(piece);
+      if (piece.part >= 0 && number[piece.part] >= 0) pieces[piece.particle].push_back(piece);
     for (const auto& [i, of_particle] : pieces) {
       particle.push_back(i);
       for (const LoadedPiece& piece : of_particle) {
-        const SidePart& own = parts[static_cast<std::size_t>(piece.part)];
-        part.push_back(number[static_cast<std::size_t>(piece.part)]);
+        const SidePart& own = parts[piece.part];
+        part.push_back(number[piece.part]);
         const bool moved = piece.decides && own.moves() && own.support != Support::free;
-        axes.push_back(moved ? held[static_cast<std::size_t>(i)][static_cast<std::size_t>(piece.side)] : 0);
+        axes.push_back(moved ? held[i][piece.side] : 0);
         all.push_back(piece);
       }
       row.push_back(static_cast<int>(part.size()));
@@ -102,8 +102,8 @@ void fill(const TimedPieces& pieces, const BoundaryLoads& at_start, TimedLoads& 
     }
   for (std::size_t j = 0; j < pieces.particle.size(); ++j)
     for (int e = pieces.row[j]; e < pieces.row[j + 1]; ++e) {
-      const LoadedPiece& piece = pieces.all[static_cast<std::size_t>(e)];
-      const SidePart& own = timed.parts[static_cast<std::size_t>(pieces.part[static_cast<std::size_t>(e)])];
+      const LoadedPiece& piece = pieces.all[e];
+      const SidePart& own = timed.parts[pieces.part[e]];
       const Vec2 f{piece.length * value_at(own.traction[0], 0), piece.length * value_at(own.traction[1], 0)};
       length(e) = piece.length;
       arm(e, 0) = piece.arm.x;
