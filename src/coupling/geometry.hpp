@@ -77,8 +77,5 @@ struct DrawnRock {
   std::string warning;                 ///< for a picture that shows no rock at all; otherwise empty
 };
 DrawnRock drawn_rock(const Scene& scene);
-inline std::vector<bool> solid_mask(const Scene& scene) {
-  return drawn_rock(scene).solid;
-}
 
 }  // namespace vug

@@ -66,7 +66,7 @@ TEST(Shapes, OfWholeCellsHaveThemWhereverTheyLie) {
           "type = \"polygon\"\npoints = [[{0}, {1}], [{2}, {1}], [{2}, {3}], [{0}, {3}]]\n", x0, y0, x1, y1);
       for (const std::string& shape : {rectangle, polygon}) {
         const std::string drawn = "[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\n" + shape;
-        EXPECT_EQ(solid_mask(parse_scene(case_of(spacing, drawn), "case.toml")), expected) << at << "\n" << shape;
+        EXPECT_EQ(drawn_rock(parse_scene(case_of(spacing, drawn), "case.toml")).solid, expected) << at << "\n" << shape;
         const auto opening = opening_of_nodes(
             parse_scene(case_of(spacing, "[[geometry.shapes]]\nname = \"well\"\n" + shape + "[boundary.shape.well]\n"),
                         "case.toml"));
@@ -78,11 +78,12 @@ TEST(Shapes, OfWholeCellsHaveThemWhereverTheyLie) {
 }
 
 TEST(Shapes, AreMirroredWhenADiscIs) {
-  const auto mask = solid_mask(
+  const Scene disc =
       parse_scene(case_of(1e-3 / 3, fmt::format("[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\n"
                                                 "type = \"disc\"\ncentre = [{:.12g}, {:.12g}]\nradius = {:.12g}\n",
                                                 20.5e-3 / 3, 14.5e-3 / 3, 5e-3 / 3)),
-                  "case.toml"));
+                  "case.toml");
+  const auto mask = drawn_rock(disc).solid;
   for (int y = 0; y < 29; ++y)
     for (int x = 1; x < 40; ++x) {
       EXPECT_EQ(mask[y * 40 + x], mask[y * 40 + 40 - x]);
