@@ -34,14 +34,14 @@ int cells_along(const TomlCursor& table, double length, double spacing, int axis
   return static_cast<int>(whole);
 }
 
-Shape read_shape(const TomlCursor& table) {
+Shape read_shape(const TomlCursor& table, const std::vector<Shape>& earlier) {
   Shape shape;
   shape.form = *read_form(table, FormOf::geometry);
   table.choose("material", shape.solid, {{"solid", true}, {"fluid", false}});
   std::optional<std::string> name;
   table.read("name", name);
   if (!name) return shape;
-  if (!is_plain_name(*name)) table.fail("name", plain_name_rule);
+  check_name(table, *name, earlier, "shape");
   table.refuse("material", "is of a shape without a name; one with a name is an opening, neither solid nor fluid");
   shape.name = *name;
   return shape;
@@ -49,11 +49,7 @@ Shape read_shape(const TomlCursor& table) {
 
 void read_shapes(const TomlCursor& table, GeometrySection& geometry) {
   for (const TomlCursor& element : table.tables("shapes")) {
-    const Shape shape = read_shape(element);
-    const bool again = std::any_of(geometry.shapes.begin(), geometry.shapes.end(), [&](const Shape& earlier) {
-      return !shape.name.empty() && earlier.name == shape.name;
-    });
-    if (again) element.fail("name", "is the name of an earlier shape");
+    const Shape shape = read_shape(element, geometry.shapes);
     if (shape.name.empty() && geometry.kind != GeometryKind::shapes && !table.describing()) {
       element.fail("name",
                    "is missing; shapes of solid or fluid are only for geometry.type = \"shapes\", others "

@@ -104,14 +104,6 @@ namespace {
 constexpr const char* taken_by_columns[] = {"heat",        "fluid_mass",    "mass", "solid_volume", "dissolved_volume",
                                             "rock_volume", "rock_dissolved"};
 
-void check_species_name(const TomlCursor& table, const std::string& name, const std::vector<Species>& earlier) {
-  if (!is_plain_name(name)) table.fail("name", plain_name_rule);
-  for (const char* taken : taken_by_columns)
-    if (name == taken) table.fail("name", "begins other columns of the history; choose another");
-  for (const Species& other : earlier)
-    if (other.name == name) table.fail("name", "is the name of an earlier species");
-}
-
 }  // namespace
 
 SoluteSection read_solute(const TomlCursor& table) {
@@ -131,7 +123,9 @@ SoluteSection read_solute(const TomlCursor& table) {
     element.need("name", species.name);
     element.need("diffusivity", species.diffusivity, unit::square_metre_per_second, range::positive);
     element.read("initial", species.initial, unit::mole_per_cubic_metre, range::not_negative);
-    if (!table.describing()) check_species_name(element, species.name, solute.species);
+    check_name(element, species.name, solute.species, "species");
+    for (const char* taken : taken_by_columns)
+      if (species.name == taken) element.fail("name", "begins other columns of the history; choose another");
     solute.species.push_back(species);
   }
   if (solute.species.empty()) table.fail("species", "is missing; [solute] needs at least one [[solute.species]]");

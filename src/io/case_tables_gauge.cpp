@@ -1,8 +1,6 @@
 // [[output.gauges]]: quantities of the rock in the history.
 #include "io/detail/case_tables.hpp"
 
-#include <set>
-
 namespace vug {
 namespace {
 
@@ -28,10 +26,10 @@ void read_points_of_opening(const TomlCursor& table, Gauge& gauge) {
   if (gauge.from == gauge.to) table.fail("points", "are the same");
 }
 
-Gauge read_gauge(const TomlCursor& table) {
+Gauge read_gauge(const TomlCursor& table, const std::vector<Gauge>& earlier) {
   Gauge gauge;
   table.need("name", gauge.name);
-  if (!table.describing() && !is_plain_name(gauge.name)) table.fail("name", plain_name_rule);
+  check_name(table, gauge.name, earlier, "gauge");
   table.need_choice("type", gauge.kind,
                     {{"displacement", Kind::displacement},
                      {"stress", Kind::stress},
@@ -68,12 +66,7 @@ Gauge read_gauge(const TomlCursor& table) {
 
 std::vector<Gauge> read_gauges(const TomlCursor& output) {
   std::vector<Gauge> gauges;
-  std::set<std::string> names;
-  for (const TomlCursor& element : output.tables("gauges")) {
-    gauges.push_back(read_gauge(element));
-    if (!output.describing() && !names.insert(gauges.back().name).second)
-      element.fail("name", "is the name of an earlier gauge");
-  }
+  for (const TomlCursor& element : output.tables("gauges")) gauges.push_back(read_gauge(element, gauges));
   return gauges;
 }
 

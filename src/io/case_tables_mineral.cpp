@@ -84,11 +84,9 @@ void read_name(const TomlCursor& table, const std::vector<MineralSection>& earli
   if (table.describing()) return;
   if (earlier.size() == most_minerals)
     table.fail("name", fmt::format("is one mineral too many; at most {} are accepted", most_minerals));
-  if (!is_plain_name(mineral.name)) table.fail("name", plain_name_rule);
+  check_name(table, mineral.name, earlier, "mineral");
   for (const char* taken : {"rock", "solid", "dissolved"})
     if (mineral.name == taken) table.fail("name", "has a meaning of its own; choose another");
-  for (const MineralSection& other : earlier)
-    if (other.name == mineral.name) table.fail("name", "is the name of an earlier mineral");
 }
 
 }  // namespace

@@ -59,20 +59,18 @@ OutputSection read_output(const TomlCursor& table) {
   table.read("compress", output.compress);
   table.read("forces", output.forces);
   table.read("flows", output.flows);
-  std::set<std::string> probe_names, field_names;
   for (const TomlCursor& element : table.tables("probes")) {
     Probe probe{};
     element.need("name", probe.name);
     element.need("at", probe.at, unit::metre);
-    if (!table.describing() && !is_plain_name(probe.name)) element.fail("name", plain_name_rule);
-    if (!table.describing() && !probe_names.insert(probe.name).second)
-      element.fail("name", "is the name of an earlier probe");
+    check_name(element, probe.name, output.probes, "probe");
     output.probes.push_back(probe);
   }
   output.gauges = read_gauges(table);
   if (table.describing()) return output;
   if (output.interval && output.interval_steps)
     table.fail("interval_steps", "stands beside output.interval; give one of the two");
+  std::set<std::string> field_names;
   for (std::size_t i = 0; i < output.fields.size(); ++i) {
     if (output.fields[i].empty()) table.fail(fmt::format("fields.{}", i), "must be the name of a field");
     if (!field_names.insert(output.fields[i]).second)
