@@ -110,7 +110,7 @@ SoluteSection read_solute(const TomlCursor& table) {
   SoluteSection solute;
   table.choose("velocity_set", solute.velocity_set,
                {{"d2q5", ScalarVelocitySet::d2q5}, {"d2q9", ScalarVelocitySet::d2q9}});
-  table.read("relaxation_time", solute.relaxation_time, unit::none, {.low = 0.5, .high = 100, .low_open = true});
+  table.read("relaxation_time", solute.relaxation_time, unit::none, Range{.low = 0.5, .high = 100, .low_open = true});
   table.read("advective_form", solute.advective_form);
   table.read("face_exchange", solute.face_exchange);
   if (solute.face_exchange && (!solute.advective_form || solute.velocity_set != ScalarVelocitySet::d2q5))

@@ -45,7 +45,6 @@ class TomlCursor {
                                                                Unit unit, Range range) const;
 
   void read(std::string_view key, double& value, Unit unit, Range range = range::any) const;
-  void read(std::string_view key, std::optional<double>& value, Unit unit, Range range = range::any) const;
   /// Reads a number of a part, such as a material. Where the key is absent, `value` keeps the number of the whole.
   void read_own(std::string_view key, double& value, Unit unit, Range range) const {
     std::optional<double> own;
@@ -57,7 +56,6 @@ class TomlCursor {
   void read(std::string_view key, std::vector<Point>& value, Unit unit, Range range = range::any) const;
   /// A number, or a table over time, [[s, value], ...].
   void read(std::string_view key, TimeTable& value, Unit unit, Range range = range::any) const;
-  void read(std::string_view key, std::optional<TimeTable>& value, Unit unit, Range range = range::any) const;
   /// Two numbers, or a table over time, [[s, x, y], ...].
   void read(std::string_view key, std::array<TimeTable, 2>& value, Unit unit, Range range = range::any) const;
   /// A table of pairs whose first numbers ascend.
@@ -65,14 +63,14 @@ class TomlCursor {
   void read(std::string_view key, int& value, Range range) const;
   void read(std::string_view key, std::int64_t& value, Range range) const;
   void read(std::string_view key, std::uint64_t& value) const;
-  void read(std::string_view key, std::optional<int>& value, Range range) const;
-  void read(std::string_view key, std::optional<std::int64_t>& value, Range range) const;
   void read(std::string_view key, std::array<int, 2>& value, Range range) const;
   void read(std::string_view key, bool& value) const;
   void read(std::string_view key, std::string& value) const;
-  void read(std::string_view key, std::optional<std::string>& value) const;
   void read(std::string_view key, std::vector<std::string>& value) const;
   void read(std::string_view key, std::vector<std::int64_t>& value) const;
+  /// A key without a default: where it is absent, `value` stays as it is.
+  template <class Value, class... Arguments>
+  void read(std::string_view key, std::optional<Value>& value, Arguments... arguments) const;
 
   template <class Value>
   using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
@@ -139,6 +137,16 @@ void TomlCursor::choose(std::string_view key, Value& value, Choices<std::type_id
   for (const auto& [name, meaning] : choices) {
     if (name == chosen) value = meaning;
   }
+}
+
+template <class Value, class... Arguments>
+void TomlCursor::read(std::string_view key, std::optional<Value>& value, Arguments... arguments) const {
+  Value given{};
+  read(key, given, arguments...);
+  if (describing())
+    log_->back().fallback = "-";
+  else if (has(key))
+    value = given;
 }
 
 template <class Value, class... Arguments>

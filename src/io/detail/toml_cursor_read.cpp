@@ -19,11 +19,6 @@ void TomlCursor::read(std::string_view key, double& value, Unit unit, Range rang
   if (found != nullptr) value = number(*found, inside(key), unit, range);
 }
 
-void TomlCursor::read(std::string_view key, std::optional<double>& value, Unit unit, Range range) const {
-  const auto* found = look_up({std::string(key), "number", std::string(unit.symbol), "-", range.text()});
-  if (found != nullptr) value = number(*found, inside(key), unit, range);
-}
-
 void TomlCursor::read(std::string_view key, Point& value, Unit unit, Range range) const {
   const auto* found = look_up({std::string(key), "two numbers", std::string(unit.symbol),
                                fmt::format("[{:g}, {:g}]", value[0], value[1]), range.text()});
@@ -90,11 +85,6 @@ void TomlCursor::read(std::string_view key, TimeTable& value, Unit unit, Range r
   if (found != nullptr) value = time_table(*found, inside(key), unit, range);
 }
 
-void TomlCursor::read(std::string_view key, std::optional<TimeTable>& value, Unit unit, Range range) const {
-  const auto* found = look_up({std::string(key), "number or table", std::string(unit.symbol), "-", range.text()});
-  if (found != nullptr) value = time_table(*found, inside(key), unit, range);
-}
-
 void TomlCursor::read(std::string_view key, std::array<TimeTable, 2>& value, Unit unit, Range range) const {
   const auto* found = look_up({std::string(key), "two numbers or table", std::string(unit.symbol),
                                fmt::format("[{:g}, {:g}]", value[0].at(0), value[1].at(0)), range.text()});
@@ -130,11 +120,6 @@ void TomlCursor::read(std::string_view key, int& value, Range range) const {
   if (found != nullptr) value = whole_int(*found, inside(key), range);
 }
 
-void TomlCursor::read(std::string_view key, std::optional<int>& value, Range range) const {
-  const auto* found = look_up({std::string(key), "whole number", "1", "-", range.text()});
-  if (found != nullptr) value = whole_int(*found, inside(key), range);
-}
-
 void TomlCursor::read(std::string_view key, std::int64_t& value, Range range) const {
   const auto* found = look_up({std::string(key), "whole number", "1", fmt::format("{}", value), range.text()});
   if (found != nullptr) value = whole(*found, inside(key), range);
@@ -143,11 +128,6 @@ void TomlCursor::read(std::string_view key, std::int64_t& value, Range range) co
 void TomlCursor::read(std::string_view key, std::uint64_t& value) const {
   const auto* found = look_up({std::string(key), "whole number", "1", fmt::format("{}", value), ">= 0"});
   if (found != nullptr) value = static_cast<std::uint64_t>(whole(*found, inside(key), range::not_negative));
-}
-
-void TomlCursor::read(std::string_view key, std::optional<std::int64_t>& value, Range range) const {
-  const auto* found = look_up({std::string(key), "whole number", "1", "-", range.text()});
-  if (found != nullptr) value = whole(*found, inside(key), range);
 }
 
 void TomlCursor::read(std::string_view key, std::array<int, 2>& value, Range range) const {
@@ -167,13 +147,6 @@ void TomlCursor::read(std::string_view key, bool& value) const {
 
 void TomlCursor::read(std::string_view key, std::string& value) const {
   const auto* found = look_up({std::string(key), "text", "", quoted(value), ""});
-  if (found == nullptr) return;
-  if (!found->is_string()) fail(key, "must be text in quotes");
-  value = found->as_string()->get();
-}
-
-void TomlCursor::read(std::string_view key, std::optional<std::string>& value) const {
-  const auto* found = look_up({std::string(key), "text", "", "-", ""});
   if (found == nullptr) return;
   if (!found->is_string()) fail(key, "must be text in quotes");
   value = found->as_string()->get();
