@@ -10,7 +10,7 @@ namespace vug {
 
 namespace {
 
-constexpr double breakthrough = 0.01;  // share of what was injected or made
+constexpr double breakthrough = 0.01;  // share of what was injected
 const std::string breakthrough_of = "breakthrough of ";
 constexpr double grown = 1e-9;  // share of the solid; smaller values are rounding
 const std::string has_grown = "warning: rock has grown";
@@ -82,8 +82,7 @@ struct Passed {
 };
 
 /// Amounts of each species, from the columns "L1_gain_injected_mol_per_m", "..._outflow_...", "..._shape_<name>_..."
-/// and
-/// "..._reaction_..." of a row.
+/// and "..._reaction_..." of a row.
 std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
   std::map<std::string, Passed> passed;
   for (const HistoryValue& value : row) {
@@ -235,14 +234,12 @@ std::vector<std::string> Events::look_at_row(const Simulation& simulation, const
                       "reactant)"
                     : "negative concentrations of the reactant (a given flux that draws more than there "
                       "is, or undershoots)"));
-  for (const auto& [species, passed] : passed_by(row)) {
-    // of a product a trace may enter beside the reactant: what has left is a share of what was made
-    const double there = passed.in + passed.made;
-    if (there > 0 && passed.out > breakthrough * there && next_.try_emplace(breakthrough_of + species, 0).second)
-      news.push_back(fmt::format("{}{}{}: {:.2g} % of what was {} has left", at(simulation.clock()), breakthrough_of,
-                                 species, 100 * passed.out / there,
-                                 passed.made > passed.in ? "made by reactions" : "injected"));
-  }
+  // of a product no more than a trace enters, beside the reactant: what has left is no share of that
+  for (const auto& [species, passed] : passed_by(row))
+    if (passed.in > passed.made && passed.out > breakthrough * passed.in &&
+        next_.try_emplace(breakthrough_of + species, 0).second)
+      news.push_back(fmt::format("{}{}{}: {:.2g} % of what was injected has left", at(simulation.clock()),
+                                 breakthrough_of, species, 100 * passed.out / passed.in));
   return news;
 }
 

@@ -9,9 +9,9 @@
 namespace vug {
 
 /// Watches counts that only grow and reports when each reaches 1, 10, 100, ...: failed bonds, fragments let go,
-/// dissolved nodes, nodes opened by damage. Also reports breakthrough, when more than 1 % of what was injected and made
-/// of a species has left, that rock has grown on the whole, that the limiter of the speed is at work, and the concerns
-/// of modules (concerns.hpp), each once.
+/// dissolved nodes, nodes opened by damage. Also reports breakthrough, when more than 1 % of the injected amount of a
+/// species has left that reactions do not make, that rock has grown on the whole, that the limiter of the speed is at
+/// work, and the concerns of modules (concerns.hpp), each once.
 class Events {
  public:
   /// Earlier events are not reported again; `earlier` has the lines about them. `reversible`: see runs_backwards.
