@@ -30,6 +30,13 @@ CASES = {  # case, steps, keys, output at every tenth step
               'boundary.injection={ side = "top", centre = 1.1, width = 0.5, flow = { type = "wall" } }',
               *SURFACES],
              "output.interval=1e-2"),  # velocities along sides, and where they end
+    "joins": ("cases/cylinder.toml", 40,
+              ['boundary.left.flow={ type = "velocity", velocity = [0.2, 0.1], ramp_time = 0.03 }',
+               'boundary.bottom.flow={ type = "velocity", velocity = [0.2, 0.1], ramp_time = 0.03 }',
+               'boundary.right.flow={ type = "outflow" }', 'boundary.top.flow={ type = "outflow" }',
+               'boundary.injection={ side = "right", centre = 0.2, width = 0.1, flow = { type = "outflow" } }',
+               *SURFACES],
+              "output.interval=1e-2"),  # outflows that meet on a side and at a corner
     "outflow": ("cases/tutorial/heated_channel.toml", 800, ["heat.velocity_set=d2q9", *SURFACES],
                 "output.interval=1.25e-3"),  # of heat, that looks back across cuts
     "diffusion": ("cases/diffusion_reaction.toml", 60, [], "output.interval=0.03"),
