@@ -17,7 +17,7 @@ struct Leaning {
   KOKKOS_FORCEINLINE_FUNCTION Vec2 between(int from, int to) const {
     return {p.x0(to, 0) - p.x0(from, 0), p.x0(to, 1) - p.x0(from, 1)};
   }
-  /// How much triangle g, which is gone, leans on t; -1: none.
+  /// How much triangle g, which is gone, leans on t (-1: none there).
   KOKKOS_FUNCTION double on(int g, int t) const {
     return t < 0 || gone(t) ? 0.0 : Kokkos::fmax(0.0, dot(force(g), between(g, t)));
   }
@@ -45,21 +45,10 @@ struct TakePush {
   }
 };
 
-struct DropPush {
-  Leaning leaning;
-  KOKKOS_FUNCTION void operator()(int g) const {
-    if (!leaning.gone(g) || leaning.on_all(g) == 0) return;
-    const Particles& p = leaning.p;
-    p.force(g, 0) = p.force(g, 1) = p.torque(g) = 0;
-  }
-};
-
 }  // namespace
 
 void hand_on_push(const Exec& exec, const TriangleNeighbours& neighbours, const Particles& particles) {
-  const Leaning leaning{neighbours, particles};
-  for_each_node(exec, "vug::mechanics::take_push", particles.count, TakePush{leaning});
-  for_each_node(exec, "vug::mechanics::drop_push", particles.count, DropPush{leaning});
+  for_each_node(exec, "vug::mechanics::take_push", particles.count, TakePush{{neighbours, particles}});
 }
 
 }  // namespace vug

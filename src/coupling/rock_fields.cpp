@@ -47,7 +47,11 @@ void add_rock_fields(const Mechanics& rock, FieldList& list, const std::vector<s
   add(list.particles, "gone", "1", 1, [particles] {
     return [fraction = on_host(particles.solid_fraction)](std::size_t i, int) { return is_gone(fraction(i)) ? 1 : 0; };
   });
-  vector(list.particles, "force", "N/m", particles.force);
+  add(list.particles, "force", "N/m", 2, [particles] {  // of what is gone: handed on (handed_push.hpp)
+    return [force = on_host(particles.force), fraction = on_host(particles.solid_fraction)](std::size_t i, int axis) {
+      return is_gone(fraction(i)) ? 0 : force(i, axis);
+    };
+  });
   const auto is_asked_for = [&](const std::string& name) {
     return std::find(asked_for.begin(), asked_for.end(), name) != asked_for.end();
   };
