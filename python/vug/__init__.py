@@ -14,6 +14,7 @@ if sys.version_info < (3, 11):
 
 from .errors import (CaseError, Diverged, FileTrouble, Interrupted, OutOfMemory, VugError, VugWarning)
 from .field import Field
+from .focusing import flow_focusing
 from .history import History
 from .launch import check, executable, run, sweep
 from .run_folder import Rock, Run, Snapshot
@@ -22,4 +23,4 @@ from .study import Study
 open = Run  # noqa: A001 (vug.open reads as what it does)
 
 __all__ = ["CaseError", "Diverged", "Field", "FileTrouble", "History", "Interrupted", "OutOfMemory", "Rock", "Run",
-           "Snapshot", "Study", "VugError", "VugWarning", "check", "executable", "open", "run", "sweep"]
+           "Snapshot", "Study", "VugError", "VugWarning", "check", "executable", "flow_focusing", "open", "run", "sweep"]
