@@ -12,6 +12,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 using testing_cases::parsed;
 using testing_cases::shipped;
@@ -51,6 +52,15 @@ TEST(CaseRemarks, TemperaturesThatAreMeantInDegreesAreRemarked) {
   EXPECT_THAT(warnings("\"90 degC\"", "\"20 degC\""), Not(Contains(HasSubstr("kelvin"))));
 }
 
+/// Brine, of which [heat] still says water; not what differs by a few degrees.
+TEST(CaseRemarks, TwoDensitiesOfOneFluidAreRemarked) {
+  const auto warnings = [](const std::vector<std::string>& set) { return shipped("quickstart.toml", set).warnings; };
+  const auto told = Contains(HasSubstr("heat.fluid_density = 1000 kg/m3 and flow.density = 1200 kg/m3"));
+  EXPECT_THAT(warnings({"flow.density=1200"}), told);
+  EXPECT_THAT(warnings({"flow.density=1200", "heat.fluid_density=1200"}), IsEmpty());
+  EXPECT_THAT(warnings({"flow.density=958.4"}), IsEmpty());
+}
+
 /// At the peak of its table, as fast as a light platen would be.
 TEST(CaseRemarks, FastPlatensAreRemarked) {
   const auto warnings = [](const std::string& top, const std::string& scaling = "1") {
@@ -88,7 +98,7 @@ TEST(CaseRemarks, BlowsAreNoPresses) {
 }
 
 TEST(CaseRemarks, NotchesThatDamageWidensAreRemarked) {
-  const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
+  const auto warnings = [](const std::vector<std::string>& set) { return shipped("quickstart.toml", set).warnings; };
   const auto widened = HasSubstr("only until the first update");
   EXPECT_THAT(
       warnings({"rock.notches.0.aperture=1"}),
@@ -121,7 +131,7 @@ TEST(CaseRemarks, ShapesCutByAJoinedSideAreRemarkedUnlessTheirImageIsDrawn) {
 }
 
 TEST(CaseRemarks, WidthsOfTheirOwnUnderScaledPressuresAreRemarked) {
-  const auto warnings = [](std::vector<std::string> set) { return shipped("quickstart.toml", set).warnings; };
+  const auto warnings = [](const std::vector<std::string>& set) { return shipped("quickstart.toml", set).warnings; };
   const auto scaled = HasSubstr("the flow through them is");
   EXPECT_THAT(warnings({"damage.aperture=opening"}), Contains(scaled));
   EXPECT_THAT(warnings({"damage.aperture=opening", "flow.pressure_scale=1"}), Not(Contains(scaled)));

@@ -27,14 +27,17 @@ const struct {
     {unit::pascal, "MPa", 1e6},
     {unit::pascal, "GPa", 1e9},
     {unit::pascal, "bar", 100e3},
+    {unit::pascal, "psi", 0.45359237 * 9.80665 / (0.0254 * 0.0254)},  // a pound's weight on a square inch
     {unit::metre, "cm", centimetre},
     {unit::metre, "mm", millimetre},
     {unit::metre, "um", 1e-6},
+    {unit::metre, "nm", 1e-9},
     {unit::second, "ms", 1e-3},
     {unit::second, "us", 1e-6},
     {unit::second, "ns", 1e-9},
     {unit::second, "min", 60},
     {unit::second, "h", 60 * 60},
+    {unit::second, "d", 24 * 60 * 60},
     {unit::mole_per_cubic_metre, "mol/L", 1 / litre},
     {unit::mole_per_cubic_metre, "mmol/L", 1e-3 / litre},
     {unit::mole_per_cubic_metre, "mol/cm3", 1 / cubic_centimetre},
@@ -62,6 +65,25 @@ TEST(CaseUnits, AreWhatTheyAreByDefinition) {
     ASSERT_TRUE(value) << written;
     EXPECT_DOUBLE_EQ(*value, 2.5 * factor) << written;
   }
+}
+
+/// As they are typed or pasted: signs and raised digits.
+TEST(CaseUnits, MayBeWrittenWithTheirSigns) {
+  const struct {
+    const char* written;
+    Unit si;
+    double value;
+  } signs[] = {{"3 \u00b5m", unit::metre, 3e-6},
+               {"3 \u03bcm", unit::metre, 3e-6},
+               {"20 \u00b0C", unit::kelvin, 293.15},
+               {"2 mm\u00b2/s", unit::square_metre_per_second, 2e-6},
+               {"2 m^2/s", unit::square_metre_per_second, 2},
+               {"2 g/cm\u00b3", unit::kilogram_per_cubic_metre, 2000},
+               {"2 mol/m^3", unit::mole_per_cubic_metre, 2}};
+  for (const auto& [written, si, value] : signs)
+    EXPECT_DOUBLE_EQ(parse_quantity(written, si).value_or(0), value) << written;
+  EXPECT_FALSE(parse_quantity("3 \u00c2m", unit::metre));
+  EXPECT_FALSE(parse_quantity("3 \u00b5", unit::metre));
 }
 
 TEST(CaseUnits, OfTheCelsiusScaleCountFromFreezing) {

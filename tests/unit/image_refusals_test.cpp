@@ -56,6 +56,7 @@ TEST(ImageReader, RefusesValuesThatAreNotWhatTheySeem) {
   EXPECT_THAT(refusal(raw, lattice(4, 3)), HasSubstr("column 2, row 1 is nan"));
   for (const auto& [kind, ending, why] : {std::tuple{"npy_fortran", "npy", "Fortran order"},
                                           {"npy_c16", "npy", "'<c16'"},
+                                          {"npy_rgb", "npy", "a colour picture (rows, columns, 3)"},
                                           {"nrrd_bzip2", "nrrd", "\"bzip2\""}}) {
     const auto path = folder / (std::string("b.") + ending);
     ASSERT_EQ(make("make_image.py", path, kind), 0);

@@ -93,6 +93,8 @@ def main(path, kind):
         np.save(path, np.asfortranarray(grey16))
     elif kind == "npy_stack":
         np.save(path, np.stack([values("i8", 1), values("i8", 1) + 100]))
+    elif kind == "npy_rgb":
+        np.save(path, np.zeros((8, 6, 3), "u1"))
     elif kind.startswith("npy_"):
         np.save(path, values(kind[4:], 1) % 2 if kind == "npy_?" else values(kind[4:], 1))
     else:

@@ -85,6 +85,10 @@ std::unique_ptr<ImageRows> open_npy(const ImageSection& image) {
   if (size.size() != 2 && size.size() != 3)
     refuse_image(image.file,
                  fmt::format("has {} dimensions; 2 (rows, columns) or 3 (pages, rows, columns) are read", size.size()));
+  if (size.size() == 3 && size[0] > 4 && (size[2] == 3 || size[2] == 4))
+    refuse_image(image.file, fmt::format("is a colour picture (rows, columns, {}); save its grey values, an array of "
+                                         "(rows, columns)",
+                                         size[2]));
   const NpyType type = type_of(image.file, descr);
   const std::int64_t height = size[size.size() - 2], width = size.back(), pages = size.size() == 3 ? size[0] : 1;
   require_page(image, pages);

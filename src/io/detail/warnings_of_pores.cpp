@@ -50,6 +50,16 @@ void warn_about_kelvin(Scene& scene) {
                     coldest));
 }
 
+/// The fluid of heat.fluid_density, which has a default of its own, is that of flow.density.
+void warn_about_two_densities(Scene& scene) {
+  const double carried = scene.heat->fluid_density, flowing = scene.flow->density;
+  if (std::abs(carried - flowing) > 0.05 * flowing)
+    scene.warnings.push_back(fmt::format(
+        "heat.fluid_density = {:g} kg/m3 and flow.density = {:g} kg/m3 are of the same fluid: what it stores "
+        "and carries of heat follows from the former",
+        carried, flowing));
+}
+
 /// Whether fluid may leave the lattice at a side or, without one, an opening at some time.
 bool may_leave(const FlowBoundary& flow, std::optional<Side> side) {
   return flow.kind == FlowBoundaryKind::pressure || flow.kind == FlowBoundaryKind::outflow || draws(flow, side);
@@ -162,6 +172,7 @@ void warn_about_held_slits(Scene& scene) {
 void warn_about_pores(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
   if (scene.heat) warn_about_kelvin(scene);
+  if (scene.heat && scene.flow) warn_about_two_densities(scene);
   warn_about_outlets(scene);
   warn_about_cut_shapes(scene);
   warn_about_scaled_pressure(scene);
