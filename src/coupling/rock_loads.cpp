@@ -54,28 +54,42 @@ SidePart side_part(const TractionLoad& load, RockSide side, double from, double 
   return part;
 }
 
-double largest(const TractionLoad& load) {
-  return std::max(std::abs(load.normal_stress.peak()), std::abs(load.shear_stress.peak()));
+/// Enlarges a load by another one.
+void include(LargestLoad& load, const LargestLoad& other) {
+  load = {std::max(load.ever, other.ever), std::max(load.change, other.change)};
 }
 
-double largest(const BoundarySection& side, const Scene& scene) {
-  double stress = largest(side.traction.load);
-  for (const TractionPart& part : side.traction.parts) stress = std::max(stress, largest(part.load));
-  if (!scene.flow || side.flow.kind != FlowBoundaryKind::pressure) return stress;
-  const double start = scene.flow->initial_pressure;
-  return std::max({stress, side.flow.pressure.highest() - start, start - side.flow.pressure.lowest()});
+LargestLoad largest(const TractionLoad& load) {
+  LargestLoad found;
+  for (const TimeTable* stress : {&load.normal_stress, &load.shear_stress}) {
+    const double start = stress->at(0);
+    include(found, {std::abs(stress->peak()), std::max(stress->highest() - start, start - stress->lowest())});
+  }
+  return found;
 }
 
-/// Largest stress of loads on the whole volume of a material; warming in K.
-double largest(double density, double expansion, const BondParameters& bond, const Scene& scene, double warming) {
+LargestLoad largest(const BoundarySection& side, const Scene& scene) {
+  LargestLoad found = largest(side.traction.load);
+  for (const TractionPart& part : side.traction.parts) include(found, largest(part.load));
+  if (scene.flow && side.flow.kind == FlowBoundaryKind::pressure) {
+    const double start = scene.flow->initial_pressure;
+    const double gauge = std::max(side.flow.pressure.highest() - start, start - side.flow.pressure.lowest());
+    include(found, {gauge, gauge});
+  }
+  return found;
+}
+
+/// Of loads on the whole volume of a material; warming in K.
+LargestLoad largest(double density, double expansion, const BondParameters& bond, const Scene& scene, double warming) {
   const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
   const auto& gravity = scene.mechanics->gravity;
-  double stress =
-      std::max(bond.normal_modulus * expansion * warming, density * std::hypot(gravity[0], gravity[1]) * length);
-  for (const InitialVelocity& start : scene.mechanics->initial_velocities)
-    stress =
-        std::max(stress, std::sqrt(bond.normal_modulus * density) * std::hypot(start.velocity[0], start.velocity[1]));
-  return stress;
+  const double expanding = bond.normal_modulus * expansion * warming;
+  LargestLoad found{std::max(expanding, density * std::hypot(gravity[0], gravity[1]) * length), expanding};
+  for (const InitialVelocity& start : scene.mechanics->initial_velocities) {
+    const double wave = std::sqrt(bond.normal_modulus * density) * std::hypot(start.velocity[0], start.velocity[1]);
+    include(found, {wave, wave});
+  }
+  return found;
 }
 
 }  // namespace
@@ -83,7 +97,9 @@ double largest(double density, double expansion, const BondParameters& bond, con
 Loads boundary_loads(const Scene& scene) {
   Loads loads;
   loads.gravity = scene.mechanics->gravity;
-  loads.largest = largest_load(scene);
+  const LargestLoad load = largest_load(scene);
+  loads.largest = load.ever;
+  loads.change = load.change;
   for (const Side side : {Side::right, Side::top, Side::left, Side::bottom}) {
     const TractionBoundary& boundary = scene.side(side).traction;
     const double length = scene.lattice.length_of(side);
@@ -107,17 +123,21 @@ Loads boundary_loads(const Scene& scene) {
   return loads;
 }
 
-double largest_load(const Scene& scene) {
+LargestLoad largest_load(const Scene& scene) {
   const MechanicsParameters& rock = scene.mechanics->parameters;
   const double warming = scene.heat ? temperature_range(scene).span() : 0;
-  double stress = largest(rock.density, rock.thermal_expansion, rock.bond, scene, warming);
+  LargestLoad found = largest(rock.density, rock.thermal_expansion, rock.bond, scene, warming);
   for (const RockMaterial& material : rock.materials)
-    stress = std::max(stress, largest(material.density, material.thermal_expansion, material.bond, scene, warming));
-  for_each_boundary(scene, [&](const BoundarySection& given) { stress = std::max(stress, largest(given, scene)); });
-  if (!scene.flow) return stress;
-  const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
-  return std::max(stress,
-                  scene.flow->density * length * std::hypot(scene.flow->body_force[0], scene.flow->body_force[1]));
+    include(found, largest(material.density, material.thermal_expansion, material.bond, scene, warming));
+  for_each_boundary(scene, [&](const BoundarySection& given) { include(found, largest(given, scene)); });
+  if (scene.flow) {
+    const double length = std::max(scene.lattice.length_x, scene.lattice.length_y);
+    const double drive =
+        scene.flow->density * length * std::hypot(scene.flow->body_force[0], scene.flow->body_force[1]);
+    include(found, {drive, drive});
+  }
+  if (scene.reaction) found.change = found.ever;
+  return found;
 }
 
 }  // namespace vug

@@ -15,10 +15,17 @@ static_assert(rock_side(Side::right) == RockSide::right && rock_side(Side::top) 
 /// platen moves, is stored as a part as long as the side.
 Loads boundary_loads(const Scene& scene);
 
-/// The largest stress (Pa) on the rock at any time that is known from the case. It is the largest of: tractions;
-/// deviations of given pressures from the initial one; prevented thermal expansion M_n alpha dT; weight of the rock,
-/// and body force on the fluid, over the longest side; the waves of initial velocities. 0 where the case has none of
-/// these. The pressure that a given flow needs is unknown.
-double largest_load(const Scene& scene);
+/// Stresses on the rock, Pa; 0: unknown.
+struct LargestLoad {
+  double ever = 0;    ///< the largest at any time
+  double change = 0;  ///< the largest change of one after the preload
+};
+
+/// The largest stress on the rock that is known from the case. It is the largest of: tractions; deviations of given
+/// pressures from the initial one; prevented thermal expansion M_n alpha dT; weight of the rock, and body force on the
+/// fluid, over the longest side; the waves of initial velocities. Of these, the preload applies the weight and the
+/// tractions at the start. Where rock dissolves, all that it bore changes over to its neighbours. The pressure that a
+/// given flow needs is unknown.
+LargestLoad largest_load(const Scene& scene);
 
 }  // namespace vug

@@ -49,6 +49,7 @@ struct Loads {
   /// Largest stress that loads the rock at any time, from these or other loads, Pa; limits how much unrest sleeping
   /// rock may have (rest.hpp). 0: unknown.
   double largest = 0;
+  double change = 0;  ///< by how much such a stress changes after the preload, Pa; 0: unknown
 };
 
 /// An edge of the rock's boundary.

@@ -3,6 +3,7 @@
 #include "dem/critical_step.hpp"
 #include "dem/forces.hpp"
 #include "dem/materials.hpp"
+#include "dem/pieces.hpp"
 #include "dem/require_parameters.hpp"
 #include "host/interruption.hpp"
 #include "host/this_process.hpp"
@@ -46,6 +47,11 @@ struct FollowTemperature {
   KOKKOS_FUNCTION void operator()(int i) const { p.warming(i) = relative(i) * p.temperature_change(i); }
 };
 
+/// Whether gravity acts on a piece that nothing holds: its weight is far less than bonds bear, so that it would sleep.
+bool may_fall(const Loads& loads, const Particles& particles, const Bonds& bonds) {
+  return (loads.gravity[0] != 0 || loads.gravity[1] != 0) && has_unsupported_piece(particles, bonds);
+}
+
 }  // namespace
 
 Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parameters, const Loads& loads)
@@ -66,9 +72,8 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
   // a ledger needs the losses of every step, a servo the reaction in every step, and a platen that starts to move wakes
   // no rock
   const bool driven = !servos_.empty() || (timed_ && timed_->moves());
-  if (parameters_.rest_tolerance > 0 && !accounts_ && !driven)
-    rest_ =
-        make_rest(particles_, bonds_, least_normal_strength(parameters_), loads.largest, parameters_.rest_tolerance);
+  if (parameters_.rest_tolerance > 0 && !accounts_ && !driven && !may_fall(loads, particles_, bonds_))
+    rest_ = make_rest(particles_, bonds_, least_normal_strength(parameters_), loads, parameters_.rest_tolerance);
 }
 
 void Mechanics::share(const Ranks& ranks) {

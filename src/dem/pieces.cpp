@@ -71,7 +71,7 @@ std::vector<int> find_loose_pieces(const Particles& particles, const Bonds& bond
       stays[own] = true;  // it is nowhere, and cannot leave
       continue;
     }
-    weight[own] += mass(t);
+    weight[own] += mass(t) * mass_fraction(fraction(t));
     if (held(t) != 0) stays[own] = true;
   }
   if (!piece.empty()) {
@@ -81,6 +81,16 @@ std::vector<int> find_loose_pieces(const Particles& particles, const Bonds& bond
   for (int& own : piece)
     if (stays[own]) own = -1;
   return piece;
+}
+
+bool has_unsupported_piece(const Particles& particles, const Bonds& bonds) {
+  const std::vector<int> piece = find_pieces(particles, bonds);
+  const auto fraction = on_host(particles.solid_fraction);
+  const auto held = on_host(particles.held);
+  std::vector<bool> stays(piece.size(), false);
+  for (std::size_t t = 0; t < piece.size(); ++t)
+    if (held(t) != 0 || is_gone(fraction(t))) stays[piece[t]] = true;
+  return std::any_of(piece.begin(), piece.end(), [&](int own) { return !stays[own]; });
 }
 
 const IndexList& LoosePieces::find(const Exec& exec, const Particles& particles, const Bonds& bonds) {

@@ -16,6 +16,9 @@ std::vector<int> find_pieces(const Particles& particles, const Bonds& bonds);
 /// holds at all is still the rock.
 std::vector<int> find_loose_pieces(const Particles& particles, const Bonds& bonds);
 
+/// Whether no support holds any triangle of some piece, be it the only one.
+bool has_unsupported_piece(const Particles& particles, const Bonds& bonds);
+
 /// The loose pieces of a rock whose bonds fail and whose triangles dissolve, found anew only when that has happened:
 /// neither is ever undone, so that their numbers tell.
 class LoosePieces {

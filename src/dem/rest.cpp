@@ -5,6 +5,8 @@
 #include "dem/push.hpp"
 #include "kernels/launch/launch.hpp"
 
+#include <algorithm>
+
 namespace vug {
 
 /// Unrest of a group: the largest unrest of a particle (`most`), the sum of the forces that would move the particles
@@ -46,7 +48,7 @@ Groups make_groups(const char* label, int count, int size) {
 /// Computes the unrest of one group by one team, and from it whether the group is awake.
 struct LookAtRest {
   using Team = typename Kokkos::TeamPolicy<Exec>::member_type;
-  double tolerance, least, strength, mass_scaling, per_step;  ///< 1, N, N, 1, 1/s
+  double tolerance, least, most, mass_scaling, per_step;  ///< 1, N, N, 1, 1/s
   GatherContacts gather;
   ParticlePush push;
   Groups groups;
@@ -87,7 +89,7 @@ struct LookAtRest {
         },
         Kokkos::Sum<Unrest>(all));
     const bool was_awake = groups.runs(g) != 0;
-    const double wake_at = tolerance * Kokkos::clamp(all.borne, least, strength);
+    const double wake_at = tolerance * Kokkos::clamp(all.borne, least, most);
     const bool wakes = !all.is_below((was_awake ? asleep_below : 1) * wake_at);
     team.team_barrier();
     Kokkos::single(Kokkos::PerTeam(team), [&] { groups.runs(g) = wakes ? 1 : 0; });
@@ -117,15 +119,15 @@ struct CountAwake {
 
 }  // namespace
 
-Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double largest_load,
+Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, const Loads& loads,
                double tolerance) {
   Rest rest;
   rest.tolerance = tolerance;
-  rest.strength = bonds.count == 0 ? 0 : normal_strength * sum_in_order(bonds.length) / bonds.count;
-  rest.least = least_borne * rest.strength;
-  // otherwise rock far stronger than its loads would sleep through them
-  if (largest_load > 0 && largest_load < least_borne * normal_strength)
-    rest.least = rest.strength * (largest_load / normal_strength);
+  const double strength = bonds.count == 0 ? 0 : normal_strength * sum_in_order(bonds.length) / bonds.count;
+  // otherwise rock far stronger than its loads, or loaded from the start, would sleep through what changes
+  const double change = loads.change > 0 ? loads.change : loads.largest;
+  rest.least = strength * (change > 0 ? std::min(least_borne, change / normal_strength) : least_borne);
+  rest.most = strength * (loads.change > 0 ? std::min(1.0, loads.change / normal_strength) : 1.0);
   rest.particles = make_groups("vug::dem::rest_particles", particles.count, particles_per_group);
   rest.bonds = make_groups("vug::dem::rest_bonds", bonds.count, bonds_per_group);
   rest.due = make_groups("vug::dem::rest_due", bonds.count, bonds_per_group);
@@ -144,7 +146,7 @@ void look_at_rest(const Exec& exec, const StepControl& control, const Bonds& bon
                   const BoundaryLoads& loads, const Particles& particles, const Rest& rest) {
   const LookAtRest look{rest.tolerance,
                         rest.least,
-                        rest.strength,
+                        rest.most,
                         control.mass_scaling,
                         1 / control.dt,
                         gather_loads(bonds, contacts),

@@ -14,13 +14,17 @@ inline constexpr int bonds_per_group = 8;
 /// The unrest of a particle is the largest of: the forces that would move it along the axes on which it is free, the
 /// forces that would stop it within a sub-step, and the corresponding torques over its radius of gyration. A group
 /// wakes when the unrest of one of its particles, or the sum of the forces on all of them, exceeds `tolerance` times
-/// the largest force of its bonds, limited to the range from `least` to `strength`. It falls asleep below a quarter of
+/// the largest force of its bonds, limited to the range from `least` to `most`. It falls asleep below a quarter of
 /// that; its velocities are then set to zero. The sum prevents small imbalances of many particles from adding up. A
 /// bond sleeps while both of its ends do: nothing of it is read.
 struct Rest {
   double tolerance = 0;
-  double strength = 0;  ///< force that breaks a bond of mean length and of the least mean strength of all materials, N
-  double least = 0;     ///< a tenth of that, or the force of the largest load on such a bond where that is less, N
+  /// Force on a bond of mean length: what breaks it, in the weakest material, or what the largest change of load makes
+  /// where that is less, N. Rock under a constant stress would otherwise sleep through a small load that comes on top.
+  double most = 0;
+  /// A tenth of what breaks it, or what that change makes where that is less, N; of loads that do not change, or whose
+  /// change is unknown, what the largest one makes.
+  double least = 0;
   Groups particles;
   Groups bonds;
   /// Bonds to be evaluated for the next check: those that are awake, and those that fell asleep at the last one,
@@ -32,9 +36,9 @@ struct Rest {
   int awake = 0;
 };
 
-/// Makes groups that are all awake. `normal_strength`: mean of the bonds of the weakest material, Pa; `largest_load`:
-/// the largest stress that loads them, Pa (0: unknown).
-Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, double largest_load,
+/// Makes groups that are all awake. `normal_strength`: mean of the bonds of the weakest material, Pa; `loads`: their
+/// `largest` and `change`.
+Rest make_rest(const Particles& particles, const Bonds& bonds, double normal_strength, const Loads& loads,
                double tolerance);
 
 /// Share of the groups of particles that are awake; for the history, not for use inside a step.

@@ -102,6 +102,30 @@ TEST(LoosePieces, AreThoseThatNothingHoldsExceptTheHeaviest) {
   }
 }
 
+/// Of two halves in rock that nothing holds, the sound one is the rock.
+TEST(LoosePieces, WeighWhatIsLeft) {
+  const Block block;
+  const auto x0 = host_copy(block.particles().x0);
+  const auto larger = [&](int i) { return x0(i, 0) < 0.007; };
+  block.cut(larger);
+  EXPECT_EQ(find_loose_pieces(block.particles(), block.bonds())[static_cast<std::size_t>(block.at(0.002, 0.004))], -1);
+  for (int i = 0; i < block.particles().count; ++i)
+    if (larger(i)) test::set_entry(block.particles().solid_fraction, i, 0.3);
+  const std::vector<int> found = find_loose_pieces(block.particles(), block.bonds());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i] >= 0, larger(static_cast<int>(i))) << i;
+}
+
+TEST(UnsupportedPieces, AreAnyThatNoSideHolds) {
+  Loads held;
+  held.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
+  const Block free, block(held);
+  EXPECT_TRUE(has_unsupported_piece(free.particles(), free.bonds()));
+  EXPECT_FALSE(has_unsupported_piece(block.particles(), block.bonds()));
+  const auto x0 = host_copy(block.particles().x0);
+  block.cut([&](int i) { return x0(i, 0) > 0.009; });
+  EXPECT_TRUE(has_unsupported_piece(block.particles(), block.bonds()));
+}
+
 TEST(LoosePieces, DoNotHoldOnToRockThatIsGone) {
   const Block block;
   const int lone = block.at(0.006, 0.004);
