@@ -23,9 +23,11 @@ std::vector<Form> forms_of(const RockRegion& region, const std::vector<MineralSe
   return forms;
 }
 
-/// Sets the mass scaling to the largest that the tolerance allows, unless that of the preset is larger.
-void choose_mass_scaling(Scene& scene) {
+/// Sets the mass scaling to the largest that the tolerance allows, unless that of the preset is larger. A preset that
+/// the case does not give, but the tolerance stands for, was measured with blocks of rock.
+void choose_mass_scaling(Scene& scene, bool has_preset) {
   double& scaling = scene.mechanics->parameters.mass_scaling;
+  if (!has_preset && bends_or_falls(scene)) scaling = 1;
   const double allowed = quasi_static_mass_scaling(scene, scene.accuracy.tolerance);
   scene.mechanics->scaling_chosen = allowed > scaling;
   scaling = std::max(scaling, allowed);
@@ -85,7 +87,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   const auto mechanics = root.table("mechanics");
   // more mass gains nothing where the sub-steps are given
   const bool given = mechanics.has("mass_scaling") || mechanics.has("substeps");
-  if (scene.mechanics && !scene.laboratory && scene.accuracy.tolerance > 0 && !given) choose_mass_scaling(scene);
+  if (scene.mechanics && !scene.laboratory && scene.accuracy.tolerance > 0 && !given)
+    choose_mass_scaling(scene, accuracy.has("preset"));
   if (const auto table = root.table("output"); table.given()) scene.output = read_output(table);
 }
 

@@ -57,15 +57,43 @@ double heat_through_triangle(const Scene& scene) {
   return size * size / diffusivity;
 }
 
+/// How many times longer than a wave of compression a bending one takes along the rock; 1 for rock that is not slender.
+double slenderness(const Scene& scene) {
+  const auto [shorter, longer] = std::minmax(scene.lattice.length_x, scene.lattice.length_y);
+  return longer > 2 * shorter ? longer / shorter : 1;
+}
+
+bool falls(const Scene& scene) {
+  const auto& gravity = scene.mechanics->gravity;
+  return std::hypot(gravity[0], gravity[1]) > 0 && !is_supported(scene);
+}
+
+bool holds(const TractionLoad& load) {
+  return load.support != Support::free && load.support != Support::servo;
+}
+
 }  // namespace
+
+bool is_supported(const Scene& scene) {
+  return std::any_of(all_sides.begin(), all_sides.end(), [&](Side side) {
+    const TractionBoundary& traction = scene.side(side).traction;
+    return holds(traction.load) || std::any_of(traction.parts.begin(), traction.parts.end(),
+                                               [](const TractionPart& part) { return holds(part.load); });
+  });
+}
 
 double quickest_load(const Scene& scene) {
   if (scene.flow && std::hypot(scene.flow->body_force[0], scene.flow->body_force[1]) > 0) return 0;
   if (!scene.mechanics->initial_velocities.empty()) return 0;
+  if (falls(scene)) return 0;
   double shortest = scene.heat && expands(scene.mechanics->parameters) ? heat_through_triangle(scene) : never;
   for_each_boundary(scene,
                     [&](const BoundarySection& given) { shortest = std::min(shortest, quickest(given, scene)); });
   return shortest;
+}
+
+bool bends_or_falls(const Scene& scene) {
+  return slenderness(scene) > 1 || falls(scene);
 }
 
 double crossing_time(const Scene& scene) {
@@ -78,8 +106,8 @@ double crossing_time(const Scene& scene) {
 
 double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
   constexpr double heaviest = 64, share = 6;
-  const double slower =
-      share * tolerance * quickest_load(scene) / crossing_time(scene);  // waves may be slower by this factor
+  // waves may be slower by this factor
+  const double slower = share * tolerance * quickest_load(scene) / (slenderness(scene) * crossing_time(scene));
   double scaling = heaviest;
   while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;
   return scaling;

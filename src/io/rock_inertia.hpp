@@ -9,8 +9,14 @@ namespace vug {
 
 /// Shortest time (s) in which something that loads the rock changes: a ramp, or the points of a table, of pressures,
 /// velocities and tractions; or the time that heat takes through a triangle of generated rock, h^2 / alpha. 0 where
-/// anything begins with a jump, infinity where nothing changes.
+/// anything begins with a jump, and where rock that no side supports falls; infinity where nothing changes.
 double quickest_load(const Scene& scene);
+
+/// Whether a side, or a part of one, holds the rock.
+bool is_supported(const Scene& scene);
+
+/// Whether the rock is more than twice as long as wide, or gravity moves it and no side supports it.
+bool bends_or_falls(const Scene& scene);
 
 /// Speed up to which a platen, or rock that starts with it, presses as if at rest, m/s: in compression inertia adds 5 %
 /// to the strength at 1 m/s.
@@ -23,7 +29,7 @@ double crossing_time(const Scene& scene);
 /// The largest mechanics.mass_scaling m of 1, 4, 16 and 64 (nothing heavier was measured) with which the rock still
 /// follows its loads within a tolerance t: a wave, of speed sqrt(M_n / (m rho)) in the slowest of its materials,
 /// crosses the longest side within 6 t times quickest_load. The 6 is from the paper's rock (docs/model.md, "Intervals
-/// from a tolerance").
+/// from a tolerance"). Rock more than twice as long as wide may bend, in a time longer by that ratio.
 double quasi_static_mass_scaling(const Scene& scene, double tolerance);
 
 /// Says that a tolerance has chosen it, and why: for the log and `vug check`.

@@ -51,15 +51,7 @@ void warn_about_small_cavities(Scene& scene) {
 
 /// Rock without a support drifts away under the thrust of the injection.
 void warn_about_support(Scene& scene) {
-  for (const Side side : all_sides) {
-    const TractionBoundary& traction = scene.side(side).traction;
-    const auto holds = [](const TractionLoad& load) {
-      return load.support != Support::free && load.support != Support::servo;
-    };
-    const std::vector<TractionPart>& parts = traction.parts;
-    if (holds(traction.load)) return;
-    if (std::any_of(parts.begin(), parts.end(), [&](const TractionPart& part) { return holds(part.load); })) return;
-  }
+  if (is_supported(scene)) return;
   scene.warnings.emplace_back("no side supports the rock (boundary.<side>.traction.support): it is free to drift");
 }
 
