@@ -27,8 +27,8 @@ std::string elasticity(const std::vector<LoadedSpecimen>& specimens, Results& re
         "Young's modulus");
   if (!std::isfinite(modulus.mean) || !std::isfinite(poisson.mean))
     return fmt::format(
-        "{:<22}not told: too few points of the curve between 20 and 50 % of its peak; lower laboratory.sample_strain "
-        "or laboratory.platen_speed\n",
+        "{:<22}not told: too few points of the curve between 20 and 50 % of its peak, or half of the peak before sound "
+        "had crossed the specimen one and a half times; lower laboratory.sample_strain or laboratory.platen_speed\n",
         "Young's modulus");
   results.insert(results.end(), {{"modulus_Pa", modulus.mean}, {"poisson_1", poisson.mean}});
   return line_of("Young's modulus", modulus, 1e9, "GPa", 2) + line_of("Poisson's ratio", poisson, 1, "", 3);

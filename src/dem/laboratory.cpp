@@ -105,6 +105,14 @@ double chord(const std::vector<double>& x, const std::vector<double>& y, const s
   return (n * sxy - sx * sy) / spread;
 }
 
+/// Whether the specimen bore half of its strength, where chord ends, only after sound had crossed it and half of it
+/// once more: before, stress and strain are those of the first wave. `rate` of the strain, 1/s; `crossing`, s.
+bool is_past_first_wave(const PlatenResult& result, double rate, double crossing) {
+  const auto half = std::find_if(result.stress.begin(), result.stress.end(),
+                                 [&](double stress) { return stress >= 0.5 * result.strength; });
+  return half != result.stress.end() && result.strain[half - result.stress.begin()] >= 1.5 * rate * crossing;
+}
+
 }  // namespace
 
 double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundary) {
@@ -192,8 +200,12 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   result.bonds_at_end = rock.bond_counts();
   result.energies = rock.energies(exec);
   if (block && test.heating_rate == 0) {
-    result.modulus = chord(axial_strain, result.stress, result.stress, result.strength);
-    result.poisson = chord(axial_strain, lateral_strain, result.stress, result.strength);
+    const bool known = is_past_first_wave(result, rate, sound_crossing(parameters, specimen));
+    const auto slope = [&](const std::vector<double>& of) {
+      return known ? chord(axial_strain, of, result.stress, result.strength) : std::numeric_limits<double>::quiet_NaN();
+    };
+    result.modulus = slope(result.stress);
+    result.poisson = slope(lateral_strain);
   }
   return result;
 }

@@ -55,7 +55,7 @@ struct PlatenResult {
   std::vector<double> stress;  ///< mean force of the two platens over the width; for a disc the splitting stress, Pa
   std::vector<double> confinement;  ///< mean pressure of servo platens on the flanks, or the membrane's, Pa
   /// For a block: chord modulus of gauges at 20 and 80 % of the height, from 20 to 50 % of the peak, Pa; NaN where the
-  /// curve has too few points there.
+  /// curve has too few points there, or is that of the first wave.
   double modulus = 0;
   bool gauged = true;      ///< whether there are triangles at all gauges of a block
   double poisson = 0;      ///< from gauges at the flanks, for the same chord
