@@ -4,8 +4,8 @@
 #include "coupling/body_forces.hpp"
 #include "coupling/corner_contacts.hpp"
 #include "coupling/force_speed.hpp"
+#include "coupling/given_passages.hpp"
 #include "coupling/mouths.hpp"
-#include "coupling/passages.hpp"
 #include "coupling/pore_runs.hpp"
 #include "coupling/pore_width.hpp"
 #include "coupling/pressed_speed.hpp"
@@ -16,7 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -146,33 +146,21 @@ void look_for_rock_at_given_temperature(const Scene& scene, const Geometry& geom
   }
 }
 
-void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const FluidPicture& picture,
-                       const std::vector<Mouth>& mouths, const LatticeUnits& units, FlowPaths& found) {
-  // decay time of the slowest mode of a channel over viscosity * delay, with a pressure at one end or at both
-  constexpr double one_end = 8 / (std::numbers::pi * std::numbers::pi), both_ends = one_end / 4;
-  const double viscosity = scene.flow->viscosity / units.diffusivity();
+/// Warns where a velocity that sets in at once meets rock one cell away: what it makes between them swings from step to
+/// step, and hardly decays.
+void look_for_tight_inlets(const FluidPicture& picture, const std::vector<Mouth>& mouths, FlowPaths& found) {
   for (const Mouth& mouth : mouths) {
-    const bool presses = mouth.conditions->flow.kind == FlowBoundaryKind::pressure;
-    if ((mouth.inflow == 0 && !presses) || mouth.nodes.empty()) continue;
-    std::vector<bool> inlet(picture.size(), false), outlet(picture.size(), false);
-    std::vector<std::size_t> outlets;
-    for (const std::size_t n : mouth.nodes) inlet[n] = true;
-    for (const Mouth& other : mouths) {
-      if (!other.lets_fluid_through() || other.key == mouth.key) continue;
-      for (const std::size_t n : other.nodes) outlet[n] = true;
-      outlets.insert(outlets.end(), other.nodes.begin(), other.nodes.end());
-    }
-    Passage passed = find_passage(walls, picture, mouth.nodes, outlet);
-    if (passed.least == 0) continue;
-    const Passage back = find_passage(walls, picture, outlets, inlet);  // outlets may be narrower than the mouth
-    passed.least = std::min(passed.least, back.least);
-    passed.peak = std::max(passed.peak, back.peak);
-    passed.drag = std::max(passed.drag, back.drag);
-    found.settling_steps = std::max(found.settling_steps, (presses ? both_ends : one_end) * viscosity * passed.delay);
-    const double volume = std::abs(mouth.inflow) * mouth.total_length();
-    found.passage_speed = std::max(found.passage_speed, volume / static_cast<double>(passed.least));
-    found.passage_peak = std::max(found.passage_peak, volume * passed.peak);
-    found.passage_pressure = std::max(found.passage_pressure, viscosity * passed.drag * volume);
+    if (!mouth.side || mouth.conditions->flow.kind != FlowBoundaryKind::velocity || mouth.inflow_at(0) == 0) continue;
+    const int out = static_cast<int>(*mouth.side);
+    const auto tight = std::count_if(mouth.nodes.begin(), mouth.nodes.end(), [&](std::size_t n) {
+      const std::optional<std::size_t> next = picture.from(n, -D2Q9::c(out, 0), -D2Q9::c(out, 1));
+      return next && !picture.is_fluid(*next);
+    });
+    if (tight == 0) continue;
+    found.warnings.push_back(
+        fmt::format("{}.flow sets in at once, and {} of its {} nodes have rock one cell away, where speeds then swing "
+                    "from step to step; give ramp_time, or more cells of fluid in front of the rock",
+                    mouth.key, tight, mouth.nodes.size()));
   }
 }
 
@@ -194,9 +182,10 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   look_for_ways_out(scene, mouths, piece, units, rock_opens, found);
   look_for_paths(mouths, piece, rock_opens, found);
   const NoSlipWalls walls(picture, scene);
-  look_for_passages(scene, walls, picture, mouths, units, found);
+  look_for_passages(scene, walls, picture, mouths, piece, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
   look_for_changing_pressures(scene, mouths, found);
+  look_for_tight_inlets(picture, mouths, found);
   look_for_rock_at_given_temperature(scene, geometry, mouths, found);
   found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
   if (const BodyForces forces = body_forces(scene, units); forces.act()) {

@@ -119,5 +119,33 @@ TEST(FlowPaths, SpeedInTheNarrowestPassageIsThatOfContinuity) {
   EXPECT_EQ(passage_speed(channel("", pressures)), 0);
 }
 
+/// Whether it enters by one side or by two injections on it, of which neither is a way out for the other.
+TEST(FlowPaths, InflowsIntoOnePoreAddUp) {
+  const auto injection = [](const char* name, const char* centre) {
+    return std::string("[[boundary.injection]]\nname = \"") + name + "\"\nside = \"left\"\ncentre = " + centre +
+           "\nwidth = 6\nflow = { type = \"velocity\", velocity = [0.02, 0] }\n";
+  };
+  const std::string throat = rectangle("[20, 0]", "[23, 9]");
+  const FlowPaths one = paths(channel(throat, inflow + outlet));
+  const FlowPaths two = paths(channel(throat, injection("a", "3") + injection("b", "9") + outlet));
+  EXPECT_DOUBLE_EQ(two.passage_speed, one.passage_speed);
+  EXPECT_DOUBLE_EQ(two.passage_peak, one.passage_peak);
+  EXPECT_DOUBLE_EQ(two.passage_pressure, one.passage_pressure);
+  // each in a pore of its own
+  const std::string parted = rectangle("[0, 5]", "[40, 7]") + rectangle("[20, 0]", "[23, 4]");
+  EXPECT_DOUBLE_EQ(passage_speed(channel(parted, injection("a", "3") + injection("b", "9") + outlet)), 0.02 * 5);
+}
+
+TEST(FlowPaths, RemarkOnAVelocityThatSetsInAtOnceInFrontOfRock) {
+  const auto told = testing::Contains(HasSubstr("boundary.left.flow sets in at once, and 4 of its 12 nodes"));
+  const auto remarks = [](const char* from, const std::string& side) {
+    return paths(channel(rectangle(from, "[20, 6]"), side + outlet)).warnings;
+  };
+  EXPECT_THAT(remarks("[1, 2]", inflow), told);
+  EXPECT_THAT(remarks("[2, 2]", inflow), testing::Not(told));
+  const std::string rises = "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0], ramp_time = 5 }\n";
+  EXPECT_THAT(remarks("[1, 2]", rises), testing::Not(told));
+}
+
 }  // namespace
 }  // namespace vug
