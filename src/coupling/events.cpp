@@ -76,9 +76,11 @@ std::string at(const Clock& clock) {
   return fmt::format("step {}, {:.4g} s: ", clock.step, clock.time());
 }
 
-/// Amounts of a species that have entered and left through sides and openings, and that reactions have made.
+/// Amounts of a species that have entered and left through sides and openings, that reactions have made, and that are
+/// there now and have come in whatever way.
 struct Passed {
-  double in = 0, out = 0, made = 0;
+  double in = 0, out = 0, made = 0, stored = 0, gained = 0;
+  double at_start() const { return stored - gained; }
 };
 
 /// Amounts of each species, from the columns "L1_gain_injected_mol_per_m", "..._outflow_...", "..._shape_<name>_..."
@@ -87,6 +89,10 @@ std::map<std::string, Passed> passed_by(const std::vector<HistoryValue>& row) {
   std::map<std::string, Passed> passed;
   for (const HistoryValue& value : row) {
     if (!value.name.ends_with("_mol_per_m")) continue;
+    if (const std::size_t at = value.name.find("_stored_"); at != std::string::npos)
+      passed[value.name.substr(0, at)].stored = value.value;
+    if (const std::size_t at = value.name.find("_gain_"); at != std::string::npos)
+      passed[value.name.substr(0, at)].gained += value.value;
     for (const char* gain : {"_gain_injected_", "_gain_outflow_", "_gain_shape_"}) {
       const std::size_t at = value.name.find(gain);
       if (at == std::string::npos) continue;
@@ -234,10 +240,11 @@ std::vector<std::string> Events::look_at_row(const Simulation& simulation, const
                       "reactant)"
                     : "negative concentrations of the reactant (a given flux that draws more than there "
                       "is, or undershoots)"));
-  // of a product no more than a trace enters, beside the reactant: what has left is no share of that
+  // of a product no more than a trace enters, beside the reactant, and what was there from the start leaves first: what
+  // has left is no share of what was injected
   for (const auto& [species, passed] : passed_by(row))
-    if (passed.in > passed.made && passed.out > breakthrough * passed.in &&
-        next_.try_emplace(breakthrough_of + species, 0).second)
+    if (passed.in > passed.made && passed.at_start() < breakthrough * passed.in &&
+        passed.out > breakthrough * passed.in && next_.try_emplace(breakthrough_of + species, 0).second)
       news.push_back(fmt::format("{}{}{}: {:.2g} % of what was injected has left", at(simulation.clock()),
                                  breakthrough_of, species, 100 * passed.out / passed.in));
   return news;

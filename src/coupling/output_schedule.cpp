@@ -6,6 +6,8 @@ namespace vug {
 
 namespace {
 
+constexpr std::int64_t rows = 400;  // of a history, about, where the case does not say
+
 double steps_in(double seconds, const Scene& scene) {
   return std::max(1.0, seconds / scene.lattice.time_step);
 }
@@ -30,9 +32,15 @@ double output_interval(const Scene& scene) {
 }
 
 double history_interval(const Scene& scene) {
-  constexpr std::int64_t rows = 400, fewest_steps = 100;  // which cost very little
+  constexpr std::int64_t fewest_steps = 100;  // which cost very little
   if (scene.output.history_interval) return steps_in(*scene.output.history_interval, scene);
   return static_cast<double>(std::max(fewest_steps, last_step(scene) / rows));
+}
+
+double row_interval(const Scene& scene) {
+  if (scene.output.history_interval) return *scene.output.history_interval;
+  if (scene.accuracy.dissolution_tolerance > 0 && scene.time.end) return *scene.time.end / rows;
+  return history_interval(scene) * scene.lattice.time_step;
 }
 
 Schedule output_schedule(const Scene& scene) {
@@ -42,7 +50,6 @@ Schedule output_schedule(const Scene& scene) {
 }
 
 Schedule row_schedule(const Scene& scene) {
-  constexpr double rows = 400;
   std::optional<double> seconds = scene.output.history_interval;
   if (!seconds && scene.time.end) seconds = *scene.time.end / rows;
   return schedule(scene, history_interval(scene), seconds);

@@ -33,6 +33,9 @@ std::int64_t last_step(const Scene& scene);
 double output_interval(const Scene& scene);
 double history_interval(const Scene& scene);
 
+/// Time between two rows of the history, s.
+double row_interval(const Scene& scene);
+
 /// Schedules of snapshots, rows of the history and checkpoints.
 Schedule output_schedule(const Scene& scene);
 Schedule row_schedule(const Scene& scene);

@@ -12,6 +12,18 @@ namespace vug {
 
 namespace {
 
+/// The largest concentration of a species that the case gives, over the unit; 1 where it gives none but fluxes.
+template <class T>
+double strongest(const SpeciesState<T>& species, double unit) {
+  double largest = species.section.initial;
+  for (const StretchLinks& boundary : species.boundaries) {
+    const auto& given = boundary.stretch.conditions.solute.concentration;
+    if (const auto found = given.find(species.section.name); found != given.end())
+      largest = std::max(largest, found->second.highest());
+  }
+  return largest > 0 ? largest / unit : 1;
+}
+
 /// Damkohler number of a node below which the paper's wall takes another amount of acid in single than in double
 /// precision, by 0.4 % there and by half at 1e-6 (docs/model.md).
 constexpr double slowest_paper_wall_in_single = 3e-5;
@@ -50,12 +62,13 @@ void ReactionModule<T, Set>::limits(LimitTable& table) const {
   double most = 0;  // volume dissolved per volume of acid
   for (const Attack<T>& attack : attacks_) {
     const std::string of = attack.key.empty() ? "" : attack.key + ", ";
+    const double acid = strongest(*attack.reactant, units_.concentration);
     if (!has_minerals()) limits_of(attack, attack.rate, of, table);
-    if (!has_minerals()) most = std::max(most, volume_per_acid(section_.molar_volume, attack.rate));
+    if (!has_minerals()) most = std::max(most, acid * volume_per_acid(section_.molar_volume, attack.rate));
     for (std::size_t m = 0; m < solids_.size(); ++m) {
       if (solids_[m].name.empty() || attack.rates[m].rate_constant == 0) continue;
       limits_of(attack, attack.rates[m], of + solids_[m].name + ", ", table);
-      most = std::max(most, volume_per_acid(attack, m));
+      most = std::max(most, acid * volume_per_acid(attack, m));
     }
   }
   const double coldest = heat_ ? heat_->range().coldest : section_.temperature;

@@ -138,6 +138,8 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   const Exec exec;
   populations_.template exchange<T, 1>(exec, {fields_.g});
   if (carrier_) in_rows_.template exchange<T, 2>(exec, components(carrier_->u));
+  HeatFields<T> fields = fields_;
+  fields.rounding = rounding_of_step<T>(clock.step / interval_);  // as in the last step, also after a restart
   const double watt = section_.fluid_density * section_.fluid_heat_capacity * units_.diffusivity() / interval_;
   const Split& split = geometry_.split;
   const auto look = [&](const std::string& name, const HeatBoundary& heat, std::size_t number, auto surface,
@@ -152,13 +154,13 @@ void HeatModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
   for (std::size_t o = 0; o < openings_.size(); ++o)
     look(geometry_.openings[o].name, geometry_.openings[o].conditions.heat, sides_.size() + o, openings_[o],
          [&](const HeatOpening& opening) {
-           fill_heat_openings(exec, fields_, {&opening, 1}, crossing());
+           fill_heat_openings(exec, fields, {&opening, 1}, crossing());
          });
   for (int axis = 0; axis < 2; ++axis)
-    if (periodic_[axis]) join_heat_sides(exec, fields_, axis);
+    if (periodic_[axis]) join_heat_sides(exec, fields, axis);
   for (std::size_t s = 0; s < sides_.size(); ++s)
     look(stretches_[s].name, stretches_[s].conditions.heat, s, sides_[s], [&](const HeatSide& side) {
-      fill_heat_sides(exec, fields_, {&side, 1}, crossing());
+      fill_heat_sides(exec, fields, {&side, 1}, crossing());
     });
   filled_.template exchange_back<T, 1>(exec, {fields_.g});
 }
@@ -174,7 +176,8 @@ void SoluteModule<T, Set>::surfaces(const Clock& clock, const OutputSection& wan
   const Split& split = geometry_.split;
   const Halo others = nodes_at(split, fluid, species_[0].boundaries);  // all species have the same links
   if (carrier_) others.template exchange<T, 2>(exec, components(u));
-  for (const SpeciesState<T>& s : species_) {
+  for (SpeciesState<T> s : species_) {
+    if (!ages_) s.fields.rounding = rounding_of_step<T>(clock.step / interval_);  // likewise
     others.template exchange<T, 1>(exec, {s.fields.C});
     before_outflow_.template exchange<T, 1>(exec, {s.fields.C});
     const auto column = [&](const StretchLinks& boundary, const char* what) {

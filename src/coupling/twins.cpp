@@ -1,6 +1,7 @@
 // The runs with which a case is compared for its error bars.
 #include "base/require.hpp"
 #include "coupling/error_bars.hpp"
+#include "coupling/output_schedule.hpp"
 #include "io/override_scene.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +25,11 @@ Scene coarser(const Scene& scene, double ratio) {
   std::vector<std::string> change{fmt::format("lattice.spacing={:.17g}", ratio * scene.lattice.spacing),
                                   fmt::format("lattice.time_step={:.17g}", ratio * ratio * scene.lattice.time_step)};
   if (scene.time.steps) change.push_back(fmt::format("time.steps={}", steps_over(*scene.time.steps, ratio)));
+  // rows at the same times: between those of fewer ones a bar would hold the curvature of the history
+  const double step = ratio * ratio * scene.lattice.time_step, rows = std::max(row_interval(scene), step);
+  const double end =
+      scene.time.steps ? static_cast<double>(steps_over(*scene.time.steps, ratio)) * step : *scene.time.end;
+  if (rows <= end) change.push_back(fmt::format("output.history_interval={:.17g}", rows));
   if (scene.output.interval_steps)
     change.push_back(fmt::format("output.interval_steps={}", steps_over(*scene.output.interval_steps, ratio)));
   if (scene.geometry.kind == GeometryKind::image) {

@@ -96,6 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
         Set{"accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
         Set{"accuracy.exchange_interval=7", "accuracy.wall_interval=35", "accuracy.update_interval=20"},
         Set{"accuracy.solute_interval=3", "accuracy.heat_interval=2"},
+        Set{"accuracy.precision=single", "accuracy.solute_interval=2", "accuracy.heat_interval=3", "output.flows=true"},
         Set{"accuracy.tolerance=0.1"},  // others from 128 on
         Set{"accuracy.tolerance=0.1", "accuracy.flow_tolerance=0.5", "accuracy.guard_interval=10"},
         Set{"reaction.wall=paper"}, Set{"solute.face_exchange=true"},

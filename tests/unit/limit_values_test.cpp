@@ -181,6 +181,9 @@ TEST(LimitValues, OfAReactionAreItsDamkohlerNumbersAndWhatAcidDissolves) {
   const LimitTable as_fast_as_the_fluid = limits_of({"accuracy.dissolution_factor=1", "reaction.molar_volume=4e-3"});
   EXPECT_NEAR(of(as_fast_as_the_fluid, "reaction", "volume dissolved per volume").value, 2, 1e-9);
   EXPECT_TRUE(of(as_fast_as_the_fluid, "reaction", "volume dissolved per volume").inside()) << "no limit at factor 1";
+  // of the acid, whatever salt there is
+  const LimitTable salted = limits_of({"solute.species.1={ name = \"salt\", diffusivity = 3e-4, initial = 50000 }"});
+  EXPECT_NEAR(of(salted, "reaction", "volume dissolved per volume").value, 50 * 4e-5 * 1000 / 2, 1e-9);
 }
 
 /// In single precision the paper's wall subtracts the reaction away (docs/model.md).

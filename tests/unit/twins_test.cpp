@@ -30,6 +30,14 @@ TEST(Twins, KeepTheTimeTheSizeAndTheLatticeDiffusivity) {
   EXPECT_EQ(found.twins[1].scene.lattice.ny, 3);
 }
 
+/// Or a bar would hold what the history does between the rows of the coarser lattices.
+TEST(Twins, HaveRowsAtTheSameTimes) {
+  const CaseFile file(slab);
+  const Scene scene = file.scene({"time.steps=800"});
+  for (const Twin& twin : find_twins(scene).twins)
+    EXPECT_NEAR(row_interval(twin.scene), row_interval(scene), 1e-12) << twin.scene.lattice.nx;
+}
+
 TEST(Twins, TakeAnotherRatioWhereTwoDoesNotFit) {
   const CaseFile file(slab);
   EXPECT_EQ(find_twins(file.scene({"lattice.size=[0.027, 0.018]"})).ratio, 1.5);
