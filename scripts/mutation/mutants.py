@@ -30,6 +30,7 @@ LAWS = {
         corner_contacts.cpp driving_pressure.cpp error_bars.cpp events.cpp face_temperature.hpp far_pressures.cpp
         flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
         flow_limits.cpp flow_module.cpp flow_paths.cpp force_change.cpp force_speed.cpp given_changes.cpp
+        given_passages.cpp
         grid_convergence.hpp handed_push.cpp
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp heat_setup.cpp history_difference.cpp
         initial_pathways.cpp interval_chooser.cpp intervals.hpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp
