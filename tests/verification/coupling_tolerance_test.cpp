@@ -1,6 +1,7 @@
 // accuracy.tolerance: runs with intervals that are chosen as they go, held against runs in which every step is taken.
 #include "coupling/history_difference.hpp"
 #include "support/rows.hpp"
+#include "support/tolerance_cases.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,21 +14,13 @@
 namespace vug {
 namespace {
 
+using test::column;
+using test::finest;
+using test::with_tolerance;
+
 /// Rows at every look.
 History run(const Scene& scene, int steps) {
   return test::rows_of(scene, steps, IntervalChooser::look_interval);
-}
-
-const std::vector<double>& column(const History& history, const std::string& name) {
-  return history.values.at(history.find(name));
-}
-
-const std::string finest =
-    "[accuracy]\nupdate_interval = 1\nwall_interval = 1\nheat_interval = 1\nsolute_interval = 1\nexchange_interval = "
-    "1\n";
-
-std::string with_tolerance(double tolerance) {
-  return fmt::format("[accuracy]\ntolerance = {}\nprecision = \"double\"\n", tolerance);
 }
 
 /// Acid that diffuses to a slab and dissolves it while heat comes from the left.

@@ -1,8 +1,7 @@
 // Rock that sleeps and rock that is made heavier by accuracy.tolerance and presets, against rock that does neither.
 #include "support/rows.hpp"
+#include "support/tolerance_cases.hpp"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,17 +13,9 @@
 namespace vug {
 namespace {
 
-const std::vector<double>& column(const History& history, const std::string& name) {
-  return history.values.at(history.find(name));
-}
-
-const std::string finest =
-    "[accuracy]\nupdate_interval = 1\nwall_interval = 1\nheat_interval = 1\nsolute_interval = 1\nexchange_interval = "
-    "1\n";
-
-std::string with_tolerance(double tolerance) {
-  return fmt::format("[accuracy]\ntolerance = {}\nprecision = \"double\"\n", tolerance);
-}
+using test::column;
+using test::finest;
+using test::with_tolerance;
 
 /// A bar that is pressed more and more, and then no more. At rest its end has moved in proportion to what presses on
 /// it.
@@ -115,6 +106,7 @@ TEST(Tolerance, LetsNoRockSleepThroughASmallLoadOnTop) {
                 found.first / awake.first, found.second / (2e4 * 0.01), awake.second / (2e4 * 0.01));
     EXPECT_NEAR(found.first / awake.first, 1, 1e-2) << accuracy;
     EXPECT_NEAR(found.second / awake.second, 1, 2e-2) << accuracy;
+    // four times the mass of `fast` overshoots, awake as well
     EXPECT_NEAR(found.second / (2e4 * 0.01), 1, accuracy.starts_with("preset=\"f") ? 0.08 : 0.02) << accuracy;
   }
 }
