@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -146,24 +145,6 @@ void look_for_rock_at_given_temperature(const Scene& scene, const Geometry& geom
   }
 }
 
-/// Warns where a velocity that sets in at once meets rock one cell away: what it makes between them swings from step to
-/// step, and hardly decays.
-void look_for_tight_inlets(const FluidPicture& picture, const std::vector<Mouth>& mouths, FlowPaths& found) {
-  for (const Mouth& mouth : mouths) {
-    if (!mouth.side || mouth.conditions->flow.kind != FlowBoundaryKind::velocity || mouth.inflow_at(0) == 0) continue;
-    const int out = static_cast<int>(*mouth.side);
-    const auto tight = std::count_if(mouth.nodes.begin(), mouth.nodes.end(), [&](std::size_t n) {
-      const std::optional<std::size_t> next = picture.from(n, -D2Q9::c(out, 0), -D2Q9::c(out, 1));
-      return next && !picture.is_fluid(*next);
-    });
-    if (tight == 0) continue;
-    found.warnings.push_back(
-        fmt::format("{}.flow sets in at once, and {} of its {} nodes have rock one cell away, where speeds then swing "
-                    "from step to step; give ramp_time, or more cells of fluid in front of the rock",
-                    mouth.key, tight, mouth.nodes.size()));
-  }
-}
-
 }  // namespace
 
 FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const LatticeUnits& units) {
@@ -185,7 +166,6 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   look_for_passages(scene, walls, picture, mouths, piece, units, found);
   look_for_cut_profiles(scene, geometry, mouths, found);
   look_for_changing_pressures(scene, mouths, found);
-  look_for_tight_inlets(picture, mouths, found);
   look_for_rock_at_given_temperature(scene, geometry, mouths, found);
   found.pressed = pressed_flow(scene, picture, mouths, pore_widths(picture, walls), units);
   if (const BodyForces forces = body_forces(scene, units); forces.act()) {
