@@ -185,8 +185,13 @@ std::string quench_specimen(const Scene& scene, const LaboratoryOptions& options
 }
 
 std::string fit(const Scene& scene, const LaboratoryOptions& options, const Assembly& specimen, RunRecord& record) {
-  const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, platen_test(scene, specimen),
-                                         *options.fit_strength, options.seeds, fit_tolerance);
+  Scene tried = scene;
+  const auto test = [&](const MechanicsParameters& rock) {
+    tried.mechanics->parameters = rock;
+    return platen_test(tried, specimen);
+  };
+  const CohesionFit found = fit_cohesion(Exec(), specimen, scene.mechanics->parameters, test, *options.fit_strength,
+                                         options.seeds, fit_tolerance);
   note_preload(found.restless, options, record);
   record.results = {{"wanted_strength_Pa", *options.fit_strength},
                     {"specimens_1", static_cast<double>(options.seeds)},

@@ -108,7 +108,8 @@ double longest_test(const Scene& scene, const Assembly& specimen) {
   const LaboratorySection& laboratory = *scene.laboratory;
   if (laboratory.test == LaboratoryTest::heating || laboratory.test == LaboratoryTest::quench)
     return laboratory.duration;
-  return laboratory.largest_strain * extent_of(specimen).height() / platen_speed(laboratory);
+  return laboratory.largest_strain * extent_of(specimen).height() /
+         platen_speed(laboratory, scene.mechanics->parameters);
 }
 
 void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
@@ -150,11 +151,11 @@ LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, cons
 PlatenTest platen_test(const Scene& scene, const Assembly& specimen) {
   const LaboratorySection& laboratory = *scene.laboratory;
   PlatenTest test;
-  test.speed = platen_speed(laboratory);
+  test.speed = platen_speed(laboratory, scene.mechanics->parameters);
   if (laboratory.test == LaboratoryTest::tension) test.speed = -test.speed;
   if (laboratory.test == LaboratoryTest::brazilian) test.specimen = Specimen::disc;
   test.largest_strain = laboratory.largest_strain;
-  test.sample_strain = laboratory.sample_strain;
+  test.sample_strain = sample_strain(laboratory, scene.mechanics->parameters);
   test.step_fraction = scene.mechanics->critical_fraction;
   test.confinement = laboratory.confinement;
   test.flanks = laboratory.flanks;

@@ -8,7 +8,7 @@
 namespace vug {
 
 CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
-                         const PlatenTest& test, double strength, int seeds, double tolerance) {
+                         const TestOfRock& test, double strength, int seeds, double tolerance) {
   constexpr int most_rounds = 10;
   const std::uint64_t first = parameters.bond.seed;
   CohesionFit fit;
@@ -17,7 +17,7 @@ CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsPa
     std::vector<double> strengths;
     for (int s = 0; s < seeds; ++s) {
       parameters.bond.seed = first + static_cast<std::uint64_t>(s);
-      const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test);
+      const PlatenResult loaded = load_between_platens(exec, specimen, parameters, test(parameters));
       if (loaded.preload && (!loaded.preload->settled || broken(loaded.preload->bonds) > 0))
         fit.restless = loaded.preload;
       if (!loaded.passed_a_peak())

@@ -97,11 +97,14 @@ struct CohesionFit {
   std::optional<PreloadReport> restless;  ///< of a specimen that broke under its confinement or did not come to rest
 };
 
+/// The test of a rock with these parameters: weak rock is pressed more slowly.
+using TestOfRock = std::function<PlatenTest(const MechanicsParameters&)>;
+
 /// Finds the cohesion at which the mean strength over `seeds` consecutive seeds is `strength`, to `tolerance`
 /// (relative). Strength is nearly proportional to cohesion, so c <- c strength / mean converges in a few rounds.
 /// Materials whose cohesion is that of the rock follow. Throws InputError when ten rounds are not enough, or when a
 /// specimen passes no peak, because its largest stress is then only that at the end of the test.
 CohesionFit fit_cohesion(const Exec& exec, const Assembly& specimen, MechanicsParameters parameters,
-                         const PlatenTest& test, double strength, int seeds, double tolerance);
+                         const TestOfRock& test, double strength, int seeds, double tolerance);
 
 }  // namespace vug

@@ -44,7 +44,7 @@ LaboratorySection read_laboratory(const TomlCursor& table, bool meshed) {
                 unit::none, range::positive_to(1));
   table.read_if(!thermal || test == Test::heating, "sample_strain", "is of a test with a curve of stress and strain",
                 laboratory.sample_strain, unit::none, range::positive_to(0.1));
-  if (!thermal && !table.describing() && laboratory.sample_strain > laboratory.largest_strain)
+  if (!thermal && !table.describing() && laboratory.sample_strain.value_or(0) > laboratory.largest_strain)
     table.fail("sample_strain",
                fmt::format("is more than laboratory.largest_strain = {:g}: the test would end at its first point",
                            laboratory.largest_strain));

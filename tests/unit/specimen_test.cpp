@@ -25,6 +25,35 @@ TEST(PlatenTestOfACase, PressesPullsAndSplits) {
   EXPECT_EQ(platens_of(laboratory("tension", {"laboratory.platen_speed=0.3"})).speed, -0.3);
 }
 
+/// Stiff rock that is weak: where a wave of its strength moves it slower than 14 (19) times the usual speed.
+TEST(PlatenTestOfACase, IsSlowAndFineForWeakRock) {
+  const std::vector<std::string> weak{"mechanics.bond.cohesion=10e6", "mechanics.bond.normal_strength=2e6"};
+  EXPECT_EQ(platens_of(laboratory("compression")).speed, 0.5);
+  EXPECT_EQ(platens_of(laboratory("tension")).speed, -0.1);
+  EXPECT_EQ(platens_of(laboratory("tension")).sample_strain, 1e-5);
+  const Scene pressed = laboratory("compression", weak), pulled = laboratory("tension", weak);
+  const double modulus = pressed.mechanics->parameters.bond.normal_modulus, impedance = std::sqrt(modulus * 2500);
+  EXPECT_DOUBLE_EQ(platens_of(pressed).speed, 10e6 / impedance / 14);
+  EXPECT_DOUBLE_EQ(platens_of(pressed).sample_strain, 10e6 / modulus / 60);
+  EXPECT_DOUBLE_EQ(platens_of(pulled).speed, -2e6 / impedance / 19);
+  EXPECT_DOUBLE_EQ(platens_of(pulled).sample_strain, 2e6 / modulus / 60);
+}
+
+TEST(PlatenTestOfACase, PullsWeakRockAsStrongAsMoreSlowly) {
+  const std::vector<std::string> weak{"mechanics.bond.cohesion=10e6", "mechanics.bond.normal_strength=2e6",
+                                      "mechanics.bond.fracture_energy_I=0.36", "mechanics.bond.fracture_energy_II=0.7",
+                                      "laboratory.largest_strain=1e-3"};
+  for (const char* test : {"compression", "tension"}) {
+    const Scene scene = laboratory(test, weak);
+    const Assembly specimen = build_specimen(scene);
+    PlatenTest pressed = platen_test(scene, specimen);
+    const double strength = load_between_platens(Exec(), specimen, scene.mechanics->parameters, pressed).strength;
+    pressed.speed /= 4;
+    const double slowly = load_between_platens(Exec(), specimen, scene.mechanics->parameters, pressed).strength;
+    EXPECT_NEAR(strength / slowly, 1, 0.04) << test;
+  }
+}
+
 TEST(PlatenTestOfACase, SoaksAndConfinesAsItSays) {
   const PlatenTest plain = platens_of(laboratory("compression"));
   EXPECT_EQ(plain.confinement, 0);

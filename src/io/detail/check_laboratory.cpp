@@ -38,7 +38,7 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   for (const RockMaterial& material : scene.mechanics->parameters.materials)
     expansion = std::max(expansion, material.thermal_expansion);
   const double rise = expansion * laboratory.temperature_change;
-  if (laboratory.test == LaboratoryTest::heating && laboratory.sample_strain > rise)
+  if (laboratory.test == LaboratoryTest::heating && sample_strain(laboratory, scene.mechanics->parameters) > rise)
     document.fail("laboratory.sample_strain",
                   fmt::format("is more than the heat strains the specimen at the end, {:g}", rise));
   check_thermal_strain(document, scene, laboratory.temperature_change);
