@@ -30,7 +30,7 @@ struct Twins {
   std::vector<Twin> twins;  ///< the nearest first
 };
 
-/// Steps that take as long on a lattice `ratio` times coarser, at least 1.
+/// Steps on a lattice `ratio` times coarser that take as long or, rounded up, a part of a step longer; at least 1.
 std::int64_t steps_over(std::int64_t steps, double ratio);
 
 /// Finds the twins of a scene. Throws InputError where it has none: numbers of cells without a common divisor, a

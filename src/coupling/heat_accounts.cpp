@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,11 @@ void HeatModule<T>::ledger(Ledger& ledger) const {
     balance.gains.push_back({geometry_.openings[o].name, joule * entered_[sides_.size() + o].total()});
   balance.gains.push_back({"births", joule * sum_in_order(born_)});
   balance.gains.push_back({"advective_form", joule * created_.total()});
+  // where as much leaves as enters, what is stored may be rounding alone
+  constexpr double roundings = 16 * std::numeric_limits<T>::epsilon();
+  const double largest = std::max(std::abs(units_.lattice_temperature(range_.coldest)),
+                                  std::abs(units_.lattice_temperature(range_.hottest)));
+  balance.negligible = roundings * joule * largest * geometry_.lattice.nx * geometry_.lattice.ny;
 }
 
 template <class T>

@@ -25,19 +25,22 @@ Scene coarser(const Scene& scene, double ratio) {
   std::vector<std::string> change{fmt::format("lattice.spacing={:.17g}", ratio * scene.lattice.spacing),
                                   fmt::format("lattice.time_step={:.17g}", ratio * ratio * scene.lattice.time_step)};
   if (scene.time.steps) change.push_back(fmt::format("time.steps={}", steps_over(*scene.time.steps, ratio)));
-  // rows at the same times: between those of fewer ones a bar would hold the curvature of the history
-  const double step = ratio * ratio * scene.lattice.time_step, rows = std::max(row_interval(scene), step);
-  const double end =
-      scene.time.steps ? static_cast<double>(steps_over(*scene.time.steps, ratio)) * step : *scene.time.end;
-  if (rows <= end) change.push_back(fmt::format("output.history_interval={:.17g}", rows));
-  if (scene.output.interval_steps)
-    change.push_back(fmt::format("output.interval_steps={}", steps_over(*scene.output.interval_steps, ratio)));
+  if (scene.output.interval_steps) {
+    const double interval = static_cast<double>(*scene.output.interval_steps) / (ratio * ratio);
+    change.push_back(fmt::format("output.interval_steps={}", std::max(1LL, std::llround(interval))));
+  }
   if (scene.geometry.kind == GeometryKind::image) {
     const double pixels = ratio * scene.geometry.image.coarsen;
     if (!is_whole(pixels)) throw InputError(fmt::format("{}: no cell is {:g} pixels wide", scene.path, pixels));
     change.push_back(fmt::format("geometry.coarsen={}", std::lround(pixels)));
   }
-  return override_scene(scene, change);
+  Scene coarse = override_scene(scene, change);
+  // Rows at the same times: between those of fewer ones a bar would hold the curvature of the history. Not an override:
+  // it may follow from the end of the run, which may be moved.
+  const double step = coarse.lattice.time_step, rows = std::max(row_interval(scene), step);
+  const double end = coarse.time.steps ? static_cast<double>(*coarse.time.steps) * step : *coarse.time.end;
+  if (rows <= end) coarse.output.history_interval = rows;
+  return coarse;
 }
 
 /// The ratio from 5/4 to 3 nearest to 2 that leaves whole numbers of cells, and of pixels of a picture along the edge
@@ -104,7 +107,8 @@ Twins finer_twins(const Scene& scene) {
 }  // namespace
 
 std::int64_t steps_over(std::int64_t steps, double ratio) {
-  return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) / (ratio * ratio)));
+  const double exact = static_cast<double>(steps) / (ratio * ratio);
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(exact * (1 - 1e-12))));
 }
 
 Twins find_twins(const Scene& scene) {

@@ -50,9 +50,9 @@ CasePlaces places_of(const RunOrigin& origin) {
   return places;
 }
 
-/// The last step of the run; for a run that was killed, the last one in its history.
-std::int64_t step_reached(const std::string& directory, const RunSummary& summary) {
-  const History history = read_history(directory + "/history.csv");
+/// The last step of the run; for one that was killed or is under way, the last one in its history.
+std::int64_t step_reached(const std::string& path, const RunSummary& summary) {
+  const History history = read_history(path);
   const int steps = history.find("step_1");
   const double last_row = steps >= 0 && history.rows() > 0 ? history.values[steps].back() : 0;
   return std::max<std::int64_t>(std::atoll(summary.steps.c_str()), static_cast<std::int64_t>(last_row));
@@ -164,12 +164,25 @@ std::string copy_case(const Told& told, const NewFolder& folder) {
   return warnings;
 }
 
-void copy_run(const std::string& directory, const Told& told, const NewFolder& folder) {
-  for (const char* file : {"run.json", "history.csv"})
-    fs::copy_file(fs::path(directory) / file, folder.place(fs::path("run") / file));
-  if (!told.checkpoint) return;
-  const fs::path path(told.checkpoint->path());
-  fs::copy_file(path, folder.place(fs::path("run/checkpoint") / path.filename()));
+/// Copies the whole rows of the history, to which a run under way adds; returns the path of the copy.
+std::string copy_history(const std::string& directory, const NewFolder& folder) {
+  const std::string text = detail::read_file(directory + "/history.csv");
+  folder.write("run/history.csv", text.substr(0, text.rfind('\n') + 1));
+  return folder.place("run/history.csv").string();
+}
+
+/// Copies the newest checkpoint before a step; a run under way may remove it meanwhile, and has a newer one then.
+std::optional<Checkpoint> copy_checkpoint(std::int64_t step, const std::string& directory, const RunSummary& summary,
+                                          const NewFolder& folder) {
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const std::optional<Checkpoint> found = checkpoint_before(step, directory, summary);
+    if (!found) break;
+    const fs::path path(found->path());
+    std::error_code gone;
+    fs::copy_file(path, folder.place(fs::path("run/checkpoint") / path.filename()), gone);
+    if (!gone) return found;
+  }
+  return std::nullopt;
 }
 
 void write_texts(const Told& told, const NewFolder& folder) {
@@ -205,15 +218,16 @@ std::string report_run(const std::string& directory, const std::string& bundle) 
                      ": has no history.csv to compare with (a laboratory test, or a run that ended before "
                      "its first step: send its case file)");
   const RunOrigin origin = read_run_origin(directory);
-  const std::int64_t reached = step_reached(directory, *summary);
-  const Told told{*summary, origin, places_of(origin), reached, checkpoint_before(reached, directory, *summary)};
   NewFolder folder(bundle);
+  fs::copy_file(fs::path(directory) / "run.json", folder.place("run/run.json"));
+  const std::int64_t reached = step_reached(copy_history(directory, folder), *summary);
+  const Told told{*summary, origin, places_of(origin), reached, copy_checkpoint(reached, directory, *summary, folder)};
   const std::string warnings = copy_case(told, folder);
-  copy_run(directory, told, folder);
   write_texts(told, folder);
   folder.commit();
   return warnings + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {}.tar.gz {}\n",
-                                bundle, size_text(bundle), told.beginning(), bundle, bundle, bundle);
+                                bundle, size_text(bundle), told.beginning(), shell_word(bundle),
+                                shell_word(bundle + ".tar.gz"), shell_word(bundle));
 }
 
 }  // namespace vug

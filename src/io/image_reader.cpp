@@ -33,6 +33,9 @@ Size cropped_size(const ImageSection& image, const detail::ImageHeader& header) 
     refuse_image(image.file, fmt::format("the crop{} from column {}, row {} leaves the image, which has {} x {} pixels",
                                          image.crop_size[0] > 0 ? fmt::format(" of {} x {} pixels", columns, rows) : "",
                                          column, row, header.width, header.height));
+  if (columns < image.coarsen || rows < image.coarsen)
+    refuse_image(image.file, fmt::format("{} x {} pixels are less than a cell of {} x {} (geometry.coarsen)", columns,
+                                         rows, image.coarsen, image.coarsen));
   if (columns % image.coarsen != 0 || rows % image.coarsen != 0)
     refuse_image(image.file, fmt::format("{} x {} pixels make no whole number of cells of {} pixels; give "
                                          "geometry.crop_size = [{}, {}]",

@@ -38,7 +38,10 @@ std::string record_of(const std::string& directory) {
 std::optional<RunSummary> read_run_summary(const std::string& directory) {
   const std::string path = record_of(directory);
   std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;
+  const bool there = std::filesystem::is_regular_file(path, none);
+  if (none && none != std::errc::no_such_file_or_directory && none != std::errc::not_a_directory)
+    throw FileError(path + ": " + none.message());
+  if (!there) return std::nullopt;
   const std::string json = detail::read_file(path);
   RunSummary summary{text_of(json, "run"),
                      text_of(json, "status"),

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -33,6 +34,12 @@ std::vector<std::vector<std::string>> grid(const Study& study) {
   return runs;
 }
 
+/// Significant digits that tell a billionth of the range apart.
+int digits_of(const StudyKey& key) {
+  const double largest = std::max(std::abs(key.from), std::abs(key.to)), range = std::abs(key.to - key.from);
+  return range > 0 ? std::clamp(9 + static_cast<int>(std::log10(largest / range)), 9, 17) : 17;
+}
+
 /// The values of one key, [run]; lists are repeated from the start as often as needed.
 std::vector<std::string> hypercube_values(const Study& study, const StudyKey& key, std::uint64_t stream) {
   std::vector<std::string> values;
@@ -46,7 +53,7 @@ std::vector<std::string> hypercube_values(const Study& study, const StudyKey& ke
     const double share = (part[i] + random.uniform()) / study.samples;
     const double value =
         key.logarithmic ? key.from * std::pow(key.to / key.from, share) : key.from + share * (key.to - key.from);
-    values.push_back(fmt::format("{:.9g}", value));
+    values.push_back(fmt::format("{:.{}g}", value, digits_of(key)));
   }
   return values;
 }

@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace vug {
@@ -102,21 +104,29 @@ bool look_at_columns(const Study& study, const Member& member) {
 }
 
 std::string table_text(const Study& study, const std::vector<Member>& members) {
-  std::vector<std::string> columns = study.results;
-  std::string rows;
+  std::vector<std::string> columns = study.results, beginnings;
+  std::vector<History> last_rows;
   for (const Member& member : members) {
     if (state_of(member) != MemberState::done) continue;
-    const History history = read_history(member.directory + "/history.csv");
+    History history = read_history(member.directory + "/history.csv");
     require_whole(member, history);
     require_columns(study, history);
-    if (columns.empty()) columns = history.names;
-    rows += beginning(member);
-    for (const std::string& column : columns) rows += "," + last_value(history, column);
-    rows += "\n";
+    if (study.results.empty())  // those of all runs
+      std::copy_if(history.names.begin(), history.names.end(), std::back_inserter(columns),
+                   [&](const auto& name) { return std::find(columns.begin(), columns.end(), name) == columns.end(); });
+    for (std::vector<double>& values : history.values) values = {values.back()};
+    beginnings.push_back(beginning(member));
+    last_rows.push_back(std::move(history));
   }
-  std::string header = beginning(study);
-  for (const std::string& column : columns) header += "," + csv(column);
-  return header + "\n" + rows;
+  std::string text = beginning(study);
+  for (const std::string& column : columns) text += "," + csv(column);
+  text += "\n";
+  for (std::size_t i = 0; i < beginnings.size(); ++i) {
+    text += beginnings[i];
+    for (const std::string& column : columns) text += "," + last_value(last_rows[i], column);
+    text += "\n";
+  }
+  return text;
 }
 
 std::string failures_text(const Study& study, const std::vector<Member>& members) {

@@ -53,6 +53,9 @@ TEST(ImageReader, ReadsEveryFormatAsItIsStored) {
   }
   ASSERT_EQ(make("make_image.py", folder / "w.tif", "white_is_zero"), 0);
   EXPECT_EQ(values_of(image(folder / "w.tif"))[1], 65535 - 5957);
+  ImageSection labels = image(folder / "w.tif");
+  labels.solid_labels = {0};
+  EXPECT_EQ(values_of(labels)[1], 5957);  // as stored
 }
 
 TEST(ImageReader, ReadsPagesOfStacks) {
@@ -106,17 +109,17 @@ TEST(ImageReader, ReadsTiles) {
   }
 }
 
-/// 3 x 1 pixels of four values with that description of the fourth, none where it is negative.
-void write_four_values(const std::string& path, const std::vector<std::uint8_t>& pixels, int kind,
-                       int format = SAMPLEFORMAT_UINT) {
+/// 3 x 1 pixels of colours, or of grey, with another value each; `kind`: what that is, none where it is negative.
+void write_three(const std::string& path, const std::vector<std::uint8_t>& pixels, int kind,
+                 int photometric = PHOTOMETRIC_RGB, int format = SAMPLEFORMAT_UINT) {
   TIFF* tiff = TIFFOpen(path.c_str(), "w");
   ASSERT_NE(tiff, nullptr);
   for (const auto& [tag, value] : {std::pair{TIFFTAG_IMAGEWIDTH, 3},
                                    {TIFFTAG_IMAGELENGTH, 1},
                                    {TIFFTAG_BITSPERSAMPLE, 8},
                                    {TIFFTAG_SAMPLEFORMAT, format},
-                                   {TIFFTAG_SAMPLESPERPIXEL, 4},
-                                   {TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB}})
+                                   {TIFFTAG_SAMPLESPERPIXEL, static_cast<int>(pixels.size() / 3)},
+                                   {TIFFTAG_PHOTOMETRIC, photometric}})
     TIFFSetField(tiff, tag, value);
   const auto extra = static_cast<std::uint16_t>(kind);
   if (kind >= 0) TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &extra);
@@ -129,27 +132,32 @@ void write_four_values(const std::string& path, const std::vector<std::uint8_t>&
 TEST(ImageReader, ShowsTransparentPixelsOfATiffAsWhite) {
   const test::TemporaryFolder folder;
   const auto picture = image(folder / "a.tif");
-  write_four_values(picture.file, {0, 0, 0, 0, 0, 0, 0, 51, 100, 100, 100, 255}, EXTRASAMPLE_UNASSALPHA);
+  write_three(picture.file, {0, 0, 0, 0, 0, 0, 0, 51, 100, 100, 100, 255}, EXTRASAMPLE_UNASSALPHA);
   const std::vector<double> apart = values_of(picture);
   EXPECT_EQ(apart[0], 255);
   EXPECT_NEAR(apart[1], 0.8 * 255, 1e-9);
   EXPECT_NEAR(apart[2], 100, 1e-9);
   EXPECT_THAT(solid_of(picture, 3, 1), ElementsAre(false, false, true));
-  write_four_values(picture.file, {0, 0, 0, 0, 40, 40, 40, 51, 100, 100, 100, 255}, EXTRASAMPLE_ASSOCALPHA);
+  write_three(picture.file, {0, 0, 0, 0, 40, 40, 40, 51, 100, 100, 100, 255}, EXTRASAMPLE_ASSOCALPHA);
   const std::vector<double> multiplied = values_of(picture);
   EXPECT_EQ(multiplied[0], 255);
   EXPECT_NEAR(multiplied[1], 40 + 0.8 * 255, 1e-9);
   EXPECT_NEAR(multiplied[2], 100, 1e-9);
+  write_three(picture.file, {0, 0, 0, 51, 100, 255}, EXTRASAMPLE_UNASSALPHA, PHOTOMETRIC_MINISBLACK);
+  EXPECT_EQ(values_of(picture), apart);
+  write_three(picture.file, {255, 0, 255, 51, 155, 255}, EXTRASAMPLE_UNASSALPHA, PHOTOMETRIC_MINISWHITE);
+  EXPECT_EQ(values_of(picture), apart);
 }
 
 TEST(ImageReader, RefusesATiffWhoseFourthValueIsUnknown) {
   const test::TemporaryFolder folder;
   const auto picture = image(folder / "a.tif");
   for (const int kind : {-1, static_cast<int>(EXTRASAMPLE_UNSPECIFIED)}) {
-    write_four_values(picture.file, std::vector<std::uint8_t>(12, 0), kind);
+    write_three(picture.file, std::vector<std::uint8_t>(12, 0), kind);
     EXPECT_THAT(refusal(picture, lattice(3, 1)), HasSubstr("has 4 values per pixel and does not say that those after"));
   }
-  write_four_values(picture.file, std::vector<std::uint8_t>(12, 0), EXTRASAMPLE_UNASSALPHA, SAMPLEFORMAT_INT);
+  write_three(picture.file, std::vector<std::uint8_t>(12, 0), EXTRASAMPLE_UNASSALPHA, PHOTOMETRIC_RGB,
+              SAMPLEFORMAT_INT);
   EXPECT_THAT(refusal(picture, lattice(3, 1)), HasSubstr("whose white is not known; save it without transparency"));
 }
 

@@ -51,6 +51,18 @@ TEST_F(Report, GivesTheSameBytesElsewhereFromTheCheckpointBeforeTheEnd) {
     EXPECT_EQ(contents(replayed(file)), contents(folder_ / ("run/" + std::string(file)))) << file;
 }
 
+/// The last row may be in the midst of being written.
+TEST_F(Report, OfARunUnderWayHasWholeRowsOnly) {
+  ASSERT_EQ(vug("run " + rock + " --quiet --steps 20 -o run").exit_code, 0);
+  const std::string rows = contents(folder_ / "run/history.csv");
+  test::write_text(folder_ / "run/history.csv", rows + "2.1e-4,21,0.");
+  const test::Outcome told = vug("report run -o 'the run'\\''s'");
+  EXPECT_THAT(told.output, HasSubstr("to send it: tar -czf 'the run'\\''s.tar.gz' 'the run'\\''s'"));
+  EXPECT_EQ(contents(folder_ / "the run's/run/history.csv"), rows);
+  const test::Outcome outcome = replay_elsewhere("the run's");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
 TEST_F(Report, TellsAnotherHistory) {
   ASSERT_EQ(vug("run " + rock + " --quiet --steps 20 -o run").exit_code, 0);
   ASSERT_EQ(vug("report run").exit_code, 0);

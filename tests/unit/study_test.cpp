@@ -75,6 +75,15 @@ TEST(Study, LatinHypercubeHasOneValueInEveryPart) {
   EXPECT_EQ(sample(study), runs);
 }
 
+TEST(Study, LatinHypercubeTellsTheValuesOfANarrowRangeApart) {
+  const auto runs =
+      sample(study_of("sampling = \"latin_hypercube\"\nsamples = 5\n[[study.keys]]\nkey = "
+                      "\"boundary.left.flow.pressure\"\nfrom = 100000.0002\nto = 100000.0010\n"));
+  std::set<int> parts;
+  for (const auto& run : runs) parts.insert(static_cast<int>(5 * (std::stod(run[0]) - 100000.0002) / 0.0008));
+  EXPECT_THAT(parts, ElementsAre(0, 1, 2, 3, 4));
+}
+
 TEST(Study, ACaseIsSentToTheCommandThatRunsIt) {
   try {
     read_study(channel);

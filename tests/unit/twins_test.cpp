@@ -2,6 +2,7 @@
 #include "base/require.hpp"
 #include "coupling/error_bars.hpp"
 #include "coupling/output_schedule.hpp"
+#include "io/later_end.hpp"
 #include "support/heated_slab.hpp"
 
 #include <gtest/gtest.h>
@@ -36,6 +37,28 @@ TEST(Twins, HaveRowsAtTheSameTimes) {
   const Scene scene = file.scene({"time.steps=800"});
   for (const Twin& twin : find_twins(scene).twins)
     EXPECT_NEAR(row_interval(twin.scene), row_interval(scene), 1e-12) << twin.scene.lattice.nx;
+}
+
+/// A run of 145 steps lasts as long as 36.25 steps of four times the length: the last row lies in the 37th.
+TEST(Twins, DoNotEndBeforeTheRun) {
+  const CaseFile file(slab);
+  const Scene scene = file.scene({"time.steps=145"});
+  const Twins found = find_twins(scene);
+  EXPECT_EQ(found.twins[0].scene.time.steps, 37);
+  EXPECT_EQ(found.twins[1].scene.time.steps, 10);
+  EXPECT_EQ(steps_over(144, 2), 36);
+  EXPECT_EQ(steps_over(225, 1.5), 100);
+  EXPECT_EQ(steps_over(1, 4), 1);
+}
+
+/// Though their rows follow from the end of the run.
+TEST(Twins, MayBeContinuedToALaterEnd) {
+  const CaseFile file(slab);
+  const auto twin = [&](const char* steps) {
+    return find_twins(file.scene({std::string("time.steps=") + steps})).twins[0].scene;
+  };
+  const Scene before = twin("40000");
+  EXPECT_TRUE(time_of_same_case(twin("80000"), before.source_text, before.overrides));
 }
 
 TEST(Twins, TakeAnotherRatioWhereTwoDoesNotFit) {

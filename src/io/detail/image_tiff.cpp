@@ -104,7 +104,7 @@ std::optional<double> pixel_size_of(const TiffFile& tiff) {
   return square_pixel(tiff.path(), *metres / across, *metres / up);
 }
 
-/// Role of the fourth value of a pixel. none: there is none; apart: the colour must still be multiplied by it;
+/// Role of the last value of a pixel. none: there is none; apart: the colour must still be multiplied by it;
 /// multiplied: it already is.
 enum class Opacity { none, apart, multiplied };
 
@@ -113,20 +113,21 @@ struct TiffPage {
   ImageHeader header;
   SampleType type;
   int samples;
+  int colours;  ///< the first of these: 1 of grey, or red, green and blue
   bool white_is_zero;
   Opacity opacity = Opacity::none;
 };
 
-/// Opacity of a page of colours. Throws InputError where values per pixel are of unknown meaning.
+/// Opacity of a page. Throws InputError where values per pixel are of unknown meaning.
 Opacity opacity_of(const TiffFile& tiff, const TiffPage& page) {
-  if (page.samples == 3) return Opacity::none;
+  if (page.samples == page.colours) return Opacity::none;
   std::uint16_t count = 0, *kinds = nullptr;
   TIFFGetField(tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds);
   const int kind = count == 1 && kinds != nullptr ? kinds[0] : EXTRASAMPLE_UNSPECIFIED;
-  if (page.samples != 4 || kind == EXTRASAMPLE_UNSPECIFIED)
-    refuse_image(tiff.path(), fmt::format("has {} values per pixel and does not say that those after red, green and "
-                                          "blue are one for opacity; save it without them",
-                                          page.samples));
+  if (page.samples != page.colours + 1 || kind == EXTRASAMPLE_UNSPECIFIED)
+    refuse_image(tiff.path(), fmt::format("has {} values per pixel and does not say that those after {} are one for "
+                                          "opacity; save it without them",
+                                          page.samples, page.colours == 3 ? "red, green and blue" : "grey"));
   if (page.header.white == 0)
     refuse_image(tiff.path(),
                  "has transparent pixels of values with a sign, or floating-point ones, whose white is not "
@@ -135,10 +136,10 @@ Opacity opacity_of(const TiffFile& tiff, const TiffPage& page) {
 }
 
 TiffPage page_of(const TiffFile& tiff, bool labelled) {
-  TiffPage page{{}, type_of(tiff), tiff.get_default(TIFFTAG_SAMPLESPERPIXEL), false, Opacity::none};
+  TiffPage page{{}, type_of(tiff), tiff.get_default(TIFFTAG_SAMPLESPERPIXEL), 1, false, Opacity::none};
   const int photometric = tiff.get<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   const bool grey = photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
-  if (!(grey && page.samples == 1) && !(photometric == PHOTOMETRIC_RGB && page.samples >= 3) &&
+  if (!(grey && page.samples >= 1) && !(photometric == PHOTOMETRIC_RGB && page.samples >= 3) &&
       !(photometric == PHOTOMETRIC_PALETTE && page.samples == 1 && labelled))
     refuse_image(tiff.path(), fmt::format("has {} values per pixel of the kind {} (photometric interpretation); grey, "
                                           "red with green and blue, and for labels palettes are read",
@@ -150,12 +151,13 @@ TiffPage page_of(const TiffFile& tiff, bool labelled) {
   page.header = plain_header(tiff.get<std::uint32_t>(TIFFTAG_IMAGEWIDTH, 0),
                              tiff.get<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0), page.type);
   page.header.pixel_size = pixel_size_of(tiff);
-  page.white_is_zero = photometric == PHOTOMETRIC_MINISWHITE;
+  page.colours = photometric == PHOTOMETRIC_RGB ? 3 : 1;
+  page.white_is_zero = photometric == PHOTOMETRIC_MINISWHITE && !labelled;  // labels are values as stored
   if (page.white_is_zero && page.header.white == 0)
     refuse_image(tiff.path(), "has values with a sign, or floating-point ones, of which 0 is white");
   if (page.samples > 1) {
     page.opacity = opacity_of(tiff, page);
-    page.header.type = std::string("colours of ") + page.header.type;
+    page.header.type = std::string(page.colours == 3 ? "colours of " : "grey with opacity of ") + page.header.type;
     page.header.stored = false;
   }
   return page;
@@ -196,9 +198,10 @@ class TiffRows : public ImageRows {
 
  private:
   double seen(const double* pixel) const {
-    const double light = luma(pixel[0], pixel[1], pixel[2]);
+    const double grey = page_.colours == 3 ? luma(pixel[0], pixel[1], pixel[2]) : pixel[0];
+    const double light = page_.white_is_zero ? header.white - grey : grey;
     if (page_.opacity == Opacity::none) return light;
-    const double opacity = pixel[3] / header.white;
+    const double opacity = pixel[page_.colours] / header.white;
     return over_white(page_.opacity == Opacity::apart ? opacity * light : light, opacity, header.white);
   }
 
