@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string_view>
@@ -46,6 +47,32 @@ void forget_agreement(const std::vector<double>& value, const TimeTable& twin, c
   }
 }
 
+/// Tells the rows in which rock has dissolved while no wall of the coarser lattice has moved. A wall moves when a node
+/// is used up: until then all lattices have the walls of the start, and what they differ by does not show how far these
+/// are behind.
+class StandingWalls {
+ public:
+  /// `spacing` of `run`, m; 0: the walls are the same on all lattices.
+  StandingWalls(const History& run, const History& coarser, double spacing) : run_(run), spacing_(spacing) {
+    volume_ = run.find("dissolved_volume_m3_per_m");
+    area_ = run.find("reactive_area_m2_per_m");
+    const int moved = coarser.find("nodes_dissolved_1");
+    if (moved >= 0) moved_.emplace(coarser.time(), coarser.values[static_cast<std::size_t>(moved)]);
+  }
+  bool at(std::size_t row) const {
+    constexpr double notable = 1e-3;  // of a cell, in the mean over the walls
+    if (spacing_ == 0 || volume_ < 0 || area_ < 0 || !moved_) return false;
+    const auto now = [&](int column) { return run_.values[static_cast<std::size_t>(column)][row]; };
+    return now(volume_) > notable * now(area_) * spacing_ && moved_->at(run_.time()[row]) == 0;
+  }
+
+ private:
+  const History& run_;
+  double spacing_;
+  int volume_ = -1, area_ = -1;
+  std::optional<TimeTable> moved_;
+};
+
 /// X of the columns X_initial, X_stored and X_gain_<what> of a balance; empty for other columns.
 std::string_view balance_of(std::string_view name) {
   for (const char* part : {"_initial_", "_stored_", "_gain_"})
@@ -63,6 +90,8 @@ double largest_of_balance(const History& run, std::string_view balance) {
 }
 
 const char* remark(const ErrorBar& error) {
+  if (error.convergence == Convergence::walls_stand)
+    return "no bar: rock dissolves, but no wall of the coarser lattices has moved yet";
   if (std::isnan(error.bar)) return "no bar: the one comparison agrees, nothing it varies changes this";
   switch (error.convergence) {
     case Convergence::monotone:
@@ -73,6 +102,7 @@ const char* remark(const ErrorBar& error) {
       return "warning: does not converge; use a finer lattice";
     case Convergence::rounding:
       return "rounding of larger amounts: 0";
+    case Convergence::walls_stand:
     case Convergence::unknown:
       return "one comparison only: no order";
   }
@@ -115,8 +145,9 @@ void write(const ErrorBars& bars, const std::string& path) {
 }  // namespace
 
 ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding,
-                          double sound) {
+                          double sound, double spacing) {
   ErrorBars bars;
+  const StandingWalls walls(run, twins.front(), spacing);
   bars.time = run.time();
   std::vector<double> others(twins.size());
   for (std::size_t c = 0; c < run.names.size(); ++c) {
@@ -144,6 +175,9 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
     }
     if (is_rounding_of_velocity(run, static_cast<int>(c), sound, std::max(rounding, rounding_share)))
       last = {last.bar, std::nullopt, Convergence::rounding};
+    for (std::size_t k = 0; k < bar.size(); ++k)
+      if (walls.at(k)) bar[k] = unknown;
+    if (!bar.empty() && walls.at(bar.size() - 1)) last = {unknown, std::nullopt, Convergence::walls_stand};
     bars.names.push_back(name);
     bars.value.push_back(run.values[c]);
     bars.bar.push_back(std::move(bar));
@@ -181,8 +215,8 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
   }
   if (histories.empty()) return left_out + "no error bars: there is nothing to compare with\n";
   const bool coarse = scene.accuracy.precision == Precision::single_precision;
-  const ErrorBars bars =
-      find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12, speed_of_sound(scene.lattice));
+  const ErrorBars bars = find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12,
+                                         speed_of_sound(scene.lattice), found.ratio > 0 ? scene.lattice.spacing : 0);
   write(bars, own.directory + "/error_bars.csv");
   return report(bars) + left_out;
 }

@@ -6,8 +6,9 @@
 
 namespace vug {
 
-/// How a number converges over three lattices; `rounding`: it is 0 but for the rounding of larger ones.
-enum class Convergence { monotone, oscillating, none, unknown, rounding };
+/// How a number converges over three lattices; `rounding`: it is 0 but for the rounding of larger ones; `walls_stand`:
+/// it cannot be told, because walls that recede have not moved yet.
+enum class Convergence { monotone, oscillating, none, unknown, rounding, walls_stand };
 
 struct ErrorBar {
   double bar = 0;               ///< half its length, in the unit of the number

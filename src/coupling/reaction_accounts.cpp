@@ -256,7 +256,11 @@ void ReactionModule<T, Set>::history(std::vector<HistoryValue>& row) const {
   VectorField<double> normal;
   if (section_.surface_normal)
     find_normals(Exec{}, geometry_.fluid, geometry_.surface, geometry_.volume, geometry_.dissolved, normal);
-  const double area = surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal, reacting_nodes());
+  const bool inert = !has_minerals() && std::all_of(attacks_.begin(), attacks_.end(), [](const Attack<T>& attack) {
+    return attack.rate.rate_constant == 0;
+  });
+  const double area =
+      inert ? 0 : surface_area<Set>(Exec{}, geometry_.fluid, geometry_.surface, normal, reacting_nodes());
   row.push_back({"reactive_area_m2_per_m", area * units_.spacing});
   const double dissolved = with_dissolving(sum_in_order(geometry_.dissolved), 1);
   row.push_back({"dissolved_volume_m3_per_m", units_.volume() * dissolved});

@@ -83,6 +83,63 @@ TEST(ErrorBarsOfRock, AreNoneWhereTheOnlyTwinAgrees) {
   EXPECT_EQ(find_error_bars(run, {run, run}, 2).bar[0][2], 0) << "three lattices that agree say more";
 }
 
+/// All lattices have the walls of the start, so that nothing differs by how far these are behind.
+TEST(ErrorBarsOfARun, AreNoneWhereWallsDissolveThatHaveNotMoved) {
+  const std::vector<std::string> names{"time_s", "dissolved_volume_m3_per_m", "reactive_area_m2_per_m",
+                                       "nodes_dissolved_1"};
+  const std::vector<double> area(5, 2), volume{0, 1e-7, 1e-3, 3e-3, 5e-3};
+  const History run{names, {{0, 1, 2, 3, 4}, volume, area, {0, 0, 0, 1, 3}}},
+      coarse{names, {{0, 1, 2, 3, 4}, {0, 1.1e-7, 1.1e-3, 3.1e-3, 5.2e-3}, area, {0, 0, 0, 0, 1}}},
+      coarser{names, {{0, 1, 2, 3, 4}, {0, 1.4e-7, 1.4e-3, 3.4e-3, 5.9e-3}, area, {0, 0, 0, 0, 0}}};
+  const ErrorBars bars = find_error_bars(run, {coarse, coarser}, 2, 1e-12, 0, 1e-3);
+  ASSERT_EQ(bars.names[0], names[1]);
+  const auto known = [&](int row) { return !std::isnan(bars.bar[0][row]); };
+  EXPECT_TRUE(known(1));  // 5e-5 of a cell
+  EXPECT_FALSE(known(2));
+  EXPECT_FALSE(known(3));
+  EXPECT_TRUE(known(4));
+  EXPECT_EQ(bars.last[0].error.convergence, Convergence::monotone);
+  const ErrorBars finer = find_error_bars(run, {coarse, coarser}, 2);
+  EXPECT_FALSE(std::isnan(finer.bar[0][3])) << "the same walls on all lattices";
+}
+
+/// A slab behind 8 cells of acid: ds/dt = N C D/s, of which 0.37 cells dissolve in 300 s and no node is used up.
+TEST(ErrorBarsOfARun, SayThatWallsHaveNotMoved) {
+  const CaseFile file(R"(
+[lattice]
+size = [16e-5, 16e-5]
+spacing = 1e-5
+time_step = 0.02
+[time]
+end = 300
+[geometry]
+type = "shapes"
+[[geometry.shapes]]
+type = "rectangle"
+from = [8e-5, 0]
+to = [16e-5, 1]
+[solute]
+[[solute.species]]
+name = "A"
+diffusivity = 1e-9
+[reaction]
+reactant = "A"
+rate_constant = 1e-2
+molar_volume = 1e-6
+[boundary.left]
+solute = { type = "concentration", concentration = { A = 1000 } }
+)");
+  RunOptions options;
+  options.directory = file.folder() / "run";
+  const std::string report = run_with_error_bars(file.scene(), options);
+  EXPECT_NE(report.find("no bar: rock dissolves, but no wall of the coarser lattices has moved yet"), std::string::npos)
+      << report;
+  const History bars = read_history(options.directory + "/error_bars.csv");
+  const auto& bar = bars.values[static_cast<std::size_t>(bars.find("bar_of_dissolved_volume_m3_per_m"))];
+  EXPECT_EQ(bar.front(), 0);
+  EXPECT_TRUE(std::isnan(bar.back()));
+}
+
 TEST(ErrorBarsOfRock, StandBesideItsHistory) {
   const test::TemporaryFolder folder;
   RunOptions options;

@@ -50,6 +50,10 @@ double exact_flux(double rate) {
   return 2500 / (depth / 5e-4 + 1 / rate);
 }
 
+TEST(ReactionInSI, AWallOfNoRateIsNoReactiveArea) {
+  EXPECT_EQ(test::CoupledRun(acid_column, {"reaction.rate_constant=0"}).now("reactive_area_m2_per_m"), 0);
+}
+
 TEST(ReactionInSI, RateConstantIsInMetresPerSecond) {
   for (const std::string interval : {"1", "2"}) {
     test::CoupledRun run(acid_column, {"accuracy.solute_interval=" + interval});

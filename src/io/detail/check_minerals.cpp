@@ -27,6 +27,17 @@ void check_rate(const TomlDocument& document, const std::string& key, const Rate
     document.fail(key + ".order", "is not 1; that is only for reaction.wall = \"kinetic\"");
 }
 
+/// The table in which the case gives the rate of the further reaction `i` on mineral `m`: one of [[mineral.further]],
+/// or that of the rock.
+std::string table_of_rate(const TomlDocument& document, std::size_t m, std::size_t i, const std::string& reactant) {
+  for (int element = 0;; ++element) {
+    const std::string key = fmt::format("mineral.{}.further.{}", m, element);
+    const toml::node* given = document.find(key + ".reactant");
+    if (given == nullptr) return further_table(i);
+    if (given->value_or(std::string()) == reactant) return key;
+  }
+}
+
 /// A label must be one of rock pixels, and belong to one mineral only.
 void check_labels(const TomlDocument& document, Scene& scene, std::size_t m) {
   ImageSection& image = scene.geometry.image;
@@ -75,9 +86,15 @@ void check_minerals(const TomlDocument& document, Scene& scene) {
     check_labels(document, scene, m);
     check_columns(document, scene, m);
     for (std::size_t r = 0; r < scene.minerals[m].rates.size(); ++r) {
-      const auto& product = r == 0 ? reaction->product : reaction->further[r - 1].product;
-      check_rate(document, fmt::format("mineral.{}", m), scene.minerals[m].rates[r],
-                 r == 0 ? "reaction" : further_table(r - 1), product.has_value(), reaction->wall);
+      const RateLaw& rate = scene.minerals[m].rates[r];
+      if (r == 0) {
+        check_rate(document, fmt::format("mineral.{}", m), rate, "reaction", reaction->product.has_value(),
+                   reaction->wall);
+        continue;
+      }
+      const FurtherReactant& further = reaction->further[r - 1];
+      check_rate(document, table_of_rate(document, m, r - 1, further.reactant), rate, further_table(r - 1),
+                 further.product.has_value(), reaction->wall);
     }
   }
 }
