@@ -225,7 +225,7 @@ std::string report_run(const std::string& directory, const std::string& bundle) 
   const std::string warnings = copy_case(told, folder);
   write_texts(told, folder);
   folder.commit();
-  return warnings + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {}.tar.gz {}\n",
+  return warnings + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {} {}\n",
                                 bundle, size_text(bundle), told.beginning(), shell_word(bundle),
                                 shell_word(bundle + ".tar.gz"), shell_word(bundle));
 }

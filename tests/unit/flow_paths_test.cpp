@@ -136,16 +136,5 @@ TEST(FlowPaths, InflowsIntoOnePoreAddUp) {
   EXPECT_DOUBLE_EQ(passage_speed(channel(parted, injection("a", "3") + injection("b", "9") + outlet)), 0.02 * 5);
 }
 
-TEST(FlowPaths, RemarkOnAVelocityThatSetsInAtOnceInFrontOfRock) {
-  const auto told = testing::Contains(HasSubstr("boundary.left.flow sets in at once, and 4 of its 12 nodes"));
-  const auto remarks = [](const char* from, const std::string& side) {
-    return paths(channel(rectangle(from, "[20, 6]"), side + outlet)).warnings;
-  };
-  EXPECT_THAT(remarks("[1, 2]", inflow), told);
-  EXPECT_THAT(remarks("[2, 2]", inflow), testing::Not(told));
-  const std::string rises = "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0], ramp_time = 5 }\n";
-  EXPECT_THAT(remarks("[1, 2]", rises), testing::Not(told));
-}
-
 }  // namespace
 }  // namespace vug
