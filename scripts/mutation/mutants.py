@@ -71,7 +71,8 @@ NO_LAWS = {
         detail/toml_hazards.cpp detail/toml_hint.cpp detail/toml_override.cpp detail/warnings.cpp detail/warnings_of_pores.cpp
         form.cpp
         history_writer.cpp image_reader.cpp json_text.cpp mesh_reader.cpp message.cpp notch_remarks.cpp
-        palette_picture.cpp progress.cpp rock_generator.cpp rock_regions.cpp run_folder.cpp""",
+        palette_picture.cpp progress.cpp rock_generator.cpp rock_regions.cpp run_folder.cpp
+        run_summary.cpp""",
     "study": "pool.cpp study_reader.cpp sweep.cpp table.cpp",
 }
 # Lines on which a mutant says nothing about a law: text, layout of memory, loops, what a compiler must know.
