@@ -27,7 +27,8 @@ struct RunSummary {
   std::vector<std::string> events_until(std::int64_t step) const;
 };
 
-/// Reads run.json of `directory`; returns nothing where there is none. Throws InputError when it is not one of vug's.
+/// Reads run.json of `directory`; returns nothing where there is none. Throws InputError when it is not one of
+/// vug's, FileError where the directory may not be looked into.
 std::optional<RunSummary> read_run_summary(const std::string& directory);
 
 /// Everything that is needed to repeat a run.
