@@ -43,6 +43,26 @@ TEST(Sweep, HasOneTableForAnyNumberOfRunsAtOnce) {
   EXPECT_EQ(test::run_vug("sweep " + study + " -o " + (folder / "one") + " --quiet").exit_code, 2) << "asks first";
 }
 
+/// Whichever run comes first: one whose flow is never held has no column for it.
+TEST(Sweep, HasTheColumnsOfAllRuns) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "study.toml",
+                   "[study]\ncase = \"" + std::filesystem::absolute(VUG_SOURCE_DIR "/cases/poiseuille.toml").string() +
+                       "\"\nset = [\"time.steps=200\", \"output.interval_steps=200\"]\n[[study.keys]]\nkey = "
+                       "\"accuracy.flow_tolerance\"\n"
+                       "values = [0, 1e-3]\n");
+  ASSERT_EQ(test::run_vug("sweep " + (folder / "study.toml") + " -o " + (folder / "out") + " -j 1 --quiet").exit_code,
+            0);
+  std::istringstream table(test::contents(folder / "out/table.csv"));
+  std::string header, never, held;
+  std::getline(table, header);
+  std::getline(table, never);
+  std::getline(table, held);
+  EXPECT_TRUE(header.ends_with(",flow_held_steps_1")) << header;
+  EXPECT_TRUE(never.ends_with(",")) << never;
+  EXPECT_TRUE(held.ends_with(",0")) << held;
+}
+
 TEST(Sweep, HasTheSameTableAfterKills) {
   const test::TemporaryFolder folder;
   const std::string study = study_file(folder, "results = [\"largest_mach_1\"]\n");
