@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <ostream>
 #include <span>
 #include <string_view>
@@ -47,31 +46,20 @@ void forget_agreement(const std::vector<double>& value, const TimeTable& twin, c
   }
 }
 
-/// Tells the rows in which rock has dissolved while no wall of the coarser lattice has moved. A wall moves when a node
-/// is used up: until then all lattices have the walls of the start, and what they differ by does not show how far these
-/// are behind.
-class StandingWalls {
- public:
-  /// `spacing` of `run`, m; 0: the walls are the same on all lattices.
-  StandingWalls(const History& run, const History& coarser, double spacing) : run_(run), spacing_(spacing) {
-    volume_ = run.find("dissolved_volume_m3_per_m");
-    area_ = run.find("reactive_area_m2_per_m");
-    const int moved = coarser.find("nodes_dissolved_1");
-    if (moved >= 0) moved_.emplace(coarser.time(), coarser.values[static_cast<std::size_t>(moved)]);
-  }
-  bool at(std::size_t row) const {
-    constexpr double notable = 1e-3;  // of a cell, in the mean over the walls
-    if (spacing_ == 0 || volume_ < 0 || area_ < 0 || !moved_) return false;
-    const auto now = [&](int column) { return run_.values[static_cast<std::size_t>(column)][row]; };
-    return now(volume_) > notable * now(area_) * spacing_ && moved_->at(run_.time()[row]) == 0;
-  }
-
- private:
-  const History& run_;
-  double spacing_;
-  int volume_ = -1, area_ = -1;
-  std::optional<TimeTable> moved_;
-};
+/// (row) Whether rock has dissolved while no wall of the coarser lattice has moved. A wall moves when a node is used
+/// up: until then all lattices have the walls of the start, and what they differ by does not show how far these are
+/// behind. `spacing` of `run`, m; 0: the walls are the same on all lattices.
+std::vector<bool> where_walls_stand(const History& run, const History& coarser, double spacing) {
+  constexpr double notable = 1e-3;  // of a cell, in the mean over the walls
+  std::vector<bool> stand(run.rows(), false);
+  const int volume = run.find("dissolved_volume_m3_per_m"), area = run.find("reactive_area_m2_per_m"),
+            moved = coarser.find("nodes_dissolved_1");
+  if (spacing == 0 || volume < 0 || area < 0 || moved < 0) return stand;
+  const TimeTable nodes{coarser.time(), coarser.values[static_cast<std::size_t>(moved)]};
+  for (std::size_t k = 0; k < stand.size(); ++k)
+    stand[k] = run.values[volume][k] > notable * run.values[area][k] * spacing && nodes.at(run.time()[k]) == 0;
+  return stand;
+}
 
 /// X of the columns X_initial, X_stored and X_gain_<what> of a balance; empty for other columns.
 std::string_view balance_of(std::string_view name) {
@@ -147,7 +135,7 @@ void write(const ErrorBars& bars, const std::string& path) {
 ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding,
                           double sound, double spacing) {
   ErrorBars bars;
-  const StandingWalls walls(run, twins.front(), spacing);
+  const std::vector<bool> walls_stand = where_walls_stand(run, twins.front(), spacing);
   bars.time = run.time();
   std::vector<double> others(twins.size());
   for (std::size_t c = 0; c < run.names.size(); ++c) {
@@ -176,8 +164,8 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
     if (is_rounding_of_velocity(run, static_cast<int>(c), sound, std::max(rounding, rounding_share)))
       last = {last.bar, std::nullopt, Convergence::rounding};
     for (std::size_t k = 0; k < bar.size(); ++k)
-      if (walls.at(k)) bar[k] = unknown;
-    if (!bar.empty() && walls.at(bar.size() - 1)) last = {unknown, std::nullopt, Convergence::walls_stand};
+      if (walls_stand[k]) bar[k] = unknown;
+    if (!bar.empty() && walls_stand.back()) last = {unknown, std::nullopt, Convergence::walls_stand};
     bars.names.push_back(name);
     bars.value.push_back(run.values[c]);
     bars.bar.push_back(std::move(bar));

@@ -85,15 +85,13 @@ void warn_about_mass_scaling(Scene& scene) {
 /// With s times the mass a press acts as if it were sqrt(s) times as fast. Inertia increases the mean strength: in
 /// compression by 5 % at 1 m/s; in tension by 3 % at 0.2 m/s, 7 % at 0.4 m/s and 17 % at 1 m/s; in splitting by nothing
 /// at 1 m/s and 14 % at 5 m/s. These are two (splitting: ten) times the default speeds. Rock that is weak for its
-/// stiffness has lower ones: of 10 and 2.6 MPa in bonds of 48 GPa strengths are 11, 15 and 8 % higher at 0.5, 0.1 and
-/// 0.1 m/s.
+/// stiffness has lower ones: strengths of bonds of 10 and 2.6 MPa with 48 GPa are 13, 15 and 8 % higher at 0.5, 0.1 and
+/// 0.1 m/s than at the default speed.
 void warn_about_press(Scene& scene) {
   const LaboratoryTest test = scene.laboratory->test;
   if (test == LaboratoryTest::heating || test == LaboratoryTest::quench) return;  // the limit depends on the specimen
   const MechanicsParameters& rock = scene.mechanics->parameters;
-  LaboratorySection by_default = *scene.laboratory;
-  by_default.platen_speed.reset();
-  const double notable = (test == LaboratoryTest::brazilian ? 10 : 2) * platen_speed(by_default, rock);  // m/s
+  const double notable = (test == LaboratoryTest::brazilian ? 10 : 2) * usual_platen_speed(test, rock);  // m/s
   const double scaling = rock.mass_scaling, speed = platen_speed(*scene.laboratory, rock);
   if (speed * std::sqrt(scaling) <= notable) return;
   scene.warnings.push_back(

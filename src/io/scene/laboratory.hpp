@@ -19,7 +19,7 @@ struct LaboratorySection {
   std::array<double, 2> size{0, 0};    ///< of the block, m
   double diameter = 0;                 ///< of the disc, m
   double flat_width = 0.174;           ///< of the disc's flats under the platens, over the diameter (20 degrees of arc)
-  std::optional<double> platen_speed;  ///< m/s; absent: see platen_speed()
+  std::optional<double> platen_speed;  ///< m/s; absent: see usual_platen_speed()
   double confinement = 0;              ///< Pa
   Support flanks = Support::free;      ///< free: the confinement is a membrane's dead load; servo: that of platens
   double chemical_damage = 0;          ///< d_c of all bonds
@@ -48,16 +48,20 @@ double least_of_materials(const MechanicsParameters& rock, const Of& of) {
   return least;
 }
 
-/// Speed of the moving platen, m/s. The default is 0.5 in compression, 0.1 in tension and splitting, and at most 1/14
+/// Default speed of the moving platen, m/s: 0.5 in compression, 0.1 in tension and splitting, and at most 1/14
 /// or 1/19 of strength/sqrt(M_n density), the speed of rock behind a wave that breaks it: so slow that strengths are
 /// within 4 % of those at a quarter of it.
-inline double platen_speed(const LaboratorySection& laboratory, const MechanicsParameters& rock) {
-  const LaboratoryTest test = laboratory.test;
+inline double usual_platen_speed(LaboratoryTest test, const MechanicsParameters& rock) {
   const auto [usual, slower] = test == LaboratoryTest::compression ? std::pair{0.5, 14.0} : std::pair{0.1, 19.0};
   const double behind_wave = least_of_materials(rock, [&](const BondParameters& bond, double density) {
     return tested_strength(test, bond) / std::sqrt(bond.normal_modulus * density);
   });
-  return laboratory.platen_speed.value_or(std::clamp(behind_wave / slower, 0.01 * usual, usual));
+  return std::clamp(behind_wave / slower, 0.01 * usual, usual);
+}
+
+/// Speed of the moving platen, m/s.
+inline double platen_speed(const LaboratorySection& laboratory, const MechanicsParameters& rock) {
+  return laboratory.platen_speed.value_or(usual_platen_speed(laboratory.test, rock));
 }
 
 /// Strain between two points of the curve, one of which is its peak. The default is 1e-5, and at most a sixtieth of
