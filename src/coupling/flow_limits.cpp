@@ -86,7 +86,7 @@ void FlowModule<T>::guard(const Exec& exec, const Clock& clock) {
 template <class T>
 std::string FlowModule<T>::advice_on_divergence() const {
   const double pressure = driving_pressure(), speed = std::max(prescribed_speed(), paths_.passage_speed);
-  if (pressure > 0 && bernoulli_speed(pressure) >= speed)
+  if (pressure_difference() > 0 && bernoulli_speed(pressure) >= speed)
     return "lower the pressure or the time step, or ramp the pressure (boundary.*.flow.ramp_time)";
   return speed > 0 ? "lower the prescribed velocity or the time step" : "lower what drives the flow or the time step";
 }
@@ -186,7 +186,7 @@ void FlowModule<T>::limits(LimitTable& table) const {
                      "1", 0, 0.35, "lower lattice.time_step"});
   table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
                    "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
-  if (highest > 0) {
+  if (driving_pressure() > 0) {
     // where no wall holds the fluid back, the pressures drive any speed in the end
     const bool held = std::isfinite(paths_.pressed.speed);
     const double free = bernoulli_speed(driving_pressure()),
@@ -223,9 +223,11 @@ void FlowModule<T>::limits(LimitTable& table) const {
                      "use a coarser lattice or a lower viscosity in lattice units"});
   // The speed that a pressure causes is not known in advance.
   const double speed = std::max(prescribed_speed(), paths_.passage_speed);
+  const auto growth = [&](double at) { return flow_wave_growth(section_.collision, 0.5 + 3 * at, speed); };
   if (speed > 0)
     table.push_back({"flow", "growth per step of a plane wave at that speed",
-                     flow_wave_growth(section_.collision, 0.5 + 3 * nu, speed), "1", 0, neutral_growth,
+                     section_.viscosity_varies() ? std::max(growth(nu), growth(lowest_viscosity())) : growth(nu), "1",
+                     0, neutral_growth,
                      "lower the velocity or lattice.time_step, or choose another flow.collision (docs/stability.md)"});
 }
 

@@ -6,6 +6,7 @@
 #include "coupling/force_speed.hpp"
 #include "coupling/given_passages.hpp"
 #include "coupling/mouths.hpp"
+#include "coupling/narrow_passages.hpp"
 #include "coupling/pore_runs.hpp"
 #include "coupling/pore_width.hpp"
 #include "coupling/pressed_speed.hpp"
@@ -176,6 +177,8 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
     found.weight_speed = weight_wave_speed(scene, forces, picture, width, mouths, piece, units);
   }
   if (std::string remark = remark_on_corners(scene, picture, mouths); !remark.empty())
+    found.warnings.push_back(std::move(remark));
+  for (std::string& remark : remarks_on_narrow_passages(scene, picture, units))
     found.warnings.push_back(std::move(remark));
   return found;
 }

@@ -1,54 +1,72 @@
 #include "coupling/given_passages.hpp"
 
 #include "coupling/passages.hpp"
+#include "coupling/temperature_range.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
-#include <string>
 
 namespace vug {
 
 namespace {
 
-/// Mouths from which fluid is followed to an outlet together.
-struct Source {
-  std::vector<std::size_t> nodes;
-  std::set<std::string> keys;  ///< of its mouths: no outlets of its own
-  double volume = 0;           ///< that enters per step, cells
-  bool presses = false;
+using Nodes = std::vector<std::size_t>;
 
-  void add(const Mouth& mouth) {
-    nodes.insert(nodes.end(), mouth.nodes.begin(), mouth.nodes.end());
-    keys.insert(mouth.key);
-    volume += std::abs(mouth.inflow) * mouth.total_length();
-  }
+/// What touches one piece of pore space.
+struct Piece {
+  std::vector<Nodes> given;                                               ///< nodes of each mouth with a given inflow
+  std::vector<Nodes> pressing;                                            ///< nodes of each with a given pressure
+  Nodes push, draw, yield;                                                ///< nodes of all that do
+  double pushed = 0, drawn = 0, steadily_pushed = 0, steadily_drawn = 0;  ///< volumes per step, cells
 };
 
-/// Each mouth that drives fluid, and all with a given inflow into the same piece of pore space.
-std::vector<Source> sources_of(const std::vector<Mouth>& mouths, const std::vector<int>& piece) {
-  std::vector<Source> sources;
-  std::map<int, Source> joint;  // (piece)
-  for (const Mouth& mouth : mouths) {
-    const bool presses = mouth.conditions->flow.kind == FlowBoundaryKind::pressure;
-    if ((mouth.inflow == 0 && !presses) || mouth.nodes.empty()) continue;
-    sources.emplace_back().add(mouth);
-    sources.back().presses = presses;
-    if (mouth.inflow <= 0) continue;
-    std::set<int> pieces;
-    for (const std::size_t n : mouth.nodes) pieces.insert(piece[n]);
-    for (const int own : pieces) joint[own].add(mouth);
-  }
-  for (auto& [own, source] : joint)
-    if (source.keys.size() > 1) sources.push_back(std::move(source));
-  return sources;
+/// Whether what a mouth gives is the same at all times.
+bool is_steady(const FlowBoundary& flow) {
+  if (const TimeTable* rate = flow.given_rate()) return rate->constant();
+  return flow.speed.constant() && flow.velocity[0].constant() && flow.velocity[1].constant();
 }
 
-bool takes_fluid(const Mouth& mouth) {
-  return mouth.yields() || (mouth.lets_fluid_through() && draws(mouth.conditions->flow, mouth.side));
-}
+/// The pieces that mouths touch, by their numbers, and what is given and yields at the nodes of all. What is given by
+/// mouths of the other sign opposes it only where it does so at all times.
+struct Mouths {
+  std::map<int, Piece> pieces;
+  Ways pushing, drawing;
+
+  Mouths(const std::vector<Mouth>& mouths, const std::vector<int>& piece)
+      : pushing{std::vector<double>(piece.size(), 0.0), std::vector<bool>(piece.size(), false)}, drawing(pushing) {
+    for (const Mouth& mouth : mouths)
+      if (mouth.lets_fluid_through()) add(mouth, piece);
+  }
+
+ private:
+  void add(const Mouth& mouth, const std::vector<int>& piece) {
+    std::map<int, Nodes> own;
+    for (std::size_t k = 0; k < mouth.nodes.size(); ++k) {
+      const std::size_t n = mouth.nodes[k];
+      own[piece[n]].push_back(n);
+      if (mouth.yields()) pushing.yields[n] = drawing.yields[n] = true;
+      if (mouth.inflow == 0) continue;
+      const double volume = mouth.inflow * mouth.length[k];
+      const bool steady = is_steady(mouth.conditions->flow);
+      Piece& of_node = pieces[piece[n]];
+      if (volume > 0 || steady) pushing.given[n] += volume;
+      if (volume < 0 || steady) drawing.given[n] += volume;
+      (volume > 0 ? of_node.pushed : of_node.drawn) += volume;
+      if (steady) (volume > 0 ? of_node.steadily_pushed : of_node.steadily_drawn) += volume;
+    }
+    for (const auto& [number, nodes] : own) {
+      Piece& touched = pieces[number];
+      const auto join = [&](Nodes& all) { all.insert(all.end(), nodes.begin(), nodes.end()); };
+      if (mouth.yields()) join(touched.yield);
+      if (mouth.conditions->flow.kind == FlowBoundaryKind::pressure) touched.pressing.push_back(nodes);
+      if (mouth.inflow == 0) continue;
+      touched.given.push_back(nodes);
+      join(mouth.inflow > 0 ? touched.push : touched.draw);
+    }
+  }
+};
 
 }  // namespace
 
@@ -58,26 +76,32 @@ void look_for_passages(const Scene& scene, const NoSlipWalls& walls, const Fluid
   // decay time of the slowest mode of a channel over viscosity * delay, with a pressure at one end or at both
   constexpr double one_end = 8 / (std::numbers::pi * std::numbers::pi), both_ends = one_end / 4;
   const double viscosity = scene.flow->viscosity / units.diffusivity();
-  for (const Source& source : sources_of(mouths, piece)) {
-    std::vector<bool> inlet(picture.size(), false), outlet(picture.size(), false);
-    std::vector<std::size_t> outlets;
-    for (const std::size_t n : source.nodes) inlet[n] = true;
-    for (const Mouth& other : mouths) {
-      if (!takes_fluid(other) || source.keys.contains(other.key)) continue;
-      for (const std::size_t n : other.nodes) outlet[n] = true;
-      outlets.insert(outlets.end(), other.nodes.begin(), other.nodes.end());
+  const double highest = highest_viscosity(scene) / units.diffusivity();
+  Mouths all(mouths, piece);
+  const auto look = [&](const Nodes& begin, const Ways& ways, double beyond) {
+    const Passage passed = find_passage(walls, picture, begin, ways, beyond);
+    found.passage_speed = std::max(found.passage_speed, passed.speed);
+    found.passage_peak = std::max(found.passage_peak, passed.peak);
+    found.passage_pressure = std::max(found.passage_pressure, highest * passed.pressure);
+    if (beyond == 0) found.settling_steps = std::max(found.settling_steps, one_end * viscosity * passed.delay);
+  };
+  for (const auto& [number, here] : all.pieces) {
+    if (here.yield.empty() && (here.push.empty() || here.draw.empty())) continue;  // nothing gets through
+    for (const Nodes& mouth : here.given) {
+      const bool pushes = std::find(here.push.begin(), here.push.end(), mouth[0]) != here.push.end();
+      look(mouth, pushes ? all.pushing : all.drawing, 0);
     }
-    Passage passed = find_passage(walls, picture, source.nodes, outlet);
-    if (passed.least == 0) continue;
-    const Passage back = find_passage(walls, picture, outlets, inlet);  // outlets may be narrower than the mouth
-    passed.least = std::min(passed.least, back.least);
-    passed.peak = std::max(passed.peak, back.peak);
-    passed.drag = std::max(passed.drag, back.drag);
-    found.settling_steps =
-        std::max(found.settling_steps, (source.presses ? both_ends : one_end) * viscosity * passed.delay);
-    found.passage_speed = std::max(found.passage_speed, source.volume / static_cast<double>(passed.least));
-    found.passage_peak = std::max(found.passage_peak, source.volume * passed.peak);
-    found.passage_pressure = std::max(found.passage_pressure, viscosity * passed.drag * source.volume);
+    if (!here.push.empty()) look(here.push, all.pushing, 0);
+    if (!here.draw.empty()) look(here.draw, all.drawing, 0);
+    // what yields may be narrower than the mouths
+    if (!here.yield.empty() && !here.push.empty()) look(here.yield, all.pushing, here.pushed + here.steadily_drawn);
+    if (!here.yield.empty() && !here.draw.empty()) look(here.yield, all.drawing, here.drawn + here.steadily_pushed);
+    for (const Nodes& mouth : here.pressing) {
+      for (const std::size_t n : mouth) all.pushing.yields[n] = false;
+      const Passage passed = find_passage(walls, picture, mouth, all.pushing);
+      found.settling_steps = std::max(found.settling_steps, both_ends * viscosity * passed.delay);
+      for (const std::size_t n : mouth) all.pushing.yields[n] = true;
+    }
   }
 }
 

@@ -12,7 +12,9 @@ namespace {
 struct Part {
   std::size_t front = 0;  ///< its number
   int nodes = 0, held = 0;
-  bool ends = false;        ///< a node is one of the end
+  double given = 0;   ///< volume that enters per step
+  bool open = false;  ///< something is given at a node, or it yields
+  bool yields = false;
   bool dead = false;        ///< nothing flows through it
   std::vector<int> beside;  ///< parts of the fronts before and after it that have neighbours of its nodes
 };
@@ -20,9 +22,8 @@ struct Part {
 /// All fronts from some nodes on, in parts.
 class Parts {
  public:
-  Parts(const FluidPicture& picture, const NoSlipWalls& walls, const std::vector<std::size_t>& begin,
-        const std::vector<bool>& end)
-      : picture_(picture), walls_(walls), end_(end), part_(picture.size(), unknown) {
+  Parts(const FluidPicture& picture, const NoSlipWalls& walls, const std::vector<std::size_t>& begin, const Ways& ways)
+      : picture_(picture), walls_(walls), ways_(ways), part_(picture.size(), unknown) {
     picture.for_each_front(begin, [&](const std::vector<std::size_t>& front, const std::vector<bool>&) {
       add(front);
       return true;
@@ -47,7 +48,10 @@ class Parts {
     part_[first] = number;
     for (std::size_t k = 0; k < joined.size(); ++k) {
       part.held += walls_.hold(joined[k]);
-      part.ends = part.ends || end_[joined[k]];
+      const double given = ways_.given[joined[k]];
+      part.given += given;
+      part.yields = part.yields || ways_.yields[joined[k]];
+      part.open = part.open || part.yields || given != 0;
       picture_.for_each_neighbour(joined[k], [&](std::size_t m) {
         const int other = part_[m];
         if (other == in_front) {
@@ -70,7 +74,7 @@ class Parts {
     for (std::size_t k = 0; k < parts_.size(); ++k)
       for (int at = static_cast<int>(k); at >= 0;) {
         Part& part = parts_[at];
-        if (part.dead || part.ends || left[at] > (part.front == 0 ? 0u : 1u)) break;
+        if (part.dead || part.open || left[at] > (part.front == 0 ? 0u : 1u)) break;
         part.dead = true;
         at = -1;
         for (const int next : part.beside)
@@ -84,7 +88,7 @@ class Parts {
   static constexpr int unknown = -1, in_front = -2;
   const FluidPicture& picture_;
   const NoSlipWalls& walls_;
-  const std::vector<bool>& end_;
+  const Ways& ways_;
   std::vector<int> part_;  ///< (node)
   std::vector<Part> parts_;
   std::size_t fronts_ = 0;
@@ -102,28 +106,41 @@ double peak_of_passages(const std::vector<int>& nodes) {
 }
 
 Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const std::vector<std::size_t>& begin,
-                     const std::vector<bool>& end) {
-  const Parts parts(picture, walls, begin, end);
+                     const Ways& ways, double beyond) {
+  const Parts parts(picture, walls, begin, ways);
   const std::vector<Part>& all = parts.all();
-  const auto first = std::find_if(all.begin(), all.end(), [](const Part& part) { return part.ends; });
-  if (first == all.end()) return {};
-  Passage passed{begin.size()};
-  double stored = 0;
-  for (auto part = all.begin(); part != all.end() && part->front <= first->front;) {
+  const bool backwards = beyond != 0;
+  const auto ends = [&](const Part& part) { return part.yields && !backwards; };
+  const auto first = std::find_if(all.begin(), all.end(), ends);
+  const auto last = std::find_if(all.rbegin(), all.rend(), [](const Part& part) { return part.given != 0; });
+  if (first == all.end() && last == all.rend()) return {};
+  const std::size_t end = first != all.end() ? first->front : last->front;
+  Passage passed;
+  double stored = 0, within = -beyond;
+  bool spreads = true;
+  for (auto part = all.begin(); part != all.end() && part->front <= end;) {
+    const std::size_t front = part->front;
     std::vector<int> passages;
     int held = 0, nodes = 0;
-    for (const std::size_t front = part->front; part != all.end() && part->front == front; ++part) {
+    double given = 0;
+    for (; part != all.end() && part->front == front; ++part) {
       stored += 3.0 * part->nodes;
       if (part->dead) continue;
       passages.push_back(part->nodes);
       held += part->held;
       nodes += part->nodes;
+      given += part->given;
     }
+    // what is given at nodes of the front crosses it or does not; at the mouth itself it does
+    const double before = std::abs(within), after = std::abs(within + given);
+    const double crossing = front > 0 ? std::min(before, after) : std::max(before, after);
+    within += given;
     const double drag = (held > 1 ? 12.0 : 3.0 * held) / std::pow(nodes, 3);
-    passed.least = std::min(passed.least, static_cast<std::size_t>(nodes));
-    passed.peak = std::max(passed.peak, held > 0 ? peak_of_passages(passages) : 1.0 / nodes);
-    passed.drag += drag;
-    passed.delay += drag * stored;
+    passed.speed = std::max(passed.speed, crossing / nodes);
+    passed.peak = std::max(passed.peak, crossing * (held > 0 ? peak_of_passages(passages) : 1.0 / nodes));
+    passed.pressure += crossing * drag;
+    spreads = spreads && (front == 0 || after >= before);
+    if (spreads) passed.delay += drag * stored;
   }
   return passed;
 }

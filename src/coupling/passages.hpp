@@ -13,21 +13,31 @@ namespace vug {
 /// times the mean in the opening (Kirchhoff), and more with a parabola before it: 2 is above all of them.
 double peak_of_passages(const std::vector<int>& nodes);
 
-/// The passage that all fluid from a mouth crosses before it reaches an outlet, or the other way round.
-struct Passage {
-  std::size_t least = 0;  ///< nodes at one distance from the mouth; 0: no way to the other end
-  double drag = 0;        ///< pressure over (viscosity * volume per step), lattice units
-  double delay = 0;       ///< steps in which pressure spreads along it, over viscosity
-  double peak = 0;        ///< largest over the volume per step, 1/cells: an upper bound of most flows
+/// What is given at the nodes, and where fluid passes as the pressure wants it.
+struct Ways {
+  std::vector<double> given;  ///< (node) volume that enters per step, cells
+  std::vector<bool> yields;   ///< (node)
 };
 
-/// Goes through the fronts of nodes at one distance after the other from `begin`, up to the first that contains a node
-/// of `end`: all fluid between them crosses every front. The nodes of a front that are neighbours are one passage
-/// (`peak`; where no no-slip wall is beside a front, its speed is the same everywhere). Passages that lead nowhere else
-/// are dead ends and only store. A front of n nodes has the drag of a slit of n cells, 12/n^3; where only one of its
-/// nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3; without such nodes, none. The drag is a lower
-/// bound, because the nodes may be in several passages. Each node stores 1/c_s^2 of the pressure.
+/// What fluid meets on its way through the passages behind a mouth, lattice units.
+struct Passage {
+  double speed = 0;     ///< largest mean in a front
+  double peak = 0;      ///< upper bound, of most flows, of the largest
+  double pressure = 0;  ///< that it needs, over the viscosity; a lower bound
+  double delay = 0;     ///< steps in which pressure spreads along it, over viscosity
+};
+
+/// Goes through the fronts of nodes at one distance after the other from `begin`, up to the first with a node that
+/// yields; where none does, up to the last at which something is given. Beside nodes that yield, `beyond` is what is
+/// given in all of their piece of pore space, and the way goes on to the last of these.
+///
+/// By continuity all that is given within a front, and nothing else, crosses it (less `beyond`). The nodes of a front
+/// that are neighbours are one passage (`peak`; where no no-slip wall is beside a front, its speed is the same
+/// everywhere). Passages that lead nowhere else are dead ends and only store. A front of n nodes has the drag of a slit
+/// of n cells, 12/n^3; where only one of its nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3;
+/// without such nodes, none. The drag is a lower bound, because the nodes may be in several passages. Each node stores
+/// 1/c_s^2 of the pressure; the delay ends where the way does, or at the first front where the other sign is given.
 Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const std::vector<std::size_t>& begin,
-                     const std::vector<bool>& end);
+                     const Ways& ways, double beyond = 0);
 
 }  // namespace vug

@@ -35,4 +35,14 @@ double lowest_viscosity(const Scene& scene) {
   return scene.flow->lowest_viscosity(range.coldest, range.hottest);
 }
 
+double highest_viscosity(const Scene& scene) {
+  const FlowSection& flow = *scene.flow;
+  if (!scene.heat || !flow.viscosity_varies()) return flow.viscosity;
+  const TemperatureRange range = named_range(scene);
+  double highest = std::max(flow.viscosity_at(range.coldest), flow.viscosity_at(range.hottest));
+  for (const auto& [kelvin, nu] : flow.viscosity_table)
+    if (kelvin > range.coldest && kelvin < range.hottest) highest = std::max(highest, nu);
+  return highest;
+}
+
 }  // namespace vug

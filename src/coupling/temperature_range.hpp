@@ -18,4 +18,7 @@ TemperatureRange temperature_range(const Scene& scene);
 /// Lowest kinematic viscosity in the temperature_range, m2/s. `scene` has [flow].
 double lowest_viscosity(const Scene& scene);
 
+/// Highest one in the named_range, m2/s.
+double highest_viscosity(const Scene& scene);
+
 }  // namespace vug

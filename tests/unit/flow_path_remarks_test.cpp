@@ -1,4 +1,5 @@
 // What the geometry makes of the conditions on the fluid: mistakes are refused, what may be meant is remarked on.
+#include "support/cracked_rock.hpp"
 #include "unit/channel_paths.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ using test::refusal;
 using test::remarks;
 using test::wall;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -51,6 +53,34 @@ TEST(FlowPaths, APressureThatChangesBeforeAnOutflowIsRemarkedOn) {
   }
   EXPECT_THAT(remarks(channel("", "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n" + outlet)),
               IsEmpty());
+}
+
+/// At tau = 0.8, 8 Lambda = 2.4 (1/1.92 - 1/2) = 0.05 in one row and 1 + (0.05 - 1)/4 in two.
+TEST(FlowPaths, PassagesThatTheCollisionShutsAreRemarkedOn) {
+  const auto through = [](const char* collision, const std::string& shapes) {
+    std::string text = channel(shapes, inflow + outlet);
+    return remarks(text.insert(text.find("viscosity"), fmt::format("collision = \"{}\"\n", collision)));
+  };
+  const std::string slot = rectangle("[20, 0]", "[23, 5]") + rectangle("[20, 6]", "[23, 12]");
+  const std::string wider = rectangle("[20, 0]", "[23, 5]") + rectangle("[20, 7]", "[23, 12]");
+  EXPECT_THAT(through("lallemand_luo", slot),
+              ElementsAre(HasSubstr("flow.collision: 3 of 447 fluid nodes are in passages one cell wide, which carry "
+                                    "0.05 of what flows between plates (two cells: 0.76); trt carries 1.5 and 1.1")));
+  EXPECT_THAT(through("lallemand_luo", wider), IsEmpty());
+  for (const char* open : {"trt", "bgk", "regularised"}) EXPECT_THAT(through(open, slot), IsEmpty()) << open;
+}
+
+/// The drag of a crack narrower than a cell is made for what `trt` carries in a row of nodes.
+TEST(FlowPaths, CracksThatTheCollisionShutsAreRemarkedOn) {
+  const auto gaping = [](const char* collision) {
+    const Scene scene = parse_scene(test::cracked_rock, "a.toml",
+                                    {"damage.aperture=\"opening\"", fmt::format("flow.collision=\"{}\"", collision)});
+    const Simulation simulation(scene);
+    return find_flow_paths(scene, simulation.parts().geometry, simulation.parts().units).warnings;
+  };
+  const auto told = Contains(HasSubstr("flow.collision: a crack narrower than a cell conducts as it gapes with trt"));
+  EXPECT_THAT(gaping("lallemand_luo"), told);
+  EXPECT_THAT(gaping("trt"), Not(told));
 }
 
 /// A temperature of a side is that of rock and fluid: 8 of 12 nodes. Not remarked on: walls and outflows, an injection

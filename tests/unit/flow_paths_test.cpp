@@ -1,6 +1,7 @@
 // What the geometry makes of the conditions on the fluid: speeds, pressures and times that they need.
 #include "unit/channel_paths.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -134,6 +135,49 @@ TEST(FlowPaths, InflowsIntoOnePoreAddUp) {
   // each in a pore of its own
   const std::string parted = rectangle("[0, 5]", "[40, 7]") + rectangle("[20, 0]", "[23, 4]");
   EXPECT_DOUBLE_EQ(passage_speed(channel(parted, injection("a", "3") + injection("b", "9") + outlet)), 0.02 * 5);
+}
+
+/// What wells draw behind a throat adds up as what they push does. A given draw is no outlet: a small one beside the
+/// inflow takes its own rate, all else passes the throat; only one whose rate changes is not relied upon.
+TEST(FlowPaths, GivenRatesTakeWhatTheyTakeAndNoMore) {
+  const auto rate = [](const char* side, const char* centre, const char* width, const char* value) {
+    return fmt::format(
+        "[[boundary.injection]]\nname = \"{0}{1:.1}\"\nside = \"{0}\"\ncentre = {1}\nwidth = {2}\nflow = "
+        "{{ type = \"velocity\", flow_rate = {3} }}\n",
+        side, centre, width, value);
+  };
+  const std::string throat = rectangle("[20, 0]", "[23, 9]");
+  const std::string reservoir = "[boundary.left]\nflow = { type = \"pressure\", pressure = 0 }\n";
+  const FlowPaths one = paths(channel(throat, inflow + outlet));
+  const FlowPaths drawn =
+      paths(channel(throat, reservoir + rate("right", "3", "6", "-0.12") + rate("right", "9", "6", "-0.12")));
+  EXPECT_DOUBLE_EQ(drawn.passage_speed, one.passage_speed);
+  EXPECT_DOUBLE_EQ(drawn.passage_peak, one.passage_peak);
+  EXPECT_NEAR(drawn.passage_pressure, one.passage_pressure, 1e-12);
+  const auto beside = [&](const char* value) {
+    return paths(channel(throat, inflow + outlet + rate("top", "3.5", "3", value))).passage_speed;
+  };
+  EXPECT_DOUBLE_EQ(beside("-0.006"), (0.02 * 12 - 0.006) / 3);
+  EXPECT_DOUBLE_EQ(beside("-0.21"), 0.21 / 3) << "what the draw itself takes";
+  EXPECT_DOUBLE_EQ(beside("[[0, 0], [5, -0.21]]"), 0.02 * 12 / 3);
+}
+
+/// The pressure is that of the highest viscosity of the temperatures that the case names.
+TEST(FlowPaths, ColdFluidNeedsMorePressure) {
+  const auto pressure = [](const char* temperature) {
+    std::string text = channel("",
+                               "[boundary.left]\nflow = { type = \"velocity\", velocity = [0.02, 0] }\nheat = { type = "
+                               "\"temperature\", temperature = " +
+                                   std::string(temperature) + " }\n" + outlet);
+    text.insert(text.find("density"), "viscosity_table = [[280, 0.4], [300, 0.1], [320, 0.05]]\n");
+    text.replace(text.find("viscosity = 0.1\n"), std::string("viscosity = 0.1\n").size(), "");
+    text += "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\ninitial_temperature = 300\n";
+    return paths(text).passage_pressure;
+  };
+  const double needed = 12 * 0.1 * (0.02 * 12) * 40 / (12.0 * 12 * 12);
+  EXPECT_NEAR(pressure("300"), needed, 1e-12);
+  EXPECT_NEAR(pressure("320"), needed, 1e-12);
+  EXPECT_NEAR(pressure("280"), 4 * needed, 1e-12);
 }
 
 }  // namespace
