@@ -1,6 +1,7 @@
 #include "coupling/reaction_module.hpp"
 
 #include "coupling/face_temperature.hpp"
+#include "coupling/joint_reactions.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/sum_state.hpp"
 #include "io/units.hpp"
@@ -79,7 +80,7 @@ ReactionModule<T, Set>::ReactionModule(const Exec& exec, const Scene& scene, con
   std::vector<ReactingSpecies<T>> reacting;
   for (Attack<T>& attack : attacks_)
     reacting.push_back({&attack.wall, &attack.links, attack.reactant, attack.product, attack.state_key()});
-  solutes.react(std::move(reacting));
+  solutes.react(std::move(reacting), reactions_depend(scene));
 }
 
 template <class T, class Set>

@@ -1,5 +1,6 @@
 #include "coupling/solute_module.hpp"
 
+#include "coupling/joint_reactions.hpp"
 #include "coupling/read_fields.hpp"
 #include "coupling/shared_field.hpp"
 #include "coupling/sum_state.hpp"
@@ -113,6 +114,7 @@ Crossing<T> SoluteModule<T, Set>::crossing() const {
 template <class T, class Set>
 void SoluteModule<T, Set>::step_pairs(const Exec& exec, const SoluteCarrier<T>& carrier) {
   for (SpeciesState<T>& s : species_) advance_solute<Set>(exec, geometry_.fluid, carrier, s.stepping());
+  if (jointly_) return react_jointly<Set>(exec, joined(reacting_));
   for (const auto& [wall, links, reactant, product, key] : reacting_)
     react_at_wall<Set>(exec, geometry_.fluid, *wall, *links, reactant->fields, product ? &product->fields : nullptr);
 }

@@ -82,8 +82,11 @@ class SoluteModule final : public Module {
   double total(const SpeciesState<T>& s) const;
   /// State of the species with that name.
   SpeciesState<T>& species(const std::string& name);
-  /// From now on these pairs react in every step, one after the other.
-  void react(std::vector<ReactingSpecies<T>> reacting) { reacting_ = std::move(reacting); }
+  /// From now on these pairs react in every step; `jointly`: one reads what another one changes.
+  void react(std::vector<ReactingSpecies<T>> reacting, bool jointly) {
+    reacting_ = std::move(reacting);
+    jointly_ = jointly;
+  }
 
  private:
   void find_boundaries(const Exec& exec);
@@ -133,6 +136,7 @@ class SoluteModule final : public Module {
   Halo before_outflow_;                         ///< other ranks' nodes before those at outflows
   Halo neighbours_;                             ///< of our nodes, for act_on_links
   std::vector<ReactingSpecies<T>> reacting_;
+  bool jointly_ = false;
 };
 
 }  // namespace vug
