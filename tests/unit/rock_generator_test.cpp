@@ -41,6 +41,14 @@ std::map<std::array<int, 2>, int> edge_uses(const Assembly& assembly) {
   return uses;
 }
 
+double length_of_cracks(const Assembly& assembly) {
+  double length = 0;
+  for (const auto& [a, b] : assembly.initial_cracks)
+    length += std::hypot(assembly.vertices[a][0] - assembly.vertices[b][0],
+                         assembly.vertices[a][1] - assembly.vertices[b][1]);
+  return length;
+}
+
 // FNV-1a over the bits of everything in the assembly.
 std::uint64_t bits(const Assembly& assembly) {
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -97,16 +105,12 @@ TEST(RockGenerator, SharesEveryInnerEdgeByTwoTriangles) {
 TEST(RockGenerator, ContainsTheNotchesAsChainsOfEdges) {
   const auto assembly = generate_rock(length_x, length_y, rock_with_hole_and_notches(7));
   const auto uses = edge_uses(assembly);
-  double length = 0;
   for (const auto& crack : assembly.initial_cracks) {
     EXPECT_LT(crack[0], crack[1]);
     ASSERT_TRUE(uses.contains(crack));
     EXPECT_EQ(uses.at(crack), 2) << "rock on both sides of a crack";
-    const auto& p = assembly.vertices[crack[0]];
-    const auto& q = assembly.vertices[crack[1]];
-    length += std::hypot(q[0] - p[0], q[1] - p[1]);
   }
-  EXPECT_NEAR(length, std::hypot(0.01, 0.0002) + std::hypot(0.02, 0.03), 1e-12);
+  EXPECT_NEAR(length_of_cracks(assembly), std::hypot(0.01, 0.0002) + std::hypot(0.02, 0.03), 1e-12);
 }
 
 TEST(RockGenerator, GivesTheSameBitsForASeedAndOthersForAnother) {
@@ -143,6 +147,44 @@ TEST(RockGenerator, LeadsANotchUpToTheHoleItAlmostTouches) {
     return assembly.vertices[c[0]][0] == 0.006 || assembly.vertices[c[1]][0] == 0.006;
   });
   EXPECT_TRUE(touches);
+}
+
+/// A parting between two layers is a notch as well: along the whole joint, beyond it and along a part of it.
+TEST(RockGenerator, OpensNotchesOnTheOutlineOfAMaterial) {
+  for (const double begin : {0.0, 0.02, 0.05}) {
+    auto rock = uniform_rock(4);
+    rock.borders = {Rectangle{{0.03, 0}, {0.08, 0.03}}};
+    rock.notches.push_back({{begin, 0.03}, {0.06, 0.03}});
+    EXPECT_NEAR(length_of_cracks(generate_rock(length_x, length_y, rock)), 0.06 - begin, 1e-12) << begin;
+  }
+}
+
+TEST(RockGenerator, DrawsOnlyTheEndsOfARowOfPointsToASide) {
+  auto rock = uniform_rock(4);
+  const std::array<double, 2> first{0.02, 0.0008}, low{0.04, 0.0009}, last{0.05, 0.02};
+  rock.notches = {{first, {0.02, 0.02}}, {{0.02, 0.02}, low}, {low, last}};
+  const auto assembly = generate_rock(length_x, length_y, rock);
+  const double rows = 0.02 + std::hypot(0.02, 0.02 - low[1]) + std::hypot(0.01, 0.02 - low[1]);
+  EXPECT_NEAR(length_of_cracks(assembly), rows, 1e-12);
+}
+
+/// At the rim of the hole and shorter than half an element, along a side, and along the hole.
+TEST(RockGenerator, RefusesANotchOfWhichNothingIsLeft) {
+  const std::vector<Notch> gone{{{0.006, 0.035}, {0.0069, 0.035}},
+                                {{0.02, 0.0008}, {0.05, 0.0008}},
+                                {{0.02, 0}, {0.05, 0}},
+                                {{0.001, 0.0379}, {0.005, 0.0379}}};
+  for (const Notch& notch : gone) {
+    auto rock = rock_with_hole_and_notches(4);
+    rock.notches.push_back(notch);
+    rock.notches.back().entry = 2;
+    try {
+      generate_rock(length_x, length_y, rock);
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("rock.notches.2: nothing is left of it"));
+    }
+  }
 }
 
 TEST(RockGenerator, MeshesCrossingNotchesAndHolesInCornersAndInside) {

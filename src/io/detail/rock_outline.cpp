@@ -1,11 +1,13 @@
 #include "io/detail/rock_outline.hpp"
 
+#include "base/require.hpp"
 #include "io/detail/circle_outline.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vug::detail {
 
@@ -131,8 +133,14 @@ Drawing drawing_of(Point length, const RockSection& rock, const std::optional<Or
   if (hole)
     for (const Line& line : box_lines(*hole)) all.lines.push_back(line);
   for (const Form& form : rock.holes) all.add(form);
-  for (const Notch& notch : rock.notches)
-    notches.push_back({attached(notch.from, all, size), attached(notch.to, all, size), true});
+  for (const Notch& notch : rock.notches) {
+    const auto goes_on = [&](Point end, Point Notch::*other_end) {
+      return std::any_of(rock.notches.begin(), rock.notches.end(),
+                         [&](const Notch& other) { return other.entry == notch.entry && other.*other_end == end; });
+    };
+    notches.push_back({goes_on(notch.from, &Notch::to) ? notch.from : attached(notch.from, all, size),
+                       goes_on(notch.to, &Notch::from) ? notch.to : attached(notch.to, all, size), true});
+  }
   for (const Form& form : rock.borders) all.add(form);
   all.lines.insert(all.lines.end(), notches.begin(), notches.end());
   return all;
@@ -165,6 +173,16 @@ std::vector<Line> lines_of(Point length, const RockSection& rock, const ElementS
   return lines;
 }
 
+/// Throws InputError for a notch of which nothing is left. `cracked`: the shapes of all edges of notches.
+void require_notches(const RockSection& rock, const std::set<std::string>& cracked) {
+  for (const Notch& notch : rock.notches)
+    if (!cracked.contains(fmt::format("rock.notches.{}", notch.entry)))
+      throw InputError(
+          fmt::format("rock.notches.{}: nothing is left of it: it lies on a side or in a hole of the rock, or within "
+                      "half an element of one, to which its ends are drawn; lower rock.element_size, or remove it",
+                      notch.entry));
+}
+
 }  // namespace
 
 bool Outline::in_holes(Point p) const {
@@ -178,8 +196,11 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
   outline.tie = tolerance;
   outline.hole = hole_in_rock(length, rock);
   const std::vector<Line> lines = lines_of(length, rock, size, outline);
+  const int inner =
+      4 + (outline.hole ? 1 : 0) + static_cast<int>(outline.holes.size());  // shapes before bound the rock
   const OrderedRectangle rock_box{{0, 0}, length};
   std::vector<Outline::Edge> pieces;
+  std::set<std::string> cracked;
   for (const Line& line : lines) {
     const auto stops = meetings(line, lines, tolerance);
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
@@ -191,12 +212,16 @@ Outline rock_outline(Point length, const RockSection& rock, const ElementSize& s
       if (distance(stops[i].point, stops[i + 1].point) < tolerance) continue;
       const int a = point_number(outline, stops[i].point, tolerance);
       const int b = point_number(outline, stops[i + 1].point, tolerance);
-      const bool known = std::any_of(pieces.begin(), pieces.end(), [a, b](const auto& e) {
-        return (e.a == a && e.b == b) || (e.a == b && e.b == a);
-      });
-      if (a != b && !known) pieces.push_back({a, b, line.notch, line.shape});
+      if (a == b) continue;
+      auto piece = std::find_if(pieces.begin(), pieces.end(),
+                                [a, b](const auto& e) { return (e.a == a && e.b == b) || (e.a == b && e.b == a); });
+      if (piece == pieces.end()) piece = pieces.insert(piece, {a, b, line.notch, line.shape});
+      if (!line.notch || piece->shape < inner) continue;
+      piece->notch = true;  // also where it follows the outline of a material
+      cracked.insert(outline.shapes[line.shape]);
     }
   }
+  require_notches(rock, cracked);
   for (const Point corner : {Point{0, 0}, Point{length[0], 0}, length, Point{0, length[1]}})
     point_number(outline, corner, tolerance);  // also where the hole cuts it away: they span the triangulation
   for (const auto& piece : pieces) divide(outline, piece, size);
