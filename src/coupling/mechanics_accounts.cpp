@@ -23,8 +23,8 @@ void MechanicsModule<T>::limits(LimitTable& table) const {
   if (!section_.initial_velocities.empty()) table.push_back(limit_of_initial_velocities(section_));
 }
 
-/// Thermal strain beyond that of the temperatures that the case names, which `vug check` has judged: from given fluxes
-/// and the heat of reactions.
+/// Thermal strain beyond that of the temperatures that the case names, which `vug check` has judged: from given
+/// fluxes.
 template <class T>
 std::vector<Concern> MechanicsModule<T>::concerns(const Exec& exec) const {
   std::vector<Concern> concerns;
@@ -34,7 +34,7 @@ std::vector<Concern> MechanicsModule<T>::concerns(const Exec& exec) const {
     if (strain > largest_small_strain)
       concerns.push_back({fmt::format("thermal strain above {:g}", largest_small_strain),
                           fmt::format(" ({:.3g} in the rock, {:.3g} of the temperatures that the case names): the "
-                                      "mechanics are those of small strains; check heat fluxes, reaction heats and "
+                                      "mechanics are those of small strains; check heat fluxes and "
                                       "mechanics.thermal_expansion",
                                       strain, expansion * warming_)});
   }

@@ -18,13 +18,18 @@ struct StressTimesArea {
   }
   KOKKOS_FUNCTION Stress operator()(int i) const {
     Stress sum;
-    if (outer.extent(0) > 0) sum = {outer(i, 0), outer(i, 2), outer(i, 1)};
+    double held = 0;
+    if (outer.extent(0) > 0) {
+      sum = {outer(i, 0), outer(i, 2), outer(i, 1)};
+      held = outer(i, 3);
+    }
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
       const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
       const double sign = end == 0 ? 1 : -1;
       const Vec2 middle{0.5 * (bonds.arm(k, 0, end, 0) + bonds.arm(k, 1, end, 0)),
                         0.5 * (bonds.arm(k, 0, end, 1) + bonds.arm(k, 1, end, 1))};
       const Vec2 force{sign * bonds.load(k, 0), sign * bonds.load(k, 1)};
+      if (held != 0) sum.xy += held * bonds.load(k, 2 + end);
       sum.xx += middle.x * force.x;
       sum.xy += 0.5 * (middle.x * force.y + middle.y * force.x);
       sum.yy += middle.y * force.y;

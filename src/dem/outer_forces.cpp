@@ -8,6 +8,7 @@ OuterForces::OuterForces(const Assembly& assembly, const std::vector<BoundaryEdg
   const std::vector<AxesOfSides> owned = axes_held(pieces, loads, particles.count);
   std::vector<std::array<Vec2, 2>> arms(owned.size());       // (particle, axis) of what bears it, times the lengths
   std::vector<std::array<double, 2>> lengths(owned.size());  // likewise, m
+  std::vector<int> normals(owned.size(), 0);                 // (particle) of the sides that hold it, bits as of axes
   for (const LoadedPiece& piece : pieces) {
     const auto i = static_cast<std::size_t>(piece.particle), side = static_cast<std::size_t>(piece.side);
     const SidePart* part = piece.part < 0 ? nullptr : &loads.parts[piece.part];
@@ -19,6 +20,7 @@ OuterForces::OuterForces(const Assembly& assembly, const std::vector<BoundaryEdg
       else if (steady != 0 && !(support_of(piece, loads) == Support::servo && side % 2 == axis))
         loaded.traction[axis] = [steady](double) { return steady; };
       if (!piece.decides || (owned[i][side] & 1 << axis) == 0) continue;
+      normals[i] |= 1 << side % 2;
       arms[i][axis] = arms[i][axis] + piece.length * piece.arm;
       lengths[i][axis] += piece.length;
     }
@@ -28,6 +30,8 @@ OuterForces::OuterForces(const Assembly& assembly, const std::vector<BoundaryEdg
     for (std::size_t axis = 0; axis < 2; ++axis)
       if (lengths[i][axis] > 0)
         borne_.push_back({static_cast<int>(i), static_cast<int>(axis), (1 / lengths[i][axis]) * arms[i][axis]});
+  for (std::size_t i = 0; i < owned.size(); ++i)
+    if (normals[i] == 1 || normals[i] == 2) kept_.push_back({static_cast<int>(i), normals[i] == 1 ? 0.5 : -0.5});
 }
 
 ForceMoments OuterForces::moments(const Particles& particles, double time) const {
@@ -36,11 +40,13 @@ ForceMoments OuterForces::moments(const Particles& particles, double time) const
   const auto u = on_host(particles.u), reference = on_host(particles.u_reference);
   const auto reaction = on_host(particles.reaction);
   const auto fraction = on_host(particles.solid_fraction);
+  for (const auto& [i, share] : kept_)
+    if (!is_gone(fraction(i))) sum(i, 3) = share;
   const auto add = [&](int i, Vec2 arm, Vec2 force) {
     if (is_gone(fraction(i))) return;
     sum(i, 0) += arm.x * force.x;
     sum(i, 1) += arm.y * force.y;
-    sum(i, 2) += 0.5 * (arm.x * force.y + arm.y * force.x);
+    sum(i, 2) += 0.5 * (arm.x * force.y + arm.y * force.x) + sum(i, 3) * cross(arm, force);
   };
   for (const auto& [piece, traction, stiffness] : loaded_) {
     Vec2 force{piece.length * value_at(traction[0], time), piece.length * value_at(traction[1], time)};

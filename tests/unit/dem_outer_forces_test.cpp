@@ -67,6 +67,20 @@ TEST(OuterForces, AreThoseOfSupportsAndOfTheRockBeyond) {
   EXPECT_NEAR(stress.yy, servo, 1e-5 * std::abs(servo));
 }
 
+/// A block that is held at one side and pushed along the opposite one: the mean shear stress is that of the push, sum
+/// y t_x over the sides, though what keeps the held triangles from turning is in none of their forces.
+TEST(OuterForces, AndTheCoupleOfASupportMakeTheMeanShearStress) {
+  for (const auto& [held, pushed] : {std::pair{bottom, top}, {top, bottom}, {left, right}, {right, left}}) {
+    Loads loads;
+    loads.support[held] = Support::fixed;
+    loads.traction[pushed] = {2e6 * (pushed % 2 == 0 ? 0 : 1), 2e6 * (pushed % 2 == 0 ? 1 : 0)};
+    Mechanics rock(test::block(width, height, edge, 0.2), elastic(), loads);
+    ASSERT_TRUE(rock.preload_statically(Exec()));
+    const double sign = pushed == top || pushed == right ? 1 : -1;
+    EXPECT_NEAR(stress_of_all(rock).xy, sign * 2e6, 2e-6 * 2e6) << held;
+  }
+}
+
 /// A triangle at a loaded side bears the stress of the side, not a third of it.
 TEST(OuterForces, GiveTrianglesAtASideTheStressOfTheBlock) {
   const Mechanics rock = pressed(-6e6, -6e6, 0);
