@@ -41,6 +41,27 @@ bool rock_dissolves(const Scene& scene) {
   return scene.reaction->molar_volume > 0 || std::any_of(scene.minerals.begin(), scene.minerals.end(), dissolves);
 }
 
+std::vector<std::string> passive_species(const Scene& scene) {
+  std::vector<std::string> names;
+  if (!scene.solute) return names;
+  const auto turns_back = [&](const RateLaw& of_rock, std::size_t r) {
+    return of_rock.inverse_equilibrium_constant > 0 ||
+           std::any_of(scene.minerals.begin(), scene.minerals.end(), [r](const MineralSection& mineral) {
+             return mineral.rates[r].inverse_equilibrium_constant > 0;
+           });
+  };
+  const auto reads = [&](const auto& reaction, std::size_t r, const std::string& name) {
+    return reaction.reactant == name || (reaction.product == name && turns_back(reaction, r));
+  };
+  for (const Species& species : scene.solute->species) {
+    bool read = scene.reaction && reads(*scene.reaction, 0, species.name);
+    for (std::size_t r = 0; scene.reaction && r < scene.reaction->further.size(); ++r)
+      read = read || reads(scene.reaction->further[r], r + 1, species.name);
+    if (!read) names.push_back(species.name);
+  }
+  return names;
+}
+
 void read_tables(const TomlCursor& root, Scene& scene) {
   if (const auto table = root.table("case"); table.given()) read_case(table, scene);
   const auto laboratory = root.table("laboratory");
@@ -82,7 +103,8 @@ void read_tables(const TomlCursor& root, Scene& scene) {
   }
   scene.injections = read_injections(boundary);
   scene.openings = read_openings(boundary, scene.geometry);
-  const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end;
+  const bool may_age = rock_dissolves(scene) && !scene.heat && !scene.mechanics && scene.time.end &&
+                       passive_species(scene).empty();  // whose times would be those of the fluid
   if (accuracy.given()) scene.accuracy = read_accuracy(accuracy, preset, may_age, scene.flow.has_value());
   const auto mechanics = root.table("mechanics");
   // more mass gains nothing where the sub-steps are given

@@ -47,6 +47,10 @@ struct Scene {
 /// Whether a reactant dissolves any of the rock.
 bool rock_dissolves(const Scene& scene);
 
+/// Names of the species that no reaction reads: tracers, and products that do not turn back. What dissolves does not
+/// depend on them.
+std::vector<std::string> passive_species(const Scene& scene);
+
 /// The files that a case names: a mesh, an image.
 std::vector<std::string> input_files(const Scene& scene);
 

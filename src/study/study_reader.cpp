@@ -28,7 +28,7 @@ void check_known(const TomlDocument& document, const toml::table& table, const s
   }
 }
 
-/// A value of a list as TOML, arrays included; empty for a table or a date.
+/// A value of a list as TOML, arrays and tables included; empty for a date.
 std::string text_of(const toml::node& node) {
   std::ostringstream text;
   if (const auto* word = node.as_string()) text << toml::value<std::string>(word->get());
@@ -36,6 +36,7 @@ std::string text_of(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) text << fmt::format("{}", number->get());
   if (const auto* truth = node.as_boolean()) text << (truth->get() ? "true" : "false");
   if (const auto* array = node.as_array()) text << toml::toml_formatter(*array);
+  if (const auto* table = node.as_table()) text << toml::toml_formatter(*table);
   std::string line = text.str();
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;
@@ -64,6 +65,8 @@ StudyKey read_key(const TomlDocument& document, const TomlCursor& table, int ind
     const auto* array = values->as_array();
     if (array == nullptr || array->empty()) table.fail("values", "must be a list of values");
     for (const toml::node& value : *array) key.values.push_back(text_of(value));
+    if (std::find(key.values.begin(), key.values.end(), "") != key.values.end())
+      table.fail("values", "holds a date, which no key of a case is");
   }
   std::optional<int> seeds, count;
   std::optional<double> from, to;

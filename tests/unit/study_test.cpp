@@ -45,6 +45,15 @@ TEST(Study, GridHasAllCombinationsTheLastKeyFastest) {
                           ElementsAre("'2e-6'", "10"), ElementsAre("'2e-6'", "100"), ElementsAre("'2e-6'", "1000")));
 }
 
+TEST(Study, ValuesMayBeTables) {
+  const std::string sides =
+      "sampling = \"list\"\n[[study.keys]]\nkey = \"boundary.top.flow\"\n"
+      "values = [{ type = \"wall\" }, { type = \"wall\", velocity = [1e-3, 0] }]\n";
+  EXPECT_THAT(sample(study_of(sides)),
+              ElementsAre(ElementsAre("{ type = 'wall' }"), ElementsAre("{ type = 'wall', velocity = [ 0.001, 0 ] }")));
+  EXPECT_EQ(refusal(sides), "accepted");
+}
+
 TEST(Study, ListTakesTheValuesTogether) {
   const std::string keys =
       "[[study.keys]]\nkey = \"flow.viscosity\"\nvalues = [1e-6, 2e-6]\n[[study.keys]]\nkey = \"time.steps\"\nseeds = "
@@ -105,6 +114,8 @@ TEST(Study, SaysInOneLineWhatIsWrong) {
               HasSubstr("study.samples is missing"));
   EXPECT_THAT(refusal(key + "values = [1e-6, -1]\n"),
               ::testing::AllOf(HasSubstr("run 0002"), HasSubstr("flow.viscosity")));
+  EXPECT_THAT(refusal("[[study.keys]]\nkey = \"case.name\"\nvalues = [\"a\", 2026-11-30]\n"),
+              HasSubstr("holds a date, which no key of a case is"));
   EXPECT_THAT(refusal("[[study.keys]]\nkey = \"flow.viscositty\"\nvalues = [1]\n"), HasSubstr("did you mean"));
   EXPECT_EQ(refusal(key + "values = [1e-6]\n"), "accepted");
   EXPECT_THAT(

@@ -3,6 +3,7 @@
 #include "coupling/simulation.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -55,6 +56,25 @@ TEST(Tolerance, ChoosesTheIntervalsOrHowFastTheRockAges) {
   EXPECT_TRUE(accuracy(dissolving + "[time]\nend = 1600\n[accuracy]\ntolerance = 1e-3\ndissolution_factor = 10\n")
                   .chooses_intervals());
   EXPECT_THROW(accuracy(warm_slab + "[accuracy]\ntolerance = 0.5\n"), InputError);
+}
+
+/// A tracer and a product that does not turn back keep the time of the fluid: a plain tolerance does not let the rock
+/// age faster beside them, and where the case asks for that it is said.
+TEST(Tolerance, LetsRockAgeFasterWhereEverySpeciesTakesPart) {
+  const std::string salt = "[[solute.species]]\nname = \"salt\"\ndiffusivity = 0.1\n[time]\nend = 1600\n";
+  const auto scene = [&](const std::string& accuracy, const std::vector<std::string>& settings = {}) {
+    return parse_scene(dissolving + salt + "[accuracy]\n" + accuracy, "case.toml", settings);
+  };
+  const std::vector<std::string> product{"reaction.product=\"salt\""};
+  const std::vector<std::string> both_ways{"reaction.product=\"salt\"", "reaction.equilibrium_constant=2"};
+  EXPECT_EQ(scene("tolerance = 1e-3\n").accuracy.dissolution_tolerance, 0);
+  EXPECT_EQ(scene("tolerance = 1e-3\n", product).accuracy.dissolution_tolerance, 0);
+  EXPECT_EQ(scene("tolerance = 1e-3\n", both_ways).accuracy.dissolution_tolerance, 1e-3);
+  const auto told = testing::Contains(testing::HasSubstr("nothing that dissolves depends on salt"));
+  EXPECT_THAT(scene("dissolution_tolerance = 1e-3\n").warnings, told);
+  EXPECT_THAT(scene("dissolution_tolerance = 1e-3\n", product).warnings, told);
+  EXPECT_THAT(scene("dissolution_tolerance = 1e-3\n", both_ways).warnings, testing::Not(told));
+  EXPECT_THAT(scene("tolerance = 1e-3\n").warnings, testing::Not(told));
 }
 
 /// Beside a wall that acid dissolves, or where acid and product have exchanged their roles: as much rock grows then.

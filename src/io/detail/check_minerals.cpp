@@ -77,6 +77,8 @@ void check_minerals(const TomlDocument& document, Scene& scene) {
   if (reaction) {
     if (!reaction->further.empty() && reaction->wall == ReactiveWallLaw::paper)
       document.fail("reaction.wall", "is of one reactant; with [[reaction.further]] it must be \"kinetic\"");
+    if (scene.heat && document.find("reaction.temperature"))
+      document.fail("reaction.temperature", "stands beside [heat], whose temperatures are those of the walls");
     check_rate(document, "reaction", *reaction, "reaction", reaction->product.has_value(), reaction->wall);
     for (std::size_t i = 0; i < reaction->further.size(); ++i)
       check_rate(document, further_table(i), reaction->further[i], further_table(i),

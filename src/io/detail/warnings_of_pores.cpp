@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace vug {
 namespace {
@@ -37,6 +39,16 @@ void warn_about_reaction(Scene& scene) {
     scene.warnings.emplace_back(
         "[reaction] acts on walls of rock, and geometry.type = \"open\" has none but the sides");
   }
+}
+
+/// Where rock ages faster than the fluid, times are those of the rock, and what it does not depend on lags behind.
+void warn_about_ageing(Scene& scene) {
+  const std::vector<std::string> passive = passive_species(scene);
+  if (scene.accuracy.dissolution_tolerance == 0 || passive.empty()) return;
+  scene.warnings.push_back(
+      fmt::format("accuracy.dissolution_tolerance: the rock may age faster than the fluid, and nothing that dissolves "
+                  "depends on {}, which changes in the time of the fluid: what the output says of {} may be late",
+                  fmt::join(passive, ", "), passive.size() > 1 ? "them" : "it"));
 }
 
 /// A temperature that is probably meant in degrees Celsius: no fluid of rock is as cold, and geothermal rock as hot.
@@ -171,6 +183,7 @@ void warn_about_held_slits(Scene& scene) {
 
 void warn_about_pores(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
+  warn_about_ageing(scene);
   if (scene.heat) warn_about_kelvin(scene);
   if (scene.heat && scene.flow) warn_about_two_densities(scene);
   warn_about_outlets(scene);
