@@ -1,4 +1,4 @@
-// Outflows that meet at a corner of the lattice.
+// Outflows that meet at a corner of the lattice, and one that a flow reaches as less than a number can square.
 #include "support/coupled_run.hpp"
 #include "verification/surface_scenes.hpp"
 
@@ -68,6 +68,17 @@ TEST(OutflowCorner, IsStableInAWake) {
   double fastest = 0;
   for (std::size_t k = 0; k < all.size(); k += 2) fastest = std::max(fastest, std::hypot(all[k], all[k + 1]));
   EXPECT_LT(fastest, 2 * std::hypot(u, v));
+}
+
+/// What runs ahead of sound, one cell per step, arrives after 1000 cells with speeds whose squares are zero.
+TEST(OutflowBeginning, LivesWithSpeedsWhoseSquaresVanish) {
+  test::CoupledRun run(
+      "[lattice]\nsize = [1000, 6]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 2000\n[flow]\nviscosity = 0.08\n"
+      "density = 1\ninitial_pressure = 0\n[geometry]\ntype = \"open\"\n[boundary.left]\nflow = { type = \"velocity\", "
+      "velocity = [0.02, 0], profile = \"parabolic\", ramp_time = 2000 }\n[boundary.right]\nflow = { type = "
+      "\"outflow\" }\n");
+  run.steps(1100);
+  EXPECT_GT(run.now("largest_mach_1"), 0.01);
 }
 
 }  // namespace

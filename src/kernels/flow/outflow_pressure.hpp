@@ -6,8 +6,10 @@ namespace vug {
 
 /// Share of the pressure along an outflow that is applied: U^2 / (U^2 + k), with the mean outward speed U and the mean
 /// square k of the deviations of the velocities from it. Motion faster than the mean flow is not carried out by it.
+/// None is, where a beginning flow is so slow that its square would vanish.
 KOKKOS_INLINE_FUNCTION double carried_share(double U, double fluctuation) {
-  return U > 0 ? U * U / (U * U + fluctuation) : 0;
+  constexpr double slowest = 1e-140;
+  return U > slowest ? U * U / (U * U + fluctuation) : 0;
 }
 
 /// Velocities along a straight piece of an outflow, u outwards and v along it.
