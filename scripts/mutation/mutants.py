@@ -11,8 +11,8 @@ LAWS = {
         flow/outflow.hpp flow/outflow_pieces.cpp flow/outflow_pressure.hpp flow/slit_drag.cpp flow/two_relaxation_times.hpp heat/heat.cpp heat/heat.hpp heat/heat_boundary.cpp
         heat/heat_conditions.hpp heat/heat_convection.hpp heat/heat_kernels.hpp heat/heat_openings.cpp
         heat/heat_step.cpp heat/heat_sums.cpp heat/thermal_flow.cpp nodes/mirror_links.cpp nodes/opening.cpp
-        reaction/dissolution.cpp reaction/joint_fluxes.hpp reaction/joint_walls.cpp reaction/link_area.hpp reaction/reacting_solutes.cpp reaction/reaction.hpp
-        reaction/reactive_links.cpp reaction/reactive_wall.cpp reaction/reactive_wall_kernel.hpp
+        reaction/dissolution.cpp reaction/joint_fluxes.hpp reaction/joint_walls.cpp reaction/link_area.hpp
+        reaction/reacting_solutes.cpp reaction/reaction.hpp reaction/reactive_links.cpp reaction/reactive_wall.cpp reaction/reactive_wall_kernel.hpp
         reaction/reactive_wall_step.hpp reaction/solid_share.hpp reaction/surface_normal.cpp scalar/advective_form.cpp
         scalar/rounding.hpp scalar/scalar_equilibrium.hpp scalar/turning.hpp solute/face_exchange.cpp
         solute/slit_diffusion.cpp solute/slit_diffusion.hpp solute/solute.cpp solute/solute_boundary.cpp
@@ -33,9 +33,9 @@ LAWS = {
         given_passages.cpp
         grid_convergence.hpp handed_push.cpp
         heat_accounts.cpp heat_intervals.cpp heat_module.cpp heat_ranks.cpp heat_setup.cpp history_difference.cpp
-        initial_pathways.cpp interval_chooser.cpp intervals.hpp joint_reactions.cpp mechanics_accounts.cpp mechanics_module.cpp minerals.cpp
-        mouths.cpp narrow_passages.cpp openings.cpp output_schedule.cpp pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp
-        passages.cpp pore_runs.cpp weight_wave.cpp
+        initial_pathways.cpp interval_chooser.cpp intervals.hpp joint_reactions.cpp mechanics_accounts.cpp
+        mechanics_module.cpp minerals.cpp mouths.cpp narrow_passages.cpp openings.cpp output_schedule.cpp
+        pathway_nodes.cpp pathway_widths.hpp pathways.cpp pathways.hpp passages.cpp pore_runs.cpp weight_wave.cpp
         plane_waves.cpp pore_growth.cpp pore_width.cpp pressed_speed.cpp reaction_accounts.cpp reaction_intervals.cpp reaction_losses.cpp
         reaction_module.cpp reaction_setup.cpp read_fields.hpp rock.cpp rock_gauges.cpp rock_limits.cpp rock_loads.cpp
         rock_map.cpp rock_pathways.cpp simulation.cpp simulation_state.cpp slit.hpp slits.cpp solid_spread.cpp
