@@ -129,6 +129,24 @@ TEST(JointReactions, ACircle) {
                 {there - back, back - there, 0});
 }
 
+/// a -> b with k C_ref (C/C_ref)^n and b -> a with k C, at rates a hundred times what diffusion across a cell carries:
+/// d_a (a_0 - a) = k C_ref (a/C_ref)^n - k b = -d_b (b_0 - b), found by bisection.
+TEST(JointReactions, ACircleOfAnotherOrder) {
+  for (const double n : {0.5, 2.0}) {
+    constexpr double k = 1;
+    double low = 0, high = given[0] + d[1] / d[0] * given[1];
+    for (int round = 0; round < 200; ++round) {
+      const double a = 0.5 * (low + high), b = given[1] + d[0] / d[1] * (given[0] - a);
+      (k * 400 * std::pow(a / 400, n) - k * b > d[0] * (given[0] - a) ? high : low) = a;
+    }
+    const double flux = d[0] * (given[0] - low);
+    expect_fluxes("circle of another order",
+                  {fmt::format("reactant = \"a\"\nproduct = \"b\"\nrate_constant = 1\norder = {}\n", n),
+                   "reactant = \"b\"\nproduct = \"a\"\nrate_constant = 1\n"},
+                  {flux, -flux, 0});
+  }
+}
+
 TEST(JointReactions, MoreThanSixAreRefused) {
   std::string text = scene({"reactant = \"a\"\nproduct = \"b\"\nrate_constant = 1e-3\n"});
   std::string species, further;

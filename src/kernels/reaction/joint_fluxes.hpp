@@ -41,35 +41,39 @@ KOKKOS_INLINE_FUNCTION void solve_in_place(double (&M)[Most][Most], double (&b)[
   }
 }
 
-/// Fluxes J (moles) of n reactions at a link whose outgoing populations are A(species). With A + dA what returns, the
-/// concentration at the wall is (A + dA/2)/w. Each reaction therefore sees half of what the others do,
+/// Fluxes J (moles) of `count` reactions at a link whose outgoing populations are A(species). With A + dA what returns,
+/// the concentration at the wall is (A + dA/2)/w. Each reaction therefore sees half of what the others do,
 ///   J_i = c_i (drive of A + 1/2 sum over m != i of drive(i, m) J_m),
-/// a linear system. A reaction of another order takes its flux from what it sees, in rounds; those of which no other
-/// changes the reactant are known after the first.
+/// a linear system. A reaction of another order n takes J = 2 w C_ref y from the concentration a over C_ref that it
+/// sees, with y of `converted`, by Newton's method: dy/da = n y/(a - y + n y).
 template <int Most>
-KOKKOS_INLINE_FUNCTION void joint_fluxes(const LinkReaction (&r)[Most], int n, const double* A, double weight,
+KOKKOS_INLINE_FUNCTION void joint_fluxes(const LinkReaction (&r)[Most], int count, const double* A, double weight,
                                          double (&J)[Most]) {
-  for (int i = 0; i < n; ++i) J[i] = 0;
+  for (int i = 0; i < count; ++i) J[i] = 0;
   constexpr int rounds = 40;
   for (int round = 0; round < rounds; ++round) {
     double M[Most][Most], b[Most];
     bool linear = true;
-    for (int i = 0; i < n; ++i) {
-      const bool first_order = r[i].order == 1;
-      linear = linear && first_order;
-      double seen = A[r[i].reactant] - (r[i].equilibrium != 0 ? r[i].equilibrium * A[r[i].product] : 0.0);
-      for (int m = 0; m < n; ++m) {
-        const double share = m == i ? 0.0 : 0.5 * drive(r[i], r[m]);
-        M[i][m] = m == i ? 1.0 : first_order ? -r[i].conductance * share : 0.0;
-        if (!first_order) seen += share * J[m];
+    for (int i = 0; i < count; ++i) {
+      const double outgoing = A[r[i].reactant];
+      double slope = r[i].conductance, at_zero = slope * outgoing;
+      if (r[i].equilibrium != 0) at_zero -= slope * r[i].equilibrium * A[r[i].product];
+      if (r[i].order != 1) {
+        double by_others = 0;
+        for (int m = 0; m < count; ++m)
+          if (m != i) by_others += 0.5 * drive(r[i], r[m]) * J[m];
+        const double whole = weight * r[i].reference, n = r[i].order, a = (outgoing + by_others) / whole;
+        const double y = converted(a, 3 * r[i].conductance, n);
+        slope = y > 0 ? 2 * n * y / (a - y + n * y) : 0;
+        at_zero = 2 * whole * y - slope * by_others;
+        linear = false;
       }
-      const double whole = weight * r[i].reference;
-      b[i] =
-          first_order ? r[i].conductance * seen : 2 * whole * converted(seen / whole, 3 * r[i].conductance, r[i].order);
+      for (int m = 0; m < count; ++m) M[i][m] = m == i ? 1.0 : -slope * (0.5 * drive(r[i], r[m]));
+      b[i] = at_zero;
     }
-    solve_in_place(M, b, n);
+    solve_in_place(M, b, count);
     bool settled = true;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < count; ++i) {
       settled = settled && Kokkos::abs(b[i] - J[i]) <= 1e-15 * Kokkos::abs(b[i]);
       J[i] = b[i];
     }
