@@ -170,10 +170,12 @@ double ReactionModule<T, Set>::paid() const {
 template <class T, class Set>
 std::vector<typename ReactionModule<T, Set>::Sway> ReactionModule<T, Set>::sways() const {
   std::vector<Sway> sways;
+  std::vector<double> own, most;  // (reactant) volume that a mole dissolves; moles of product that it becomes
   for (const Attack<T>& attack : attacks_) {
-    double volume = 0, back = 0, yield = 1;
+    double volume = 0, back = 0, yield = 1, most_yield = 0;
     const auto note = [&](double molar_volume, const RateLaw& rate) {
       volume = std::max(volume, units_.volume() * volume_per_acid(molar_volume, rate) / factor_);
+      most_yield = std::max(most_yield, rate.product_yield());
       if (rate.inverse_equilibrium_constant <= back) return;
       back = rate.inverse_equilibrium_constant;
       yield = rate.product_yield();
@@ -181,7 +183,25 @@ std::vector<typename ReactionModule<T, Set>::Sway> ReactionModule<T, Set>::sways
     if (!has_minerals()) note(section_.molar_volume, attack.rate);
     for (std::size_t m = 0; m < solids_.size(); ++m) note(solids_[m].molar_volume, attack.rates[m]);
     sways.push_back({attack.reactant, volume});
+    own.push_back(volume);
+    most.push_back(most_yield);
     if (attack.product && back > 0) sways.push_back({attack.product, volume * back / (1 + back * yield)});
+  }
+  // what a reactant dissolves by way of its product, where that is a reactant as well, and so on
+  for (std::size_t r = 0; r < attacks_.size(); ++r) {
+    double volume = own[r], moles = 1;
+    std::size_t at = r;
+    for (std::size_t link = 1; link < attacks_.size(); ++link) {
+      const auto next = std::find_if(attacks_.begin(), attacks_.end(), [&](const Attack<T>& other) {
+        return attacks_[at].product && other.reactant == attacks_[at].product;
+      });
+      if (next == attacks_.end()) break;
+      moles *= most[at];
+      at = static_cast<std::size_t>(next - attacks_.begin());
+      volume += moles * own[at];
+    }
+    for (Sway& sway : sways)
+      if (sway.species == attacks_[r].reactant) sway.volume = std::max(sway.volume, volume);
   }
   return sways;
 }

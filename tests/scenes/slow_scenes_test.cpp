@@ -200,8 +200,8 @@ TEST(SlowScenes, AGrainShrinksByTheLawOfItsReactionForAnHour) {
   }
 }
 
-/// Two species, rock of two minerals, equilibrium: what has dissolved is what the acid has paid for at every factor
-/// (follow), and what dissolves where every step is taken.
+/// Two species, rock of two minerals, equilibrium, a chain of reactions: what has dissolved is what the acid has paid
+/// for at every factor (follow), and what dissolves where every step is taken.
 TEST(SlowScenes, MineralsAndAnEquilibriumKeepTheirLedgers) {
   const std::string dolomite = R"(
 [[mineral]]
@@ -220,7 +220,13 @@ to = [2.4e-5, 1e-5]
   for (const char* more : {"reaction.product=salt", "reaction.equilibrium_constant=0.05",
                            "solute.species.1={ name = \"salt\", diffusivity = 1e-9, initial = 0 }"})
     reversible.emplace_back(more);
-  for (const auto& [text, overrides] : {std::pair{disc + dolomite, grain}, {disc, reversible}}) {
+  // of a mole of acid a hundredth dissolves rock itself, the rest by way of the salt that it becomes
+  auto chain = grain;
+  for (const char* more : {"reaction.product=salt", "reaction.stoichiometry=100", "reaction.product_stoichiometry=100",
+                           "reaction.further=[{ reactant = \"salt\", rate_constant = 2e-6 }]",
+                           "solute.species.1={ name = \"salt\", diffusivity = 1e-9, initial = 0 }"})
+    chain.emplace_back(more);
+  for (const auto& [text, overrides] : {std::pair{disc + dolomite, grain}, {disc, reversible}, {disc, chain}}) {
     const auto volume = resolved(text, 30, 0.05, overrides);
     auto slow = overrides;
     slow.emplace_back("accuracy.dissolution_tolerance=2e-2");
