@@ -4,7 +4,6 @@
 #include "coupling/temperature_range.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 

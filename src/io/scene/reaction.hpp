@@ -20,7 +20,7 @@ struct RateLaw {
   /// Moles of product for each mole of reactant.
   double product_yield() const { return product_stoichiometry / stoichiometry; }
 };
-/// One more reactant at the same walls, independent of the others there.
+/// One more reactant at the same walls; it may have species in common with others.
 struct FurtherReactant : RateLaw {
   std::string reactant;                ///< name of a species
   std::optional<std::string> product;  ///< name of a species

@@ -26,7 +26,9 @@ KOKKOS_INLINE_FUNCTION double drive(const LinkReaction& of, const LinkReaction& 
   return gain(of.reactant) - (of.equilibrium != 0 ? of.equilibrium * gain(of.product) : 0.0);
 }
 
-/// Solves M x = b in place, with the solution in b. No pivots: the matrix of joint_fluxes is that of resistances.
+/// Solves M x = b in place, with the solution in b. No pivots: where no circle of reactions makes more than it takes,
+/// the pivots of joint_fluxes are positive. Where one does and is fast, no concentrations at the wall solve the
+/// equations, and what comes out has no meaning.
 template <int Most>
 KOKKOS_INLINE_FUNCTION void solve_in_place(double (&M)[Most][Most], double (&b)[Most], int n) {
   for (int k = 0; k < n; ++k)
