@@ -68,7 +68,8 @@ TEST(OuterForces, AreThoseOfSupportsAndOfTheRockBeyond) {
 }
 
 /// A block that is held at one side and pushed along the opposite one: the mean shear stress is that of the push, sum
-/// y t_x over the sides (found within 7e-7), though what keeps the held triangles from turning is in none of their forces.
+/// y t_x over the sides (found within 7e-7), though what keeps the held triangles from turning is in none of their
+/// forces.
 TEST(OuterForces, AndTheCoupleOfASupportMakeTheMeanShearStress) {
   for (const auto& [held, pushed] : {std::pair{bottom, top}, {top, bottom}, {left, right}, {right, left}}) {
     Loads loads;
