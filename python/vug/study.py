@@ -45,7 +45,8 @@ class Study:
 
     @property
     def failures(self):
-        return list(csv.DictReader(io.StringIO(text_of(self.directory / "failures.csv", newline=""))))
+        path = self.directory / "failures.csv"
+        return list(csv.DictReader(io.StringIO(text_of(path, newline="")))) if path.exists() else []
 
     def run(self, index):
         """The run in that row."""

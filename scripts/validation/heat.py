@@ -115,7 +115,8 @@ def heated_slab(records, figures):
         "- The heat that entered is the given flux times the time.\n"
         "- Along adiabatic sides, corners included, a profile stays one-dimensional to "
         f"{max(row['across'] for row in sides):.0e} of its largest value with both sets "
-        "(`AdiabaticSide.LeavesAProfileAlongItOneDimensional`).",
+        "(`AdiabaticSide.LeavesAProfileAlongItOneDimensional`), and through layers of fluid and rock to 1e-13 "
+        "(`AdiabaticSide.LeavesAProfileThroughLayersOneDimensional`).",
         overview=("gradients in fluid and rock under a given heat flux", "q/λ", f"round-off, {worst:.0e}"))
 
 

@@ -184,8 +184,9 @@ void FlowModule<T>::limits(LimitTable& table) const {
   if (buoyant_speed_ > 0)
     table.push_back({"flow", "Mach number of free convection, (g beta dT L)^1/2 / c_s", std::sqrt(3.0) * buoyant_speed_,
                      "1", 0, 0.35, "lower lattice.time_step"});
-  table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125,
-                   "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+  const std::string advice = std::string("lower lattice.time_step") +
+                             (has_pathways_ ? ", or raise flow.pressure_scale on a coarse lattice" : "");
+  table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125, advice});
   if (driving_pressure() > 0) {
     // where no wall holds the fluid back, the pressures drive any speed in the end
     const bool held = std::isfinite(paths_.pressed.speed);
@@ -194,7 +195,7 @@ void FlowModule<T>::limits(LimitTable& table) const {
     const std::string where =
         viscous > free ? fmt::format("from {} to {}: ", paths_.pressed.from, paths_.pressed.to) : std::string();
     table.push_back({"flow", "Mach number that the pressures drive", std::sqrt(3.0) * std::max(free, viscous), "1", 0,
-                     0.9, where + "lower lattice.time_step, or raise flow.pressure_scale on a coarse lattice"});
+                     0.9, where + advice});
   }
   const auto prescribed = [&](const char* name, double speed) {
     if (speed > 0)

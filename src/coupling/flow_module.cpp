@@ -26,7 +26,8 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
       paths_(paths),
       varies_(scene.accuracy.chooses_intervals()),
       fills_slowly_(has_cracks_below_a_cell(scene)),
-      pores_open_(scene.damage || rock_dissolves(scene)) {
+      pores_open_(scene.damage || rock_dissolves(scene)),
+      has_pathways_(scene.rock.has_value()) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
   step_.collision = section_.collision;
   step_.rates = relaxation_rates(section_.collision, tau);

@@ -52,6 +52,9 @@ class HeatModule final : public Module {
   FaceTemperature<T> face_temperature(const Exec& exec, const Halo& others) const;
   /// Of all temperatures in the case.
   const TemperatureRange& range() const { return range_; }
+  /// Whether given fluxes may lead beyond it.
+  bool may_leave_range() const { return largest_flux_ > 0; }
+  HeatExtremes extremes(const Exec& exec) const;
 
  private:
   void find_halos();
@@ -72,7 +75,6 @@ class HeatModule final : public Module {
   /// Sets minerals_ by number, beginning with rock that is no mineral; empty where no mineral has numbers of its own.
   void set_up_minerals(const Scene& scene);
   HeatParameters parameters() const;
-  HeatExtremes extremes(const Exec& exec) const;
   /// How far temperatures may be outside those of the case at a time (s), K.
   double margin(double time) const;
   bool rock_asks_before_next_step(const Clock& clock) const;

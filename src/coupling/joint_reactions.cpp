@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -18,16 +17,11 @@ bool reactions_depend(const Scene& scene) {
   };
   const ReactionSection& reaction = *scene.reaction;
   std::vector<Pair> pairs;
-  const auto add = [&](const RateLaw& of_rock, const auto& species) {
-    const std::size_t r = pairs.size();
-    const bool turns_back = of_rock.inverse_equilibrium_constant > 0 ||
-                            std::any_of(scene.minerals.begin(), scene.minerals.end(), [&](const MineralSection& m) {
-                              return m.rates[r].inverse_equilibrium_constant > 0;
-                            });
-    pairs.push_back({species.reactant, species.product, turns_back});
+  const auto add = [&](const auto& species) {
+    pairs.push_back({species.reactant, species.product, turns_back(scene, pairs.size())});
   };
-  add(reaction, reaction);
-  for (const FurtherReactant& further : reaction.further) add(further, further);
+  add(reaction);
+  for (const FurtherReactant& further : reaction.further) add(further);
   bool depend = false;
   for (const Pair& of : pairs)
     for (const Pair& by : pairs) {

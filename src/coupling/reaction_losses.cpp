@@ -1,5 +1,6 @@
-// Whether the walls are looked at often enough: a node that loses more rock than it has takes the rest from its
-// neighbours, and where there are none, rock dissolves that was not there.
+// What a run warns of. Whether the walls are looked at often enough: a node that loses more rock than it has takes the
+// rest from its neighbours, and where there are none, rock dissolves that was not there. And whether Arrhenius' law is
+// asked for rates beyond its range.
 #include "coupling/reaction_module.hpp"
 #include "kernels/flow/guards.hpp"
 
@@ -27,9 +28,27 @@ void ReactionModule<T, Set>::make_room_for_losses(const Exec& exec) {
 }
 
 template <class T, class Set>
+std::vector<Concern> ReactionModule<T, Set>::concerns_of_rates(const Exec& exec) const {
+  const auto is_activated = [](const RateLaw& rate) { return rate.activation_energy > 0; };
+  const bool activated = std::any_of(attacks_.begin(), attacks_.end(), [&](const Attack<T>& attack) {
+    return is_activated(attack.rate) || std::any_of(attack.rates.begin(), attack.rates.end(), is_activated);
+  });
+  if (!activated || !heat_ || !heat_->may_leave_range()) return {};
+  const HeatExtremes seen = heat_->extremes(exec);
+  const double lowest = seen.lowest + units_.reference_temperature,
+               highest = seen.highest + units_.reference_temperature;
+  const bool cold = lowest < coldest_reaction && heat_->range().coldest >= coldest_reaction;
+  const bool hot = highest > hottest_reaction && heat_->range().hottest <= hottest_reaction;
+  if (!cold && !hot) return {};
+  return {{fmt::format("temperatures outside {:g} to {:g} K", coldest_reaction, hottest_reaction),
+           fmt::format(" ({:.4g} to {:.4g} K): there the reaction has the rate of the nearest end", lowest, highest)}};
+}
+
+template <class T, class Set>
 std::vector<Concern> ReactionModule<T, Set>::concerns(const Exec& exec) const {
+  std::vector<Concern> concerns = concerns_of_rates(exec);
   const Surface& surface = geometry_.surface;
-  if (!dissolves_) return {};
+  if (!dissolves_) return concerns;
   gather_links();
   const ScalarField<double> waiting("vug::reaction::waiting_loss", surface.count);
   for (const Attack<T>& attack : attacks_) add_losses(exec, surface, attack.wall, attack.links, waiting);
@@ -38,7 +57,6 @@ std::vector<Concern> ReactionModule<T, Set>::concerns(const Exec& exec) const {
       std::max(largest, field_range(exec, wall_losses_.largest, static_cast<int>(wall_losses_.largest.extent(0))).max);
   const std::string advice =
       watches_ ? "lower accuracy.tolerance" : "lower accuracy.update_interval or lattice.time_step";
-  std::vector<Concern> concerns;
   if (largest > 1)
     concerns.push_back({"a wall node has lost more rock between two looks than a cell holds",
                         fmt::format(" ({:.2g} cells): the surface follows too late; {}", largest, advice)});
@@ -57,9 +75,10 @@ double ReactionModule<T, Set>::overdrawn_share() const {
   return dissolved > 0 ? overdrawn / dissolved : 0;
 }
 
-#define VUG_INSTANTIATE(T, Set)                                                 \
-  template void ReactionModule<T, Set>::make_room_for_losses(const Exec& exec); \
-  template double ReactionModule<T, Set>::overdrawn_share() const;              \
+#define VUG_INSTANTIATE(T, Set)                                                                    \
+  template void ReactionModule<T, Set>::make_room_for_losses(const Exec& exec);                    \
+  template double ReactionModule<T, Set>::overdrawn_share() const;                                 \
+  template std::vector<Concern> ReactionModule<T, Set>::concerns_of_rates(const Exec& exec) const; \
   template std::vector<Concern> ReactionModule<T, Set>::concerns(const Exec& exec) const;
 VUG_FOR_NUMBERS_AND_SETS(VUG_INSTANTIATE)
 #undef VUG_INSTANTIATE

@@ -101,6 +101,8 @@ class ReactionModule final : public Module {
   /// Volume that has dissolved although no node had it, over all that has dissolved. Before a look has come, only what
   /// exceeds all rock is known. Called after gather_links().
   double overdrawn_share() const;
+  /// Given fluxes that lead temperatures out of the range of Arrhenius' law, which the case does not name.
+  std::vector<Concern> concerns_of_rates(const Exec& exec) const;
   Owners owners_of_links(const Attack<T>& attack) const;
   /// Determines which links this rank has, the surface nodes from which they lead, and the nodes whose temperature they
   /// need.

@@ -62,7 +62,7 @@ std::int64_t step_reached(const std::string& path, const RunSummary& summary) {
 std::optional<Checkpoint> checkpoint_before(std::int64_t step, const std::string& directory,
                                             const RunSummary& summary) {
   for (const fs::path& path : detail::checkpoints(directory + "/checkpoint")) try {
-      Checkpoint checkpoint = Checkpoint::open(path.string(), {summary.case_hash, summary.run});
+      Checkpoint checkpoint = Checkpoint::open(path.string(), {"", summary.run});
       if (checkpoint.step() < step) return checkpoint;
     } catch (const FileError&) {
       continue;  // damaged, of another run, or just replaced by a newer one

@@ -41,17 +41,19 @@ bool rock_dissolves(const Scene& scene) {
   return scene.reaction->molar_volume > 0 || std::any_of(scene.minerals.begin(), scene.minerals.end(), dissolves);
 }
 
+bool turns_back(const Scene& scene, std::size_t r) {
+  const RateLaw& of_rock = r == 0 ? static_cast<const RateLaw&>(*scene.reaction) : scene.reaction->further[r - 1];
+  return of_rock.inverse_equilibrium_constant > 0 ||
+         std::any_of(scene.minerals.begin(), scene.minerals.end(), [r](const MineralSection& mineral) {
+           return mineral.rates[r].inverse_equilibrium_constant > 0;
+         });
+}
+
 std::vector<std::string> passive_species(const Scene& scene) {
   std::vector<std::string> names;
   if (!scene.solute) return names;
-  const auto turns_back = [&](const RateLaw& of_rock, std::size_t r) {
-    return of_rock.inverse_equilibrium_constant > 0 ||
-           std::any_of(scene.minerals.begin(), scene.minerals.end(), [r](const MineralSection& mineral) {
-             return mineral.rates[r].inverse_equilibrium_constant > 0;
-           });
-  };
   const auto reads = [&](const auto& reaction, std::size_t r, const std::string& name) {
-    return reaction.reactant == name || (reaction.product == name && turns_back(reaction, r));
+    return reaction.reactant == name || (reaction.product == name && turns_back(scene, r));
   };
   for (const Species& species : scene.solute->species) {
     bool read = scene.reaction && reads(*scene.reaction, 0, species.name);

@@ -106,7 +106,7 @@ Assembly generate_rock(double length_x, double length_y, const RockSection& rock
     throw InputError("rock: element_size must be positive and grading at least 1");
   if (!(rock.element_size < 0.5 * std::min(length_x, length_y)))
     throw InputError(
-        fmt::format("rock.element_size = {:g} m is more than half the rock's shorter side", rock.element_size));
+        fmt::format("rock.element_size = {:g} m is not less than half the rock's shorter side", rock.element_size));
   return triangulate([&](const RockSection& any) { return RockMesher(Point{length_x, length_y}, any); }, rock);
 }
 

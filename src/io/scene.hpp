@@ -9,6 +9,7 @@
 #include "io/scene/rock.hpp"
 #include "io/scene/run.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ struct Scene {
 
 /// Whether a reactant dissolves any of the rock.
 bool rock_dissolves(const Scene& scene);
+
+/// Whether the product of reaction number r (0: the one of [reaction] itself) turns back into the reactant at some rock.
+bool turns_back(const Scene& scene, std::size_t r);
 
 /// Names of the species that no reaction reads: tracers, and products that do not turn back. What dissolves does not
 /// depend on them.

@@ -31,12 +31,13 @@ void check_known(const TomlDocument& document, const toml::table& table, const s
 /// A value of a list as TOML, arrays and tables included; empty for a date.
 std::string text_of(const toml::node& node) {
   std::ostringstream text;
-  if (const auto* word = node.as_string()) text << toml::value<std::string>(word->get());
+  const auto flags = toml::toml_formatter::default_flags & ~toml::format_flags::allow_multi_line_strings;
+  if (const auto* word = node.as_string()) text << toml::toml_formatter{*word, flags};
   if (const auto* number = node.as_integer()) text << number->get();
   if (const auto* number = node.as_floating_point()) text << fmt::format("{}", number->get());
   if (const auto* truth = node.as_boolean()) text << (truth->get() ? "true" : "false");
-  if (const auto* array = node.as_array()) text << toml::toml_formatter(*array);
-  if (const auto* table = node.as_table()) text << toml::toml_formatter(*table);
+  if (const auto* array = node.as_array()) text << toml::toml_formatter{*array, flags};
+  if (const auto* table = node.as_table()) text << toml::toml_formatter{*table, flags};
   std::string line = text.str();
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;

@@ -3,6 +3,7 @@ import importlib.machinery
 import importlib.util
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -193,6 +194,60 @@ class Pictures(unittest.TestCase):
             self.assertEqual(plot.heading_of({"case_path": "cases/f1.toml", "case_text": text}), heading)
         self.assertEqual(plot.heading_of({"case_text": "[case"}), "")
         self.assertEqual(plot.heading_of({}), "")
+
+    def draw_study(self, table, failures="", result="volume_m3"):
+        """Axes with a study of this table."""
+        (self.folder / "table.csv").write_text(table)
+        (self.folder / "failures.csv").write_text(failures)
+        figure, axes = plt.subplots()
+        self.addCleanup(plt.close, figure)
+        vug.plot.draw_result(axes, vug.Study(self.folder), result)
+        return axes
+
+    def labels(self, axis):
+        return [label.get_text() for label in axis.get_ticklabels()]
+
+    def test_a_key_may_be_infinite(self):
+        rows = "".join(f"{x}{y},{x},{y},{len(x)}\n" for x in ("0.1", "inf", "10") for y in (1, 2))
+        axes = self.draw_study("run,reaction.equilibrium_constant,flow.density,volume_m3\n" + rows)
+        self.assertEqual(self.labels(axes.xaxis), ["0.1", "10", "inf"])
+        self.assertEqual(axes.collections[0].get_array().ravel().tolist(), [3, 2, 3] * 2)
+
+    def test_labels_tell_values_apart(self):
+        rows = "".join(f"{x}{y},{x},{y},{y}\n" for x in (100000.2, 100000.4, 100000.8) for y in (1e-7, 1.0, 2.0))
+        axes = self.draw_study("run,flow.pressure,flow.density,volume_m3\n" + rows)
+        self.assertEqual(self.labels(axes.xaxis), ["100000.2", "100000.4", "100000.8"])
+
+    def test_means_are_over_the_runs_that_have_the_result(self):
+        rows = "".join(f"{x}{y}{s},{x},{y},{s},{x + y if s == 1 else ''}\n" for x in (1, 2) for y in (1, 2) for s in (1, 2))
+        axes = self.draw_study("run,flow.pressure,flow.density,rock.seed,volume_m3\n" + rows)
+        self.assertEqual(axes.collections[0].get_array().ravel().tolist(), [2, 3, 3, 4])
+
+    def test_text_stands_in_the_order_of_the_study_where_runs_have_failed(self):
+        header = "run,flow.viscosity,flow.density,volume_m3"
+        runs = [(f"{1 + 3 * k + i:04}", name, i) for k, name in enumerate(("1 Pas", "2 Pas", "3 Pas")) for i in range(3)]
+        rows = "".join(f"{run},{name},{i},{i}\n" for run, name, i in runs if name != "1 Pas" or i == 2)
+        failed = "".join(f"{run},{name},{i},diverged,\n" for run, name, i in runs if name == "1 Pas" and i < 2)
+        axes = self.draw_study(header + "\n" + "".join(sorted(rows.splitlines(True), reverse=True)),
+                               "run,flow.viscosity,flow.density,state,last line\n" + failed)
+        self.assertEqual(self.labels(axes.xaxis), ["1 Pas", "2 Pas", "3 Pas"])
+
+    def test_results_may_begin_with_the_name_of_time(self):
+        (self.folder / "failures.csv").write_text("run,flow.density,state,last line\n3,3,diverged,\n")
+        (self.folder / "table.csv").write_text("run,flow.density,time_s,step_1,step_edge_m,a_m\n1,1,1,7,2,1\n2,2,2,8,3,1\n")
+        study = vug.Study(self.folder)
+        self.assertEqual(vug.plot.studies.results_of(study), ["step_edge_m"])
+        (self.folder / "table.csv").write_text("run,flow.density,time_s,step_1\n1,1,1,7\n2,2,1,8\n")
+        self.assertEqual(vug.plot.studies.results_of(vug.Study(self.folder)), ["step_1"])
+        with unittest.mock.patch.object(plt.Figure, "suptitle") as title:
+            vug.plot.regime_map(study, self.folder / "map.png")
+        self.assertEqual(title.call_args.args[0], f"{study.name}: 2 of 3 runs done")
+
+    def test_pictures_say_where_rock_is_not_told_from_fluid(self):
+        for fields, said in ((["pressure"], "plot: without node_type"), (["pressure", "node_type"], "")):
+            self.run_rock(fields)
+            self.assertEqual(self.plot().stderr.split(" among")[0], said)
+            shutil.rmtree(self.folder / "run")
 
     def test_labels_of_a_few_samples_do_not_overlap(self):
         samples = "".join(f"{k:04},{x},{y},{k}\n" for k, (x, y) in enumerate([(1.0123456, 1), (1.0223456, 5), (1.03, 3), (1.9, 2)]))

@@ -2,6 +2,7 @@
 #include "support/case_shapes.hpp"
 #include "unit/case_files.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -135,6 +136,15 @@ TEST(CaseRemarks, WidthsOfTheirOwnUnderScaledPressuresAreRemarked) {
   const auto scaled = HasSubstr("the flow through them is");
   EXPECT_THAT(warnings({"damage.aperture=opening"}), Contains(scaled));
   EXPECT_THAT(warnings({"damage.aperture=opening", "flow.pressure_scale=1"}), Not(Contains(scaled)));
+}
+
+/// It is for pathways that are a number of cells wide.
+TEST(CaseRemarks, ScaledPressuresWithoutRockAreRemarked) {
+  const auto warnings = [](double scale) {
+    return parsed(fmt::format("[flow]\nviscosity = 1e-3\npressure_scale = {}\n", scale)).warnings;
+  };
+  EXPECT_THAT(warnings(25), ElementsAre(HasSubstr("drive 25 times too little flow")));
+  EXPECT_THAT(warnings(1), IsEmpty());
 }
 
 TEST(CaseRemarks, WhatFluidCarriesToAnOutletMayLeaveIsRemarked) {

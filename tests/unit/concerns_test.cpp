@@ -98,6 +98,25 @@ heat = { type = "flux", flux = 1e8 }
               IsEmpty());
 }
 
+/// A flux heats a wall beyond the range of Arrhenius' law.
+TEST(Concerns, RatesThatAreThoseOfTheEndOfTheirRange) {
+  const std::string heated = slab + R"(
+[heat]
+fluid_diffusivity = 1e-9
+solid_diffusivity = 1e-9
+initial_temperature = 590
+[boundary.bottom]
+heat = { type = "flux", flux = 1e4 }
+)";
+  const Overrides activated{"reaction.activation_energy=6e4", "reaction.reference_temperature=590"};
+  Watched hot(heated, activated);
+  std::vector<std::string> news;
+  while (news.empty() && hot.now("time_s") < 1) news = hot.steps(100);
+  EXPECT_THAT(news, ElementsAre(AllOf(HasSubstr("warning: temperatures outside 250 to 600 K (59"),
+                                      HasSubstr("the reaction has the rate of the nearest end"))));
+  EXPECT_THAT(Watched(heated).steps(2000), IsEmpty()) << "a rate that does not depend on the temperature";
+}
+
 /// The key of an injection is not its name in the columns of the history.
 TEST(Concerns, NameTheKeysOfTheCase) {
   const std::string injection =

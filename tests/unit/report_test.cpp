@@ -3,6 +3,7 @@
 
 #include "support/run_vug.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -49,6 +50,18 @@ TEST_F(Report, GivesTheSameBytesElsewhereFromTheCheckpointBeforeTheEnd) {
   EXPECT_THAT(contents(replayed("run.json")), HasSubstr("\"first_step\": 120"));
   for (const char* file : {"particles/rock.h5", "fields/step_000000000124.h5"})  // though the bundle has no snapshots
     EXPECT_EQ(contents(replayed(file)), contents(folder_ / ("run/" + std::string(file)))) << file;
+}
+
+/// Rows stay where a former end put them, which a replay from the first step would not write.
+TEST_F(Report, OfARunWhoseEndWasMovedBeginsAtTheFormerEnd) {
+  test::write_text(folder_ / "rock.toml", contents(rock));
+  const auto ends_after = [&](int steps) { return fmt::format(" --quiet --set time.steps={} -o run", steps); };
+  ASSERT_EQ(vug("run rock.toml" + ends_after(33)).exit_code, 0);
+  ASSERT_EQ(vug("run rock.toml --resume" + ends_after(50)).exit_code, 0);
+  EXPECT_THAT(vug("report run").output, HasSubstr("replays from the checkpoint of step 33"));
+  const test::Outcome outcome = replay_elsewhere("run-report");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(contents(replayed("history.csv")), contents(folder_ / "run/history.csv"));
 }
 
 /// The last row may be in the midst of being written.

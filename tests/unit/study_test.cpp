@@ -54,6 +54,12 @@ TEST(Study, ValuesMayBeTables) {
   EXPECT_EQ(refusal(sides), "accepted");
 }
 
+TEST(Study, ValuesMayBeTextOfSeveralLines) {
+  const std::string name = "[[study.keys]]\nkey = \"case.description\"\nvalues = [\"one\\ntwo\"]\n";
+  EXPECT_THAT(sample(study_of(name)), ElementsAre(ElementsAre("\"one\\ntwo\"")));
+  EXPECT_EQ(refusal(name), "accepted");
+}
+
 TEST(Study, ListTakesTheValuesTogether) {
   const std::string keys =
       "[[study.keys]]\nkey = \"flow.viscosity\"\nvalues = [1e-6, 2e-6]\n[[study.keys]]\nkey = \"time.steps\"\nseeds = "

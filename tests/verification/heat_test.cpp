@@ -138,6 +138,28 @@ TEST(AdiabaticSide, LeavesAProfileAlongItOneDimensional) {
       }
 }
 
+/// Nor in layers of fluid and rock across it.
+TEST(AdiabaticSide, LeavesAProfileThroughLayersOneDimensional) {
+  constexpr int length = 16, width = 5;
+  for (const ScalarVelocitySet set : velocity_sets)
+    for (const bool upright : {false, true}) {
+      HeatBox<double> box(
+          upright ? width : length, upright ? length : width, {0.12, 0.4, 2.5, set},
+          [&](int x, int y) { return (upright ? y : x) / 5 % 2 == 1; }, [](int, int) { return 0.0; });
+      box.side(upright ? Side::bottom : Side::left, HeatCondition::temperature, 1);
+      box.side(upright ? Side::top : Side::right, HeatCondition::temperature, 0);
+      double across = 0;
+      for (const int steps : {40, 8000}) {
+        box.run(steps);
+        const std::vector<double> theta = box.theta();
+        const auto at = [&](int k, int j) { return theta[upright ? k * width + j : j * length + k]; };
+        for (int k = 0; k < length; ++k)
+          for (int j = 1; j < width; ++j) across = std::max(across, std::abs(at(k, j) - at(k, 0)));
+      }
+      EXPECT_LE(across, 1e-13) << test::name_of(set) << " " << upright;
+    }
+}
+
 /// A box whose sides are all adiabatic keeps its energy and, when it is uniform, its temperature, whatever rock stands
 /// beside them.
 TEST(AdiabaticSide, KeepsEnergyAndUniformity) {
@@ -212,7 +234,9 @@ TEST(TwoLayerEigenmode, DecaysWithSecondOrderAtAnyContrast) {
                            {100, 0.1, bulk}}) {
     const double ratio = c.conductivity / c.sigma;  // of the diffusivities; the larger one is 0.14
     const TwoLayerMode mode(0.1 / std::max(1.0, ratio), 0.1 * std::min(1.0, ratio), c.sigma);
-    for (const ScalarVelocitySet set : velocity_sets) {  // in one dimension both are the same three velocities
+    for (const ScalarVelocitySet set : velocity_sets) {
+      // in one dimension both are the same three velocities: one contrast shows it
+      if (set == ScalarVelocitySet::d2q9 && c.sigma != 10) continue;
       const ModeResult coarse = decay(mode, 8, set), medium = decay(mode, 16, set), fine = decay(mode, 32, set);
       SCOPED_TRACE(::testing::Message() << test::name_of(set) << " sigma " << c.sigma << " conductivity "
                                         << c.conductivity << ": " << coarse.error << " " << medium.error << " "

@@ -147,6 +147,30 @@ TEST(JointReactions, ACircleOfAnotherOrder) {
   }
 }
 
+/// a -> y b -> z a; where both turn back, the circle the other way round as well.
+TEST(JointReactions, CirclesThatMakeMoreThanTheyTakeAreWarnedOf) {
+  const auto warnings = [](double there, double back, const char* turns_back = "") {
+    const auto reaction = [&](const char* names, double moles) {
+      return fmt::format("{}\nrate_constant = 1\nproduct_stoichiometry = {}\n{}", names, moles, turns_back);
+    };
+    const std::string text = scene(
+        {reaction("reactant = \"a\"\nproduct = \"b\"", there), reaction("reactant = \"b\"\nproduct = \"a\"", back)});
+    return parse_scene(text, "case.toml").warnings;
+  };
+  const auto of = [](int moles) {
+    return std::vector{fmt::format(
+        "[reaction]: in a circle of reactions a mole of a becomes {} moles of it; where that is faster than "
+        "diffusion, no concentrations at the wall satisfy the rates, and results have no meaning",
+        moles)};
+  };
+  const std::vector<std::string> none;
+  EXPECT_EQ(warnings(2, 2), of(4));
+  EXPECT_EQ(warnings(2, 0.5), none);
+  EXPECT_EQ(warnings(3, 0.3), none);
+  EXPECT_EQ(warnings(0.25, 2), none);
+  EXPECT_EQ(warnings(0.25, 2, "equilibrium_constant = 1e3\n"), of(2));
+}
+
 TEST(JointReactions, MoreThanSixAreRefused) {
   std::string text = scene({"reactant = \"a\"\nproduct = \"b\"\nrate_constant = 1e-3\n"});
   std::string species, further;

@@ -34,34 +34,71 @@ def keys_of(study):
 
 def _title(study, results):
     """How many runs and results there are, and over which keys the results are averaged, or which differ as well."""
-    parts = [f"{study.name}: {len(study)} runs"]
+    failed = len(study.failures)
+    parts = [f"{study.name}: {len(study)} of {len(study) + failed} runs done" if failed else
+             f"{study.name}: {len(study)} runs"]
     if len(results) < len(results_of(study)):
         parts.append(f"{len(results)} of {len(results_of(study))} results")
     axes = keys_of(study)
     others = [key for key in study.keys if key not in axes and len(np.unique(study[key])) > 1]
     if others:
         shared = len(set(zip(*(study[key] for key in axes)))) < len(study)
-        parts.append(("means over " if shared else "differing as well: ") + ", ".join(others))
+        done = " (of runs that are done)" if failed and shared else ""
+        parts.append(("means over " if shared else "differing as well: ") + ", ".join(others) + done)
     return "; ".join(parts)
 
 
 def _places(study, key):
-    """(where the runs lie on the axis of a key, names of the places): values that are text, as quantities with units are,
-    one beside the other in the order of the study, else themselves and None."""
+    """(where the runs lie on the axis of a key, names of the places): finite numbers themselves and None. Others stand
+    one beside the other: infinity behind the largest number, text, as quantities with units are, in the order of the
+    study, which runs that failed are part of."""
     values = study[key]
     if np.issubdtype(values.dtype, np.number):
-        return values, None
-    names = list(dict.fromkeys(values))
+        if np.isfinite(values).all():
+            return values, None
+        marks = np.unique(values)
+        return np.searchsorted(marks, values).astype(float), [f"{mark:.12g}" for mark in marks]
+    runs = list(zip(study.runs, values)) + [(failed["run"], failed[key]) for failed in study.failures]
+    in_order = dict.fromkeys(value for _, value in sorted(runs, key=lambda run: (len(run[0]), run[0])))
+    names = [value for value in in_order if value in values]
     return np.array([float(names.index(value)) for value in values]), [name.strip('"') for name in names]
 
 
+def _labels(marks):
+    """Numbers with as many digits as tell them apart."""
+    gap = np.diff(marks).min() if len(marks) > 1 else np.inf
+    for digits in range(6, 17):
+        labels = [f"{mark:.{digits}g}" for mark in marks]
+        if all(abs(float(label) - mark) < 0.01 * gap for label, mark in zip(labels, marks)):
+            break
+    return labels
+
+
+def _ticks(axis, marks, labels):
+    """Labels at the marks, at a slant where side by side they would overlap."""
+    axis.set_ticks(marks, labels=labels)
+    axis.set_ticks([], minor=True)
+    if axis.axis_name == "x" and sum(len(label) + 2 for label in labels) > 36:
+        axis.set_tick_params(rotation=30)
+        for label in axis.get_ticklabels():
+            label.set_horizontalalignment("right")
+
+
+def _mean(values):
+    """Over the runs that have one; NaN where none has."""
+    finite = values[np.isfinite(values)]
+    return finite.mean() if len(finite) else np.nan
+
+
 def results_of(study):
-    """The results that differ between runs, but for time and the errors of balances."""
+    """The results that differ between runs; the errors of balances are none, and time and steps only where all else is
+    equal."""
     def differs(values):
         return np.issubdtype(values.dtype, np.number) and len(np.unique(values[np.isfinite(values)])) > 1
 
-    return [name for name in study.results if not name.startswith(("time", "step")) and "balance_error" not in name
-            and differs(study[name])]
+    of_time = ("time_s", "step_1")
+    names = [name for name in study.results if "balance_error" not in name and differs(study[name])]
+    return [name for name in names if name not in of_time] or names
 
 
 def draw_result(axes, study, result):
@@ -71,23 +108,24 @@ def draw_result(axes, study, result):
     if len(keys) == 1:
         axes.plot(x, values, "o", color=BLUE, markersize=4)
         places = np.unique(x)
-        axes.plot(places, [values[x == place].mean() for place in places], "-", color=BLUE, linewidth=1)
+        axes.plot(places, [_mean(values[x == place]) for place in places], "-", color=BLUE, linewidth=1)
         _axis(axes, "x", keys[0], x)
         if x_names:
-            axes.xaxis.set_ticks(range(len(x_names)), labels=x_names)
-        _axis(axes, "y", result, values)
+            _ticks(axes.xaxis, range(len(x_names)), x_names)
+        _axis(axes, "y", result, values[np.isfinite(values)])
         tidy(axes)
         return
     y, y_names = _places(study, keys[1])
     places = np.unique(np.column_stack([x, y]), axis=0)
-    means = np.array([values[(x == place[0]) & (y == place[1])].mean() for place in places])
-    norm = "log" if _is_logarithmic(means) else "linear"
+    means = np.array([_mean(values[(x == place[0]) & (y == place[1])]) for place in places])
+    norm = "log" if _is_logarithmic(means[np.isfinite(means)]) else "linear"
     columns, lines = np.unique(x), np.unique(y)
     is_grid = min(len(columns), len(lines)) > 1 and 2 * len(places) > len(columns) * len(lines)
     if is_grid:
         # a grid, of which some runs may have failed: cells that adjoin
         cells = np.ma.masked_all((len(lines), len(columns)))
         cells[np.searchsorted(lines, places[:, 1]), np.searchsorted(columns, places[:, 0])] = means
+        cells = np.ma.masked_invalid(cells)
         image = axes.pcolormesh(_borders(columns), _borders(lines), cells, norm=norm, cmap="viridis",
                                 edgecolors="white", linewidth=0.5)
     else:
@@ -97,9 +135,7 @@ def draw_result(axes, study, result):
     for which, key, along, names, marks in (("x", keys[0], x, x_names, columns), ("y", keys[1], y, y_names, lines)):
         _axis(axes, which, key, along)
         if names or (is_grid and len(marks) <= 7):  # the places of samples would lie one upon the other
-            axis = getattr(axes, f"{which}axis")
-            axis.set_ticks(marks, labels=names or [f"{mark:.6g}" for mark in marks])
-            axis.set_ticks([], minor=True)
+            _ticks(getattr(axes, f"{which}axis"), marks, names or _labels(marks))
     axes.figure.colorbar(image, ax=axes, label="")
     axes.set_title(result, fontsize=9)
 

@@ -29,6 +29,8 @@ void check_triangles(const TomlDocument& document, const RockSection& rock, doub
 
 /// Adds the warnings about what is allowed but probably not meant.
 void collect_warnings(Scene& scene);
+/// The one about reactions that feed each other and make more than they take.
+void warn_about_circles(Scene& scene);
 /// Those about the fluid in the pores.
 void warn_about_pores(Scene& scene);
 

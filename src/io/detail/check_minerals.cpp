@@ -13,13 +13,15 @@ std::string further_table(std::size_t i) {
   return fmt::format("reaction.further.{}", i);
 }
 
-/// Checks which of an order other than one, a finite equilibrium constant and the paper's wall may be combined. `key`
-/// is the table of the rate, `reaction` that of the reaction, which names the product.
+/// Checks what needs a product, and which of an order other than one, a finite equilibrium constant and the paper's
+/// wall may be combined. `key` is the table of the rate, `reaction` that of the reaction, which names the product.
 void check_rate(const TomlDocument& document, const std::string& key, const RateLaw& rate, const std::string& reaction,
                 bool has_product, ReactiveWallLaw wall) {
   if (rate.inverse_equilibrium_constant > 0 && !has_product)
     document.fail(key + ".equilibrium_constant",
                   fmt::format("needs {}.product: a reversible reaction runs back from its product", reaction));
+  if (!has_product && document.find(key + ".product_stoichiometry") != nullptr)
+    document.fail(key + ".product_stoichiometry", fmt::format("needs {}.product", reaction));
   if (rate.order == 1) return;
   if (rate.inverse_equilibrium_constant > 0)
     document.fail(key + ".order", "is not 1; that is only for reactions without an equilibrium_constant");

@@ -38,6 +38,9 @@ void check_thermal_flow(const TomlDocument& document, const Scene& scene) {
     if (!scene.heat && document.find(name) != nullptr)
       document.fail_at(name, fmt::format("{} needs the table [heat]", name));
   }
+  if (!gravity && flow.viscosity_activation_energy == 0 && document.find("flow.reference_temperature") != nullptr)
+    document.fail("flow.reference_temperature",
+                  "is that of flow.gravity and flow.viscosity_activation_energy, and the case has neither");
   const bool two_rates = flow.collision == Collision::trt || flow.collision == Collision::bgk;
   if (flow.viscosity_varies() && !two_rates)
     document.fail("flow.collision", "has rates of one viscosity; where that depends on the temperature use trt or bgk");

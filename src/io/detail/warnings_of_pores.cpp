@@ -132,7 +132,14 @@ void warn_about_cut_shapes(Scene& scene) {
 
 /// The pressure scale S assumes that pathways are wider, in metres, on coarser lattices.
 void warn_about_scaled_pressure(Scene& scene) {
-  if (!scene.flow || scene.flow->pressure_scale == 1 || !scene.rock) return;
+  if (!scene.flow || scene.flow->pressure_scale == 1) return;
+  if (!scene.rock) {
+    scene.warnings.push_back(fmt::format(
+        "flow.pressure_scale = {0:g} is for the pathways of [rock], which are a number of cells wide; here all "
+        "is as wide as it is drawn, and pressures, body forces and buoyancy drive {0:g} times too little flow",
+        scene.flow->pressure_scale));
+    return;
+  }
   const char* given = scene.rock->pathway_width                                        ? "rock.pathway_width"
                       : scene.damage && scene.damage->aperture == ApertureLaw::opening ? "damage.aperture = \"opening\""
                                                                                        : nullptr;
@@ -183,6 +190,7 @@ void warn_about_held_slits(Scene& scene) {
 
 void warn_about_pores(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
+  if (scene.reaction) warn_about_circles(scene);
   warn_about_ageing(scene);
   if (scene.heat) warn_about_kelvin(scene);
   if (scene.heat && scene.flow) warn_about_two_densities(scene);

@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "kernels/heat/heat_conditions.hpp"
+#include "kernels/heat/heat_kernels.hpp"
 #include "kernels/launch/launch_lists.hpp"
 #include "kernels/launch/row_launch.hpp"
 
@@ -82,17 +83,23 @@ struct FillSide {
     return solid(node - side.stride) == outside_lattice || solid(node + side.stride) == outside_lattice;
   }
   /// The population that leaves through link q of a node and determines what arrives. At a mirror, for a diagonal link,
-  /// it is the one that leaves the next node by the link that crosses q, if that node is of the same kind and of this
-  /// stretch.
+  /// it is the one that leaves the next node of this stretch by the link that crosses q; of another kind of matter,
+  /// what the law of links between kinds makes of the two. The fluid's outflow is no mirror, and rock beside it has
+  /// none.
   KOKKOS_FUNCTION T leaving(int item, int node, int q) const {
     const int step = along(side.outward, q), plane = links.around.lattice.size();
     const int next = node + step * side.stride;
+    const T own = links.g(q * plane + node);
     const bool beside = side.whole || (item + step >= 0 && item + step < side.count);
-    if (!Law::mirrors || step == 0 || !beside || links.kinds.kind(next) != links.kinds.kind(node))
-      return links.g(q * plane + node);
+    if (!Law::mirrors || step == 0 || !beside || solid(next) > 1) return own;
+    const bool alike = links.kinds.kind(next) == links.kinds.kind(node);
+    if (!alike && Law::looks_inside) return own;
     int crossing = 5;
     while (crossing == q || !crosses(side.outward, crossing)) ++crossing;
-    return links.g(crossing * plane + next);
+    const T mirrored = links.g(crossing * plane + next);
+    if (alike) return mirrored;
+    const T here = static_cast<T>(links.kinds.capacity(node)), beyond = static_cast<T>(links.kinds.capacity(next));
+    return links.rounding.sum(mirrored, conjugate_gain_of(mirrored, own, here, beyond), node);
   }
   KOKKOS_FUNCTION double fill(int item, int node, int q, T share) const {
     const T left = leaving(item, node, q), arriving = links.arriving(law, node, q, left, share, at_corner(node));
