@@ -32,6 +32,7 @@ using vug::ExitCode;
 
 int fail(ExitCode code, const std::string& what) {
   vug::complain("vug: " + vug::excerpt(what, 2000));
+  vug::end_with(code);
   return code;
 }
 
@@ -44,8 +45,10 @@ int fail(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
 }
 
 /// Exit code after an error that all ranks know; the first one prints it.
-int agree(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
-  return ranks.first() ? fail(code, what) : code;
+int agree(bool first, ExitCode code, const std::string& what) {
+  if (first) return fail(code, what);
+  vug::end_with(code);
+  return code;
 }
 
 /// Throws InputError where several processes were started and do not form the ranks of one run: each would do the whole
@@ -92,7 +95,7 @@ int dispatch(const CLI::App& app, CommandLine& line) {
   } catch (const std::exception& error) {
     const ExitCode code = vug::exit_code_of(error);
     const bool all_know = code == diverged || code == interrupted;
-    return all_know ? agree(ranks, code, vug::reason_of(error)) : fail(ranks, code, vug::reason_of(error));
+    return all_know ? agree(ranks.first(), code, vug::reason_of(error)) : fail(ranks, code, vug::reason_of(error));
   }
 }
 
@@ -112,14 +115,17 @@ int start(int argc, char** argv) {
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
   CommandLine line;
   vug::describe(app, line);
+  const bool first = vug::started_first();
+  if (!first) vug::leave_words_to_others();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
     const std::string told = vug::told_of_unexpected(app, {argv + 1, argv + argc});
-    return fail(invalid_input, told + " (vug --help lists what there is)");
+    return agree(first, invalid_input, told + " (vug --help lists what there is)");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return help(app, error);
-    return fail(invalid_input, fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
+    return agree(first, invalid_input,
+                 fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
   }
   return dispatch(app, line);
 }

@@ -29,13 +29,13 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
-volatile std::sig_atomic_t silent = 0;
+volatile std::sig_atomic_t silent = 0, code_of_end = interrupted;
 
 extern "C" void on_stop_signal(int signal) {
   if (StopsInOrder::now()) return request_stop(signal);
   if (!silent)
     for (const char* part : {"vug: ", words_when_ended(), "\n"}) write_all(STDERR_FILENO, part);
-  ::_exit(interrupted);
+  ::_exit(code_of_end);
 }
 
 }  // namespace
@@ -48,6 +48,11 @@ void occupy_standard_streams() {
 }
 
 void leave_words_to_others() {
+  silent = 1;
+}
+
+void end_with(ExitCode code) {
+  code_of_end = code;
   silent = 1;
 }
 

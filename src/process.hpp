@@ -1,5 +1,7 @@
 #pragma once
 // Standard streams and signals of the process.
+#include "host/exit_code.hpp"
+
 #include <string>
 
 namespace vug {
@@ -20,6 +22,10 @@ void end_with_parent();
 /// From now on this process prints no message when a signal ends it: a launcher stops all processes together, and
 /// another one prints it.
 void leave_words_to_others();
+
+/// From now on a signal ends this process without a message and with this exit code, which has been decided: a launcher
+/// stops those that are left when the first has ended.
+void end_with(ExitCode code);
 
 /// Writes `text` to the standard output. Throws FileError when not all of it has arrived there.
 void print(const std::string& text);

@@ -68,24 +68,39 @@ std::vector<double> values_of(const Energies& e) {
 
 std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results) {
   std::string text = elasticity(specimens, results) + strength(specimens, advice, results);
-  const LoadedSpecimen& first = specimens.front();
-  const BondCounts &peak = first.result.bonds_at_peak, &end = first.result.bonds_at_end;
+  const auto mean = [&](const auto& number) {
+    double sum = 0;
+    for (const LoadedSpecimen& one : specimens) sum += static_cast<double>(number(one));
+    return sum / static_cast<double>(specimens.size());
+  };
+  const double in_tension = mean([](const LoadedSpecimen& s) { return s.result.bonds_at_end.failed_in_tension; });
+  const double in_shear = mean([](const LoadedSpecimen& s) { return s.result.bonds_at_end.failed_in_shear; });
+  const double along_load = mean([](const LoadedSpecimen& s) { return s.along_load; });
+  const double steps = mean([](const LoadedSpecimen& s) { return s.result.steps; });
+  const double time_step = specimens.front().result.time_step;  // of all: only strengths differ
   text += fmt::format(
-      "bonds failed          {} in tension, {} in shear at the peak; {} and {} at the end; {:.0f} % of them along the "
-      "load\n"
-      "time step             {:.3g} s, {} steps\n",
-      peak.failed_in_tension, peak.failed_in_shear, end.failed_in_tension, end.failed_in_shear, 100 * first.along_load,
-      first.result.time_step, first.result.steps);
+      "bonds failed          {:.6g} in tension, {:.6g} in shear at the peak; {:.6g} and {:.6g} at the end; {:.0f} % of "
+      "them along the load\n"
+      "time step             {:.3g} s, {:.0f} steps\n",
+      mean([](const LoadedSpecimen& s) { return s.result.bonds_at_peak.failed_in_tension; }),
+      mean([](const LoadedSpecimen& s) { return s.result.bonds_at_peak.failed_in_shear; }), in_tension, in_shear,
+      100 * along_load, time_step, steps);
   results.insert(results.end(), {{"specimens_1", static_cast<double>(specimens.size())},
-                                 {"time_step_s", first.result.time_step},
-                                 {"steps_1", static_cast<double>(first.result.steps)},
-                                 {"failed_in_tension_1", static_cast<double>(end.failed_in_tension)},
-                                 {"failed_in_shear_1", static_cast<double>(end.failed_in_shear)},
-                                 {"failed_along_load_1", first.along_load}});
+                                 {"time_step_s", time_step},
+                                 {"steps_1", steps},
+                                 {"failed_in_tension_1", in_tension},
+                                 {"failed_in_shear_1", in_shear},
+                                 {"failed_along_load_1", along_load}});
   return text;
 }
 
-std::string report_of(const Energies& e, Results& results) {
+std::string report_energies(const std::vector<LoadedSpecimen>& specimens, Results& results) {
+  Energies e;
+  for (double Energies::*part : {&Energies::kinetic, &Energies::elastic, &Energies::initial, &Energies::work,
+                                 &Energies::fracture, &Energies::friction, &Energies::damping, &Energies::dissolved}) {
+    for (const LoadedSpecimen& one : specimens) e.*part += one.result.energies.*part;
+    e.*part /= static_cast<double>(specimens.size());
+  }
   const std::vector<double> energies = values_of(e);
   for (std::size_t i = 0; i < energies.size(); ++i) results.emplace_back(energy_columns[i], energies[i]);
   return fmt::format(

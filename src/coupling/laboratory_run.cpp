@@ -154,7 +154,7 @@ std::string load_all(const Scene& scene, const LaboratoryOptions& options, const
     note_preload(specimens.back().result.preload, options, record);
   }
   std::string text = report_of(specimens, what_breaks_more(scene.laboratory->test), results);
-  if (scene.laboratory->energies) text += report_of(specimens.front().result.energies, results);
+  if (scene.laboratory->energies) text += report_energies(specimens, results);
   return text;
 }
 
@@ -213,6 +213,8 @@ std::string fit(const Scene& scene, const LaboratoryOptions& options, const Asse
 std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options) {
   if (options.fit_strength && scene.laboratory->test == LaboratoryTest::quench)
     throw InputError(scene.path + ": a quench has no strength to fit");
+  if (options.fit_strength && scene.mechanics->parameters.bond.cohesion == 0)
+    throw InputError(scene.path + ": mechanics.bond.cohesion is 0, and a fit multiplies it; begin with the strength");
   if (options.seeds > 1 && scene.laboratory->test == LaboratoryTest::quench)
     throw InputError(scene.path + ": a quench is of one specimen; give others by mechanics.bond.seed");
   RecordedRun run(scene, options.directory, options.overwrite ? RunFolder::Use::overwrite : RunFolder::Use::fresh,

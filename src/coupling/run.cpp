@@ -15,6 +15,7 @@
 #include "io/require_fields.hpp"
 #include "io/rock_inertia.hpp"
 #include "ranks/mpi.hpp"
+#include "ranks/stop.hpp"
 #include "ranks/traffic.hpp"
 
 #include <fmt/format.h>
@@ -129,7 +130,7 @@ class Run {
   /// Whether a stop is requested on any of the ranks.
   bool someone_is_to_stop() const {
     const Phase phase(ranks_, "agreement");
-    return ranks_.most(stop_requested() ? 1 : 0) > 0;
+    return any_is_to_stop(ranks_);
   }
 
   /// A line on how the ranks share the lattice.

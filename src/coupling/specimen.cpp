@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -114,12 +115,16 @@ double longest_test(const Scene& scene, const Assembly& specimen) {
 
 void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
   const LaboratoryTest test = scene.laboratory->test;
-  const bool timed = test == LaboratoryTest::heating || test == LaboratoryTest::quench;
-  whole_steps(longest_test(scene, specimen) / (scene.mechanics->critical_fraction * rock.critical_step()),
-              fmt::format("{}: laboratory.{}", scene.path, timed ? "duration" : "platen_speed"));
+  const double step = scene.mechanics->critical_fraction * rock.critical_step();
+  const bool heated = test == LaboratoryTest::heating;
+  if (test != LaboratoryTest::quench)
+    whole_steps(longest_test(scene, specimen) / step,
+                fmt::format("{}: laboratory.{}", scene.path, heated ? "duration" : "platen_speed"));
   if (test == LaboratoryTest::quench) {
     require_slow_cooling(scene, specimen);
-    return require_depth_for_cracks(specimen, scene.path);
+    require_depth_for_cracks(specimen, scene.path);
+    steps_of_quench(quench_test(scene), step, scene.path + ": laboratory");
+    return;
   }
   Loads loads = press(platen_test(scene, specimen));
   for (std::string& name : loads.name) name = scene.path + ": " + name;
@@ -140,6 +145,14 @@ LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, cons
   if (warmed)
     table.push_back(
         limit_of_thermal_strain(largest_expansion(scene.mechanics->parameters), scene.laboratory->temperature_change));
+  if (scene.laboratory->confinement > 0) {
+    const auto share = [&](RockSide flank) {
+      return loaded_length(specimen, rock.boundary(), flank) / extent_of(specimen).height();
+    };
+    table.push_back({"laboratory", "share of a flank that the confinement presses",
+                     std::min(share(RockSide::left), share(RockSide::right)), "1", 0.999, 1.001,
+                     "edges of the mesh beside the bounding rectangle are not pressed: make the flanks straight"});
+  }
   if (test == LaboratoryTest::brazilian)
     table.push_back({"laboratory", "width of the flats over the diameter", flat_width(specimen, rock.boundary()), "1",
                      0, 0.301,

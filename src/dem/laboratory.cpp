@@ -115,13 +115,18 @@ bool is_past_first_wave(const PlatenResult& result, double rate, double crossing
 
 }  // namespace
 
-double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundary) {
+double loaded_length(const Assembly& specimen, const std::vector<BoundaryEdge>& boundary, RockSide side) {
+  const int number = static_cast<int>(side), along = 1 - number % 2;
   double length = 0;
-  for (const BoundaryEdge& edge : boundary) {
-    if (edge.side != static_cast<int>(RockSide::top) && edge.side != static_cast<int>(RockSide::bottom)) continue;
-    length += 0.5 * std::abs(disc.vertices[edge.vertex[1]][0] - disc.vertices[edge.vertex[0]][0]);
-  }
-  return std::min(1.0, length / extent_of(disc).width());
+  for (const BoundaryEdge& edge : boundary)
+    if (edge.side == number)
+      length += std::abs(specimen.vertices[edge.vertex[1]][along] - specimen.vertices[edge.vertex[0]][along]);
+  return length;
+}
+
+double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundary) {
+  const double flats = loaded_length(disc, boundary, RockSide::top) + loaded_length(disc, boundary, RockSide::bottom);
+  return std::min(1.0, 0.5 * flats / extent_of(disc).width());
 }
 
 Loads press(const PlatenTest& test) {
@@ -155,6 +160,8 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
   const double area = block ? extent.width()
                             : 0.5 * Kokkos::numbers::pi * extent.width() /
                                   splitting_share(std::asin(flat_width(specimen, rock.boundary())));
+  const double flank = 0.5 * (loaded_length(specimen, rock.boundary(), RockSide::left) +
+                              loaded_length(specimen, rock.boundary(), RockSide::right));
   const auto [lateral, axial] = gauges_of(rock.particles(), extent);
   const double axial_start = axial.strain(rock.particles()), lateral_start = lateral.strain(rock.particles());
   PlatenResult result;
@@ -180,7 +187,7 @@ PlatenResult load_between_platens(const Exec& exec, const Assembly& specimen, co
     result.strain.push_back(heated ? rate * std::min(rock.time(), warm_at) : rate * rock.time());
     result.stress.push_back(sign * force / area);
     const double push = 0.5 * (rock.reaction(RockSide::left).x - rock.reaction(RockSide::right).x);
-    result.confinement.push_back(test.flanks == Support::servo ? push / extent.height() : test.confinement);
+    result.confinement.push_back(test.flanks == Support::servo ? push / flank : test.confinement);
     axial_strain.push_back(-sign * (axial.strain(rock.particles()) - axial_start));
     lateral_strain.push_back(sign * (lateral.strain(rock.particles()) - lateral_start));
     const BondCounts bonds = rock.bond_counts();

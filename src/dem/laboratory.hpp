@@ -34,6 +34,9 @@ struct PlatenTest {
   double chemical_damage = 0;    ///< d_c of all bonds, as after soaking in acid
 };
 
+/// Length of the edges that lie on a side of the bounding rectangle, which platens and a confinement load, m.
+double loaded_length(const Assembly& specimen, const std::vector<BoundaryEdge>& boundary, RockSide side);
+
 /// Width of the flats of a disc over its diameter: the mean of the edges at its top and at its bottom.
 double flat_width(const Assembly& disc, const std::vector<BoundaryEdge>& boundary);
 

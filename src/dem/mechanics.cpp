@@ -77,6 +77,7 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
 }
 
 void Mechanics::share(const Ranks& ranks) {
+  ranks_ = ranks;
   if (ranks.alone() || accounts_ || !servos_.empty()) return;
   share_.emplace(ranks, particles_, bonds_, contacts_);
   if (!rest_) return;
@@ -156,7 +157,7 @@ void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock, 
     std::int64_t looked = 0;
     const double start = steady_seconds();
     for (std::int64_t s = 0; s < all;) {
-      if (!share_ && s - looked >= steps_between_stops) {  // ranks have to agree, which they do between calls
+      if (ranks_.alone() && s - looked >= steps_between_stops) {  // ranks have to agree, which they do between calls
         // after the lattice step, the run saves a checkpoint; only where that is far away, what was done since the last
         // one is given up
         const double left = (steady_seconds() - start) / static_cast<double>(s) * static_cast<double>(all - s);

@@ -14,6 +14,7 @@
 #include "dem/rock_share.hpp"
 #include "dem/servo.hpp"
 #include "dem/timed_loads.hpp"
+#include "ranks/ranks.hpp"
 
 #include <map>
 #include <optional>
@@ -142,6 +143,8 @@ class Mechanics {
   void replay(const Exec& exec, const StepControl& control, int count);
   long ramp(const Exec& exec, double dt, double ramp_time, double damping);
   double kinetic_over_elastic(const Exec& exec) const;
+  /// Throws Interrupted where a stop was requested, on all ranks in the same of their steps.
+  void end_if_asked(long step) const;
   /// End of both kinds of preload: the rock is at rest, its displacements become the reference.
   void take_as_reference(const Exec& exec);
   double contact_energy(const Exec& exec) const;
@@ -149,6 +152,7 @@ class Mechanics {
   void follow_temperature(const Exec& exec);
 
   MechanicsParameters parameters_;
+  Ranks ranks_;  ///< which stop together
   std::vector<BoundaryEdge> boundary_;
   Particles particles_;
   ScalarField<double> relative_expansion_;  ///< (particle) over parameters().thermal_expansion; empty: 1

@@ -1,7 +1,7 @@
 // Brings the rock to rest under its loads before a run begins.
 #include "dem/mechanics.hpp"
 #include "dem/static_equilibrium.hpp"
-#include "host/interruption.hpp"
+#include "ranks/stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,18 @@ namespace {
 
 constexpr double at_rest =
     1e-9;  // kinetic over elastic energy: the relative oscillation of the stress is its square root
-constexpr long shortest_look = 16;  // steps: checking the energies costs as much as two
+constexpr long shortest_look = 16;            // steps: checking the energies costs as much as two
+constexpr long steps_between_questions = 16;  // to other ranks, whether they are to stop
 constexpr int looks_at_rest = 3;  // in a row, a fifth of the ramp apart: this excludes turning points of an oscillation
 constexpr int longest_settling = 50;       // times the ramp, or
 constexpr double longest_crossings = 500;  // of sound through the rock, if that is longer
 constexpr double shortest_ramp = 2;        // crossings: a load applied at once overshoots to twice itself
 
 }  // namespace
+
+void Mechanics::end_if_asked(long step) const {
+  if (ranks_.alone() || step % steps_between_questions == 0) throw_if_any_is_to_stop(ranks_);
+}
 
 double Mechanics::kinetic_over_elastic(const Exec& exec) const {
   const Energies e = energies(exec);
@@ -31,7 +36,7 @@ double Mechanics::kinetic_over_elastic(const Exec& exec) const {
 long Mechanics::ramp(const Exec& exec, double dt, double ramp_time, double damping) {
   const long steps = std::max(1L, std::lround(ramp_time / dt));
   for (long s = 0; s < steps; ++s) {
-    throw_if_stop_requested();
+    end_if_asked(s);
     step(exec, {dt, damping, parameters_.mass_scaling, static_cast<double>(s + 1) / static_cast<double>(steps), 0});
   }
   return steps;
@@ -50,7 +55,7 @@ PreloadReport Mechanics::preload(const Exec& exec, double ramp_time, double damp
   int rested = 0;
   while (rested < looks_at_rest && report.steps < last) {
     for (long s = 0; s < look; ++s) {
-      throw_if_stop_requested();
+      end_if_asked(s);
       step(exec, settle);
     }
     report.steps += look;
@@ -85,7 +90,7 @@ bool Mechanics::preload_statically(const Exec& exec) {
     restore.push_back([copy, view] { Kokkos::deep_copy(view, copy); });
   });
   const BondCounts before = bond_counts();
-  const bool found = find_static_equilibrium(exec, parameters_, grid_, loads_, particles_, bonds_, contacts_);
+  const bool found = find_static_equilibrium(exec, parameters_, grid_, loads_, particles_, bonds_, contacts_, ranks_);
   const BondCounts after = bond_counts();
   if (!found || after.damaged != before.damaged || after.failed() != before.failed()) {
     for (const auto& put_back : restore) put_back();

@@ -81,6 +81,14 @@ void require_depth_for_cracks(const Assembly& slab, const std::string& where) {
       " edges of its triangles high; a quench counts cracks from two edges below the face on: mesh it finer");
 }
 
+long steps_of_quench(const QuenchTest& test, double time_step, const std::string& where) {
+  const long steps = whole_steps(test.duration / time_step, where + ".duration");
+  if (steps < test.samples)
+    throw InputError(where + ".samples = " + std::to_string(test.samples) + " is more than the steps of the quench, " +
+                     std::to_string(steps) + "; lower it, or raise the duration");
+  return steps;
+}
+
 QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters parameters, const QuenchTest& test,
                     const QuenchWatch& watch) {
   require_depth_for_cracks(slab, "laboratory");
@@ -91,13 +99,16 @@ QuenchResult quench(const Exec& exec, const Assembly& slab, MechanicsParameters 
   const SlabCooling cooling(test.drop, top - bottom, test.biot);
   QuenchResult result;
   result.time_step = test.step_fraction * rock.critical_step();
-  const long stride = whole_steps(test.duration / (result.time_step * test.samples), "laboratory.duration");
+  const long all = steps_of_quench(test, result.time_step, "laboratory");
+  const auto steps_until = [&](int sample) {
+    return static_cast<long>(static_cast<double>(all) * sample / test.samples);
+  };
   for (int sample = 1; sample <= test.samples; ++sample) {
     const double length = test.final_length * std::sqrt((sample - 0.5) / test.samples);
     cool(slab, top, cooling, length, rock.particles());
-    advance_long(exec, rock, result.time_step, stride);
+    advance_long(exec, rock, result.time_step, steps_until(sample) - result.steps);
     require_sound(exec, rock);
-    result.steps += stride;
+    result.steps = steps_until(sample);
     if (watch) watch(rock, length, sample == test.samples);
   }
   const auto edges = broken_edges(slab, top, rock.bonds());

@@ -40,6 +40,9 @@ struct QuenchResult {
 /// cracks are counted from that depth on.
 void require_depth_for_cracks(const Assembly& slab, const std::string& where);
 
+/// Number of its steps. Throws InputError, which begins with `where`, for fewer than it has temperatures.
+long steps_of_quench(const QuenchTest& test, double time_step, const std::string& where);
+
 /// Called after every new temperature with the rock, the diffusion length and whether it is the last time.
 using QuenchWatch = std::function<void(const Mechanics&, double length, bool last)>;
 

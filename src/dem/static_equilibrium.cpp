@@ -7,8 +7,8 @@
 #include "dem/linear_rock.hpp"
 #include "dem/monitors.hpp"
 #include "dem/push.hpp"
-#include "host/interruption.hpp"
 #include "kernels/launch/launch.hpp"
+#include "ranks/stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ struct PointStiffness {
 class Search {
  public:
   Search(const Exec& exec, const MechanicsParameters& parameters, const NeighbourGrid& grid, const BoundaryLoads& loads,
-         const Particles& particles, const Bonds& bonds, const Contacts& contacts)
+         const Particles& particles, const Bonds& bonds, const Contacts& contacts, const Ranks& ranks)
       : exec_(exec),
         parameters_(parameters),
         grid_(grid),
@@ -84,6 +84,7 @@ class Search {
         particles_(particles),
         bonds_(bonds),
         contacts_(contacts),
+        ranks_(ranks),
         linear_(particles, bonds),
         force_("vug::dem::imbalance", particles.count),
         stiffness_("vug::dem::point_stiffness", bonds.count),
@@ -111,7 +112,7 @@ class Search {
     start();
     moved_ = Eigen::VectorXd::Zero(linear_.rows());
     for (int solve = 0; solve <= most_solves; ++solve) {
-      throw_if_stop_requested();
+      throw_if_any_is_to_stop(ranks_);
       const Eigen::VectorXd left = imbalance(load_factor);
       if (solve == 0) load_ = std::max(load_, largest_);
       if (!std::isfinite(largest_)) return false;
@@ -210,6 +211,7 @@ class Search {
   Particles particles_;
   Bonds bonds_;
   Contacts contacts_;
+  Ranks ranks_;
   LinearRock linear_;
   ForceField force_;
   StiffnessField stiffness_;
@@ -226,8 +228,8 @@ class Search {
 
 bool find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters, const NeighbourGrid& grid,
                              const BoundaryLoads& loads, const Particles& particles, const Bonds& bonds,
-                             const Contacts& contacts) {
-  return Search(exec, parameters, grid, loads, particles, bonds, contacts)();
+                             const Contacts& contacts, const Ranks& ranks) {
+  return Search(exec, parameters, grid, loads, particles, bonds, contacts, ranks)();
 }
 
 }  // namespace vug

@@ -3,6 +3,7 @@
 #include "dem/contacts.hpp"
 #include "dem/loads.hpp"
 #include "dem/neighbour_grid.hpp"
+#include "ranks/ranks.hpp"
 
 namespace vug {
 
@@ -16,9 +17,9 @@ namespace vug {
 ///
 /// The state is not found where sides do not hold the rock, where something breaks on the way, or where contacts beside
 /// the bonds carry load, also contacts that appear only in the last increment. It is then undefined, and the caller
-/// must restore it. Works on the host, for set-up.
+/// must restore it. Works on the host, for set-up; all `ranks` do the same, and stop together.
 bool find_static_equilibrium(const Exec& exec, const MechanicsParameters& parameters, const NeighbourGrid& grid,
                              const BoundaryLoads& loads, const Particles& particles, const Bonds& bonds,
-                             const Contacts& contacts);
+                             const Contacts& contacts, const Ranks& ranks);
 
 }  // namespace vug

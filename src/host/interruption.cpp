@@ -37,7 +37,11 @@ void request_stop(int signal) {
 }
 
 bool stop_requested() {
-  return signal_noted != 0;
+  return stop_signal() != 0;
+}
+
+int stop_signal() {
+  return signal_noted;
 }
 
 std::string stop_reason() {

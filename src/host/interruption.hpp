@@ -13,6 +13,8 @@ struct Interrupted : std::runtime_error {
 /// Records that a signal asks to stop; may be called by its handler.
 void request_stop(int signal);
 bool stop_requested();
+/// The number of that signal, 0 without one.
+int stop_signal();
 /// For instance "interrupted by SIGTERM", for the signal recorded last.
 std::string stop_reason();
 /// Throws Interrupted when a stop was requested.

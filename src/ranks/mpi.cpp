@@ -50,6 +50,13 @@ int processes_started() {
   return 1;
 }
 
+bool started_first() {
+  if (processes_started() == 1) return true;
+  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "PMIX_RANK", "PALS_RANKID"})
+    if (const std::optional<int> rank = number_of(variable)) return *rank == 0;
+  return true;
+}
+
 int processes_that_mpi_does_not_know() {
   if (processes_started() > 1) return 1;
   for (char** variable = environ; *variable; ++variable)

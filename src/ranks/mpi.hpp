@@ -40,6 +40,8 @@ bool takes_device_memory();
 
 /// Number of processes started together, according to the environment; 1 where it does not say.
 int processes_started();
+/// Whether this one is the first of them.
+bool started_first();
 
 /// Number of processes that Slurm's srun has started together without anything by which MPI could find the others; 1
 /// otherwise.

@@ -2,6 +2,7 @@
 #include "coupling/laboratory_run.hpp"
 
 #include "base/require.hpp"
+#include "coupling/laboratory_report.hpp"
 #include "io/history_reader.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/laboratory_case.hpp"
@@ -33,6 +34,30 @@ class Curve {
   test::TemporaryFolder folder_;
   History curve_;
 };
+
+TEST(LaboratoryReport, IsOfTheMeanOfAllSpecimens) {
+  const auto specimen = [](int in_tension, double along, double work) {
+    LoadedSpecimen one;
+    one.result.stress = {2, 1};
+    one.result.strength = 2;
+    one.result.bonds_at_end.failed_in_tension = in_tension;
+    one.result.energies.work = work;
+    one.along_load = along;
+    return one;
+  };
+  const std::vector<LoadedSpecimen> two{specimen(133, 0.2, 10), specimen(161, 0.5, 30)};
+  Results results;
+  const std::string text = report_of(two, "", results) + report_energies(two, results);
+  const auto of = [&](const std::string& name) {
+    for (const auto& [known, value] : results)
+      if (known == name) return value;
+    return 0.0;
+  };
+  EXPECT_EQ(of("failed_in_tension_1"), 147);
+  EXPECT_DOUBLE_EQ(of("failed_along_load_1"), 0.35);
+  EXPECT_DOUBLE_EQ(of("work_J_per_m"), 20);
+  EXPECT_NE(text.find("147 and 0 at the end"), std::string::npos) << text;
+}
 
 /// Between platens that stand still: E alpha dT, with flanks that are free.
 TEST(LaboratoryOfACase, HeatsToTheStressOfItsModulus) {

@@ -61,6 +61,16 @@ TEST(MeshReader, KnowsASurfaceInSeveralGroups) {
     EXPECT_THAT(rock.groups.at(name), ElementsAre(0, 1, 2, 3)) << name;
 }
 
+/// Format 2.2 repeats an element for every group that it is in.
+TEST(MeshReader, KnowsATriangleInSeveralGroups) {
+  std::string text = with(square_22, "2\n1 7 \"crack\"", "3\n1 7 \"crack\"\n2 9 \"left\"");
+  text = with(text, "$Elements\n6\n", "$Elements\n7\n");
+  const Assembly rock = parse_mesh(with(text, "6 2 2 8 1 4 1 5\n", "6 2 2 8 1 4 1 5\n7 2 2 9 1 4 1 5\n"), "a.msh");
+  expect_square(rock);
+  EXPECT_THAT(rock.groups.at("the rock"), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(rock.groups.at("left"), ElementsAre(3));
+}
+
 TEST(MeshReader, ReadsLineEndsOfEverySystem) {
   std::string text;
   for (const char c : square_22) text += c == '\n' ? std::string("\r\n") : std::string(1, c);

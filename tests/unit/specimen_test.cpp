@@ -6,6 +6,7 @@
 #include "support/temporary_folder.hpp"
 #include "unit/laboratory_case.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -194,6 +195,40 @@ TEST(SpecimenOfACase, IsADiscWhereItIsSplit) {
   EXPECT_FALSE(limit_of(generated("0.4"), name).inside());
 }
 
+/// Edges beside the bounding rectangle are not pressed: here half of each flank stands out.
+TEST(SpecimenOfACase, KnowsWhichShareOfItsFlanksIsPressed) {
+  const test::TemporaryFolder folder;
+  const auto share = [&](double out) {
+    const std::vector<std::array<double, 2>> vertices{{0, 0},       {0.01, 0}, {0.01 + out, 0.01}, {0.01 + out, 0.03},
+                                                      {0.01, 0.04}, {0, 0.04}, {-out, 0.03},       {-out, 0.01},
+                                                      {0.005, 0.02}};
+    std::vector<std::array<int, 3>> triangles;
+    for (int k = 0; k < 8; ++k) triangles.push_back({8, k, (k + 1) % 8});
+    test::write_text(folder / "rock.msh", test::mesh_text(vertices, triangles));
+    return limit_of(parse_scene("[laboratory]\ntest = \"compression\"\nconfinement = \"1 MPa\"\n[rock]\nmesh = \"" +
+                                    (folder / "rock.msh") + "\"\n[mechanics]\n",
+                                "a.toml"),
+                    "share of a flank that the confinement presses");
+  };
+  EXPECT_NEAR(share(0).value, 1, 1e-12);
+  EXPECT_TRUE(share(0).inside());
+  EXPECT_NEAR(share(1e-5).value, 0.5, 1e-12);
+  EXPECT_FALSE(share(1e-5).inside());
+}
+
+TEST(SpecimenOfACase, OfADiscHasNoOutlinesOfMaterials) {
+  const auto warnings = [](const std::string& test) {
+    return parse_scene("[laboratory]\n" + test +
+                           "[rock]\nelement_size = 3e-3\n[[mechanics.material]]\ntype = \"rectangle\"\n"
+                           "from = [0.02, 0.02]\nto = [0.03, 0.03]\n",
+                       "a.toml")
+        .warnings;
+  };
+  const auto told = ::testing::Contains(::testing::HasSubstr("a generated disc do not follow"));
+  EXPECT_THAT(warnings("test = \"brazilian\"\ndiameter = 0.05\n"), told);
+  EXPECT_THAT(warnings("test = \"compression\"\nsize = [0.05, 0.1]\n"), ::testing::Not(told));
+}
+
 /// The specimen of a case as it is tested.
 void require(const Scene& scene) {
   const Assembly specimen = build_specimen(scene);
@@ -220,6 +255,18 @@ TEST(SpecimenOfACase, IsRefusedATestWithoutEnd) {
     EXPECT_EQ(refusal(laboratory(test, {change, "laboratory.duration=1e9", "mechanics.critical_fraction=1e-4"})),
               "a.toml: laboratory.duration: the test needs more than 9e15 steps; make it faster or shorter");
   }
+}
+
+TEST(SpecimenOfACase, HasNoMoreTemperaturesThanSteps) {
+  const std::vector<std::string> change{"laboratory.temperature_change=50", "laboratory.duration=1e-5",
+                                        "laboratory.samples=100000"};
+  EXPECT_NE(refusal(laboratory("quench", change)).find("a.toml: laboratory.samples = 100000 is more than the steps of"),
+            std::string::npos);
+  const Scene fine = laboratory("quench", {change[0], "laboratory.duration=1e-4", "laboratory.samples=300"});
+  const Assembly slab = build_specimen(fine);
+  const QuenchResult result = quench(Exec(), slab, fine.mechanics->parameters, quench_test(fine));
+  const double time = static_cast<double>(result.steps) * result.time_step;
+  EXPECT_NEAR(time, 1e-4, result.time_step) << result.steps << " steps of 300 temperatures";
 }
 
 /// At five heights 88 % of the heat has left in the first tenth, at six 91 %: 1 - 8/pi^2 exp(-pi^2/40 (length/H)^2).

@@ -8,8 +8,10 @@ namespace vug {
 /// Every key and table of the document must be one that the reader knows.
 void check_names(const TomlDocument& document);
 
-void check_modules(const TomlDocument& document, const Scene& scene);     ///< which table needs which other
-void check_places(const TomlDocument& document, Scene& scene);            ///< everything drawn lies on the lattice
+void check_modules(const TomlDocument& document, const Scene& scene);  ///< which table needs which other
+void check_places(const TomlDocument& document, Scene& scene);         ///< everything drawn lies on the lattice
+/// Everything drawn lies in the specimen of [laboratory].
+void check_places_of_specimen(const TomlDocument& document, const Scene& scene);
 void check_ageing(const TomlDocument& document, const Scene& scene);      ///< rock that ages faster than the fluid
 void check_times(const TomlDocument& document, const Scene& scene);       ///< end, intervals, ramps
 void check_scales(const TomlDocument& document, const Scene& scene);      ///< diffusivities in lattice units

@@ -21,6 +21,9 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (disc)
     for (const char* key : {"rock.grading", "rock.notches", "rock.hole", "rock.holes"})
       if (document.find(key) != nullptr) document.fail_at(key, fmt::format("{} is of a block, not of a disc", key));
+  if (scene.rock->mesh && !scene.rock->notches.empty())
+    document.fail_at("rock.notches",
+                     "rock.notches are of a generated specimen; of a mesh, lines of the group \"crack\" are notches");
   for (const char* key :
        {"mechanics.gravity", "mechanics.initial_velocity", "mechanics.displacement_from", "mechanics.preload",
         "mechanics.substeps", "mechanics.force_unstable", "mechanics.fragments", "mechanics.rest_tolerance"})
@@ -34,6 +37,7 @@ void check_laboratory(const TomlDocument& document, const Scene& scene) {
   if (!scene.rock->mesh && scene.rock->element_size > smallest / 5)
     document.fail("rock.element_size",
                   fmt::format("leaves fewer than five elements across the specimen; at most {:g} m", smallest / 5));
+  check_places_of_specimen(document, scene);
   double expansion = scene.mechanics->parameters.thermal_expansion;
   for (const RockMaterial& material : scene.mechanics->parameters.materials)
     expansion = std::max(expansion, material.thermal_expansion);

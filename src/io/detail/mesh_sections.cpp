@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace vug::detail {
@@ -59,8 +60,13 @@ void read_element(MeshText& text, RawMesh& mesh, std::int64_t type, const std::s
     mesh.found_groups.insert(crack_groups.begin(), crack_groups.end());
   } else if (type == triangle_element) {
     const int a = read_node_number(text, mesh), b = read_node_number(text, mesh);
-    for (const std::string& name : surfaces) mesh.groups[name].push_back(static_cast<int>(mesh.triangles.size()));
-    mesh.triangles.push_back({a, b, read_node_number(text, mesh)});
+    const std::array<int, 3> corners{a, b, read_node_number(text, mesh)};
+    std::array<int, 3> sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    // format 2.2 repeats an element for every physical group that it belongs to
+    const auto [known, is_new] = mesh.triangle_of.emplace(sorted, static_cast<int>(mesh.triangles.size()));
+    for (const std::string& name : surfaces) mesh.groups[name].push_back(known->second);
+    if (is_new) mesh.triangles.push_back(corners);
   } else {
     text.fail(fmt::format("element type {} is not supported; mesh with triangles of first order", type));
   }

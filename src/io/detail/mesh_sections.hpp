@@ -17,6 +17,7 @@ struct RawMesh {
   std::unordered_map<std::int64_t, int> number;  // node tag -> position in `nodes`
   std::vector<std::array<double, 3>> nodes;
   std::vector<std::array<int, 3>> triangles;
+  std::map<std::array<int, 3>, int> triangle_of;  // by its nodes in order of their numbers
   std::vector<std::array<int, 2>> cracks;
   std::map<std::int64_t, std::string> crack_groups;                      // names by physical tags of lines
   std::set<std::int64_t> found_groups;                                   // those of crack_groups that have a line

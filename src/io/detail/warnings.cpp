@@ -100,6 +100,18 @@ void warn_about_press(Scene& scene) {
                   speed, scaling, speed * std::sqrt(scaling), notable));
 }
 
+/// The generator cuts a block along the outlines of materials, but not a disc.
+void warn_about_materials_of_a_disc(Scene& scene) {
+  const bool disc = scene.laboratory->test == LaboratoryTest::brazilian && !scene.rock->mesh;
+  const auto& regions = scene.mechanics->regions;
+  const auto is_drawn = [](const RockRegion& region) { return region.form.has_value(); };
+  if (disc && std::any_of(regions.begin(), regions.end(), is_drawn))
+    scene.warnings.emplace_back(
+        "the triangles of a generated disc do not follow the outlines of [[mechanics.material]]: each is of the "
+        "material "
+        "at its middle; rock.mesh may have other triangles");
+}
+
 /// The same for sides and parts of them that move in a run. A push that is over before its wave has crossed the rock is
 /// no press but an impact, of which the wave is what is wanted.
 void warn_about_platens(Scene& scene) {
@@ -127,7 +139,10 @@ void warn_about_platens(Scene& scene) {
 }  // namespace
 
 void collect_warnings(Scene& scene) {
-  if (scene.laboratory) return warn_about_press(scene);
+  if (scene.laboratory) {
+    warn_about_press(scene);
+    return warn_about_materials_of_a_disc(scene);
+  }
   warn_about_pores(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);

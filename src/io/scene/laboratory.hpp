@@ -56,7 +56,7 @@ inline double usual_platen_speed(LaboratoryTest test, const MechanicsParameters&
   const double behind_wave = least_of_materials(rock, [&](const BondParameters& bond, double density) {
     return tested_strength(test, bond) / std::sqrt(bond.normal_modulus * density);
   });
-  return std::clamp(behind_wave / slower, 0.01 * usual, usual);
+  return std::clamp(behind_wave / slower, 1e-3 * usual, usual);
 }
 
 /// Speed of the moving platen, m/s.
@@ -70,7 +70,7 @@ inline double sample_strain(const LaboratorySection& laboratory, const Mechanics
   const double breaking = least_of_materials(rock, [&](const BondParameters& bond, double) {
     return tested_strength(laboratory.test, bond) / bond.normal_modulus;
   });
-  return laboratory.sample_strain.value_or(std::min(laboratory.largest_strain, std::clamp(breaking / 60, 1e-7, 1e-5)));
+  return laboratory.sample_strain.value_or(std::min(laboratory.largest_strain, std::clamp(breaking / 60, 1e-8, 1e-5)));
 }
 
 }  // namespace vug
