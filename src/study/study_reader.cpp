@@ -28,18 +28,25 @@ void check_known(const TomlDocument& document, const toml::table& table, const s
   }
 }
 
-/// A value of a list as TOML, arrays and tables included; empty for a date.
-std::string text_of(const toml::node& node) {
+/// A node as TOML, with or without text that may extend over several lines or stand as it is between single quotes.
+std::string formatted(const toml::node& node, bool plainly) {
+  using toml::format_flags;
+  const auto lines = format_flags::allow_multi_line_strings, literal = format_flags::allow_literal_strings;
+  const auto flags = toml::toml_formatter::default_flags & ~lines;
   std::ostringstream text;
-  const auto flags = toml::toml_formatter::default_flags & ~toml::format_flags::allow_multi_line_strings;
-  if (const auto* word = node.as_string()) text << toml::toml_formatter{*word, flags};
-  if (const auto* number = node.as_integer()) text << number->get();
-  if (const auto* number = node.as_floating_point()) text << fmt::format("{}", number->get());
-  if (const auto* truth = node.as_boolean()) text << (truth->get() ? "true" : "false");
-  if (const auto* array = node.as_array()) text << toml::toml_formatter{*array, flags};
-  if (const auto* table = node.as_table()) text << toml::toml_formatter{*table, flags};
-  std::string line = text.str();
-  std::replace(line.begin(), line.end(), '\n', ' ');
+  text << toml::toml_formatter{node, plainly ? flags : flags & ~literal};
+  return text.str();
+}
+
+/// A value of a list as one line of TOML, arrays and tables included; empty for a date.
+std::string text_of(const toml::node& node) {
+  if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+  if (!node.is_string() && !node.is_array() && !node.is_table()) return "";
+  std::string line = formatted(node, true);
+  if (line.find('\n') != std::string::npos) line = formatted(node, false);
+  std::replace(line.begin(), line.end(), '\n', ' ');  // between the elements of a long list
   return line;
 }
 

@@ -141,7 +141,7 @@ TEST(CaseRemarks, WidthsOfTheirOwnUnderScaledPressuresAreRemarked) {
 /// It is for pathways that are a number of cells wide.
 TEST(CaseRemarks, ScaledPressuresWithoutRockAreRemarked) {
   const auto warnings = [](double scale) {
-    return parsed(fmt::format("[flow]\nviscosity = 1e-3\npressure_scale = {}\n", scale)).warnings;
+    return shipped("poiseuille.toml", {fmt::format("flow.pressure_scale={}", scale)}).warnings;
   };
   EXPECT_THAT(warnings(25), ElementsAre(HasSubstr("drive 25 times too little flow")));
   EXPECT_THAT(warnings(1), IsEmpty());
