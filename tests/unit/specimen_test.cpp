@@ -289,7 +289,7 @@ TEST(SpecimenOfACase, IsHighEnoughToCountCracks) {
   const auto scene = [&](const std::string& mesh) {
     test::write_text(folder / "slab.msh", mesh);
     return parse_scene(
-        "[laboratory]\ntest = \"quench\"\ntemperature_change = 200\nduration = \"1 us\"\nsamples = 10\n"
+        "[laboratory]\ntest = \"quench\"\ntemperature_change = 200\nduration = \"10 us\"\nsamples = 10\n"
         "[rock]\nmesh = \"" +
             (folder / "slab.msh") + "\"\n[mechanics]\n",
         "a.toml");
