@@ -55,12 +55,10 @@ TEST_F(Report, GivesTheSameBytesElsewhereFromTheCheckpointBeforeTheEnd) {
 /// Rows stay where a former end put them, which a replay from the first step would not write.
 TEST_F(Report, OfARunWhoseEndWasMovedBeginsAtTheFormerEnd) {
   test::write_text(folder_ / "rock.toml", contents(rock));
-  const auto ends_after = [&](int steps) {
-    return fmt::format(" --quiet --set output.interval=5e-5 --set time.steps={} -o run", steps);
-  };
-  ASSERT_EQ(vug("run rock.toml" + ends_after(33)).exit_code, 0);
-  ASSERT_EQ(vug("run rock.toml --resume" + ends_after(50)).exit_code, 0);
-  EXPECT_THAT(vug("report run").output, HasSubstr("replays from the checkpoint of step 33"));
+  const auto ends_after = [&](int steps) { return fmt::format(" --quiet --set time.steps={} -o run", steps); };
+  ASSERT_EQ(vug("run rock.toml" + ends_after(133)).exit_code, 0);
+  ASSERT_EQ(vug("run rock.toml --resume" + ends_after(150)).exit_code, 0);
+  EXPECT_THAT(vug("report run").output, HasSubstr("replays from the checkpoint of step 133"));
   const test::Outcome outcome = replay_elsewhere("run-report");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(contents(replayed("history.csv")), contents(folder_ / "run/history.csv"));
