@@ -116,7 +116,6 @@ int start(int argc, char** argv) {
   CommandLine line;
   vug::describe(app, line);
   const bool first = vug::started_first();
-  if (!first) vug::leave_words_to_others();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
@@ -136,6 +135,7 @@ int main(int argc, char** argv) {
   vug::occupy_standard_streams();
   if (!vug::reserve_memory()) vug::end_out_of_memory();
   vug::wait_briefly(argv);
+  if (!vug::started_first()) vug::leave_words_to_others();
   vug::listen_to_signals();
   vug::end_with_parent();
   try {
