@@ -139,7 +139,7 @@ void describe_watch(CLI::App& app, CommandLine& line) {
 void describe_report(CLI::App& app, CommandLine& line) {
   line.report = app.add_subcommand(
       "report",
-      "Bundle a run for somebody else: case, program, last good checkpoint, a script that runs its end again");
+      "Bundle a run for somebody else: case, version, last good checkpoint, a script that runs its end again");
   line.report->add_option("directory", line.directory, "Run directory")->required();
   line.report->add_option("-o,--output", line.bundle, "Folder to make (default: <run directory>-report)");
 }

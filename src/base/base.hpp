@@ -4,6 +4,7 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace vug {
@@ -42,18 +43,24 @@ auto on_host(const ViewType& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
+/// The type of that.
+template <class ViewType>
+using OnHost = decltype(on_host(std::declval<const ViewType&>()));
+
 /// Makes `view` one of so many items, all zero.
 template <class ViewType>
 void make_zeros(ViewType& view, const std::string& label, int count) {
   view = ViewType(label, count);
 }
 
-/// Writes the entries of a View on the host: those of the View itself where it is in host memory, else those of a
-/// mirror, zeros at first, which is copied to the View when the writer goes out of scope.
+/// Writes the entries of a View on the host: those of the View itself where kernels run on the host, else those of a
+/// mirror, zeros at first, which is copied to the View, after all kernels, when the writer goes out of scope. The
+/// memory of a GPU that the host may touch has a mirror, too: kernels may be using it.
 template <class ViewType>
 class HostWriter {
  public:
-  explicit HostWriter(const ViewType& view) : view_(view), host_(Kokkos::create_mirror_view(view)) {}
+  explicit HostWriter(const ViewType& view)
+      : view_(view), host_(shares_host_memory ? Kokkos::create_mirror_view(view) : Kokkos::create_mirror(view)) {}
   HostWriter(const HostWriter&) = delete;
   ~HostWriter() { Kokkos::deep_copy(view_, host_); }
   template <class... Index>

@@ -25,8 +25,7 @@ GivenChanges::GivenChanges(const Scene& scene) {
   if (scene.solute) of_flow.push_back(&Changes::solute);
   if (scene.mechanics) of_flow.push_back(&Changes::force);
   const auto add = [&](const TimeTable& table, double rest, const std::vector<double Changes::*>& acts_on) {
-    const double scale = std::max(std::abs(table.lowest() - rest), std::abs(table.highest() - rest));
-    if (!table.constant() && scale > 0) tables_.push_back({table, scale, acts_on});
+    if (!table.constant()) tables_.push_back({table, rest, acts_on});
   };
   for_each_boundary(scene, [&](const BoundarySection& given) {
     given.flow.for_each_table([&](const TimeTable& table) {
@@ -42,7 +41,9 @@ GivenChanges::GivenChanges(const Scene& scene) {
 void GivenChanges::raise(Changes& changes, const Clock& clock, int steps) const {
   const double span = steps * clock.time_step;
   for (const Given& given : tables_) {
-    const double share = steepest(given.table, clock.time(), clock.time() + span) * span / given.scale;
+    const double steep = steepest(given.table, clock.time(), clock.time() + span);
+    if (steep == 0) continue;
+    const double share = steep * span / given.table.farthest(given.rest, clock.time() + span);
     for (double Changes::*changed : given.acts_on) changes.*changed = std::max(changes.*changed, share);
   }
 }

@@ -12,7 +12,8 @@ namespace vug {
 double steepest(const TimeTable& table, double from, double to);
 
 /// The tables over time at sides, injections and shapes. A table v is measured by its largest distance from the state
-/// at rest: max |v - v_rest|, where v_rest is the initial temperature or pressure of the case and else 0.
+/// at rest so far: max |v - v_rest| up to its next point, where v_rest is the initial temperature or pressure of the
+/// case and else 0. What a table does later, perhaps after the end of the run, hides no change of now.
 class GivenChanges {
  public:
   explicit GivenChanges(const Scene& scene);
@@ -24,7 +25,7 @@ class GivenChanges {
  private:
   struct Given {
     TimeTable table;
-    double scale;  ///< its largest distance from the state at rest, in its own unit
+    double rest;  ///< in its own unit
     std::vector<double Changes::*> acts_on;
   };
   std::vector<Given> tables_;  ///< those that change

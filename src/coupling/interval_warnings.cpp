@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 namespace vug {
 
@@ -75,6 +77,42 @@ void warn_of_pulses(const Scene& scene, const std::vector<Held>& held, std::vect
                   : "the force at the first step of each interval acts for all of it"));
 }
 
+/// The first time (s) in the run at which a table has a value that neither of the lattice steps around it has, nor any
+/// between the two.
+std::optional<double> unseen_value(const TimeTable& table, const Scene& scene) {
+  const double step = scene.lattice.time_step, end = static_cast<double>(last_step(scene)) * step;
+  const double rounding = 1e-9 * (table.highest() - table.lowest());
+  for (const double time : table.moments()) {
+    if (time < 0 || time > end) continue;
+    const double before = std::floor(time / step * (1 + 1e-12)) * step;
+    const double here = table.at(before), next = table.at(before + step);
+    const double low = std::min(here, next), high = std::max(here, next);
+    if (const double value = table.at(time); value < low - rounding || value > high + rounding) return time;
+  }
+  return std::nullopt;
+}
+
+void warn_of_unseen_values(const Scene& scene, std::vector<std::string>& warnings) {
+  std::optional<double> first;
+  const auto look = [&](const TimeTable& table) {
+    if (!first) first = unseen_value(table, scene);
+  };
+  for_each_boundary(scene, [&](const BoundarySection& given) {
+    if (scene.flow) given.flow.for_each_table(look);
+    if (scene.heat) look(given.heat.temperature);
+    if (scene.heat) look(given.heat.flux);
+    if (scene.solute)
+      for (const auto* tables : {&given.solute.concentration, &given.solute.flux})
+        for (const auto& [species, table] : *tables) look(table);
+  });
+  if (first)
+    warnings.push_back(fmt::format(
+        "a table over time has a value at {:.6g} s that neither of the lattice steps around it has: each takes "
+        "the value at its beginning, so that a pulse shorter than lattice.time_step = {:g} s counts in part, "
+        "not at all or in full",
+        *first, scene.lattice.time_step));
+}
+
 void warn_of_rare_looks(const Scene& scene, std::vector<std::string>& warnings) {
   constexpr int rare = 1000;
   const AccuracySection& accuracy = scene.accuracy;
@@ -101,6 +139,7 @@ double quickest_flow(const Scene& scene) {
 
 std::vector<std::string> interval_warnings(const Scene& scene) {
   std::vector<std::string> warnings;
+  if (!scene.laboratory) warn_of_unseen_values(scene, warnings);
   if (scene.laboratory || scene.accuracy.chooses_intervals()) return warnings;
   const std::vector<Held> held = held_by(scene);
   warn_of_short_run(scene, held, warnings);

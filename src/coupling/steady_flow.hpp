@@ -23,8 +23,8 @@ class SteadyFlow {
   SteadyFlow() = default;
   /// The flow is held when three shares are at most `tolerance`: the largest change c_k of velocity between two looks,
   /// over the largest velocity; the sum of the changes to come when they continue to shrink like the last two,
-  /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held before
-  /// `earliest` (s), when all boundaries have their final values. Looks every `interval` lattice steps.
+  /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held before two
+  /// looks after `earliest` (s), when all boundaries have their final values. Looks every `interval` lattice steps.
   SteadyFlow(double tolerance, double earliest, int interval)
       : tolerance_(tolerance), earliest_(earliest), interval_(interval) {}
 
@@ -64,7 +64,7 @@ class SteadyFlow {
     else
       left_ = looks_ == most_looks && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
     balanced_ = std::abs(crossed.net) <= tolerance_ * crossed.all + crossed.rounding;
-    held_ = looks_ > 0 && settled() && clock.time() >= earliest_;
+    held_ = looks_ > 0 && settled() && (earliest_ == 0 || clock.time() >= earliest_ + unseen(clock));
     looks_ = std::min(looks_ + 1, most_looks);
     age_ = 0;
   }
@@ -81,6 +81,10 @@ class SteadyFlow {
   }
 
  private:
+  /// Time from the final values of boundaries to a look at which the look before has seen them too: a step uses the
+  /// values at its beginning, and the two after it still feel a jump (without_alternation).
+  double unseen(const Clock& clock) const { return (interval_ + 3) * clock.time_step; }
+
   static constexpr int most_looks = 2;
   static constexpr double all = 2;  ///< more than any tolerance
 

@@ -171,11 +171,7 @@ void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spac
         past[e] = {own_link, meetings.fluid_at(other, their_link), meetings.direction_at(other, their_link)};
     }
     if (past[lower].link < 0 && past[upper].link < 0) continue;
-    boundary.past = Kokkos::View<LinkPastEnd*>(Kokkos::view_alloc(exec, "vug::boundary::past_ends"), 2);
-    const auto host = Kokkos::create_mirror_view(boundary.past);
-    for (const int e : {lower, upper}) host(e) = past[e];
-    Kokkos::deep_copy(exec, boundary.past, host);
-    exec.fence("vug::boundary::past_ends");
+    boundary.past = to_device<Kokkos::View<LinkPastEnd*>>("vug::boundary::past_ends", {past[lower], past[upper]});
   }
 }
 

@@ -53,6 +53,51 @@ bool crosses(const Stretch& side, const Lattice& lattice, int node, int directio
   return !side.opening && across > 0 && beside && along >= side.first && along <= side.last;
 }
 
+/// Force at a link out of a corner that belongs to the other side there: of the two components of c (out + in), along
+/// x and y, each pushes on the side across it.
+struct CornerForce {
+  const Stretch *from, *to;
+  int axis;
+  double force;                 ///< lattice units
+  std::array<double, 2> place;  ///< of the node, cells
+
+  /// Its moment about the centre of a stretch.
+  double torque_about(const Stretch& stretch) const {
+    return axis == 0 ? -(place[1] - stretch.centre[1]) * force : (place[0] - stretch.centre[0]) * force;
+  }
+};
+
+/// Those of a boundary whose conditions have been applied.
+template <class T>
+std::vector<CornerForce> corner_forces(const Exec& exec, const Geometry& geometry,
+                                       const std::vector<StretchLinks>& boundaries, const DressedBoundary<T>& dressed,
+                                       const ScalarField<T>& populations) {
+  std::vector<CornerForce> found;
+  const StretchLinks& own = dressed.boundary;
+  if (own.stretch.opening) return found;
+  const auto at = on_host(own.links.fluid), node = on_host(geometry.fluid.node);
+  const auto direction = on_host(own.links.direction);
+  const auto out = on_host(dressed.outgoing);
+  const auto in = on_host(outgoing_populations(exec, geometry.fluid, own.links, populations));
+  exec.fence("vug::surfaces::corner_forces");
+  for (int link = 0; link < own.links.count; ++link) {
+    const int n = node(at(link)), q = direction(link);
+    for (const StretchLinks& other : boundaries) {
+      if (is_upright(other.stretch.side) == is_upright(own.stretch.side) ||
+          !crosses(other.stretch, geometry.lattice, n, q))
+        continue;
+      const int axis = is_upright(other.stretch.side) ? 0 : 1;
+      const double momentum = static_cast<double>(out(link)) + static_cast<double>(in(link));
+      found.push_back({&own.stretch,
+                       &other.stretch,
+                       axis,
+                       momentum * D2Q9::c(q, axis),
+                       {geometry.lattice.x(n) + 0.5, geometry.lattice.y(n) + 0.5}});
+    }
+  }
+  return found;
+}
+
 /// The nodes at links, as a halo that brings them to other ranks.
 template <class Boundaries>
 Halo nodes_at(const Split& split, const FluidNodes& fluid, const Boundaries& boundaries) {
@@ -92,6 +137,12 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
       add_value(row, stretch.name + "_force_x_N_per_m", units_.force() * force.x);
       add_value(row, stretch.name + "_force_y_N_per_m", units_.force() * force.y);
       add_value(row, stretch.name + "_torque_N", units_.force() * units_.spacing * force.torque);
+      for (const CornerForce& corner : corner_forces(exec, geometry_, boundaries_, d, fields_.f))
+        for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
+          const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
+          add_value(row, side->name + component, sign * units_.force() * corner.force);
+          add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
+        }
     }
     if (wanted.flows && is_open(flow))
       add_value(row, stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * sum_in_order(d.gain));

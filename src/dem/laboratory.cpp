@@ -22,7 +22,7 @@ struct Gauge {
   std::vector<int> group[2];
   int axis;
 
-  double mean(const VectorField<double>::host_mirror_type& values, int g) const {
+  double mean(const OnHost<VectorField<double>>& values, int g) const {
     double sum = 0;
     for (const int i : group[g]) sum += values(i, axis);
     return sum / static_cast<double>(group[g].size());

@@ -21,7 +21,7 @@ LinearRock::LinearRock(const Particles& particles, const Bonds& bonds)
       if (!(held(i) & 1 << c)) row_[at(i, c)] = rows_++;
 }
 
-bool LinearRock::factorise(const StiffnessField::host_mirror_type& stiffness) {
+bool LinearRock::factorise(const OnHost<StiffnessField>& stiffness) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(pair_.extent_int(0)) * 144);
   for (int k = 0; k < pair_.extent_int(0); ++k)

@@ -22,7 +22,7 @@ class LinearRock {
   int row(int i, int c) const { return row_[at(i, c)]; }
 
   /// Factorises the matrix of these stiffnesses; false when some motion meets no resistance.
-  bool factorise(const StiffnessField::host_mirror_type& stiffness);
+  bool factorise(const OnHost<StiffnessField>& stiffness);
 
   /// Displacements and rotations that the forces and torques `force` (row) cause.
   Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factors_.solve(force); }
@@ -33,9 +33,9 @@ class LinearRock {
   /// Adds k g g^T, where g is the change of the opening along n (c = 0) or t (c = 1) by the motion of the two ends.
   void add_spring(std::vector<Eigen::Triplet<double>>& entries, int k, int s, int c, double stiffness) const;
 
-  decltype(Bonds::pair)::host_mirror_type pair_;
-  VectorField<double>::host_mirror_type normal_;
-  decltype(Bonds::arm)::host_mirror_type arm_;
+  OnHost<decltype(Bonds::pair)> pair_;
+  OnHost<VectorField<double>> normal_;
+  OnHost<decltype(Bonds::arm)> arm_;
   std::vector<int> row_;
   int rows_ = 0;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;

@@ -73,9 +73,24 @@ std::vector<Interval> take(std::vector<Interval>& left, double from, double to) 
   return taken;
 }
 
+/// Of the pieces of an edge from number `first` on, the longest of those supports decides that together have more than
+/// half of the edge; alike are those of one part, and of parts and sides with the same support.
+void let_more_than_half_decide(const Loads& loads, double edge, std::size_t first, std::vector<LoadedPiece>& pieces) {
+  for (std::size_t k = first; k < pieces.size(); ++k) {
+    double together = 0;
+    bool longest = true;
+    for (std::size_t m = first; m < pieces.size(); ++m) {
+      if (support_of(pieces[m], loads) != support_of(pieces[k], loads)) continue;
+      together += pieces[m].length;
+      longest = longest && (pieces[m].length < pieces[k].length || (pieces[m].length == pieces[k].length && m >= k));
+    }
+    pieces[k].decides = longest && 2 * together > edge;
+  }
+}
+
 /// Adds the pieces of one edge p -> q of a side. Their length is that along the side, so that the edges of a side add
 /// up to it also where they lie on it within rounding only.
-void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const std::vector<SidePart>& parts,
+void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const Loads& loads,
                 std::vector<LoadedPiece>& pieces) {
   const bool upright = edge.side % 2 == 0;
   const double at_p = upright ? p.y : p.x, at_q = upright ? q.y : q.x;
@@ -83,21 +98,26 @@ void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const s
   const std::size_t first = pieces.size();
   const auto add = [&](int part, double a, double b) {
     const double middle = (0.5 * (a + b) - at_p) / (at_q - at_p);
-    pieces.push_back({part, edge.side, edge.particle, length * (b - a) / (high - low), p + middle * (q - p) - centroid,
-                      2 * (b - a) > high - low});
+    pieces.push_back(
+        {part, edge.side, edge.particle, length * (b - a) / (high - low), p + middle * (q - p) - centroid});
   };
   std::vector<Interval> left{{low, high}};
+  const auto is_left = [&](double place) {
+    return std::any_of(left.begin(), left.end(),
+                       [&](const Interval& free) { return place >= free[0] && place < free[1]; });
+  };
   int point = -1;
-  for (int n = static_cast<int>(parts.size()) - 1; n >= 0; --n) {
-    const SidePart& part = parts[n];
+  for (int n = static_cast<int>(loads.parts.size()) - 1; n >= 0; --n) {
+    const SidePart& part = loads.parts[n];
     if (static_cast<int>(part.side) != edge.side) continue;
-    if (part.from == part.to && part.from >= low && part.from < high && point < 0) point = n;
+    if (part.from == part.to && point < 0 && is_left(part.from)) point = n;  // else a later part is there
     for (const auto& [a, b] : take(left, part.from, part.to)) add(n, a, b);
   }
   if (pieces.size() == first)
-    pieces.push_back({-1, edge.side, edge.particle, length, 0.5 * (p + q) - centroid, true});
+    pieces.push_back({-1, edge.side, edge.particle, length, 0.5 * (p + q) - centroid});
   else
     for (const auto& [a, b] : left) add(-1, a, b);
+  let_more_than_half_decide(loads, length, first, pieces);
   if (point < 0) return;
   for (std::size_t k = first; k < pieces.size(); ++k) pieces[k].decides = false;
   pieces.push_back({point, edge.side, edge.particle, 0, {}, true});
@@ -154,7 +174,7 @@ std::vector<LoadedPiece> pieces_of_boundary(const Assembly& assembly, const std:
   for (const BoundaryEdge& edge : boundary)
     if (edge.side >= 0)
       add_pieces(edge, vertex_of(assembly, edge.vertex[0]), vertex_of(assembly, edge.vertex[1]),
-                 {x0(edge.particle, 0), x0(edge.particle, 1)}, loads.parts, pieces);
+                 {x0(edge.particle, 0), x0(edge.particle, 1)}, loads, pieces);
   return pieces;
 }
 

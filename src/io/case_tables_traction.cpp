@@ -50,8 +50,8 @@ TractionBoundary read_traction(const TomlCursor& table) {
     if (!table.describing() && part.to < part.from) element.fail("to", "lies before from");
     part.load = read_load(element);
     if (!table.describing() && part.from == part.to &&
-        (!is_still(part.load.normal_stress) || !is_still(part.load.shear_stress)))
-      element.fail("to", "is from: a stress needs a stretch to act on");
+        (!is_still(part.load.normal_stress) || !is_still(part.load.shear_stress) || part.load.stiffness != 0))
+      element.fail("to", "is from: a stress, and rock beyond, needs a stretch to act on");
     if (part.load.support == Support::servo) element.fail("support", "is of a whole side");
     boundary.parts.push_back(part);
   }

@@ -36,6 +36,15 @@ class TimeTable {
   double highest() const { return highest_; }
   /// The value farthest from zero, with its sign.
   double peak() const { return peak_; }
+  /// Largest |value - rest| up to a time (s), and at the point that follows it.
+  double farthest(double rest, double until) const {
+    double distance = 0;
+    for (std::size_t k = 0; k < value_.size(); ++k) {
+      distance = std::max(distance, std::abs(value_[k] - rest));
+      if (!constant() && time_[k] > until) break;
+    }
+    return distance;
+  }
   /// Time after which the value is constant, s.
   double settled() const { return constant() ? 0 : time_.back(); }
   /// The shortest time between two points of different values, s; infinity for a number.

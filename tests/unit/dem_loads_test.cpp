@@ -33,6 +33,32 @@ TEST(PointSupport, HoldsATriangleAgainstItsWeight) {
   }
 }
 
+/// A support holds the triangle of whose edge it has more than half in all, however it is cut; of parts that overlap
+/// the later one counts, also where one of them is a point.
+TEST(SupportedPart, HoldsAnEdgeOfWhichItHasMoreThanHalf) {
+  const auto part = [](double from, double to, Support support) {
+    return SidePart{RockSide::left, from * l, to * l, support, {}, 0, {}, false};
+  };
+  const auto falls = [](Support side, std::vector<SidePart> parts) {
+    Loads loads;
+    loads.gravity = {0, -9.81};
+    loads.support[static_cast<std::size_t>(RockSide::left)] = side;
+    loads.parts = std::move(parts);
+    Mechanics rock(lone, nearly_free(), loads);
+    rock.advance(Exec(), 1e-7, 10);
+    return host_copy(rock.particles().u)(0, 1) != 0;
+  };
+  const auto fixed = Support::fixed, none = Support::free;
+  EXPECT_FALSE(falls(fixed, {part(0.45, 0.55, none)})) << "one in the middle";
+  EXPECT_TRUE(falls(fixed, {part(0.2, 0.4, none), part(0.5, 0.9, none)}));
+  EXPECT_FALSE(falls(none, {part(0, 0.5, fixed), part(0.5, 1, fixed)})) << "two that meet";
+  EXPECT_FALSE(falls(none, {part(0.1, 0.3, fixed), part(0.5, 0.9, fixed)}));
+  EXPECT_TRUE(falls(none, {part(0.1, 0.3, fixed), part(0.6, 0.8, fixed)}));
+  EXPECT_TRUE(falls(none, {part(0, 0.7, fixed), part(0.3, 0.7, none)})) << "a later one cuts it";
+  EXPECT_FALSE(falls(none, {part(0.5, 0.5, none), part(0, 1, fixed)})) << "a point under a later part";
+  EXPECT_TRUE(falls(none, {part(0, 1, fixed), part(0.5, 0.5, none)}));
+}
+
 /// A load on a part of an edge acts at the middle of that part.
 TEST(LoadOnAPart, HasItsForceAndItsLeverArm) {
   const double dt = 1e-9, pressure = 3e6, m = 2500 * l * l / 2;

@@ -2,6 +2,7 @@
 #include "support/channel_with_pixel.hpp"
 #include "support/coupled_run.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -134,6 +135,27 @@ TEST(HeldFlow, IsNotHeldBeforeARateHasItsLastValue) {
     EXPECT_GT(run.now("flow_held_steps_1"), 0) << given;
     EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), 0.04, 1e-12) << given;
   }
+}
+
+/// A jump within the last lattice step before a look: the look sees the flow from before it.
+TEST(HeldFlow, IsNotHeldBeforeTheFlowHasSeenItsLastValue) {
+  for (const auto& [interval, time] : {std::pair{"20", 2.0}, {"1", 1.997}})
+    for (const std::string jump : {"velocity = [[0, 1e-3, 0], [{0}, 1e-3, 0], [{1}, 2e-3, 0]]",
+                                   "pressure = [[0, 10.0], [{0}, 10.0], [{1}, 20.0]]"}) {
+      const std::string given = fmt::format(fmt::runtime(jump), time - 1e-4, time);
+      const bool pressure = given.starts_with("pressure");
+      test::CoupledRun run(
+          channel_with_pixel,
+          {"accuracy.flow_tolerance=1e-3", std::string("accuracy.guard_interval=") + interval,
+           "reaction.rate_constant=0", "flow.initial_pressure=0",
+           std::string("boundary.left.flow={ type = \"") + (pressure ? "pressure" : "velocity") + "\", " + given + " }",
+           "boundary.right.flow={ type = \"pressure\", pressure = 0 }"});
+      steps(run, 1980);
+      const double before = run.now("mean_velocity_x_m/s");
+      steps(run, 4000);
+      EXPECT_GT(run.now("flow_held_steps_1"), 0) << given;
+      EXPECT_NEAR(run.now("mean_velocity_x_m/s") / before, 2, 0.02) << given << ", looks every " << interval;
+    }
 }
 
 TEST(HeldFlow, WakesWhenAPixelDissolves) {

@@ -6,6 +6,7 @@
 #include "support/obstacle.hpp"
 #include "support/run_vug.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -165,6 +166,25 @@ TEST(IntervalWarnings, AreThoseOfCheck) {
   EXPECT_THAT(
       check_case(parse_scene(obstacle, "a.toml", {"accuracy.heat_interval=4", "output.history_interval=2"})).warnings,
       Contains(HasSubstr("temperatures are shown as they were")));
+}
+
+/// Steps of 1e-3 s: what a table does between two of them, but for jumps and ramps.
+TEST(TablesOverTime, WithPulsesBetweenStepsAreWarnedOf) {
+  const auto told = [](const std::string& rows) {
+    return warnings({"boundary.left.flow={ type = \"pressure\", pressure = " + rows + " }"});
+  };
+  const double step = parse_scene(obstacle, "a.toml").lattice.time_step;
+  const auto rows = [&](const std::vector<std::pair<double, double>>& points) {
+    std::string text = "[";
+    for (const auto& [steps, value] : points) text += fmt::format("[{}, {}], ", steps * step, value);
+    return text + "]";
+  };
+  const auto pulse = ElementsAre(HasSubstr("that neither of the lattice steps around it has"));
+  EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}, {4.7, 2}, {4.9, 1}})), pulse);
+  EXPECT_THAT(told(rows({{4.1, 1}, {5.3, 2}, {6.1, 1}})), pulse) << "in part";
+  EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}})), IsEmpty()) << "a jump";
+  EXPECT_THAT(told(rows({{0, 1}, {5, 2}, {9, 1}})), IsEmpty());
+  EXPECT_THAT(told(rows({{1e7, 1}, {1e7 + 0.5, 2}, {1e7 + 1, 1}})), IsEmpty()) << "after the end";
 }
 
 }  // namespace

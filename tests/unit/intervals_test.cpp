@@ -72,6 +72,9 @@ TEST(GivenChanges, AreThoseOfTheStepsToComeOverTheLargestDistanceFromRest) {
   EXPECT_EQ(raised(scene, 40), values(1, 0, 0)) << "20 K in 1 s, of 20";
   EXPECT_EQ(raised(scene, 35), values(1, 0, 0)) << "at its steepest";
   EXPECT_EQ(raised(scene, 50), values(0, 0, 0)) << "it lies behind";
+  scene.left.heat.temperature = TimeTable({0, 4, 5, 90, 91}, {300, 300, 280, 300, 2300});
+  EXPECT_EQ(raised(scene, 40), values(1, 0, 0)) << "later rows hide no change";
+  EXPECT_EQ(raised(scene, 900), values(1, 0, 0)) << "of 2000 K";
   scene.left.heat.temperature = {};
 
   scene.top.solute.concentration["A"] = TimeTable({0, 2}, {8, 2});

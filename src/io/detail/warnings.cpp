@@ -108,8 +108,7 @@ void warn_about_materials_of_a_disc(Scene& scene) {
   if (disc && std::any_of(regions.begin(), regions.end(), is_drawn))
     scene.warnings.emplace_back(
         "the triangles of a generated disc do not follow the outlines of [[mechanics.material]]: each is of the "
-        "material "
-        "at its middle; rock.mesh may have other triangles");
+        "material at its middle; rock.mesh may have other triangles");
 }
 
 /// The same for sides and parts of them that move in a run. A push that is over before its wave has crossed the rock is
@@ -150,7 +149,7 @@ void collect_warnings(Scene& scene) {
     for (std::string& remark : remarks_on_notches(scene, scene.rock->element_size))
       scene.warnings.push_back(std::move(remark));
   if (scene.mechanics) warn_about_support(scene);
-  if (scene.mechanics) warn_about_sides(scene);
+  warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);
   if (scene.mechanics) warn_about_platens(scene);
   if (scene.mechanics && scene.mechanics->force_unstable) {
