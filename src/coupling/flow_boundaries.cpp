@@ -83,7 +83,7 @@ void FlowModule<T>::find_boundaries(const Exec& exec) {
   }
   for (StretchLinks& boundary : boundaries_)
     if (boundary.stretch.conditions.flow.has_rate()) boundary.inflow = inflow[boundary.stretch.key];
-  find_links_past_ends(exec, fluid, geometry_.spacing, boundaries_);
+  find_links_past_ends(fluid, geometry_.spacing, boundaries_);
   Kokkos::resize(exec, step_.limited, block_count(fluid.capacity));
 }
 

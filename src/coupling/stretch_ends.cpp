@@ -145,8 +145,7 @@ void find_ends(const Exec& exec, const FluidNodes& fluid, double spacing, std::v
   }
 }
 
-void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spacing,
-                          std::vector<StretchLinks>& boundaries) {
+void find_links_past_ends(const FluidNodes& fluid, double spacing, std::vector<StretchLinks>& boundaries) {
   Meetings meetings(fluid, spacing, boundaries);
   for (int b = 0; b < static_cast<int>(boundaries.size()); ++b) {
     StretchLinks& boundary = boundaries[b];

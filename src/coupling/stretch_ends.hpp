@@ -15,8 +15,7 @@ void find_ends(const Exec& exec, const FluidNodes& fluid, double spacing, std::v
 /// Fills `past` and `ends` of pressures and outflows on sides, whose mirror links have been found: their links past an
 /// end, where another stretch goes on along the side or two outflows meet at a corner. Called after find_ends. Waits
 /// for the device where there are such.
-void find_links_past_ends(const Exec& exec, const FluidNodes& fluid, double spacing,
-                          std::vector<StretchLinks>& boundaries);
+void find_links_past_ends(const FluidNodes& fluid, double spacing, std::vector<StretchLinks>& boundaries);
 
 /// Velocity on the link at an end of `boundary`, from its own velocity and that of the stretch beyond.
 std::array<double, 2> velocity_at_end(const StretchLinks& boundary, const StretchEnd& end, std::array<double, 2> own,
