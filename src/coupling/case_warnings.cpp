@@ -18,7 +18,7 @@ std::optional<std::string> remark_on_porosity(const RockSection& wanted, double 
   if (wanted.pathway_width || std::abs(found - wanted.porosity) <= noticeable * wanted.porosity) return std::nullopt;
   return fmt::format(
       "rock.porosity = {:g}, and pathways and notches take {:.3g} of the rock: no number of pathways "
-      "through it comes closer; smaller triangles or a smaller rock.pathway_aperture do",
+      "through it comes closer; other triangles or another rock.pathway_aperture may",
       wanted.porosity, found);
 }
 

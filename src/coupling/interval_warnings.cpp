@@ -78,16 +78,16 @@ void warn_of_pulses(const Scene& scene, const std::vector<Held>& held, std::vect
 }
 
 /// The first time (s) in the run at which a table has a value that neither of the lattice steps around it has, nor any
-/// between the two.
+/// between the two, but for a hundredth of its range: a peak mostly lies between two steps.
 std::optional<double> unseen_value(const TimeTable& table, const Scene& scene) {
   const double step = scene.lattice.time_step, end = static_cast<double>(last_step(scene)) * step;
-  const double rounding = 1e-9 * (table.highest() - table.lowest());
+  const double slack = 0.01 * (table.highest() - table.lowest());
   for (const double time : table.moments()) {
     if (time < 0 || time > end) continue;
     const double before = std::floor(time / step * (1 + 1e-12)) * step;
     const double here = table.at(before), next = table.at(before + step);
     const double low = std::min(here, next), high = std::max(here, next);
-    if (const double value = table.at(time); value < low - rounding || value > high + rounding) return time;
+    if (const double value = table.at(time); value < low - slack || value > high + slack) return time;
   }
   return std::nullopt;
 }

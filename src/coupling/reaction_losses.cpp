@@ -41,7 +41,8 @@ std::vector<Concern> ReactionModule<T, Set>::concerns_of_rates(const Exec& exec)
   const bool hot = highest > hottest_reaction && heat_->range().hottest <= hottest_reaction;
   if (!cold && !hot) return {};
   return {{fmt::format("temperatures outside {:g} to {:g} K", coldest_reaction, hottest_reaction),
-           fmt::format(" ({:.4g} to {:.4g} K): there the reaction has the rate of the nearest end", lowest, highest)}};
+           fmt::format(" ({:.4g} to {:.4g} K): at walls as cold or hot the reaction has the rate of the nearest end",
+                       lowest, highest)}};
 }
 
 template <class T, class Set>

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace vug {
 
@@ -61,7 +62,7 @@ std::vector<std::string> history_columns(const Scene& scene, const Simulation& s
 
 RunFiles::RunFiles(const Scene& scene, const Simulation& simulation, const std::string& directory,
                    const std::vector<std::string>& columns, std::optional<std::int64_t> resume_step)
-    : scene_(scene), simulation_(simulation), fields_(simulation.fields()), probes_(scene, fields_) {
+    : scene_(scene), simulation_(simulation), columns_(columns), fields_(simulation.fields()), probes_(scene, fields_) {
   const Parts& parts = simulation.parts();
   if (!parts.geometry.split.ranks().first()) return;
   const SnapshotOptions options{scene.output.fields, scene.output.compress, resume_step};
@@ -81,7 +82,11 @@ void RunFiles::write_snapshot() {
 std::vector<HistoryValue> RunFiles::write_row() {
   const std::vector<HistoryValue> written = history_row(scene_, simulation_, probes_);
   std::vector<double> values;
-  for (const HistoryValue& value : written) values.push_back(value.value);
+  for (const HistoryValue& value : written) {
+    if (values.size() >= columns_.size() || columns_[values.size()] != value.name)
+      throw std::logic_error(fmt::format("history.csv has no column {} at place {}", value.name, values.size()));
+    values.push_back(value.value);
+  }
   if (history_) history_->write(values);
   return written;
 }

@@ -52,6 +52,7 @@ class RunFiles {
  private:
   const Scene& scene_;
   const Simulation& simulation_;
+  const std::vector<std::string> columns_;
   FieldList fields_;
   Probes probes_;
   std::optional<SnapshotWriter> snapshots_;

@@ -84,6 +84,7 @@ std::vector<CornerForce> corner_forces(const Exec& exec, const Geometry& geometr
     const int n = node(at(link)), q = direction(link);
     for (const StretchLinks& other : boundaries) {
       if (is_upright(other.stretch.side) == is_upright(own.stretch.side) ||
+          other.stretch.conditions.flow.kind == FlowBoundaryKind::periodic ||
           !crosses(other.stretch, geometry.lattice, n, q))
         continue;
       const int axis = is_upright(other.stretch.side) ? 0 : 1;
@@ -137,12 +138,6 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
       add_value(row, stretch.name + "_force_x_N_per_m", units_.force() * force.x);
       add_value(row, stretch.name + "_force_y_N_per_m", units_.force() * force.y);
       add_value(row, stretch.name + "_torque_N", units_.force() * units_.spacing * force.torque);
-      for (const CornerForce& corner : corner_forces(exec, geometry_, boundaries_, d, fields_.f))
-        for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
-          const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
-          add_value(row, side->name + component, sign * units_.force() * corner.force);
-          add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
-        }
     }
     if (wanted.flows && is_open(flow))
       add_value(row, stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * sum_in_order(d.gain));
@@ -162,6 +157,15 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
         add_value(row, other.stretch.name + "_mass_flow_kg_per_m_s", entered);
       }
     }
+  }
+  for (const DressedBoundary<T>& d : dressed) {  // now that all columns are there
+    if (!wanted.forces) break;
+    for (const CornerForce& corner : corner_forces(exec, geometry_, boundaries_, d, fields_.f))
+      for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
+        const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
+        add_value(row, side->name + component, sign * units_.force() * corner.force);
+        add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
+      }
   }
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& wall = d.boundary.stretch;

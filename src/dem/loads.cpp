@@ -73,18 +73,27 @@ std::vector<Interval> take(std::vector<Interval>& left, double from, double to) 
   return taken;
 }
 
-/// Of the pieces of an edge from number `first` on, the longest of those supports decides that together have more than
-/// half of the edge; alike are those of one part, and of parts and sides with the same support.
+/// Whether pieces hold an edge together: those of one part, and those of parts and sides at rest with the same support.
+bool alike(const LoadedPiece& a, const LoadedPiece& b, const Loads& loads) {
+  const auto rests = [&](const LoadedPiece& piece) {
+    return piece.part < 0 ? loads.velocity[piece.side] == std::array<double, 2>{} : !loads.parts[piece.part].moves();
+  };
+  return a.part == b.part || (support_of(a, loads) == support_of(b, loads) && rests(a) && rests(b));
+}
+
+/// Of the pieces of an edge from number `first` on, those hold it that together have more than half of its length; the
+/// longest of them decides.
 void let_more_than_half_decide(const Loads& loads, double edge, std::size_t first, std::vector<LoadedPiece>& pieces) {
   for (std::size_t k = first; k < pieces.size(); ++k) {
     double together = 0;
     bool longest = true;
     for (std::size_t m = first; m < pieces.size(); ++m) {
-      if (support_of(pieces[m], loads) != support_of(pieces[k], loads)) continue;
+      if (!alike(pieces[m], pieces[k], loads)) continue;
       together += pieces[m].length;
       longest = longest && (pieces[m].length < pieces[k].length || (pieces[m].length == pieces[k].length && m >= k));
     }
-    pieces[k].decides = longest && 2 * together > edge;
+    pieces[k].holds = 2 * together > edge;
+    pieces[k].decides = longest && pieces[k].holds;
   }
 }
 
@@ -119,8 +128,8 @@ void add_pieces(const BoundaryEdge& edge, Vec2 p, Vec2 q, Vec2 centroid, const L
     for (const auto& [a, b] : left) add(-1, a, b);
   let_more_than_half_decide(loads, length, first, pieces);
   if (point < 0) return;
-  for (std::size_t k = first; k < pieces.size(); ++k) pieces[k].decides = false;
-  pieces.push_back({point, edge.side, edge.particle, 0, {}, true});
+  for (std::size_t k = first; k < pieces.size(); ++k) pieces[k].holds = pieces[k].decides = false;
+  pieces.push_back({point, edge.side, edge.particle, 0, {}, true, true});
 }
 
 }  // namespace

@@ -84,6 +84,7 @@ struct LoadedPiece {
   int particle = 0;
   double length = 0;    ///< along the side, m
   Vec2 arm;             ///< from the particle's centroid to the middle of the piece, m
+  bool holds = true;    ///< whether its support holds the edge, alone or with pieces alike
   bool decides = true;  ///< whether it decides how the particle is held
 };
 

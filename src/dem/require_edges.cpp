@@ -22,15 +22,15 @@ bool acts(const Loads& loads, std::size_t side) {
 
 /// Edges of the rock that are left to a part, or to a side (part = -1); slivers due to rounding do not count.
 struct Found {
-  bool edge = false, decides = false;
+  bool edge = false, holds = false;
   Found(const std::vector<LoadedPiece>& pieces, int part, int side, double tolerance) {
     for (const LoadedPiece& piece : pieces) {
       if (piece.part != part || piece.side != side) continue;
-      edge = edge || piece.decides || piece.length > tolerance;
-      decides = decides || piece.decides;
+      edge = edge || piece.holds || piece.length > tolerance;
+      holds = holds || piece.holds;
     }
   }
-  bool serves(Support support) const { return support == Support::free ? edge : decides; }
+  bool serves(Support support) const { return support == Support::free ? edge : holds; }
 };
 
 [[noreturn]] void fail(const std::string& name, Support support, const char* where) {

@@ -54,6 +54,10 @@ TEST(SupportedPart, HoldsAnEdgeOfWhichItHasMoreThanHalf) {
   EXPECT_FALSE(falls(none, {part(0, 0.5, fixed), part(0.5, 1, fixed)})) << "two that meet";
   EXPECT_FALSE(falls(none, {part(0.1, 0.3, fixed), part(0.5, 0.9, fixed)}));
   EXPECT_TRUE(falls(none, {part(0.1, 0.3, fixed), part(0.6, 0.8, fixed)}));
+  SidePart moving = part(0.5, 0.9, fixed);
+  moving.velocity[1] = [](double) { return 0.0; };
+  EXPECT_TRUE(falls(none, {part(0.1, 0.4, fixed), moving})) << "one that moves is another support";
+  EXPECT_FALSE(falls(fixed, {moving})) << "the side has more";
   EXPECT_TRUE(falls(none, {part(0, 0.7, fixed), part(0.3, 0.7, none)})) << "a later one cuts it";
   EXPECT_FALSE(falls(none, {part(0.5, 0.5, none), part(0, 1, fixed)})) << "a point under a later part";
   EXPECT_TRUE(falls(none, {part(0, 1, fixed), part(0.5, 0.5, none)}));

@@ -185,6 +185,7 @@ TEST(TablesOverTime, WithPulsesBetweenStepsAreWarnedOf) {
   EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}})), IsEmpty()) << "a jump";
   EXPECT_THAT(told(rows({{0, 1}, {5, 2}, {9, 1}})), IsEmpty());
   EXPECT_THAT(told(rows({{1e7, 1}, {1e7 + 0.5, 2}, {1e7 + 1, 1}})), IsEmpty()) << "after the end";
+  EXPECT_THAT(told(rows({{0, 1}, {50.4, 2}, {100, 1}})), IsEmpty()) << "a slow peak";
 }
 
 }  // namespace

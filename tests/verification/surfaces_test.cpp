@@ -1,4 +1,5 @@
 // Forces of the fluid on sides and named shapes, and what flows through them, in SI: balances that hold exactly.
+#include "coupling/run_files.hpp"
 #include "support/case_shapes.hpp"
 #include "support/coupled_run.hpp"
 #include "support/record.hpp"
@@ -96,6 +97,22 @@ TEST(SurfaceForces, TurnAnOpeningBesideAJoinedSideByTheWeightItDisplaces) {
     EXPECT_GT(std::abs(torque), 3.0 * node * dx);  // there is one
     EXPECT_NEAR(run.now("shape_post_torque_N"), torque, 1e-8 * node * nx * ny * dx) << upright;
   }
+}
+
+/// A run writes rows by place: a corner that opens must not change the order of columns, nor may joined sides have any.
+TEST(SurfaceForces, HaveTheirColumnsWhateverTheCornersAre) {
+  const auto columns = [](const std::string& more) {
+    const Scene scene = parse_scene(lattice(9, 7) + flow + told + more, "case.toml");
+    return history_columns(scene, Simulation(scene));
+  };
+  const auto corner = [](double x, double y) {
+    return "[geometry]\ntype = \"shapes\"\n" + test::rectangle(x * dx, y * dx, (x + 1) * dx, (y + 1) * dx, "");
+  };
+  const auto inside = columns(corner(4, 3));
+  for (const auto& [x, y] : {std::pair{0, 0}, {8, 0}, {0, 6}, {8, 6}}) EXPECT_EQ(columns(corner(x, y)), inside);
+  for (const std::string& column :
+       columns("[boundary.left.flow]\ntype = \"periodic\"\n[boundary.right.flow]\ntype = \"periodic\"\n"))
+    EXPECT_FALSE(column.starts_with("left_") || column.starts_with("right_")) << column;
 }
 
 TEST(SurfaceForces, OnTheWallsOfAChannelAreTheShearThatDrivesIt) {

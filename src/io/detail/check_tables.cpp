@@ -38,7 +38,8 @@ void check_thermal_flow(const TomlDocument& document, const Scene& scene) {
     if (!scene.heat && document.find(name) != nullptr)
       document.fail_at(name, fmt::format("{} needs the table [heat]", name));
   }
-  if (!gravity && flow.viscosity_activation_energy == 0 && document.find("flow.reference_temperature") != nullptr)
+  const auto given = [&](const char* key) { return document.find(std::string("flow.") + key) != nullptr; };
+  if (given("reference_temperature") && !given("gravity") && !given("viscosity_activation_energy"))
     document.fail("flow.reference_temperature",
                   "is that of flow.gravity and flow.viscosity_activation_energy, and the case has neither");
   const bool two_rates = flow.collision == Collision::trt || flow.collision == Collision::bgk;

@@ -149,7 +149,7 @@ void collect_warnings(Scene& scene) {
     for (std::string& remark : remarks_on_notches(scene, scene.rock->element_size))
       scene.warnings.push_back(std::move(remark));
   if (scene.mechanics) warn_about_support(scene);
-  warn_about_sides(scene);
+  if (scene.rock) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);
   if (scene.mechanics) warn_about_platens(scene);
   if (scene.mechanics && scene.mechanics->force_unstable) {
