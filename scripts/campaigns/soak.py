@@ -22,8 +22,9 @@ def campaign(site, count):
     process = site.start(arguments)
     memory, start = [], time.monotonic()
     while process.poll() is None and not (site.end and time.monotonic() > site.end):
-        memory.append(resident(process.pid))
-        time.sleep(0.1 if time.monotonic() - start < 60 else 10)
+        if (site.folder / "soak/history.csv").exists():  # before it the program sets up
+            memory.append(resident(process.pid))
+        time.sleep(0.02 if time.monotonic() - start < 60 else 10)
     if process.poll() is None:
         process.terminate()
     code, said = site.finish(process, "soak")
@@ -32,7 +33,8 @@ def campaign(site, count):
         return
     rows = list(csv.DictReader(open(site.folder / "soak/history.csv", encoding="utf-8")))
     site.count("steps", int(float(rows[-1]["step_1"])))
-    settled = [kib for kib in memory if kib > 0][len(memory) // 4:]
+    memory = [kib for kib in memory if kib > 0]
+    settled = memory[len(memory) // 4:] or [0]  # a run may be too short to be seen
     site.count("KiB of memory after a quarter", settled[0])
     site.count("KiB of memory at the most", max(settled))
     if max(settled) > 1.1 * settled[0] + 4096:
