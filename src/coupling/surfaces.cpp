@@ -1,5 +1,6 @@
 // What crosses the sides of the lattice and the surfaces of openings at present, and the force of the fluid on them:
 // the conditions of the next step are applied there, and then undone.
+#include "coupling/corner_forces.hpp"
 #include "coupling/flow_module.hpp"
 #include "coupling/heat_module.hpp"
 #include "coupling/solute_module.hpp"
@@ -39,64 +40,6 @@ DressedBoundary<T> dressing(const Exec& exec, const FluidNodes& fluid, const Str
   return {boundary, outgoing_populations(exec, fluid, links, populations),
           ScalarField<double>("vug::surfaces::gain", links.count),
           Kokkos::create_mirror(typename Exec::memory_space{}, boundary.outflow.level)};
-}
-
-/// Whether a link out of a node goes across a stretch of a side as well as across its own: out of a corner.
-bool crosses(const Stretch& side, const Lattice& lattice, int node, int direction) {
-  const int outward = static_cast<int>(side.side);
-  const int across = D2Q9::c(direction, 0) * D2Q9::c(outward, 0) + D2Q9::c(direction, 1) * D2Q9::c(outward, 1);
-  const int x = lattice.x(node), y = lattice.y(node), along = is_upright(side.side) ? y : x;
-  const bool beside = side.side == Side::left     ? x == 0
-                      : side.side == Side::right  ? x == lattice.nx - 1
-                      : side.side == Side::bottom ? y == 0
-                                                  : y == lattice.ny - 1;
-  return !side.opening && across > 0 && beside && along >= side.first && along <= side.last;
-}
-
-/// Force at a link out of a corner that belongs to the other side there: of the two components of c (out + in), along
-/// x and y, each pushes on the side across it.
-struct CornerForce {
-  const Stretch *from, *to;
-  int axis;
-  double force;                 ///< lattice units
-  std::array<double, 2> place;  ///< of the node, cells
-
-  /// Its moment about the centre of a stretch.
-  double torque_about(const Stretch& stretch) const {
-    return axis == 0 ? -(place[1] - stretch.centre[1]) * force : (place[0] - stretch.centre[0]) * force;
-  }
-};
-
-/// Those of a boundary whose conditions have been applied.
-template <class T>
-std::vector<CornerForce> corner_forces(const Exec& exec, const Geometry& geometry,
-                                       const std::vector<StretchLinks>& boundaries, const DressedBoundary<T>& dressed,
-                                       const ScalarField<T>& populations) {
-  std::vector<CornerForce> found;
-  const StretchLinks& own = dressed.boundary;
-  if (own.stretch.opening) return found;
-  const auto at = on_host(own.links.fluid), node = on_host(geometry.fluid.node);
-  const auto direction = on_host(own.links.direction);
-  const auto out = on_host(dressed.outgoing);
-  const auto in = on_host(outgoing_populations(exec, geometry.fluid, own.links, populations));
-  exec.fence("vug::surfaces::corner_forces");
-  for (int link = 0; link < own.links.count; ++link) {
-    const int n = node(at(link)), q = direction(link);
-    for (const StretchLinks& other : boundaries) {
-      if (is_upright(other.stretch.side) == is_upright(own.stretch.side) ||
-          other.stretch.conditions.flow.kind == FlowBoundaryKind::periodic ||
-          !crosses(other.stretch, geometry.lattice, n, q))
-        continue;
-      const int axis = is_upright(other.stretch.side) ? 0 : 1;
-      const double momentum = static_cast<double>(out(link)) + static_cast<double>(in(link));
-      found.push_back({&own.stretch,
-                       &other.stretch,
-                       axis,
-                       momentum * D2Q9::c(q, axis),
-                       {geometry.lattice.x(n) + 0.5, geometry.lattice.y(n) + 0.5}});
-    }
-  }
-  return found;
 }
 
 /// The nodes at links, as a halo that brings them to other ranks.
@@ -158,9 +101,13 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
       }
     }
   }
+  const auto node = on_host(fluid.node);
   for (const DressedBoundary<T>& d : dressed) {  // now that all columns are there
     if (!wanted.forces) break;
-    for (const CornerForce& corner : corner_forces(exec, geometry_, boundaries_, d, fields_.f))
+    const auto returned = outgoing_populations(exec, fluid, d.boundary.links, fields_.f);
+    exec.fence("vug::surfaces::returned");
+    for (const CornerForce& corner :
+         corner_forces<T>(geometry_.lattice, boundaries_, d.boundary, node, on_host(d.outgoing), on_host(returned)))
       for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
         const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
         add_value(row, side->name + component, sign * units_.force() * corner.force);
@@ -172,7 +119,7 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     const FlowBoundary& flow = wall.conditions.flow;
     if (!wanted.flows || wall.opening || flow.kind != FlowBoundaryKind::wall || flow.peak_speed() == 0) continue;
     // a sliding wall has the links out of its corners; what they carry crosses the open side there
-    const auto at = on_host(d.boundary.links.fluid), node = on_host(fluid.node);
+    const auto at = on_host(d.boundary.links.fluid);
     const auto direction = on_host(d.boundary.links.direction);
     const auto gain = on_host(d.gain);
     for (int link = 0; link < d.boundary.links.count; ++link)
