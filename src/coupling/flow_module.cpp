@@ -121,8 +121,8 @@ void FlowModule<T>::fit_carrier(const Exec& exec, Carrier<T>& carrier) {
 
 namespace {
 
-/// The share of a body force that acts in a lattice step: as given velocities (without_alternation), one that sets in at
-/// once would leave a swing from step to step, which never decays in a closed box with an odd number of rows.
+/// The share of a body force that acts in a lattice step: as given velocities (without_alternation), one that sets in
+/// at once would leave a swing from step to step, which never decays in a closed box with an odd number of rows.
 double onset(std::int64_t step) {
   return step == 0 ? 0.75 : step == 1 ? 1.25 : 1;
 }
