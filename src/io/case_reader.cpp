@@ -44,9 +44,8 @@ bool rock_dissolves(const Scene& scene) {
 bool turns_back(const Scene& scene, std::size_t r) {
   const RateLaw& of_rock = r == 0 ? static_cast<const RateLaw&>(*scene.reaction) : scene.reaction->further[r - 1];
   return of_rock.inverse_equilibrium_constant > 0 ||
-         std::any_of(scene.minerals.begin(), scene.minerals.end(), [r](const MineralSection& mineral) {
-           return mineral.rates[r].inverse_equilibrium_constant > 0;
-         });
+         std::any_of(scene.minerals.begin(), scene.minerals.end(),
+                     [r](const MineralSection& mineral) { return mineral.rates[r].inverse_equilibrium_constant > 0; });
 }
 
 std::vector<std::string> passive_species(const Scene& scene) {

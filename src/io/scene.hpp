@@ -48,7 +48,8 @@ struct Scene {
 /// Whether a reactant dissolves any of the rock.
 bool rock_dissolves(const Scene& scene);
 
-/// Whether the product of reaction number r (0: the one of [reaction] itself) turns back into the reactant at some rock.
+/// Whether the product of reaction number r (0: the one of [reaction] itself) turns back into the reactant at some
+/// rock.
 bool turns_back(const Scene& scene, std::size_t r);
 
 /// Names of the species that no reaction reads: tracers, and products that do not turn back. What dissolves does not
