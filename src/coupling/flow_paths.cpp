@@ -153,8 +153,11 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   if (!scene.flow && !scene.solute) return found;
   const FluidPicture picture(scene, geometry);
   if (picture.fluid_nodes() == 0)
-    throw InputError(fmt::format("{}: the geometry has no fluid node, and {} is only in fluid", scene.path,
-                                 scene.flow ? "[flow]" : "[solute]"));
+    throw InputError(fmt::format(
+        "{}: the geometry has no fluid node, and {} is only in fluid{}", scene.path, scene.flow ? "[flow]" : "[solute]",
+        scene.rock && scene.rock->porosity > 0
+            ? fmt::format(": rock.porosity = {:g} is less than one pathway", scene.rock->porosity)
+            : ""));
   const bool rock_opens = scene.damage || rock_dissolves(scene);
   const std::vector<Mouth> mouths = mouths_of(scene, geometry, units, picture);
   if (scene.flow) look_for_speeds(scene, mouths);

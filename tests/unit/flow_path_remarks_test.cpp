@@ -159,6 +159,10 @@ TEST(CornerContacts, CountOnlyWhereFlowCanPass) {
 TEST(FlowPaths, GeometryWithoutFluidIsRefused) {
   const std::string solid = rectangle("[0, 0]", "[40, 12]");
   EXPECT_EQ(refusal(channel(solid, "")), "a.toml: the geometry has no fluid node, and [flow] is only in fluid");
+  EXPECT_THAT(refusal("[lattice]\nsize = [0.04, 0.02]\nspacing = 5e-4\ntime_step = 1e-5\n[time]\nsteps = 10\n"
+                      "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 4e-3\nporosity = 0.003\n"
+                      "[flow]\nviscosity = 1e-3\n"),
+              HasSubstr("[flow] is only in fluid: rock.porosity = 0.003 is less than one pathway"));
   const std::string heat_alone =
       "[lattice]\nsize = [40, 12]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n[heat]\n"
       "fluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\n[geometry]\ntype = \"shapes\"\n" +
