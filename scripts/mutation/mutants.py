@@ -27,7 +27,8 @@ LAWS = {
         static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """ageing.hpp ageing_looks.hpp ageing_module.cpp amount_share.hpp build_modules.cpp chemical_damage.cpp
         body_forces.cpp body_forces.hpp carried_steps.cpp carried_steps.hpp chemical_damage.hpp concerns.cpp
-        corner_contacts.cpp corner_forces.cpp corner_forces.hpp driving_pressure.cpp error_bars.cpp events.cpp face_temperature.hpp far_pressures.cpp
+        corner_contacts.cpp corner_forces.cpp corner_forces.hpp
+        driving_pressure.cpp error_bars.cpp events.cpp face_temperature.hpp far_pressures.cpp
         flow_accounts.cpp flow_boundaries.cpp flow_concerns.cpp
         flow_limits.cpp flow_module.cpp flow_paths.cpp force_change.cpp force_speed.cpp given_changes.cpp
         given_passages.cpp

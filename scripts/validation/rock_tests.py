@@ -86,8 +86,8 @@ def servo(records, figures):
         f"- Whole tests: the pressure is held within {max(column(rows, 'elastic_error')) / MPA:.2f} MPa while the rock "
         "is elastic. Rock that bursts out when it breaks pushes the platens with up to "
         f"{max(column(rows, 'failure_error')) / MPA:.0f} MPa.\n"
-        f"- Strengths are {more} higher than under a membrane, because rigid platens, from which the rock cannot part, hold flakes back. This is within "
-        f"the scatter of specimens ({scatter(records)}).",
+        f"- Strengths are {more} higher than under a membrane, because rigid platens, from which the rock cannot part, "
+        f"hold flakes back. This is within the scatter of specimens ({scatter(records)}).",
         overview=("strength between servo platens", "*itself*: strength under a membrane", f"{more} higher"))
 
 

@@ -21,8 +21,8 @@ extern const std::vector<std::string> energy_columns;
 std::vector<double> values_of(const Energies& energies);
 
 /// Reports Young's modulus and Poisson's ratio, where the curve gives them; the strength, or the largest stress where a
-/// specimen did not pass a peak; and how the bonds failed, on the mean of the
-/// specimens. `advice` says how to reach a peak.
+/// specimen did not pass a peak; and how the bonds failed, on the mean of the specimens. `advice` says how to reach a
+/// peak.
 std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results);
 
 /// Reports where the work on the specimens has gone, on their mean.

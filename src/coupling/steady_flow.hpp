@@ -23,8 +23,9 @@ class SteadyFlow {
   SteadyFlow() = default;
   /// The flow is held when three shares are at most `tolerance`: the largest change c_k of velocity between two looks,
   /// over the largest velocity; the sum of the changes to come when they continue to shrink like the last two,
-  /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held before two
-  /// looks after `earliest` (s), when all boundaries have their final values. Looks every `interval` lattice steps.
+  /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held
+  /// before two looks have seen the flow under the final values of all boundaries, which these have from `earliest` (s)
+  /// on. Looks every `interval` lattice steps.
   SteadyFlow(double tolerance, double earliest, int interval)
       : tolerance_(tolerance), earliest_(earliest), interval_(interval) {}
 

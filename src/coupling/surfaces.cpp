@@ -101,25 +101,26 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
       }
     }
   }
-  const auto node = on_host(fluid.node);
-  for (const DressedBoundary<T>& d : dressed) {  // now that all columns are there
-    if (!wanted.forces) break;
-    const auto returned = outgoing_populations(exec, fluid, d.boundary.links, fields_.f);
-    exec.fence("vug::surfaces::returned");
-    for (const CornerForce& corner :
-         corner_forces<T>(geometry_.lattice, boundaries_, d.boundary, node, on_host(d.outgoing), on_host(returned)))
-      for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
-        const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
-        add_value(row, side->name + component, sign * units_.force() * corner.force);
-        add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
-      }
+  if (wanted.forces) {  // now that all columns are there
+    const auto node = on_host(fluid.node);
+    for (const DressedBoundary<T>& d : dressed) {
+      const auto returned = outgoing_populations(exec, fluid, d.boundary.links, fields_.f);
+      exec.fence("vug::surfaces::returned");
+      for (const CornerForce& corner :
+           corner_forces<T>(geometry_.lattice, boundaries_, d.boundary, node, on_host(d.outgoing), on_host(returned)))
+        for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
+          const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
+          add_value(row, side->name + component, sign * units_.force() * corner.force);
+          add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
+        }
+    }
   }
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& wall = d.boundary.stretch;
     const FlowBoundary& flow = wall.conditions.flow;
     if (!wanted.flows || wall.opening || flow.kind != FlowBoundaryKind::wall || flow.peak_speed() == 0) continue;
     // a sliding wall has the links out of its corners; what they carry crosses the open side there
-    const auto at = on_host(d.boundary.links.fluid);
+    const auto at = on_host(d.boundary.links.fluid), node = on_host(fluid.node);
     const auto direction = on_host(d.boundary.links.direction);
     const auto gain = on_host(d.gain);
     for (int link = 0; link < d.boundary.links.count; ++link)

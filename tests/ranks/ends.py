@@ -73,7 +73,8 @@ def main(root):
     expect("an invalid case", (code, len(lines), (root / "no").exists()), (2, 1, False))
     code, lines = end(start(3, "run", ROCK, "--nosuch"))
     expect("an unknown option", (code, len(lines)), (2, 1))
-    code, lines = end(start(3, "run", ROCK, "-o", root / "diverged", "--quiet", "--set", "boundary.injection.flow.pressure=3e9"))
+    too_much = ["--quiet", "--set", "boundary.injection.flow.pressure=3e9"]
+    code, lines = end(start(3, "run", ROCK, "-o", root / "diverged", *too_much))
     expect("a run that diverges", (code, len(lines)), (3, 1))
 
     stopped = start(2, "run", ROCK, "-o", root / "stopped", *LONG)
@@ -82,14 +83,16 @@ def main(root):
     code, lines = end(stopped)
     expect("stopped by a signal", (code != 0, len(lines) <= 1), (True, True))
 
-    preload = ["--set", "rock.element_size=1e-3", "--set", "mechanics.preload=\"dynamic\"", "--set", "mechanics.preload_time=2e-2"]
+    preload = ["--set", "rock.element_size=1e-3", "--set", "mechanics.preload=\"dynamic\"",
+               "--set", "mechanics.preload_time=2e-2"]
     ramped = start(2, "run", ROCK, "-o", root / "ramped", "--quiet", "--threads", "1", *preload)
     while not (root / "ramped/run.json").exists():
         time.sleep(0.05)
     time.sleep(0.5)
     os.kill(ranks_below(ramped.pid)[1], signal.SIGUSR1)
     code, lines = end(ramped, within=20)
-    expect("one rank asked to stop during the preload", (code, lines), (130, ["vug: interrupted by SIGUSR1; there is no checkpoint yet"]))
+    expect("one rank asked to stop during the preload", (code, lines),
+           (130, ["vug: interrupted by SIGUSR1; there is no checkpoint yet"]))
 
     killed = start(3, "run", ROCK, "-o", root / "killed", *LONG)
     wait_for_checkpoint(root / "killed")
