@@ -38,7 +38,7 @@ int fail(ExitCode code, const std::string& what) {
 
 /// Ends all ranks after an error that perhaps only some of them know.
 int fail(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
-  vug::let_first_end(ranks);
+  vug::let_first_end(ranks.first());
   fail(code, what);
   vug::end_all_ranks(ranks, code);
   return code;
@@ -48,6 +48,15 @@ int fail(const vug::Ranks& ranks, ExitCode code, const std::string& what) {
 int agree(bool first, ExitCode code, const std::string& what) {
   if (first) return fail(code, what);
   vug::end_with(code);
+  return code;
+}
+
+/// Exit code after a command line that cannot be read. A launcher may end all processes as soon as one has failed, so
+/// that the others leave the first one the time to say why.
+int refuse(const std::string& what) {
+  const bool first = vug::started_first();
+  const int code = agree(first, invalid_input, what + " (vug --help lists what there is)");
+  vug::let_first_end(first);
   return code;
 }
 
@@ -115,16 +124,14 @@ int start(int argc, char** argv) {
   CLI::App app("vug: rock that dissolves and fractures while hot and cold fluid is pushed through it", "vug");
   CommandLine line;
   vug::describe(app, line);
-  const bool first = vug::started_first();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
     const std::string told = vug::told_of_unexpected(app, {argv + 1, argv + argc});
-    return agree(first, invalid_input, told + " (vug --help lists what there is)");
+    return refuse(told);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return help(app, error);
-    return agree(first, invalid_input,
-                 fmt::format("{} (vug --help lists what there is)", vug::excerpt(error.what(), 200)));
+    return refuse(vug::excerpt(error.what(), 200));
   }
   return dispatch(app, line);
 }

@@ -24,9 +24,9 @@ class Mpi {
 /// those of a core, a socket or whatever the launcher has bound it to. Called by all ranks.
 int ranks_on_these_processors(const Ranks& ranks);
 
-/// Waits some seconds on all ranks but the first. An error in a case occurs on every rank; the first one can thus
-/// report it and end all, if it does.
-void let_first_end(const Ranks& ranks);
+/// Waits some seconds on all ranks but the first. An error in a case or a command line occurs on every rank; the first
+/// one can thus report it and end all, if it does, or the launcher ends the others when the first one has ended.
+void let_first_end(bool first);
 
 /// Ends every rank with an exit code, also those that wait for this one. Returns if there is no other.
 void end_all_ranks(const Ranks& ranks, int code);

@@ -71,8 +71,11 @@ def main(root):
         f"warning: threads: 2 processes of 2 on {len(two)} processor"), 1)
     code, lines = end(start(3, "run", ROCK, "-o", root / "no", "--set", "lattice.spacing=-1"))
     expect("an invalid case", (code, len(lines), (root / "no").exists()), (2, 1, False))
-    code, lines = end(start(3, "run", ROCK, "--nosuch"))
-    expect("an unknown option", (code, len(lines)), (2, 1))
+    unknown = [VUG, "run", ROCK, "--nosuch"]
+    late_first = ["-n", "1", "sh", "-c", 'sleep 1; exec "$@"', "sh", *unknown, ":", "-n", "2", *unknown]
+    code, lines = end(subprocess.Popen([*MPIRUN, *late_first], env=ENVIRONMENT, text=True, stderr=subprocess.PIPE,
+                                       stdout=subprocess.PIPE))
+    expect("an unknown option, to a first rank that comes late", (code, len(lines)), (2, 1))
     too_much = ["--quiet", "--set", "boundary.injection.flow.pressure=3e9"]
     code, lines = end(start(3, "run", ROCK, "-o", root / "diverged", *too_much))
     expect("a run that diverges", (code, len(lines)), (3, 1))
