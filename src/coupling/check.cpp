@@ -113,6 +113,7 @@ CheckReport check_specimen(const Scene& scene) {
   const double before = allocated_bytes();
   const Assembly specimen = build_specimen(scene);
   Mechanics rock(specimen, scene.mechanics->parameters, Loads{});
+  age_chemically(scene, rock);
   report.bytes = allocated_bytes() - before;
   require_testable(scene, specimen, rock);
   FieldList fields;

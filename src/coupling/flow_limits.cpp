@@ -185,7 +185,7 @@ void FlowModule<T>::limits(LimitTable& table) const {
     table.push_back({"flow", "Mach number of free convection, (g beta dT L)^1/2 / c_s", std::sqrt(3.0) * buoyant_speed_,
                      "1", 0, 0.35, "lower lattice.time_step"});
   const std::string advice = std::string("lower lattice.time_step") +
-                             (has_pathways_ ? ", or raise flow.pressure_scale on a coarse lattice" : "");
+                             (pathways_in_cells_ ? ", or raise flow.pressure_scale on a coarse lattice" : "");
   table.push_back({"flow", "pressure difference", highest, "lattice", 0, 0.125, advice});
   if (driving_pressure() > 0) {
     // where no wall holds the fluid back, the pressures drive any speed in the end

@@ -27,7 +27,7 @@ FlowModule<T>::FlowModule(const Exec& exec, const Scene& scene, const LatticeUni
       varies_(scene.accuracy.chooses_intervals()),
       fills_slowly_(has_cracks_below_a_cell(scene)),
       pores_open_(scene.damage || rock_dissolves(scene)),
-      has_pathways_(scene.rock.has_value()) {
+      pathways_in_cells_(scene.rock && !key_of_true_widths(scene)) {
   const double tau = 0.5 + 3 * section_.viscosity / units.diffusivity();
   step_.collision = section_.collision;
   step_.rates = relaxation_rates(section_.collision, tau);

@@ -77,25 +77,53 @@ void warn_of_pulses(const Scene& scene, const std::vector<Held>& held, std::vect
                   : "the force at the first step of each interval acts for all of it"));
 }
 
-/// The first time (s) in the run at which a table has a value that neither of the lattice steps around it has, nor any
-/// between the two, but for a hundredth of its range: a peak mostly lies between two steps.
-std::optional<double> unseen_value(const TimeTable& table, const Scene& scene) {
+/// A peak or trough of a table over time, above the higher of the points around it.
+struct Pulse {
+  double time;   ///< of its first point, s
+  double begin;  ///< s
+  double end;
+  double area;   ///< height times s, positive
+  double taken;  ///< the sum of that at lattice steps, times a step
+};
+
+/// That of the points first ... last of a table, which have one value.
+Pulse pulse_at(const TimeTable& table, std::size_t first, std::size_t last, double step) {
+  const std::vector<double>& time = table.moments();
+  const double top = table.at(time[first]), before = table.at(time[first - 1]), after = table.at(time[last + 1]);
+  const double height = top > before ? top - std::max(before, after) : std::min(before, after) - top;
+  const double rise = (time[first] - time[first - 1]) * height / std::abs(top - before);
+  const double fall = (time[last + 1] - time[last]) * height / std::abs(top - after);
+  Pulse pulse{time[first], time[first] - rise, time[last] + fall, 0, 0};
+  pulse.area = height * (time[last] - time[first] + (rise + fall) / 2);
+  if (pulse.end - pulse.begin > 100 * step) return pulse;
+  for (double k = std::ceil(pulse.begin / step); k * step <= pulse.end; ++k)
+    pulse.taken += step * std::max(0.0, height - std::abs(top - table.at(k * step)));
+  return pulse;
+}
+
+/// The first pulse in the run of which lattice steps take a tenth less or more than there is, but for the smallest.
+std::optional<Pulse> mistaken_pulse(const TimeTable& table, const Scene& scene) {
   const double step = scene.lattice.time_step, end = static_cast<double>(last_step(scene)) * step;
-  const double slack = 0.01 * (table.highest() - table.lowest());
-  for (const double time : table.moments()) {
-    if (time < 0 || time > end) continue;
-    const double before = std::floor(time / step * (1 + 1e-12)) * step;
-    const double here = table.at(before), next = table.at(before + step);
-    const double low = std::min(here, next), high = std::max(here, next);
-    if (const double value = table.at(time); value < low - slack || value > high + slack) return time;
+  const std::vector<double>& time = table.moments();
+  for (std::size_t first = 1; first + 1 < time.size() && time[first] <= end; ++first) {
+    std::size_t last = first;
+    const double before = table.at(time[first - 1]), top = table.at(time[first]);
+    while (last + 1 < time.size() && table.at(time[last + 1]) == top) ++last;
+    if (top == before || last + 1 == time.size()) continue;
+    if ((top > before) != (top > table.at(time[last + 1]))) continue;
+    const Pulse pulse = pulse_at(table, first, last, step);
+    const double smallest = 0.01 * step * table.farthest(table.at(time.front()), pulse.time);
+    if (pulse.begin >= 0 && pulse.end - pulse.begin <= 100 * step && std::max(pulse.area, pulse.taken) > smallest &&
+        std::abs(pulse.taken - pulse.area) > 0.1 * pulse.area)
+      return pulse;
   }
   return std::nullopt;
 }
 
-void warn_of_unseen_values(const Scene& scene, std::vector<std::string>& warnings) {
-  std::optional<double> first;
+void warn_of_mistaken_pulses(const Scene& scene, std::vector<std::string>& warnings) {
+  std::optional<Pulse> first;
   const auto look = [&](const TimeTable& table) {
-    if (!first) first = unseen_value(table, scene);
+    if (!first) first = mistaken_pulse(table, scene);
   };
   for_each_boundary(scene, [&](const BoundarySection& given) {
     if (scene.flow) given.flow.for_each_table(look);
@@ -107,10 +135,10 @@ void warn_of_unseen_values(const Scene& scene, std::vector<std::string>& warning
   });
   if (first)
     warnings.push_back(fmt::format(
-        "a table over time has a value at {:.6g} s that neither of the lattice steps around it has: each takes "
-        "the value at its beginning, so that a pulse shorter than lattice.time_step = {:g} s counts in part, "
-        "not at all or in full",
-        *first, scene.lattice.time_step));
+        "a table over time has a pulse of {:.2g} s at {:.6g} s of which lattice steps take {:.2g} times as much as "
+        "there "
+        "is: each takes the value at its beginning; lower lattice.time_step = {:g} s, or give a longer and lower pulse",
+        first->end - first->begin, first->time, first->taken / first->area, scene.lattice.time_step));
 }
 
 void warn_of_rare_looks(const Scene& scene, std::vector<std::string>& warnings) {
@@ -139,7 +167,7 @@ double quickest_flow(const Scene& scene) {
 
 std::vector<std::string> interval_warnings(const Scene& scene) {
   std::vector<std::string> warnings;
-  if (!scene.laboratory) warn_of_unseen_values(scene, warnings);
+  if (!scene.laboratory) warn_of_mistaken_pulses(scene, warnings);
   if (scene.laboratory || scene.accuracy.chooses_intervals()) return warnings;
   const std::vector<Held> held = held_by(scene);
   warn_of_short_run(scene, held, warnings);

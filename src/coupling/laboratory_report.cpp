@@ -75,7 +75,8 @@ std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* 
   };
   const double in_tension = mean([](const LoadedSpecimen& s) { return s.result.bonds_at_end.failed_in_tension; });
   const double in_shear = mean([](const LoadedSpecimen& s) { return s.result.bonds_at_end.failed_in_shear; });
-  const double along_load = mean([](const LoadedSpecimen& s) { return s.along_load; });
+  const double failed = in_tension + in_shear;
+  const double along_load = failed > 0 ? mean([](const LoadedSpecimen& s) { return s.along_load; }) / failed : 0;
   const double steps = mean([](const LoadedSpecimen& s) { return s.result.steps; });
   const double time_step = specimens.front().result.time_step;  // of all: only strengths differ
   text += fmt::format(
@@ -101,12 +102,16 @@ std::string report_energies(const std::vector<LoadedSpecimen>& specimens, Result
     for (const LoadedSpecimen& one : specimens) e.*part += one.result.energies.*part;
     e.*part /= static_cast<double>(specimens.size());
   }
-  const std::vector<double> energies = values_of(e);
+  std::vector<double> energies = values_of(e);
+  double& missing = energies.back();
+  missing = specimens.front().result.energies.imbalance();
+  for (const LoadedSpecimen& one : specimens)
+    if (const double of_one = one.result.energies.imbalance(); std::abs(of_one) > std::abs(missing)) missing = of_one;
   for (std::size_t i = 0; i < energies.size(); ++i) results.emplace_back(energy_columns[i], energies[i]);
   return fmt::format(
       "energy at the end     {:.4g} J/m at the start and {:.4g} of work are {:.4g} elastic, {:.4g} kinetic, {:.4g} "
       "fracture, {:.4g} friction, {:.4g} damping; {:.2g} missing\n",
-      e.initial, e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, e.imbalance());
+      e.initial, e.work, e.elastic, e.kinetic, e.fracture, e.friction, e.damping, missing);
 }
 
 }  // namespace vug

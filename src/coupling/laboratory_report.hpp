@@ -13,7 +13,7 @@ using Results = std::vector<std::pair<std::string, double>>;
 /// One specimen of a loading test.
 struct LoadedSpecimen {
   PlatenResult result;
-  double along_load = 0;  ///< share of the failed bonds that are along the load
+  int along_load = 0;  ///< how many of the bonds that the load has broken are along it
 };
 
 /// Names of the columns of the curve and of the results, where work is accounted for, and their values.
@@ -25,7 +25,7 @@ std::vector<double> values_of(const Energies& energies);
 /// peak.
 std::string report_of(const std::vector<LoadedSpecimen>& specimens, const char* advice, Results& results);
 
-/// Reports where the work on the specimens has gone, on their mean.
+/// Reports where the work on the specimens has gone, on their mean; missing is the most that is in any of them.
 std::string report_energies(const std::vector<LoadedSpecimen>& specimens, Results& results);
 
 /// A line of the report for one number of the specimens, with its scatter where there are several.

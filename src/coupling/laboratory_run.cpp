@@ -57,18 +57,14 @@ class SpecimenPictures {
   double next_ = 0;
 };
 
-/// Of the bonds that the load has broken (without notches), the share whose edges are within 30 degrees of the
-/// direction of the load: 1/3 for random directions, more where the rock splits.
-double share_along_load(const Bonds& bonds) {
+/// How many of the bonds that the load has broken (without notches) have edges within 30 degrees of the direction of
+/// the load: 1/3 for random directions, more where the rock splits.
+int along_load(const Bonds& bonds) {
   const auto state = on_host(bonds.state);
   const auto normal = on_host(bonds.normal);
-  double broken = 0, along = 0;
-  for (int k = 0; k < bonds.count; ++k) {
-    if (!has_broken(state(k))) continue;
-    broken += 1;
-    along += std::abs(normal(k, 0)) > std::sqrt(0.75);
-  }
-  return broken > 0 ? along / broken : 0;
+  int along = 0;
+  for (int k = 0; k < bonds.count; ++k) along += has_broken(state(k)) && std::abs(normal(k, 0)) > std::sqrt(0.75);
+  return along;
 }
 
 const char* name_of(LaboratoryTest test) {
@@ -111,7 +107,7 @@ LoadedSpecimen load_specimen(const Scene& scene, const Assembly& specimen, int n
         }
         curve.write(row);
         if (number == 0) pictures.look(rock, last);
-        if (last) loaded.along_load = share_along_load(rock.bonds());
+        if (last) loaded.along_load = along_load(rock.bonds());
         if (progress && (last || strain >= next_line)) {
           *progress << fmt::format("seed {}: strain {:.4f} %, stress {:.2f} MPa, {} bonds failed\n",
                                    parameters.bond.seed, 100 * strain, stress / 1e6, bonds.failed());
@@ -221,6 +217,7 @@ std::string run_laboratory(const Scene& scene, const LaboratoryOptions& options)
                   "--overwrite replaces it, -o DIR leaves it alone");
   const Assembly specimen = build_specimen(scene);
   const Mechanics unloaded(specimen, scene.mechanics->parameters, Loads{});
+  age_chemically(scene, unloaded);
   require_fields(fields_of_rock(scene, unloaded), scene.output.fields);
   require_testable(scene, specimen, unloaded);
   const StopsInOrder in_order;

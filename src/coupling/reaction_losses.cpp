@@ -1,18 +1,45 @@
 // What a run warns of. Whether the walls are looked at often enough: a node that loses more rock than it has takes the
 // rest from its neighbours, and where there are none, rock dissolves that was not there. And whether Arrhenius' law is
 // asked for rates beyond its range.
+#include "coupling/face_temperature.hpp"
 #include "coupling/reaction_module.hpp"
 #include "kernels/flow/guards.hpp"
+#include "kernels/launch/own_items.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace vug {
 
 namespace {
 
 constexpr double negligible = 1e-3;  // share of the dissolved rock
+
+/// Lowest and highest temperature (K) of the faces at which a rate depends on it.
+template <class T, class Set>
+struct WallTemperatures {
+  OwnItems own;
+  ReactiveLinks<T> links;
+  MineralRates minerals;
+  bool activated;  ///< the rate of all rock; where there are minerals, theirs count
+  IndexList surface, fluid;
+  int capacity;
+  FaceTemperature<T> temperature;
+
+  KOKKOS_FUNCTION void operator()(int place, double& lowest, double& highest) const {
+    const int l = own(place);
+    if (l < 0) return;
+    const int solid = surface(links.surface_of(l));
+    const bool counts =
+        minerals.given() ? minerals.at(solid).k0 > 0 && minerals.at(solid).activation_temperature > 0 : activated;
+    if (!counts) return;
+    const double kelvin = temperature(solid, fluid(links.slot(l) - Set::opposite(links.direction_of(l)) * capacity));
+    lowest = kelvin < lowest ? kelvin : lowest;
+    highest = kelvin > highest ? kelvin : highest;
+  }
+};
 
 }  // namespace
 
@@ -29,20 +56,33 @@ void ReactionModule<T, Set>::make_room_for_losses(const Exec& exec) {
 
 template <class T, class Set>
 std::vector<Concern> ReactionModule<T, Set>::concerns_of_rates(const Exec& exec) const {
-  const auto is_activated = [](const RateLaw& rate) { return rate.activation_energy > 0; };
-  const bool activated = std::any_of(attacks_.begin(), attacks_.end(), [&](const Attack<T>& attack) {
-    return is_activated(attack.rate) || std::any_of(attack.rates.begin(), attack.rates.end(), is_activated);
-  });
-  if (!activated || !heat_ || !heat_->may_leave_range()) return {};
-  const HeatExtremes seen = heat_->extremes(exec);
-  const double lowest = seen.lowest + units_.reference_temperature,
-               highest = seen.highest + units_.reference_temperature;
-  const bool cold = lowest < coldest_reaction && heat_->range().coldest >= coldest_reaction;
-  const bool hot = highest > hottest_reaction && heat_->range().hottest <= hottest_reaction;
-  if (!cold && !hot) return {};
-  return {{fmt::format("temperatures outside {:g} to {:g} K", coldest_reaction, hottest_reaction),
-           fmt::format(" ({:.4g} to {:.4g} K): at walls as cold or hot the reaction has the rate of the nearest end",
-                       lowest, highest)}};
+  if (!heat_ || !heat_->may_leave_range()) return {};
+  double coldest = std::numeric_limits<double>::infinity(), hottest = -coldest;
+  const FaceTemperature<T> temperature = heat_->face_temperature(exec, temperatures_);
+  for (const Attack<T>& attack : attacks_) {
+    double lowest, highest;
+    const WallTemperatures<T, Set> faces{
+        {attack.links.share()},   attack.links,
+        attack.wall.minerals,     attack.rate.rate_constant > 0 && attack.rate.activation_energy > 0,
+        geometry_.surface.node,   geometry_.fluid.node,
+        geometry_.fluid.capacity, temperature};
+    Kokkos::parallel_reduce("vug::reaction::wall_temperatures", Kokkos::RangePolicy<Exec>(exec, 0, faces.own.places()),
+                            faces, Kokkos::Min<double>(lowest), Kokkos::Max<double>(highest));
+    coldest = std::min(coldest, lowest);
+    hottest = std::max(hottest, highest);
+  }
+  coldest = geometry_.split.ranks().least(coldest);
+  hottest = geometry_.split.ranks().most(hottest);
+  std::vector<Concern> concerns;
+  if (coldest < coldest_reaction && heat_->range().coldest >= coldest_reaction)
+    concerns.push_back(
+        {fmt::format("a wall reacts that is colder than {:g} K", coldest_reaction),
+         fmt::format(" ({:.4g} K): beyond the range of Arrhenius' law it does so as at its end", coldest)});
+  if (hottest > hottest_reaction && heat_->range().hottest <= hottest_reaction)
+    concerns.push_back(
+        {fmt::format("a wall reacts that is hotter than {:g} K", hottest_reaction),
+         fmt::format(" ({:.4g} K): beyond the range of Arrhenius' law it does so as at its end", hottest)});
+  return concerns;
 }
 
 template <class T, class Set>

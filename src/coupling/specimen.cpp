@@ -113,6 +113,10 @@ double longest_test(const Scene& scene, const Assembly& specimen) {
          platen_speed(laboratory, scene.mechanics->parameters);
 }
 
+void age_chemically(const Scene& scene, const Mechanics& rock) {
+  Kokkos::deep_copy(rock.bonds().d_c, scene.laboratory->chemical_damage);
+}
+
 void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock) {
   const LaboratoryTest test = scene.laboratory->test;
   const double step = scene.mechanics->critical_fraction * rock.critical_step();
@@ -151,7 +155,9 @@ LimitTable limits_of_specimen(const Scene& scene, const Assembly& specimen, cons
     };
     table.push_back({"laboratory", "share of a flank that the confinement presses",
                      std::min(share(RockSide::left), share(RockSide::right)), "1", 0.999, 1.001,
-                     "edges of the mesh beside the bounding rectangle are not pressed: make the flanks straight"});
+                     scene.rock->mesh
+                         ? "edges of the mesh beside the bounding rectangle are not pressed: make the flanks straight"
+                         : "walls of holes and notches that reach a flank are not pressed: draw them inside"});
   }
   if (test == LaboratoryTest::brazilian)
     table.push_back({"laboratory", "width of the flats over the diameter", flat_width(specimen, rock.boundary()), "1",

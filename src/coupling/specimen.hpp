@@ -10,6 +10,9 @@ namespace vug {
 /// The specimen of a case: generated, or read from its mesh.
 Assembly build_specimen(const Scene& scene);
 
+/// Gives the bonds of a specimen the chemical damage of its test, on which its critical step depends.
+void age_chemically(const Scene& scene, const Mechanics& rock);
+
 /// Throws InputError where the specimen has no edge for the platens to hold or for the confinement to act on, where a
 /// quenched slab is too low for counting cracks, and where a test has more steps than a double can count.
 void require_testable(const Scene& scene, const Assembly& specimen, const Mechanics& rock);

@@ -102,18 +102,18 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     }
   }
   if (wanted.forces) {  // now that all columns are there
-    const auto node = on_host(fluid.node);
+    std::vector<PassedLinks<T>> passed;
     for (const DressedBoundary<T>& d : dressed) {
       const auto returned = outgoing_populations(exec, fluid, d.boundary.links, fields_.f);
       exec.fence("vug::surfaces::returned");
-      for (const CornerForce& corner :
-           corner_forces<T>(geometry_.lattice, boundaries_, d.boundary, node, on_host(d.outgoing), on_host(returned)))
-        for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
-          const std::string component = corner.axis == 0 ? "_force_x_N_per_m" : "_force_y_N_per_m";
-          add_value(row, side->name + component, sign * units_.force() * corner.force);
-          add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
-        }
+      passed.emplace_back(d.boundary, d.outgoing, returned);
     }
+    for (const CornerForce& corner : corner_forces(geometry_.lattice, passed, on_host(fluid.node)))
+      for (const auto& [side, sign] : {std::pair{corner.from, -1.0}, {corner.to, 1.0}}) {
+        add_value(row, side->name + "_force_x_N_per_m", sign * units_.force() * corner.force[0]);
+        add_value(row, side->name + "_force_y_N_per_m", sign * units_.force() * corner.force[1]);
+        add_value(row, side->name + "_torque_N", sign * units_.force() * units_.spacing * corner.torque_about(*side));
+      }
   }
   for (const DressedBoundary<T>& d : dressed) {
     const Stretch& wall = d.boundary.stretch;

@@ -6,6 +6,14 @@
 
 namespace vug {
 
+/// The key that gives pathways or cracks widths in metres; null where they are a number of cells wide, or there are
+/// none.
+inline const char* key_of_true_widths(const Scene& scene) {
+  if (!scene.rock) return nullptr;
+  if (scene.rock->pathway_width) return "rock.pathway_width";
+  return scene.damage && scene.damage->aperture == ApertureLaw::opening ? "damage.aperture = \"opening\"" : nullptr;
+}
+
 /// Whether pathways are as wide as their cracks open, or some have a width in metres below the spacing.
 inline bool has_cracks_below_a_cell(const Scene& scene) {
   if (!scene.rock) return false;

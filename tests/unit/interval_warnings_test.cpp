@@ -179,13 +179,20 @@ TEST(TablesOverTime, WithPulsesBetweenStepsAreWarnedOf) {
     for (const auto& [steps, value] : points) text += fmt::format("[{}, {}], ", steps * step, value);
     return text + "]";
   };
-  const auto pulse = ElementsAre(HasSubstr("that neither of the lattice steps around it has"));
-  EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}, {4.7, 2}, {4.9, 1}})), pulse);
-  EXPECT_THAT(told(rows({{4.1, 1}, {5.3, 2}, {6.1, 1}})), pulse) << "in part";
+  const auto pulse = [](const std::string& taken) {
+    return ElementsAre(HasSubstr("of which lattice steps take " + taken + " times as much as there is"));
+  };
+  EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}, {4.7, 2}, {4.9, 1}})), pulse("0"));
+  EXPECT_THAT(told(rows({{4.1, 1}, {5.3, 2}, {6.1, 1}})), pulse("0.88")) << "in part";
+  EXPECT_THAT(told(rows({{99.9, 1}, {100, 2}, {100.1, 1}})), pulse("10")) << "more than there is";
+  EXPECT_THAT(told(rows({{99.9, 2}, {100, 1}, {100.1, 2}})), pulse("10")) << "a trough";
+  EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}, {4.7, 2}, {4.9, 1}, {1e7, 1}, {1.1e7, 1e3}})), pulse("0"))
+      << "small beside what comes after the end";
   EXPECT_THAT(told(rows({{4.1, 1}, {4.3, 2}})), IsEmpty()) << "a jump";
   EXPECT_THAT(told(rows({{0, 1}, {5, 2}, {9, 1}})), IsEmpty());
   EXPECT_THAT(told(rows({{1e7, 1}, {1e7 + 0.5, 2}, {1e7 + 1, 1}})), IsEmpty()) << "after the end";
   EXPECT_THAT(told(rows({{0, 1}, {50.4, 2}, {100, 1}})), IsEmpty()) << "a slow peak";
+  EXPECT_THAT(told(rows({{100, 1}, {120.4, 2}, {140, 1}})), IsEmpty()) << "one of 40 steps";
 }
 
 }  // namespace

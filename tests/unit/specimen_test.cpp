@@ -152,7 +152,9 @@ TEST(SpecimenOfACase, OfADiscHasNoOutlinesOfMaterials) {
 /// The specimen of a case as it is tested.
 void require(const Scene& scene) {
   const Assembly specimen = build_specimen(scene);
-  require_testable(scene, specimen, Mechanics(specimen, scene.mechanics->parameters, {}));
+  const Mechanics rock(specimen, scene.mechanics->parameters, {});
+  age_chemically(scene, rock);
+  require_testable(scene, specimen, rock);
 }
 
 /// Why a case is refused before its test.
@@ -181,6 +183,16 @@ TEST(SpecimenOfACase, HasNoMoreTemperaturesThanSteps) {
   const std::vector<std::string> change{"laboratory.temperature_change=50", "laboratory.duration=1e-5",
                                         "laboratory.samples=100000"};
   EXPECT_NE(refusal(laboratory("quench", change)).find("a.toml: laboratory.samples = 100000 is more than the steps of"),
+            std::string::npos);
+  // chemical damage makes bonds softer and steps longer: there are fewer
+  const Scene sound = laboratory("quench", change);
+  const Mechanics rock(build_specimen(sound), sound.mechanics->parameters, {});
+  const int steps = static_cast<int>(1e-4 / (sound.mechanics->critical_fraction * rock.critical_step()));
+  const std::vector<std::string> as_many{change[0], "laboratory.duration=1e-4",
+                                         fmt::format("laboratory.samples={}", steps)};
+  EXPECT_EQ(refusal(laboratory("quench", as_many)), "accepted");
+  EXPECT_NE(refusal(laboratory("quench", {as_many[0], as_many[1], as_many[2], "laboratory.chemical_damage=0.9"}))
+                .find("is more than the steps of"),
             std::string::npos);
   const Scene fine = laboratory("quench", {change[0], "laboratory.duration=1e-4", "laboratory.samples=300"});
   const Assembly slab = build_specimen(fine);

@@ -129,19 +129,55 @@ TEST(SurfaceForces, OnTheWallsOfAChannelAreTheShearThatDrivesIt) {
   EXPECT_NEAR(run.now("top_force_x_N_per_m"), each, 1e-9 * each);
 }
 
+/// On the fluid: pressure on both ends, shear on both walls. Walls of any length have all of it, links out of corners
+/// included.
 TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
-  constexpr int nx = 24, ny = 8;
-  test::CoupledRun run(lattice(nx, ny) + flow + told +
-                       "[boundary.left.flow]\ntype = \"pressure\"\npressure = 3.002e5\n"
-                       "[boundary.right.flow]\ntype = \"pressure\"\npressure = 3e5\n");
-  run.steps(4000);
-  // on the fluid: pressure on both ends, shear on both walls, to which the diagonal links out of the corners belong
-  const double push = 200 * (ny - 2.0 / 6) * dx;
-  const double shear = run.now("bottom_force_x_N_per_m") + run.now("top_force_x_N_per_m");
-  EXPECT_NEAR(shear, push, 1e-4 * push);
-  EXPECT_NEAR(run.now("left_force_x_N_per_m") + run.now("right_force_x_N_per_m"), -shear, 1e-6 * push);
-  EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), -run.now("right_mass_flow_kg_per_m_s"),
-              1e-9 * run.now("left_mass_flow_kg_per_m_s"));
+  for (const auto& [nx, ny] : {std::pair{24, 8}, {8, 16}}) {
+    test::CoupledRun run(lattice(nx, ny) + flow + told +
+                         "[boundary.left.flow]\ntype = \"pressure\"\npressure = 3.002e5\n"
+                         "[boundary.right.flow]\ntype = \"pressure\"\npressure = 3e5\n");
+    run.steps(6000);
+    const double push = 200 * ny * dx;
+    EXPECT_NEAR(run.now("bottom_force_x_N_per_m"), push / 2, 1e-4 * push);
+    EXPECT_NEAR(run.now("top_force_x_N_per_m"), push / 2, 1e-4 * push);
+    EXPECT_NEAR(run.now("left_force_x_N_per_m"), -push, 1e-4 * push);
+    EXPECT_NEAR(run.now("right_force_x_N_per_m"), 0, 1e-4 * push);
+    EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), -run.now("right_mass_flow_kg_per_m_s"),
+                1e-9 * run.now("left_mass_flow_kg_per_m_s"));
+  }
+}
+
+/// Couette's flow: rho nu U/h on every length of wall, and the same along both ends, where pressures or velocities are
+/// given.
+TEST(SurfaceForces, OfCouettesFlowAreItsShear) {
+  const double speed = 0.02 * dx / dt, h = 4 * dx;
+  for (const int nx : {4, 12})
+    for (const bool given : {false, true})
+      for (const bool upright : {false, true}) {
+        const auto vector = [&](double along) {
+          return upright ? fmt::format("[0, {:.17g}]", along) : fmt::format("[{:.17g}, 0]", along);
+        };
+        std::string text = lattice(upright ? 4 : nx, upright ? nx : 4) + flow + told;
+        for (const std::string end : {upright ? "bottom" : "left", upright ? "top" : "right"})
+          text += "[boundary." + end + ".flow]\n" +
+                  (given && (end == "left" || end == "bottom")
+                       ? fmt::format("type = \"velocity\"\nvelocity = {}\nprofile = \"table\"\n"
+                                     "profile_table = [[0, 0], [{:.17g}, 1]]\n",
+                                     vector(speed), h)
+                       : "type = \"pressure\"\npressure = 3e5\n");
+        text += std::string("[boundary.") + (upright ? "right" : "top") +
+                ".flow]\ntype = \"wall\"\nvelocity = " + vector(speed) + "\n";
+        test::CoupledRun run(text);
+        run.steps(4000);
+        const double shear = density * 1.2e-3 * speed / h;
+        const char* along = upright ? "_force_y_N_per_m" : "_force_x_N_per_m";
+        const char* across = upright ? "_force_x_N_per_m" : "_force_y_N_per_m";
+        const auto force = [&](const std::string& side, const char* axis) { return run.now(side + axis); };
+        EXPECT_NEAR(force(upright ? "left" : "bottom", along), shear * nx * dx, 1e-6 * shear * nx * dx) << nx;
+        EXPECT_NEAR(force(upright ? "right" : "top", along), -shear * nx * dx, 1e-6 * shear * nx * dx) << nx;
+        EXPECT_NEAR(force(upright ? "bottom" : "left", across), shear * h, 1e-3 * shear * h) << nx;
+        EXPECT_NEAR(force(upright ? "top" : "right", across), -shear * h, 1e-3 * shear * h) << nx;
+      }
 }
 
 /// Couette's flow between two open sides: the links out of the corners have the wall's rule, and what they carry, U/6

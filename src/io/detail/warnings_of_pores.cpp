@@ -140,10 +140,7 @@ void warn_about_scaled_pressure(Scene& scene) {
         scene.flow->pressure_scale));
     return;
   }
-  const char* given = scene.rock->pathway_width                                        ? "rock.pathway_width"
-                      : scene.damage && scene.damage->aperture == ApertureLaw::opening ? "damage.aperture = \"opening\""
-                                                                                       : nullptr;
-  if (given)
+  if (const char* given = key_of_true_widths(scene))
     scene.warnings.push_back(
         fmt::format("flow.pressure_scale = {:g} compensates for pathways that are too wide on a coarse lattice, but {} "
                     "gives them their true width: the flow through them is {:g} times too small",
