@@ -7,6 +7,7 @@
 #include "unit/laboratory_case.hpp"
 
 #include <gmock/gmock.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
