@@ -6,8 +6,8 @@
 #include "support/temporary_folder.hpp"
 #include "unit/laboratory_case.hpp"
 
-#include <gmock/gmock.h>
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
