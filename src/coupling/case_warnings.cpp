@@ -2,6 +2,7 @@
 
 #include "coupling/far_pressures.hpp"
 #include "coupling/interval_warnings.hpp"
+#include "coupling/minerals.hpp"
 #include "coupling/rock_limits.hpp"
 
 #include <fmt/format.h>
@@ -31,6 +32,8 @@ std::vector<std::string> warnings_of(const Scene& scene, const Parts& parts, con
   if (std::string far = warning_of_far_pressures(scene, paths, parts.units); !far.empty())
     warnings.push_back(std::move(far));
   if (!parts.warning.empty()) warnings.push_back(parts.warning);
+  for (std::string& remark : remarks_on_absent_minerals(scene, parts.geometry.mineral))
+    warnings.push_back(std::move(remark));
   if (parts.rock && (scene.flow || scene.heat || scene.solute))
     if (const auto remark = remark_on_triangles(parts.rock->assembly, scene.lattice.spacing))
       warnings.push_back(*remark);

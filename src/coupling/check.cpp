@@ -88,11 +88,13 @@ void measure_steps(const Scene& scene, const Steps& take_steps, CheckReport& rep
     if (interval > report.measured_steps) report.not_due.push_back(fmt::format("accuracy.{} = {}", key, interval));
 }
 
-/// Computes the shares of joined pores and writes the picture.
+/// Computes the shares of pores and of joined ones and writes the picture.
 void look_at_pores(const Scene& scene, const Geometry& geometry, const std::string& preview, CheckReport& report) {
   const FluidPicture picture(scene, geometry);
   const JoinedPores joined = joined_pores(picture);
   const auto nodes = static_cast<double>(picture.size());
+  report.fluid_nodes = static_cast<int>(picture.fluid_nodes());
+  report.porosity = static_cast<double>(picture.fluid_nodes()) / nodes;
   report.joined_x = static_cast<double>(joined.along_x) / nodes;
   report.joined_y = static_cast<double>(joined.along_y) / nodes;
   if (preview.empty()) return;
@@ -160,12 +162,10 @@ CheckReport check_case(const Scene& scene, const std::string& preview) {
   report.explanation = explain(scene, parts.units);
   report.nx = scene.lattice.nx;
   report.ny = scene.lattice.ny;
-  report.fluid_nodes = parts.geometry.fluid.count;
   if (parts.rock) {
     report.particles = parts.rock->nodes_of_particle.count();
     report.bonds = parts.rock->bonds;
   }
-  report.porosity = static_cast<double>(report.fluid_nodes) / (static_cast<double>(report.nx) * report.ny);
   if (scene.geometry.kind == GeometryKind::image)
     report.image = read_solid_image(scene.geometry.image, scene.lattice).summary;
   look_at_pores(scene, parts.geometry, preview, report);

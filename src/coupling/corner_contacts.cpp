@@ -66,6 +66,22 @@ void remove_dead_ends(const std::vector<int>& piece, const std::vector<Mouth>& m
   }
 }
 
+/// A warning where pores lead from one side to the opposite one through such places only.
+std::string remark_on_sides_joined_by_corners(const Scene& scene, const FluidPicture& picture, bool solutes) {
+  if (!scene.flow && !solutes) return {};
+  const JoinedPores by_corners = joined_pores(picture), by_faces = joined_pores(picture, JoinedBy::faces);
+  const bool x = by_corners.along_x > 0 && by_faces.along_x == 0, y = by_corners.along_y > 0 && by_faces.along_y == 0;
+  if (!x && !y) return {};
+  return fmt::format(
+      "pores lead from {} only through places where they touch at a corner between two rock nodes: {}; close the "
+      "corners, "
+      "or draw the rock finer",
+      x && y ? "side to side"
+      : x    ? "left to right"
+             : "bottom to top",
+      scene.flow ? "passages without a width, through which the flow passes" : "solutes on d2q5 do not pass them");
+}
+
 }  // namespace
 
 std::size_t corner_contacts(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths) {
@@ -82,7 +98,8 @@ std::string remark_on_corners(const Scene& scene, const FluidPicture& picture, c
   const bool heat = scene.heat && scene.heat->velocity_set == ScalarVelocitySet::d2q5;
   const bool solutes = scene.solute && scene.solute->velocity_set == ScalarVelocitySet::d2q5;
   // pathways are joined by faces wherever they are meant to join
-  if (!scene.flow || scene.geometry.kind == GeometryKind::rock || (!heat && !solutes)) return {};
+  if (scene.geometry.kind == GeometryKind::rock) return {};
+  if (!scene.flow || (!heat && !solutes)) return remark_on_sides_joined_by_corners(scene, picture, solutes);
   const std::size_t places = corner_contacts(scene, picture, mouths);
   if (places == 0) return {};
   const char* const carried = heat && solutes ? "heat and solutes" : heat ? "heat" : "solutes";

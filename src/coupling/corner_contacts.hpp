@@ -14,8 +14,8 @@ namespace vug {
 /// that is joined to the rest at that place alone.
 std::size_t corner_contacts(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths);
 
-/// A warning where the flow of a picture or of shapes passes such places and carries heat or solutes that cannot;
-/// otherwise, and for the pathways of [rock], empty.
+/// A warning where the flow of a picture or of shapes passes such places and carries heat or solutes that cannot, and
+/// where such places alone join one side to another; otherwise, and for the pathways of [rock], empty.
 std::string remark_on_corners(const Scene& scene, const FluidPicture& picture, const std::vector<Mouth>& mouths);
 
 }  // namespace vug

@@ -27,10 +27,10 @@ bool has_a_bar(std::string_view name) {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-ErrorBar bar_of(double value, std::span<const double> twins, double ratio) {
+ErrorBar bar_of(double value, std::span<const double> twins, double ratio, bool staircase) {
   // halved intervals: errors are of first order, so that e = 2 (value - finer); a quarter is added as for lattices
   if (ratio == 0) return {2.5 * std::abs(value - twins[0]), std::nullopt, Convergence::unknown};
-  return error_bar(value, twins[0], twins.size() > 1 ? std::optional(twins[1]) : std::nullopt, ratio);
+  return error_bar(value, twins[0], twins.size() > 1 ? std::optional(twins[1]) : std::nullopt, ratio, staircase);
 }
 
 /// Forgets the bars where the only twin agrees to the last bit: this says that what the twin varies does not change the
@@ -84,6 +84,8 @@ const char* remark(const ErrorBar& error) {
   switch (error.convergence) {
     case Convergence::monotone:
       return "";
+    case Convergence::by_chance:
+      return "warning: order by chance, walls are staircases; use a finer lattice";
     case Convergence::oscillating:
       return "warning: oscillates from lattice to lattice";
     case Convergence::none:
@@ -132,8 +134,15 @@ void write(const ErrorBars& bars, const std::string& path) {
 
 }  // namespace
 
+bool has_staircases(const Scene& scene) {
+  const std::vector<Shape>& shapes = scene.geometry.shapes;
+  return scene.geometry.kind == GeometryKind::image ||
+         std::any_of(shapes.begin(), shapes.end(),
+                     [](const Shape& shape) { return !std::holds_alternative<Rectangle>(shape.form); });
+}
+
 ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding,
-                          double sound, double spacing) {
+                          double sound, double spacing, bool staircase) {
   ErrorBars bars;
   const std::vector<bool> walls_stand = where_walls_stand(run, twins.front(), spacing);
   bars.time = run.time();
@@ -150,7 +159,7 @@ ErrorBars find_error_bars(const History& run, const std::vector<History>& twins,
     ErrorBar last;
     for (std::size_t k = 0; k < run.rows(); ++k) {
       for (std::size_t t = 0; t < twins.size(); ++t) others[t] = of_twins[t].at(bars.time[k]);
-      last = bar_of(run.values[c][k], others, ratio);
+      last = bar_of(run.values[c][k], others, ratio, staircase);
       bar.push_back(last.bar);
     }
     if (twins.size() == 1) forget_agreement(run.values[c], of_twins[0], bars.time, bar);
@@ -203,8 +212,9 @@ std::string run_with_error_bars(const Scene& scene, const RunOptions& options) {
   }
   if (histories.empty()) return left_out + "no error bars: there is nothing to compare with\n";
   const bool coarse = scene.accuracy.precision == Precision::single_precision;
-  const ErrorBars bars = find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12,
-                                         speed_of_sound(scene.lattice), found.ratio > 0 ? scene.lattice.spacing : 0);
+  const ErrorBars bars =
+      find_error_bars(history, histories, found.ratio, coarse ? 1e-5 : 1e-12, speed_of_sound(scene.lattice),
+                      found.ratio > 0 ? scene.lattice.spacing : 0, has_staircases(scene));
   write(bars, own.directory + "/error_bars.csv");
   return report(bars) + left_out;
 }

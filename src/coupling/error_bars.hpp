@@ -48,7 +48,8 @@ struct BarOfColumn {
 /// (amounts that both have; not counts or errors of balances), and the state at the end. A bar is NaN, that is unknown,
 /// where the only twin agrees to the last bit, and where rock dissolves but no wall of the nearest twin, on a coarser
 /// lattice than `spacing` (m), has moved. An amount below the share `rounding` of the largest of its balance is
-/// rounding of the others, and so is a mean velocity (is_rounding_of_velocity, with `sound` in m/s).
+/// rounding of the others, and so is a mean velocity (is_rounding_of_velocity, with `sound` in m/s). `staircase` as in
+/// error_bar.
 struct ErrorBars {
   std::vector<std::string> names;
   std::vector<double> time;
@@ -56,7 +57,10 @@ struct ErrorBars {
   std::vector<BarOfColumn> last;
 };
 ErrorBars find_error_bars(const History& run, const std::vector<History>& twins, double ratio, double rounding = 1e-12,
-                          double sound = 0, double spacing = 0);
+                          double sound = 0, double spacing = 0, bool staircase = false);
+
+/// Whether a lattice draws walls of the case as staircases: a picture, or shapes other than rectangles.
+bool has_staircases(const Scene& scene);
 
 /// Runs the scene as run_case does, then its twins into DIR/error_bars/, and writes DIR/error_bars.csv: time_s, then
 /// every column of the history followed by its bar, which is empty where it is unknown. `options` say whether twins are

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -86,6 +87,19 @@ void look_for_paths(const std::vector<Mouth>& mouths, const std::vector<int>& pi
     found.warnings.push_back(
         fmt::format("no path of fluid leads from {} to another open side or shape: nothing flows{}", inlet->key,
                     rock_opens ? " until rock opens" : ""));
+}
+
+/// Warns where a force drives the fluid towards joined sides and no pore leads through them back to where it began.
+void look_for_ways_around(const Scene& scene, const FluidPicture& picture, bool rock_opens, FlowPaths& found) {
+  std::optional<JoinedPores> joined;
+  for (const int axis : {0, 1}) {
+    if (scene.flow->body_force[axis] == 0 || !picture.joined(axis)) continue;
+    if (!joined) joined = joined_pores(picture);
+    if ((axis == 0 ? joined->along_x : joined->along_y) == 0)
+      found.warnings.push_back(fmt::format(
+          "flow.body_force: no path of fluid leads around from {} through the joined sides: nothing flows{}",
+          axis == 0 ? "left to right" : "bottom to top", rock_opens ? " until rock opens" : ""));
+  }
 }
 
 /// Warns where a parabolic profile, which spans its whole side or injection, also covers rock.
@@ -162,7 +176,10 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
   const std::vector<Mouth> mouths = mouths_of(scene, geometry, units, picture);
   if (scene.flow) look_for_speeds(scene, mouths);
   look_for_dry_mouths(scene, mouths, rock_opens, found);
+  if (std::string remark = remark_on_corners(scene, picture, mouths); !remark.empty())
+    found.warnings.push_back(std::move(remark));
   if (!scene.flow) return found;
+  look_for_ways_around(scene, picture, rock_opens, found);
   const std::vector<int> piece = pieces_of(picture);
   look_for_ways_out(scene, mouths, piece, units, rock_opens, found);
   look_for_paths(mouths, piece, rock_opens, found);
@@ -179,8 +196,6 @@ FlowPaths find_flow_paths(const Scene& scene, const Geometry& geometry, const La
     found.lasting_force_speed = driven.ever;
     found.weight_speed = weight_wave_speed(scene, forces, picture, width, mouths, piece, units);
   }
-  if (std::string remark = remark_on_corners(scene, picture, mouths); !remark.empty())
-    found.warnings.push_back(std::move(remark));
   for (std::string& remark : remarks_on_narrow_passages(scene, picture, units))
     found.warnings.push_back(std::move(remark));
   return found;

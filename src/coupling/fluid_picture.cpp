@@ -1,6 +1,8 @@
 #include "coupling/fluid_picture.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace vug {
 
@@ -42,27 +44,66 @@ std::vector<int> pieces_of(const FluidPicture& picture, JoinedBy joined) {
   return piece;
 }
 
-JoinedPores joined_pores(const FluidPicture& picture) {
-  const std::vector<int> piece = pieces_of(picture);
-  constexpr unsigned left = 1, right = 2, bottom = 4, top = 8;
-  std::vector<unsigned> touched(1 + static_cast<std::size_t>(*std::max_element(piece.begin(), piece.end())), 0);
-  const auto touch = [&](int x, int y, unsigned side) {
-    if (const int p = piece[picture.number(x, y)]; p >= 0) touched[p] |= side;
-  };
-  for (int y = 0; y < picture.ny; ++y) {
-    touch(0, y, left);
-    touch(picture.nx - 1, y, right);
+namespace {
+
+/// (axis, piece) Whether a piece leads across the lattice. Where sides are joined, every node gets the number of times
+/// that the way to it has crossed them; a piece that reaches a node with two numbers leads around.
+std::array<std::vector<bool>, 2> crossing_pieces(const FluidPicture& picture, JoinedBy by,
+                                                 const std::vector<int>& piece) {
+  const auto count = static_cast<std::size_t>(1 + *std::max_element(piece.begin(), piece.end()));
+  std::array<std::vector<bool>, 2> crosses{std::vector<bool>(count), std::vector<bool>(count)};
+  for (const int axis : {0, 1}) {
+    const int length = axis == 0 ? picture.nx : picture.ny, across = axis == 0 ? picture.ny : picture.nx;
+    const auto at_end = [&](int k, int end) { return axis == 0 ? picture.number(end, k) : picture.number(k, end); };
+    if (!picture.joined(axis)) {
+      std::vector<bool> begins(count);
+      for (int k = 0; k < across; ++k)
+        if (const int p = piece[at_end(k, 0)]; p >= 0) begins[p] = true;
+      for (int k = 0; k < across; ++k)
+        if (const int p = piece[at_end(k, length - 1)]; p >= 0 && begins[p]) crosses[axis][p] = true;
+      continue;
+    }
+    constexpr int none = std::numeric_limits<int>::min();
+    std::vector<int> turns(picture.size(), none);
+    const auto place = [&](std::size_t n) { return static_cast<int>(axis == 0 ? n % picture.nx : n / picture.nx); };
+    std::vector<std::size_t> open;
+    for (std::size_t n = 0; n < picture.size(); ++n) {
+      if (piece[n] < 0 || turns[n] != none) continue;
+      turns[n] = 0;
+      open.assign(1, n);
+      while (!open.empty()) {
+        const std::size_t at = open.back();
+        open.pop_back();
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            if (by == JoinedBy::faces && dx != 0 && dy != 0) continue;
+            const std::optional<std::size_t> m = picture.from(at, dx, dy);
+            if (!m || piece[*m] < 0) continue;
+            const int reached = place(at) + (axis == 0 ? dx : dy);
+            const int there = turns[at] + (reached < 0 ? -1 : reached >= length ? 1 : 0);
+            if (turns[*m] == none) {
+              turns[*m] = there;
+              open.push_back(*m);
+            } else if (turns[*m] != there) {
+              crosses[axis][piece[at]] = true;
+            }
+          }
+      }
+    }
   }
-  for (int x = 0; x < picture.nx; ++x) {
-    touch(x, 0, bottom);
-    touch(x, picture.ny - 1, top);
-  }
+  return crosses;
+}
+
+}  // namespace
+
+JoinedPores joined_pores(const FluidPicture& picture, JoinedBy by) {
+  const std::vector<int> piece = pieces_of(picture, by);
+  const auto crosses = crossing_pieces(picture, by, piece);
   JoinedPores joined;
   joined.either.resize(piece.size());
   for (std::size_t n = 0; n < piece.size(); ++n) {
     if (piece[n] < 0) continue;
-    const bool x = (touched[piece[n]] & (left | right)) == (left | right);
-    const bool y = (touched[piece[n]] & (bottom | top)) == (bottom | top);
+    const bool x = crosses[0][piece[n]], y = crosses[1][piece[n]];
     joined.along_x += x;
     joined.along_y += y;
     joined.either[n] = x || y;

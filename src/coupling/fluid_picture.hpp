@@ -63,6 +63,9 @@ class FluidPicture {
     return x >= 0 && y >= 0 ? std::optional(number(x, y)) : std::nullopt;
   }
 
+  /// Whether the sides at both ends of an axis are joined.
+  bool joined(int axis) const { return periodic_[axis]; }
+
   const int nx, ny;
 
  private:
@@ -80,11 +83,12 @@ enum class JoinedBy { corners, faces };
 /// Numbers the connected pieces of fluid from 0; -1 in rock.
 std::vector<int> pieces_of(const FluidPicture& picture, JoinedBy joined = JoinedBy::corners);
 
-/// Fluid nodes in pieces that extend from one side of the lattice to the opposite one.
+/// Fluid nodes in pieces that extend from one side of the lattice to the opposite one; where these are joined, in
+/// pieces that lead through them back to where they began.
 struct JoinedPores {
   std::size_t along_x = 0, along_y = 0;  ///< number of nodes: left to right, bottom to top
   std::vector<bool> either;              ///< (node) in a piece of either kind
 };
-JoinedPores joined_pores(const FluidPicture& picture);
+JoinedPores joined_pores(const FluidPicture& picture, JoinedBy joined = JoinedBy::corners);
 
 }  // namespace vug

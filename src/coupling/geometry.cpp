@@ -120,13 +120,15 @@ DrawnRock drawn_rock(const Scene& scene) {
     SolidImage image = read_solid_image(geometry.image, scene.lattice);
     const bool all_rock = std::find(image.solid.begin(), image.solid.end(), false) == image.solid.end();
     const bool no_rock = std::find(image.solid.begin(), image.solid.end(), true) == image.solid.end();
-    if (all_rock && (scene.flow || scene.solute) && !geometry.image.labelled())  // e.g. 12 bits taken for 16
-      throw InputError(
-          fmt::format("{}: has values {:g} ... {:g}, and geometry.grey_range, threshold and invert make "
-                      "rock of them all: there is no fluid{}",
-                      geometry.image.file, image.summary.least, image.summary.largest, told_apart(image.summary)));
-    return {std::move(image.solid), std::move(image.mineral),
-            no_rock ? without_rock(geometry.image, image.summary) : ""};
+    std::string warning = no_rock ? without_rock(geometry.image, image.summary) : "";
+    if (all_rock && !geometry.image.labelled()) {  // e.g. 12 bits taken for 16
+      warning = fmt::format(
+          "{}: has values {:g} ... {:g}, and geometry.grey_range, threshold and invert make "
+          "rock of them all: there is no fluid{}",
+          geometry.image.file, image.summary.least, image.summary.largest, told_apart(image.summary));
+      if (scene.flow || scene.solute) throw InputError(warning);
+    }
+    return {std::move(image.solid), std::move(image.mineral), std::move(warning)};
   }
   std::vector<bool> solid(static_cast<std::size_t>(nx) * ny,
                           geometry.kind == GeometryKind::shapes && geometry.background == "solid");

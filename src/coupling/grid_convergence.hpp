@@ -7,8 +7,9 @@
 namespace vug {
 
 /// How a number converges over three lattices; `rounding`: it is 0 but for the rounding of larger ones; `walls_stand`:
-/// it cannot be told, because walls that recede have not moved yet.
-enum class Convergence { monotone, oscillating, none, unknown, rounding, walls_stand };
+/// it cannot be told, because walls that recede have not moved yet;
+/// `by_chance`: faster than staircase walls let it.
+enum class Convergence { monotone, by_chance, oscillating, none, unknown, rounding, walls_stand };
 
 struct ErrorBar {
   double bar = 0;               ///< half its length, in the unit of the number
@@ -22,12 +23,15 @@ struct ErrorBar {
 ///
 ///     bar = 1.25 |d| / (ratio^p - 1)
 ///
-/// (Roache 1994, grid convergence index), with p limited to 1/2 ... 2, the order of the schemes. Without `coarser`, and
+/// (Roache 1994, grid convergence index), with p limited to 1/2 ... 2, the order of the schemes. Walls that lattices
+/// draw as staircases (`staircase`) have errors of first order whose share changes from lattice to lattice, so that
+/// two of the three may agree by chance: p is then at most 1, and d at least D / ratio. Without `coarser`, and
 /// where the numbers do not converge (|d| >= |D|), the bar is that of first order with Roache's factor of 3 for two
 /// lattices: 3 |d| / (ratio - 1). Otherwise, where they oscillate (d/D < 0), it is the larger of 3 |d| and |D|; where
 /// the first two agree (d = 0), it is |D|. Numbers that agree to twelve digits differ by rounding: 3 max(|d|, |D|) /
 /// (ratio - 1).
-inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coarser, double ratio) {
+inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coarser, double ratio,
+                          bool staircase = false) {
   const double d = std::abs(coarse - fine);
   if (!coarser) return {3 * d / (ratio - 1), std::nullopt, Convergence::unknown};
   const double D = std::abs(*coarser - coarse);
@@ -38,7 +42,9 @@ inline ErrorBar error_bar(double fine, double coarse, std::optional<double> coar
   if ((coarse - fine) * (*coarser - coarse) < 0) return {std::max(3 * d, D), std::nullopt, Convergence::oscillating};
   if (d == 0) return {D, std::nullopt, Convergence::unknown};
   const double order = std::log(D / d) / std::log(ratio);
-  return {1.25 * d / (std::pow(ratio, std::clamp(order, 0.5, 2.0)) - 1), order, Convergence::monotone};
+  const double counted = staircase ? std::max(d, D / ratio) : d, highest = staircase ? 1 : 2;
+  return {1.25 * counted / (std::pow(ratio, std::clamp(order, 0.5, highest)) - 1), order,
+          staircase && order > 2 ? Convergence::by_chance : Convergence::monotone};
 }
 
 }  // namespace vug

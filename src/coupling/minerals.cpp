@@ -23,7 +23,27 @@ void paint(const RockRegion& region, const std::string& what, const Scene& scene
     if (const int t = triangles->owner[n]; t >= 0 && inside[static_cast<std::size_t>(t)]) mineral[n] = number;
 }
 
+/// Whether labels of a picture have the mineral, so that other pictures of a stack may hold it.
+bool has_labels(const Scene& scene, std::size_t mineral) {
+  const auto& labels = scene.geometry.image.minerals;
+  return std::any_of(labels.begin(), labels.end(), [&](const auto& entry) { return entry.second == mineral + 1; });
+}
+
 }  // namespace
+
+std::vector<std::string> remarks_on_absent_minerals(const Scene& scene, const Kokkos::View<std::uint8_t*>& field) {
+  std::vector<std::string> remarks;
+  if (scene.minerals.empty()) return remarks;
+  const auto mineral = on_host(field);
+  std::vector<bool> present(scene.minerals.size() + 1);
+  for (std::size_t n = 0; n < mineral.extent(0); ++n) present[mineral(n)] = true;
+  for (std::size_t m = 0; m < scene.minerals.size(); ++m)
+    if (!present[m + 1])
+      remarks.push_back(fmt::format("mineral.{}: no node of rock is \"{}\": the picture has none of its labels, or cells of "
+                                    "several pixels have more of others",
+                                    m, scene.minerals[m].name));
+  return remarks;
+}
 
 std::vector<std::uint8_t> mineral_of_nodes(const Scene& scene, const std::vector<bool>& solid,
                                            std::vector<std::uint8_t> of_label, const TriangleOfNodes* triangles) {
@@ -37,7 +57,7 @@ std::vector<std::uint8_t> mineral_of_nodes(const Scene& scene, const std::vector
   for (std::size_t n = 0; n < mineral.size(); ++n)
     if (!solid[n]) mineral[n] = 0;
   for (std::size_t m = 0; m < scene.minerals.size(); ++m)
-    if (std::find(mineral.begin(), mineral.end(), m + 1) == mineral.end())
+    if (std::find(mineral.begin(), mineral.end(), m + 1) == mineral.end() && !has_labels(scene, m))
       throw InputError(
           fmt::format("{}: mineral.{}: no node of rock is left to \"{}\": its shapes and labels hold none, or later "
                       "minerals paint over it",

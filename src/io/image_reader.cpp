@@ -57,12 +57,14 @@ void require_lattice(const ImageSection& image, Size pixels, std::optional<doubl
   const std::string cells = changed ? fmt::format(", coarsened and turned {} x {} cells", across, up) : "";
   const std::string of = pixel_size ? fmt::format(" of {:.6g} m", *pixel_size) : "";
   const double spacing = pixel_size ? *pixel_size * image.coarsen : lattice.spacing;
-  const std::string also = pixel_size ? fmt::format("lattice.spacing = {:.6g} and ", spacing) : "";
-  refuse_image(image.file,
-               fmt::format("the image has {} x {} pixels{}{}, the lattice {} x {} nodes; give {}lattice.size "
-                           "= [{:.6g}, {:.6g}] (m), or use a part of the image (geometry.crop_size)",
-                           pixels.columns, pixels.rows, of, cells, lattice.nx, lattice.ny, also, across * spacing,
-                           up * spacing));
+  const std::string printed = fmt::format("{:.10g}", spacing);  // the size must hold whole cells of what is printed
+  const double cell = std::stod(printed);
+  const std::string also = pixel_size ? "lattice.spacing = " + printed + " and " : "";
+  refuse_image(
+      image.file,
+      fmt::format("the image has {} x {} pixels{}{}, the lattice {} x {} nodes; give {}lattice.size "
+                  "= [{:.12g}, {:.12g}] (m), or use a part of the image (geometry.crop_size)",
+                  pixels.columns, pixels.rows, of, cells, lattice.nx, lattice.ny, also, across * cell, up * cell));
 }
 
 void require_pixel_size(const ImageSection& image, std::optional<double> pixel_size, const LatticeSection& lattice) {
@@ -245,7 +247,8 @@ std::vector<Value> placed(const std::vector<Value>& cells, const ImageSection& i
 SolidImage read_solid_image(const ImageSection& image, const LatticeSection& lattice) {
   const auto rows = detail::open_image(image);
   const detail::ImageHeader& header = rows->header;
-  const std::optional<double> pixel_size = image.pixel_size ? image.pixel_size : header.pixel_size;
+  const std::optional<double> pixel_size =
+      image.pixel_size ? image.pixel_size : detail::square_pixel(image.file, header);
   const Size size = cropped_size(image, header);
   require_lattice(image, size, pixel_size, lattice);
   require_pixel_size(image, pixel_size, lattice);

@@ -82,11 +82,11 @@ std::vector<std::int64_t> sizes_of(const NrrdHeader& header) {
 
 /// Pixel size, m, from "space directions" with "space units", or from "spacings" with "units"; empty where one of the
 /// two is missing.
-std::optional<double> pixel_size_of(const NrrdHeader& header) {
+std::optional<std::array<double, 2>> pixel_of(const NrrdHeader& header) {
   const bool oriented = header.fields.contains("space directions");
   std::istringstream units(header.get(oriented ? "space units" : "units"));
   std::istringstream edges(header.get(oriented ? "space directions" : "spacings"));
-  double size[2];
+  std::array<double, 2> size;
   for (double& edge : size) {
     std::string unit, text;
     const bool named = static_cast<bool>(std::getline(units, text, '"')) && std::getline(units, unit, '"');
@@ -106,7 +106,7 @@ std::optional<double> pixel_size_of(const NrrdHeader& header) {
     edge = std::sqrt(sum) * *metres;
     if (!(edge > 0) || !std::isfinite(edge)) return std::nullopt;
   }
-  return square_pixel(header.path, size[0], size[1]);
+  return size;
 }
 
 /// Rows of a gzip stream, which must be read one after the other.
@@ -173,7 +173,7 @@ std::unique_ptr<ImageRows> open_nrrd(const ImageSection& image) {
   const bool swapped = bytes_of(type) > 1 && is_swapped(nrrd.need("endian") == "big");
   require_page(image, sizes.size() == 3 ? sizes[2] : 1);
   ImageHeader header = plain_header(sizes[0], sizes[1], type);
-  header.pixel_size = pixel_size_of(nrrd);
+  header.pixel = pixel_of(nrrd);
   const std::uint64_t page = bytes_of(type) * static_cast<std::uint64_t>(sizes[0]) * sizes[1] * image.page;
   const std::string encoding = nrrd.need("encoding");
   if (encoding == "raw")

@@ -74,7 +74,7 @@ struct PngReader {
   }
 };
 
-// Luma of a pixel in front of white; red, green, blue and alpha have 16 bits each, most significant byte first.
+// Luma of a pixel in front of white, 0 to 1; red, green, blue and alpha have 16 bits each, most significant byte first.
 double luma_of(const png_byte* pixel) {
   const auto channel = [pixel](int k) { return (256 * pixel[2 * k] + pixel[2 * k + 1]) / 65535.0; };
   return over_white(channel(3) * luma(channel(0), channel(1), channel(2)), channel(3), 1);
@@ -91,10 +91,10 @@ class PngRows : public ImageRows {
     header.width = png_get_image_width(reader_.png, reader_.info);
     header.height = png_get_image_height(reader_.png, reader_.info);
     header.type = header.stored ? fmt::format("{} bits", bits) : "colour or transparent";
-    header.white = header.stored ? static_cast<double>((1 << bits) - 1) : 1;
+    header.white = header.stored ? static_cast<double>((1 << bits) - 1) : bits == 16 ? 65535 : 255;
     const png_uint_32 across = png_get_x_pixels_per_meter(reader_.png, reader_.info);
     const png_uint_32 up = png_get_y_pixels_per_meter(reader_.png, reader_.info);
-    if (across > 0 && up > 0) header.pixel_size = square_pixel(path, 1.0 / across, 1.0 / up);
+    if (across > 0 && up > 0) header.pixel = {1.0 / across, 1.0 / up};
     value_bytes_ = header.stored ? (bits == 16 ? 2 : 1) : 8;
     interlaced_ = png_get_interlace_type(reader_.png, reader_.info) != PNG_INTERLACE_NONE;
     if (!reader_.transform(header.stored)) fail();
@@ -108,7 +108,9 @@ class PngRows : public ImageRows {
       for (pixels_.resize(row); next_ <= y; ++next_) read_next();
     const png_byte* pixel = pixels_.data() + (interlaced_ ? row * y : 0) + value_bytes_ * first;
     for (double& value : values) {
-      value = value_bytes_ == 1 ? pixel[0] : value_bytes_ == 2 ? 256 * pixel[0] + pixel[1] : luma_of(pixel);
+      value = value_bytes_ == 1   ? pixel[0]
+              : value_bytes_ == 2 ? 256 * pixel[0] + pixel[1]
+                                  : header.white * luma_of(pixel);
       pixel += value_bytes_;
     }
   }

@@ -32,9 +32,14 @@ void require_page(const ImageSection& image, std::int64_t pages) {
                                          pages == 1 ? "" : "s", image.page));
 }
 
-double square_pixel(const std::string& path, double width, double height) {
+std::optional<double> square_pixel(const std::string& path, const ImageHeader& header) {
+  if (!header.pixel) return std::nullopt;
+  const auto [width, height] = *header.pixel;
   if (!(std::abs(width - height) <= 1e-3 * width))
-    refuse_image(path, fmt::format("says that its pixels are {:g} x {:g} m; they must be square", width, height));
+    refuse_image(path,
+                 fmt::format("says that its pixels are {:g} x {:g} m; they must be square: resample the picture, or "
+                             "give geometry.pixel_size where the file is wrong",
+                             width, height));
   return width;
 }
 

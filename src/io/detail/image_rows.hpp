@@ -3,6 +3,7 @@
 #include "io/detail/input_file.hpp"
 #include "io/scene.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,10 +14,11 @@ namespace vug::detail {
 
 struct ImageHeader {
   std::int64_t width = 0, height = 0;
-  std::string type;                  ///< of the values, for messages: "uint16", "colour"
-  double white = 0;                  ///< the value of white; 0 where the type has none
-  bool stored = true;                ///< whether values are those of the file; not for colours
-  std::optional<double> pixel_size;  ///< m, where the file gives one
+  std::string type;    ///< of the values, for messages: "uint16", "colour"
+  double white = 0;    ///< the value of white; 0 where the type has none
+  bool stored = true;  ///< whether values are those of the file; not for colours
+  /// Width and height of a pixel, m, where the file gives them.
+  std::optional<std::array<double, 2>> pixel{};
 };
 
 /// One page of a picture in any format. Throws InputError `path: what is wrong`.
@@ -52,8 +54,8 @@ constexpr double over_white(double light, double opacity, double white) {
 /// Throws InputError unless the file has the page that the case asks for.
 void require_page(const ImageSection& image, std::int64_t pages);
 
-/// Edge of a square pixel, m, from its width and height; throws InputError when they differ.
-double square_pixel(const std::string& path, double width, double height);
+/// Edge of a square pixel, m, where the file gives one; throws InputError where its width and height differ.
+std::optional<double> square_pixel(const std::string& path, const ImageHeader& header);
 
 /// Metres in the unit of length of that name ("mm", "micron", "µm", ...); empty where it is no unit of length.
 std::optional<double> metres_in(const std::string& unit);

@@ -85,8 +85,8 @@ SampleType type_of(const TiffFile& tiff) {
                                         bits, format));
 }
 
-/// Pixel size, m, from the resolution and its unit; ImageJ writes the unit into the description.
-std::optional<double> pixel_size_of(const TiffFile& tiff) {
+/// Width and height of a pixel, m, from the resolution and its unit; ImageJ writes the unit into the description.
+std::optional<std::array<double, 2>> pixel_of(const TiffFile& tiff) {
   const float across = tiff.get<float>(TIFFTAG_XRESOLUTION, 0), up = tiff.get<float>(TIFFTAG_YRESOLUTION, 0);
   if (!(across > 0) || !(up > 0)) return std::nullopt;
   const int unit = tiff.get_default(TIFFTAG_RESOLUTIONUNIT);
@@ -101,7 +101,7 @@ std::optional<double> pixel_size_of(const TiffFile& tiff) {
                                      : metres_in(description.substr(at + 6, description.find('\n', at + 6) - at - 6));
   }
   if (!metres) return std::nullopt;
-  return square_pixel(tiff.path(), *metres / across, *metres / up);
+  return std::array{*metres / across, *metres / up};
 }
 
 /// Role of the last value of a pixel. none: there is none; apart: the colour must still be multiplied by it;
@@ -150,7 +150,7 @@ TiffPage page_of(const TiffFile& tiff, bool labelled) {
     refuse_image(tiff.path(), "does not begin at its upper left corner; save it so that it does");
   page.header = plain_header(tiff.get<std::uint32_t>(TIFFTAG_IMAGEWIDTH, 0),
                              tiff.get<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0), page.type);
-  page.header.pixel_size = pixel_size_of(tiff);
+  page.header.pixel = pixel_of(tiff);
   page.colours = photometric == PHOTOMETRIC_RGB ? 3 : 1;
   page.white_is_zero = photometric == PHOTOMETRIC_MINISWHITE && !labelled;  // labels are values as stored
   if (page.white_is_zero && page.header.white == 0)
@@ -268,7 +268,8 @@ std::unique_ptr<ImageRows> open_tiff(const ImageSection& image) {
   if (image.page > 0 && TIFFSetDirectory(tiff->get(), static_cast<tdir_t>(image.page)) != 1) tiff->fail();
   const TiffPage page = page_of(*tiff, image.labelled());
   if (page.header.width < 1 || page.header.height < 1) tiff->fail();
-  if (tiff->get_default(TIFFTAG_COMPRESSION) == COMPRESSION_NONE && TIFFIsTiled(tiff->get()) == 0 && page.samples == 1)
+  if (tiff->get_default(TIFFTAG_COMPRESSION) == COMPRESSION_NONE && TIFFIsTiled(tiff->get()) == 0 &&
+      tiff->get_default(TIFFTAG_FILLORDER) == FILLORDER_MSB2LSB && page.samples == 1)
     return plain_rows(*tiff, page);
   return std::make_unique<TiffRows>(std::move(tiff), page);
 }
