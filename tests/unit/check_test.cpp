@@ -5,7 +5,6 @@
 #include "coupling/limit_text.hpp"
 #include "coupling/simulation.hpp"
 #include "support/obstacle.hpp"
-#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -165,56 +164,6 @@ TEST(Check, RefusesTwoColumnsOfOneName) {
     EXPECT_THAT(error.what(), testing::StartsWith("a.toml: two columns of the history would be called "
                                                   "\"A_gain_shape_stored_mol_per_m\"; "));
   }
-}
-
-/// As of a grey_range that is not that of the picture.
-TEST(Check, WarnsOfAPictureWithoutRock) {
-  const test::TemporaryFolder folder;
-  test::write_text(folder / "a.raw", std::string(12, '\x20') + std::string(4, '\x40'));
-  const std::string text =
-      "[lattice]\nsize = [4, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n[geometry]\ntype = \"image\"\n"
-      "file = \"" +
-      (folder / "a.raw") + "\"\nraw_size = [4, 4]\ngrey_range = [0, 64]\n[flow]\nviscosity = 0.1\n";
-  const auto warnings = [&](const std::vector<std::string>& choices) {
-    return check_case(parse_scene(text, "a.toml", choices)).warnings;
-  };
-  const auto warning = [](const std::string& why) {
-    return testing::Contains(HasSubstr("a.raw: has values 32 ... 64, and " + why + " no rock of any of them"));
-  };
-  EXPECT_THAT(warnings({}), testing::Not(warning("")));
-  EXPECT_THAT(warnings({"geometry.grey_range=[0, 1]"}), warning("geometry.grey_range, threshold and invert make"));
-  EXPECT_THAT(
-      warnings({"geometry.grey_range=[0, 1]"}),
-      testing::Contains(HasSubstr("all is pore (rock below 0.5); geometry.grey_range = [32, 64] tells them apart")));
-}
-
-/// A mask of 0 and 1 taken for grey values up to 255.
-TEST(Check, TellsHowAPictureThatIsAllRockIsRead) {
-  const test::TemporaryFolder folder;
-  test::write_text(folder / "a.raw", std::string(12, '\1') + std::string(4, '\0'));
-  const std::string text =
-      "[lattice]\nsize = [4, 4]\nspacing = 1\ntime_step = 1\n[time]\nsteps = 10\n[geometry]\ntype = \"image\"\n"
-      "file = \"" +
-      (folder / "a.raw") + "\"\nraw_size = [4, 4]\n[flow]\nviscosity = 0.1\n";
-  const auto told = [&](const std::vector<std::string>& choices) {
-    try {
-      return to_text(check_case(parse_scene(text, "a.toml", choices)));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-  };
-  EXPECT_THAT(told({}),
-              HasSubstr("rock of them all: there is no fluid (rock below 127.5); geometry.grey_range = [0, 1] "
-                        "tells them apart"));
-  EXPECT_THAT(told({"geometry.grey_range=[0, 1]"}), HasSubstr("12 fluid nodes"));
-  EXPECT_THAT(told({"geometry.grey_range=[0, 1]"}), HasSubstr("values 0 ... 1, rock below 0.5, pixel size"));
-  EXPECT_THAT(told({"geometry.grey_range=[0, 1]", "geometry.invert=true"}),
-              HasSubstr("values 0 ... 1, rock from 0.5, "));
-  EXPECT_THAT(told({"geometry.grey_range=[2, 0]", "geometry.threshold=0.75"}), HasSubstr("1, rock from 0.5, "));
-  EXPECT_THAT(told({"geometry.grey_range=[2, 0]", "geometry.threshold=0.75", "geometry.invert=true"}),
-              HasSubstr("values 0 ... 1, rock below 0.5, "));
-  EXPECT_THAT(told({"geometry.solid_labels=[0]", "geometry.fluid_labels=[1]"}),
-              HasSubstr("values 0 ... 1, pixel size"));
 }
 
 TEST(Check, KnowsTheFieldsThatARunWrites) {

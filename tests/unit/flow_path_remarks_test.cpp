@@ -118,44 +118,6 @@ TEST(FlowPaths, OrdinaryChannelsAreNotRemarkedOn) {
               IsEmpty());
 }
 
-/// Rock nodes that touch at their corners, from the bottom at `x` to the top; `more`: as many to the right of each.
-std::string diagonal(int x, int more = 0) {
-  std::string nodes;
-  for (int y = 0; y < 12; ++y) {
-    const std::string from = fmt::format("[{}, {}]", x + y, y), to = fmt::format("[{}, {}]", x + y + 1 + more, y + 1);
-    nodes += rectangle(from.c_str(), to.c_str());
-  }
-  return nodes;
-}
-
-/// The flow passes between rock nodes that touch at a corner; on D2Q5 nothing else does.
-TEST(CornerContacts, AreRemarkedOnWhereTheFlowPassesAndSolutesCannot) {
-  const std::string acid = "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n", wide = "velocity_set = \"d2q9\"\n";
-  const std::string warm = "[heat]\nfluid_diffusivity = 0.1\nsolid_diffusivity = 0.1\n";
-  const auto told = [](const std::string& rock, const std::string& more) { return remarks(channel(rock, more)); };
-  EXPECT_THAT(
-      told(diagonal(14), pressures + acid),
-      testing::ElementsAre(HasSubstr("in 11 places pores touch only at a corner between two rock nodes: the flow "
-                                     "passes there, solutes on d2q5 do not")));
-  EXPECT_THAT(told(diagonal(14), pressures + warm), testing::ElementsAre(HasSubstr("heat.velocity_set = \"d2q9\"")));
-  EXPECT_THAT(told(diagonal(14), pressures), IsEmpty());
-  EXPECT_THAT(told(diagonal(14), pressures + "[solute]\n" + wide + acid), IsEmpty());
-  EXPECT_THAT(told(diagonal(14, 1), pressures + acid), testing::ElementsAre(HasSubstr("no path of fluid leads from")));
-}
-
-/// Flow passes neither into a dead end nor where it has one way out only, but through a pore with two corners.
-TEST(CornerContacts, CountOnlyWhereFlowCanPass) {
-  const std::string acid = "[[solute.species]]\nname = \"A\"\ndiffusivity = 0.1\n";
-  const std::string one_way = "[boundary.left]\nflow = { type = \"pressure\", pressure = 0.01 }\n";
-  EXPECT_THAT(remarks(channel(diagonal(14), one_way + acid)), IsEmpty());
-  // a pore of one node inside rock, which touches the channel at one corner, and at two
-  const std::string pore = rectangle("[20, 0]", "[23, 1]") + rectangle("[20, 1]", "[21, 2]") +
-                           rectangle("[22, 1]", "[23, 2]") + rectangle("[21, 2]", "[22, 3]");
-  const std::string closed = rectangle("[22, 2]", "[23, 3]");
-  EXPECT_THAT(remarks(channel(pore + closed, pressures + acid)), IsEmpty());
-  EXPECT_THAT(remarks(channel(pore, pressures + acid)), testing::ElementsAre(HasSubstr("in 2 places pores touch")));
-}
-
 TEST(FlowPaths, GeometryWithoutFluidIsRefused) {
   const std::string solid = rectangle("[0, 0]", "[40, 12]");
   EXPECT_EQ(refusal(channel(solid, "")), "a.toml: the geometry has no fluid node, and [flow] is only in fluid");

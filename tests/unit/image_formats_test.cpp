@@ -29,6 +29,7 @@ TEST(ImageReader, ReadsEveryFormatAsItIsStored) {
                                                                            {"rgb", "tif", 23},
                                                                            {"little", "tif", 5957},
                                                                            {"big", "TIF", 5957},
+                                                                           {"fill_order_2", "tif", 23},
                                                                            {"nrrd_raw", "nrrd", 5957},
                                                                            {"nrrd_gzip", "nrrd", 5957},
                                                                            {"nrrd_big", "nrrd", 5957},

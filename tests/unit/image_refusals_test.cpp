@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <random>
 
 namespace vug {
@@ -32,7 +33,10 @@ TEST(ImageReader, HoldsThePixelSizeAgainstTheLattice) {
     EXPECT_THAT(refusal(picture, lattice(4, 3, size)), HasSubstr("geometry.pixel_size says pixels of 3e-06")) << kind;
   }
   ASSERT_EQ(make("make_image.py", folder / "b.tif", "oblong"), 0);
-  EXPECT_THAT(refusal(image(folder / "b.tif"), lattice(4, 3)), HasSubstr("must be square"));
+  auto oblong = image(folder / "b.tif");
+  EXPECT_THAT(refusal(oblong, lattice(4, 3)), HasSubstr("must be square"));
+  oblong.pixel_size = 1e-6;
+  EXPECT_EQ(refusal(oblong, lattice(4, 3)), "accepted");
 }
 
 TEST(ImageReader, RefusesValuesThatAreNotWhatTheySeem) {
@@ -93,6 +97,26 @@ TEST(ImageReader, NamesBothSizesWhenTheyDiffer) {
   ASSERT_EQ(make_png(folder / "a.png", "grey8"), 0);
   EXPECT_THAT(refusal(image(folder / "a.png"), lattice(400, 280)),
               ::testing::AllOf(HasSubstr("3 x 2 pixels"), HasSubstr("400 x 280 nodes")));
+}
+
+/// What is proposed is what is wanted, whatever the pixel size is.
+TEST(ImageReader, ProposesASizeThatFits) {
+  const test::TemporaryFolder folder;
+  auto picture = image(folder / "a.raw");
+  test::write_text(picture.file, std::string(237 * 143, '\0'));
+  picture.raw_size = {237, 143};
+  for (const double size : {25e-6 / 12, 1e-6, 1.0 / 3, 7e-9 / 3}) {
+    picture.pixel_size = size;
+    const std::string told = refusal(picture, lattice(10, 10));
+    double spacing, x, y;
+    ASSERT_EQ(std::sscanf(told.substr(told.find("lattice.spacing")).c_str(),
+                          "lattice.spacing = %lf and lattice.size = [%lf, %lf]", &spacing, &x, &y),
+              3)
+        << told;
+    for (const auto& [length, cells] : {std::pair{x, 237.0}, {y, 143.0}})
+      EXPECT_NEAR(length / spacing, cells, 1e-9 * cells) << told;
+    EXPECT_NEAR(spacing, size, 1e-8 * size);
+  }
 }
 
 struct DamagedKind {

@@ -72,6 +72,8 @@ def main(path, kind):
     content = {
         "little": lambda: tiff_by_hand("<", grey16),
         "big": lambda: tiff_by_hand(">", grey16),
+        "fill_order_2": lambda: tiff_by_hand("<", np.array([[int(f"{v:08b}"[::-1], 2) for v in row] for row in values("u1", 23)],
+                                                           dtype="u1"), [(266, 3, [2])]),
         "white_is_zero": lambda: tiff_by_hand(">", grey16, photometric=0),
         "dark": lambda: tiff_by_hand("<", values("u2", 23)),
         "inch": lambda: tiff_by_hand("<", grey16, [(282, 5, rational("<", 25400)), (283, 5, rational("<", 25400)), (296, 3, [2])]),
