@@ -122,20 +122,21 @@ Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, cons
     const std::size_t front = part->front;
     std::vector<int> passages;
     int held = 0, nodes = 0;
-    double given = 0;
+    double given = 0, carried = 0;  // carried: volume per step, pressure gradient and 1/viscosity
     for (; part != all.end() && part->front == front; ++part) {
       stored += 3.0 * part->nodes;
       if (part->dead) continue;
       passages.push_back(part->nodes);
       held += part->held;
       nodes += part->nodes;
+      carried += std::pow(part->nodes, 3) / (part->held > 1 ? 12.0 : 3.0 * part->held);  // infinite without walls
       given += part->given;
     }
     // what is given at nodes of the front crosses it or does not; at the mouth itself it does
     const double before = std::abs(within), after = std::abs(within + given);
     const double crossing = front > 0 ? std::min(before, after) : std::max(before, after);
     within += given;
-    const double drag = (held > 1 ? 12.0 : 3.0 * held) / std::pow(nodes, 3);
+    const double drag = carried > 0 ? 1 / carried : 0;
     passed.speed = std::max(passed.speed, crossing / nodes);
     passed.peak = std::max(passed.peak, crossing * (held > 0 ? peak_of_passages(passages) : 1.0 / nodes));
     passed.pressure += crossing * drag;

@@ -33,10 +33,10 @@ struct Passage {
 ///
 /// By continuity all that is given within a front, and nothing else, crosses it (less `beyond`). The nodes of a front
 /// that are neighbours are one passage (`peak`; where no no-slip wall is beside a front, its speed is the same
-/// everywhere). Passages that lead nowhere else are dead ends and only store. A front of n nodes has the drag of a slit
-/// of n cells, 12/n^3; where only one of its nodes is beside a no-slip wall, that of a layer with one wall, 3/n^3;
-/// without such nodes, none. The drag is a lower bound, because the nodes may be in several passages. Each node stores
-/// 1/c_s^2 of the pressure; the delay ends where the way does, or at the first front where the other sign is given.
+/// everywhere). Passages that lead nowhere else are dead ends and only store. A passage of n nodes carries what a slit
+/// of n cells does, n^3/12 per pressure gradient; where only one of its nodes is beside a no-slip wall, what a layer
+/// with one wall does, n^3/3; without such nodes, all. The drag of a front is that of its passages side by side, and a
+/// lower bound, because they may be wound or share what they carry otherwise. Each node stores 1/c_s^2 of the pressure; the delay ends where the way does, or at the first front where the other sign is given.
 Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const std::vector<std::size_t>& begin,
                      const Ways& ways, double beyond = 0);
 

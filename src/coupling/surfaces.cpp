@@ -84,7 +84,11 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
     }
     if (wanted.flows && is_open(flow))
       add_value(row, stretch.name + "_mass_flow_kg_per_m_s", kg_per_s * sum_in_order(d.gain));
-    if (!wanted.flows || flow.kind != FlowBoundaryKind::velocity) continue;
+  }
+  // now that all columns are there: rock that dissolves in a corner must not change their order
+  for (const DressedBoundary<T>& d : dressed) {
+    const Stretch& stretch = d.boundary.stretch;
+    if (!wanted.flows || stretch.conditions.flow.kind != FlowBoundaryKind::velocity) continue;
     for (int e = 0; e < 2; ++e) {
       const StretchEnd& end = d.boundary.ends[e];
       if (end.link < 0 || end.other < 0) continue;
@@ -101,7 +105,7 @@ void FlowModule<T>::surfaces(const Clock& clock, const OutputSection& wanted, st
       }
     }
   }
-  if (wanted.forces) {  // now that all columns are there
+  if (wanted.forces) {
     std::vector<PassedLinks<T>> passed;
     for (const DressedBoundary<T>& d : dressed) {
       const auto returned = outgoing_populations(exec, fluid, d.boundary.links, fields_.f);

@@ -49,7 +49,8 @@ struct Scale {
 constexpr int nx = 30, ny = 22;
 
 /// Acid enters on the left under pressure and from below, leaves on the right, under a lid that slides; rock at the
-/// corners, where conditions meet, and in the middle, of no symmetry; and a well, an opening beside rock.
+/// corners, where conditions meet, and in the middle, of no symmetry; a well, an opening beside rock; with D2Q9 a
+/// drain.
 std::string case_text(const Turn& turn, const Scale& s, const std::string& set) {
   const double dx = 1e-3 * s.length, dt = 1e-3 * s.time, velocity = s.length / s.time;
   const Vector size{nx * dx, ny * dx};
@@ -73,6 +74,11 @@ std::string case_text(const Turn& turn, const Scale& s, const std::string& set) 
   shape(fmt::format("type = \"disc\"\ncentre = {}\nradius = {:.17g}", at(9.3, 8.1), 4.25 * dx));
   shape(fmt::format("type = \"polygon\"\npoints = [{}, {}, {}]", at(14.1, 9.2), at(24.3, 13.4), at(16.2, 18.3)));
   shape(fmt::format("type = \"disc\"\nname = \"well\"\ncentre = {}\nradius = {:.17g}", at(25.2, 6.4), 2.3 * dx));
+  const bool drained =
+      set == "d2q9";  // through an opening with a step inwards, whose node has a face along either axis
+  if (drained)
+    shape(fmt::format("type = \"polygon\"\nname = \"drain\"\npoints = [{}, {}, {}, {}, {}, {}]", at(4, 14), at(10, 14),
+                      at(10, 16), at(7, 16), at(7, 19), at(4, 19)));
   text += fmt::format(
       "[flow]\nviscosity = {:.17g}\ndensity = {:.17g}\ninitial_pressure = 0\n"
       "[heat]\nfluid_diffusivity = {:.17g}\nsolid_diffusivity = {:.17g}\nfluid_density = {:.17g}\n"
@@ -103,6 +109,7 @@ std::string case_text(const Turn& turn, const Scale& s, const std::string& set) 
       "[boundary.shape.well]\nflow = {{ type = \"velocity\", speed = {:.17g} }}\n"
       "heat = {{ type = \"flux\", flux = {:.17g} }}\nsolute = {}\n",
       0.01 * velocity, -2e5 * s.density * velocity, acid);
+  if (drained) text += "[boundary.shape.drain]\nflow = { type = \"outflow\" }\nsolute = { type = \"outflow\" }\n";
   const Vector middle = turn.point({0, 9 * dx}, size);
   text += fmt::format(
       "[boundary.injection]\nside = \"{}\"\ncentre = {:.17g}\nwidth = {:.17g}\n"

@@ -42,6 +42,11 @@ TEST(FlowPaths, KnowThePressureThatAVelocityNeeds) {
   const std::string slabs = rectangle("[20, 0]", "[40, 2]") + rectangle("[20, 10]", "[40, 12]");
   EXPECT_NEAR(paths(channel(slabs, inflow + outlet)).passage_pressure, needed / 2 * (1 + std::pow(12 / 8.0, 3)),
               0.1 * needed);
+  // there are four slits of two cells, which carry 4 n^3 instead of (4 n)^3
+  const std::string comb =
+      rectangle("[20, 2]", "[40, 3]") + rectangle("[20, 5]", "[40, 7]") + rectangle("[20, 9]", "[40, 10]");
+  EXPECT_NEAR(paths(channel(comb, inflow + outlet)).passage_pressure,
+              needed / 2 * (1 + std::pow(12, 3) / (4 * std::pow(2, 3))), 0.05 * needed / 2 * 54);
 }
 
 /// The slowest mode of a channel, 36 nu L^2/(pi n)^2 between pressures, four times that behind a velocity.

@@ -111,8 +111,16 @@ TEST(SurfaceForces, HaveTheirColumnsWhateverTheCornersAre) {
   const auto corner = [](double x, double y) {
     return "[geometry]\ntype = \"shapes\"\n" + test::rectangle(x * dx, y * dx, (x + 1) * dx, (y + 1) * dx, "");
   };
-  const auto inside = columns(corner(4, 3));
-  for (const auto& [x, y] : {std::pair{0, 0}, {8, 0}, {0, 6}, {8, 6}}) EXPECT_EQ(columns(corner(x, y)), inside);
+  const std::string given =
+      "[boundary.left.flow]\ntype = \"velocity\"\nvelocity = [0.01, 0]\n"
+      "[boundary.bottom.flow]\ntype = \"velocity\"\nvelocity = [0, 0.01]\n"
+      "[boundary.right.flow]\ntype = \"velocity\"\nvelocity = [0.01, 0]\n"
+      "[boundary.top.flow]\ntype = \"velocity\"\nvelocity = [0, 0.01]\n";
+  for (const std::string& sides : {std::string(), given}) {
+    const auto inside = columns(corner(4, 3) + sides);
+    for (const auto& [x, y] : {std::pair{0, 0}, {8, 0}, {0, 6}, {8, 6}})
+      EXPECT_EQ(columns(corner(x, y) + sides), inside) << sides;
+  }
   for (const std::string& column :
        columns("[boundary.left.flow]\ntype = \"periodic\"\n[boundary.right.flow]\ntype = \"periodic\"\n"))
     EXPECT_FALSE(column.starts_with("left_") || column.starts_with("right_")) << column;

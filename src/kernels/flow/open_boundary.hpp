@@ -86,7 +86,7 @@ struct OutflowState {
   int pieces = 0, longest = 0;  ///< number of straight pieces, and of faces of the longest one
   IndexList order;              ///< (face) the straight links piece by piece, along each towards higher coordinates
   IndexList piece;              ///< (piece + 1) where each piece begins in `order`, and the end of the last one
-  IndexList face;               ///< (link) straight link of its node, for a straight link itself; -1: none
+  IndexList face;               ///< (link) the straight link of its node, for a straight link itself; -1: none or two
   ScalarField<double> room;     ///< (3 link) work space for sums and slopes
 };
 

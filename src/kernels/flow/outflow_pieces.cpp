@@ -7,8 +7,8 @@
 
 namespace vug {
 
-/// Finds for each straight link (face) of an outflow the faces beside it, for each diagonal link a face of its node,
-/// and counts the faces. Where joined sides close the row, the last face has no next one.
+/// Finds for each straight link (face) of an outflow the faces beside it, for each diagonal link the face of its node
+/// unless that has two, and counts the faces. Where joined sides close the row, the last face has no next one.
 struct FindPieces {
   BoundaryLinks links;
   Upstream upstream;
@@ -26,8 +26,8 @@ struct FindPieces {
       return;
     }
     const int along_x = D2Q9::c(q, 0) > 0 ? 1 : 3, along_y = D2Q9::c(q, 1) > 0 ? 2 : 4;
-    const int of_x = links.find(link, i, along_x);
-    face(link) = of_x >= 0 ? of_x : links.find(link, i, along_y);
+    const int of_x = links.find(link, i, along_x), of_y = links.find(link, i, along_y);
+    if (of_x < 0 || of_y < 0) face(link) = of_x < 0 ? of_y : of_x;  // with both no axis comes first
   }
 
  private:
