@@ -14,7 +14,7 @@
 namespace vug {
 
 /// Largest relaxation time, and largest number of cells that the fluid may move in a heat step (docs/stability.md).
-inline constexpr double largest_relaxation_time = 3.5, longest_way = 1;
+inline constexpr double largest_relaxation_time = 3.5, longest_way = 0.5;
 
 /// Owns the temperature of every node. `flow` may be null: conduction only. A step is taken every
 /// accuracy.heat_interval lattice steps, with diffusivities and velocity multiplied by that number.

@@ -22,6 +22,11 @@ double largest_change(const std::vector<double>& values) {
   return change;
 }
 
+/// Row from which a column counts: rates at the start are those of a first step, long or short, after whatever jump.
+std::size_t first_row(const std::string& name) {
+  return name.find("_flow_") != std::string::npos || name.find("_mean_") != std::string::npos ? 1 : 0;
+}
+
 /// Whether the values differ by rounding only, as sums of the same terms do.
 bool is_still(const std::vector<double>& values) {
   double size = 0;
@@ -71,12 +76,14 @@ Difference largest_difference(const History& reference, const History& other, co
                               double sound) {
   Difference largest;
   for (const int c : columns_of(reference, columns, sound)) {
-    const std::vector<double>& truth = reference.values[c];
-    if (is_still(truth) || is_rounding_of_velocity(reference, c, 0)) continue;
-    const double change = scale_of(reference, c);
+    const std::size_t first = std::min(first_row(reference.names[c]), reference.values[c].size());
+    const std::vector<double> truth(reference.values[c].begin() + static_cast<std::ptrdiff_t>(first),
+                                    reference.values[c].end());
+    if (truth.empty() || is_still(truth) || is_rounding_of_velocity(reference, c, 0)) continue;
+    const double change = first > 0 ? largest_change(truth) : scale_of(reference, c);
     const std::vector<double>& found = other.values.at(other.find(reference.names[c]));  // settings may add columns
     for (std::size_t row = 0; row < truth.size(); ++row) {
-      const double difference = std::abs(found.at(row) - truth[row]) / change;
+      const double difference = std::abs(found.at(first + row) - truth[row]) / change;
       if (difference > largest.value || std::isnan(difference))
         largest = {std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference, reference.names[c]};
     }

@@ -19,6 +19,12 @@ void ReactionModule<T, Set>::watch(const Exec&, const Clock&, Changes& changes) 
     const double reacted = consumed(attack);
     changes.solute =
         std::max(changes.solute, amount_share(std::abs(reacted - attack.watched), solutes_.total(*attack.reactant)));
+    if (attack.product) {  // and given to the product there, which may leave sooner than it is made
+      double yield = has_minerals() ? 0 : attack.rate.product_yield();
+      for (const RateLaw& rate : attack.rates) yield = std::max(yield, rate.product_yield());
+      changes.solute = std::max(
+          changes.solute, amount_share(yield * std::abs(reacted - attack.watched), solutes_.total(*attack.product)));
+    }
     attack.watched = reacted;
   }
   if (!dissolves_) return;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace vug {
@@ -66,6 +67,14 @@ LargestLoad largest(const TractionLoad& load) {
     include(found, {std::abs(stress->peak()), std::max(stress->highest() - start, start - stress->lowest())});
   }
   return found;
+}
+
+/// The smallest change of those of its stresses that change; infinite where none does.
+double least_change(const TractionLoad& load) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const TimeTable* stress : {&load.normal_stress, &load.shear_stress})
+    if (stress->highest() > stress->lowest()) least = std::min(least, stress->highest() - stress->lowest());
+  return least;
 }
 
 LargestLoad largest(const BoundarySection& side, const Scene& scene) {
@@ -137,6 +146,12 @@ LargestLoad largest_load(const Scene& scene) {
     include(found, {drive, drive});
   }
   if (scene.reaction) found.change = found.ever;
+  // rock must not sleep through the least of the tables either, whatever changes beside it
+  for_each_boundary(scene, [&](const BoundarySection& given) {
+    found.change = std::min(found.change, least_change(given.traction.load));
+    for (const TractionPart& part : given.traction.parts)
+      found.change = std::min(found.change, least_change(part.load));
+  });
   return found;
 }
 

@@ -18,7 +18,7 @@ Loads boundary_loads(const Scene& scene);
 /// Stresses on the rock, Pa; 0: unknown.
 struct LargestLoad {
   double ever = 0;    ///< the largest at any time
-  double change = 0;  ///< the largest change of one after the preload
+  double change = 0;  ///< the largest change of one after the preload, or that of the least traction that changes
 };
 
 /// The largest stress on the rock that is known from the case. It is the largest of: tractions; deviations of given
