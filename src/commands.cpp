@@ -13,6 +13,7 @@
 #include "front/schema.hpp"
 #include "front/templates.hpp"
 #include "front/watch.hpp"
+#include "host/interruption.hpp"
 #include "host/this_process.hpp"
 #include "io/json_text.hpp"
 #include "io/run_record.hpp"
@@ -147,6 +148,7 @@ int sweep_command(const CommandLine& line, std::ostream& log) {
 }
 
 int watch_command(const CommandLine& line) {
+  say_when_ended("no longer watching; a run goes on");
   winsize window{};
   const bool terminal = isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0;
   WatchView view{80, 40, line.columns};

@@ -156,8 +156,8 @@ class Run:
     def case(self):
         """The tables of its case file, as they were read; what --set has changed is in record["overrides"]."""
         try:
-            return tomllib.loads(self._recorded("case_text"))
-        except (ValueError, TypeError) as error:
+            return tomllib.loads(self._recorded("case_text").removeprefix("\ufeff"))
+        except (ValueError, TypeError, AttributeError) as error:
             raise FileTrouble(f"{self.directory / 'run.json'}: is damaged: case_text: {error}") from None
 
     @functools.cached_property

@@ -12,7 +12,8 @@ namespace vug {
 /// A folder that appears under its name when it is complete. If it is dropped before commit(), nothing of it remains.
 class NewFolder {
  public:
-  explicit NewFolder(const std::filesystem::path& path) : path_(path), temporary_(path.string() + ".tmp") {
+  explicit NewFolder(const std::filesystem::path& path)
+      : path_(without_slash(path.lexically_normal())), temporary_(path_.string() + ".tmp") {
     if (std::filesystem::exists(path_))
       throw InputError(path_.string() + ": is there already; -o DIR writes elsewhere");
     if (!temporary_.parent_path().empty()) std::filesystem::create_directories(temporary_.parent_path());
@@ -40,6 +41,10 @@ class NewFolder {
   }
 
  private:
+  static std::filesystem::path without_slash(const std::filesystem::path& path) {
+    return path.has_filename() ? path : path.parent_path();
+  }
+
   std::filesystem::path path_, temporary_;
   bool made_ = false;
 };

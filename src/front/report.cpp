@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "front/new_folder.hpp"
+#include "host/interruption.hpp"
 #include "io/checkpoint.hpp"
 #include "io/detail/checkpoint_names.hpp"
 #include "io/detail/files.hpp"
@@ -53,6 +54,8 @@ CasePlaces places_of(const RunOrigin& origin) {
 /// The last step of the run; for one that was killed or is under way, the last one in its history.
 std::int64_t step_reached(const std::string& path, const RunSummary& summary) {
   const History history = read_history(path);
+  if (history.rows() == 0 && std::atoll(summary.steps.c_str()) > 0)
+    throw InputError(path + ": has no row to compare with, though the run has taken steps");
   const int steps = history.find("step_1");
   const double last_row = steps >= 0 && history.rows() > 0 ? history.values[steps].back() : 0;
   return std::max<std::int64_t>(std::atoll(summary.steps.c_str()), static_cast<std::int64_t>(last_row));
@@ -206,7 +209,8 @@ void write_texts(const Told& told, const NewFolder& folder) {
 }  // namespace
 
 std::string report_directory(const std::string& directory) {
-  const fs::path path = fs::path(directory).lexically_normal();
+  fs::path path = fs::path(directory).lexically_normal();
+  if (const fs::path last = path.filename(); last == "." || last == "..") path = fs::absolute(path).lexically_normal();
   return (path.has_filename() ? path : path.parent_path()).string() + "-report";
 }
 
@@ -218,12 +222,15 @@ std::string report_run(const std::string& directory, const std::string& bundle) 
                      ": has no history.csv to compare with (a laboratory test, or a run that ended before "
                      "its first step: send its case file)");
   const RunOrigin origin = read_run_origin(directory);
+  const StopsInOrder in_order;  // so that nothing is left of a bundle that is not complete
   NewFolder folder(bundle);
   fs::copy_file(fs::path(directory) / "run.json", folder.place("run/run.json"));
   const std::int64_t reached = step_reached(copy_history(directory, folder), *summary);
   const Told told{*summary, origin, places_of(origin), reached, copy_checkpoint(reached, directory, *summary, folder)};
+  throw_if_stop_requested();
   const std::string warnings = copy_case(told, folder);
   write_texts(told, folder);
+  throw_if_stop_requested();
   folder.commit();
   return warnings + fmt::format("{}: {}, replays from {}\n{}/replay runs it again; to send it: tar -czf {} {}\n",
                                 bundle, size_text(bundle), told.beginning(), shell_word(bundle),

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 namespace vug {
 
@@ -22,11 +24,18 @@ std::string duration_text(double seconds) {
   return fmt::format("{} d {} h", s / 86400, s / 3600 % 24);
 }
 
-Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock)
+int terminal_columns() {
+  winsize window{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 ? window.ws_col : 0;
+}
+
+Progress::Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock,
+                   std::function<int()> columns)
     : out_(out),
       terminal_(terminal),
       run_(run),
       clock_(std::move(clock)),
+      columns_(std::move(columns)),
       start_(clock_()),
       shown_(start_),
       step_(run.first_step),
@@ -60,7 +69,7 @@ void Progress::update(std::int64_t step, double updates_per_step, double ahead) 
   shown_ = now;
   shown_fraction_ = fraction();
   if (terminal_)
-    out_ << "\r\x1b[K" << bar() << line() << std::flush;
+    out_ << "\r\x1b[K" << fitted() << std::flush;
   else
     out_ << line() << '\n' << std::flush;
 }
@@ -99,6 +108,14 @@ std::string Progress::line() const {
                      std::floor(100 * fraction()), simulated(), end(), step_, speed,
                      1e-6 * speed * run_.updates_per_step,
                      duration_text(pace > 0 ? (end() - simulated()) / pace : INFINITY));
+}
+
+std::string Progress::fitted() const {
+  const int columns = columns_();
+  const std::string text = line();
+  if (columns <= 0) return bar() + text;
+  const auto room = static_cast<std::size_t>(columns - 1);  // what reaches into the last column may wrap
+  return (bar() + text).size() <= room ? bar() + text : text.substr(0, room);
 }
 
 std::string Progress::bar() const {

@@ -14,9 +14,12 @@ namespace vug {
 /// A duration for people: "42 s", "3 min 20 s", "5 h 07 min", "2 d 3 h"; "unknown" where there is none.
 std::string duration_text(double seconds);
 
+/// Columns of the terminal at the standard error stream; none where that is no terminal.
+int terminal_columns();
+
 /// Reports time, steps per second, MLUPS and the time left, from the speed of the last half minute. On a terminal one
-/// line is redrawn five times a second. In a log a line is added every 5 %, but at most every two seconds; where 5 %
-/// take longer, also after 5, 10, 20, 40 and then every 60 seconds.
+/// line, no longer than it is wide, is redrawn five times a second. In a log a line is added every 5 %, but at most
+/// every two seconds; where 5 % take longer, also after 5, 10, 20, 40 and then every 60 seconds.
 class Progress {
  public:
   struct Run {
@@ -26,7 +29,8 @@ class Progress {
     bool quiet = false;           ///< warnings only
     double ahead = 0;             ///< s, at the first step, as for update()
   };
-  Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds);
+  Progress(std::ostream& out, bool terminal, const Run& run, std::function<double()> clock = steady_seconds,
+           std::function<int()> columns = terminal_columns);
 
   /// Cheap enough to be called in every step of a small lattice. `updates_per_step` may change, because the fluid
   /// grows. `ahead` (s): how much further the time is than the steps alone make it.
@@ -51,6 +55,7 @@ class Progress {
   bool due(double now) const;
   std::string line() const;
   std::string bar() const;
+  std::string fitted() const;
   double simulated() const { return static_cast<double>(step_) * run_.time_step + ahead_; }
   double end() const { return static_cast<double>(run_.last_step) * run_.time_step; }
   double fraction() const;
@@ -59,6 +64,7 @@ class Progress {
   bool terminal_;
   Run run_;
   std::function<double()> clock_;
+  std::function<int()> columns_;
   double start_, shown_, interval_ = 5;
   std::int64_t step_;
   double ahead_, shown_fraction_ = 0;

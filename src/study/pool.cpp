@@ -3,12 +3,14 @@
 #include "base/require.hpp"
 #include "host/control_groups.hpp"
 #include "host/interruption.hpp"
+#include "host/openmp_places.hpp"
 #include "host/this_process.hpp"
 #include "io/message.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
@@ -39,8 +41,17 @@ void say(const std::string& text) {
   if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // there is nowhere else to report it
 }
 
-/// Runs in the child, between fork and exec.
-[[noreturn]] void become(const Call& call, pid_t parent) {
+/// The signals of listen_to_signals (process.cpp), held back while a child is no job yet: its handler, a copy of the
+/// parent's, would only note them, and exec forgets notes.
+sigset_t signals_to_stop() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1}) sigaddset(&set, signal);
+  return set;
+}
+
+/// Runs in the child, between fork and exec, with signals held back; `mask`: those of the parent.
+[[noreturn]] void become(const Call& call, pid_t parent, const sigset_t& mask) {
   const int file = ::open(call.log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
   if (file >= 0) {
     ::dup2(file, STDOUT_FILENO);
@@ -48,6 +59,11 @@ void say(const std::string& text) {
   }
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(127);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1}) {
+    struct sigaction handled {};
+    if (::sigaction(signal, nullptr, &handled) == 0 && handled.sa_handler != SIG_IGN) ::signal(signal, SIG_DFL);
+  }
+  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   ::execv(call.pointers[0], call.pointers.data());
   const auto why = static_cast<std::size_t>(errno);
   say(call.complaint);
@@ -57,8 +73,12 @@ void say(const std::string& text) {
 
 pid_t begin(const Job& job) {
   const Call call(job);
+  const sigset_t held = signals_to_stop();
+  sigset_t mask;
+  ::sigprocmask(SIG_BLOCK, &held, &mask);
   const pid_t self = ::getpid(), child = ::fork();
-  if (child == 0) become(call, self);
+  if (child == 0) become(call, self, mask);
+  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   if (child < 0) throw FileError(job.words[0] + ": cannot begin a process: " + std::strerror(errno));
   return child;
 }
@@ -74,6 +94,8 @@ struct Running {
 void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(const Ended&)>& tell,
               const std::function<bool(std::size_t)>& look) {
   const StopsInOrder in_order;
+  leave_openmp_place();
+  if (at_once > 1) ::setenv("OMP_PROC_BIND", "false", 1);  // else all would be bound to the first place
   std::map<pid_t, Running> running;
   std::size_t next = 0;
   bool stopped = false;
@@ -114,6 +136,7 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
 }
 
 int processors() {
+  leave_openmp_place();
   cpu_set_t set;
   CPU_ZERO(&set);
   const int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1, granted = granted_processors();

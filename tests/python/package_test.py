@@ -216,6 +216,9 @@ class OpenRuns(unittest.TestCase):
     def test_minerals_have_their_names(self):
         run = self.run_case("cases/minerals.toml", steps=2)
         self.assertEqual(run[-1].minerals, ["rock", "calcite", "dolomite", "quartz"])
+        text = run.record["case_text"]
+        run._recorded = {"case_text": "\ufeff" + text}.get  # from an editor that marks UTF-8
+        self.assertEqual([table["name"] for table in run.case["mineral"]], run[-1].minerals[1:])
         panel = {panel.name: panel for panel in vug.plot.panels_of(run[-1])}["mineral"]
         figure, axes = plt.subplots()
         vug.plot.draw_panel(axes, panel, vug.plot.Frame(run[-1]))

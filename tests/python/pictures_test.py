@@ -38,6 +38,17 @@ def snapshot_of(fields):
 
 
 class Pictures(unittest.TestCase):
+    def test_a_picture_that_cannot_be_written_leaves_the_one_before(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.png"
+            path.write_text("before", encoding="utf-8")
+            figure = plt.figure()
+            with unittest.mock.patch.object(figure, "savefig", side_effect=OSError(28, "No space left on device")):
+                with self.assertRaisesRegex(vug.VugError, f"{path}: No space left on device"):
+                    vug.plot.style.save(figure, path)
+            self.assertEqual([entry.name for entry in path.parent.iterdir()], ["a.png"])
+            self.assertEqual(path.read_text(encoding="utf-8"), "before")
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

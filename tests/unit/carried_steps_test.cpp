@@ -82,10 +82,10 @@ TEST(CarriedSteps, AreWarnedOfOnce) {
   CarriedSteps watch(scene(), {});
   const Clock clock{300, 1};
   EXPECT_THAT(watch.look_at_row(clock, {{"time_s", 1}}), IsEmpty()) << "no flow in the row";
-  EXPECT_THAT(watch.look_at_row(clock, row(0.0625)), IsEmpty());
-  const std::vector<std::string> heat = watch.look_at_row(clock, row(0.07));
+  EXPECT_THAT(watch.look_at_row(clock, row(0.03125)), IsEmpty());
+  const std::vector<std::string> heat = watch.look_at_row(clock, row(0.035));
   EXPECT_THAT(heat, ElementsAre("step 300, 300 s: warning: accuracy.heat_interval is too long for the speed of the "
-                                "fluid: 16 lattice steps carry it 1.12 cells, 1 at most hold; set it to 14 at most, or "
+                                "fluid: 16 lattice steps carry it 0.56 cells, 0.5 at most hold; set it to 14 at most, or "
                                 "lower lattice.time_step"));
   EXPECT_THAT(watch.look_at_row(clock, row(0.2)), ElementsAre(HasSubstr("solute_interval is too long")));
   EXPECT_THAT(watch.look_at_row(clock, row(0.3)), IsEmpty());
@@ -101,7 +101,7 @@ TEST(CarriedSteps, AreNoneWhereTheyFollowTheSpeedOrNothingFlows) {
   EXPECT_THAT(carried_steps(still), IsEmpty());
 }
 
-/// u = g t: heat's 16 steps are too long from step 625 on, the acid's 4 from step 1000; told of at the rows after that,
+/// u = g t: heat's 16 steps are too long from step 312 on, the acid's 4 from step 1000; told of at the rows after that,
 /// and not again by a run that is resumed.
 TEST(CarriedSteps, AreWatchedInARun) {
   const test::TemporaryFolder folder;
@@ -109,7 +109,7 @@ TEST(CarriedSteps, AreWatchedInARun) {
   test::write_text(path, falling);
   const test::Outcome first = test::run_vug(run + " --steps 800");
   ASSERT_EQ(first.exit_code, 0) << first.output;
-  EXPECT_THAT(first.output, HasSubstr("step 700, 700 s: warning: accuracy.heat_interval is too long"));
+  EXPECT_THAT(first.output, HasSubstr("step 400, 400 s: warning: accuracy.heat_interval is too long"));
   EXPECT_THAT(first.output, Not(HasSubstr("solute_interval is too long")));
   const test::Outcome second = test::run_vug(run + " --resume --steps 1100");
   ASSERT_EQ(second.exit_code, 0) << second.output;

@@ -39,6 +39,24 @@ TEST(Progress, SaysTimeSpeedAndWhatIsLeft) {
   EXPECT_THAT(watch.out.str(), HasSubstr(" 50 %  t = 0.0005 of 0.001 s  step 500  10 steps/s  20.0 MLUPS  ETA 50 s"));
 }
 
+/// A line that wraps would stay when the next one is drawn over its last row.
+TEST(Progress, FitsOnATerminal) {
+  for (const int columns : {40, 80, 100, 200}) {
+    Stopwatch watch;
+    Progress progress(watch.out, true, hundred_seconds, watch.clock(), [&] { return columns; });
+    for (int step = 1; step <= 500; ++step) {
+      watch.now += 0.1;
+      progress.update(step);
+    }
+    std::istringstream drawn(watch.out.str());
+    std::size_t longest = 0;
+    for (std::string line; std::getline(drawn, line, '\r');) longest = std::max(longest, line.size());
+    EXPECT_LE(longest, static_cast<std::size_t>(columns - 1) + 3) << "with the 3 that clear the line";
+    EXPECT_GT(longest, columns < 100 ? columns - 2u : 70u);
+    EXPECT_EQ(watch.out.str().find("[#") != std::string::npos, columns > 100) << columns;
+  }
+}
+
 TEST(Progress, IsPlainAndShortInALog) {
   Stopwatch watch;
   Progress progress(watch.out, false, hundred_seconds, watch.clock());

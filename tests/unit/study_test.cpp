@@ -2,6 +2,7 @@
 #include "study/study.hpp"
 
 #include "base/require.hpp"
+#include "host/interruption.hpp"
 #include "study/members.hpp"
 #include "study/pool.hpp"
 #include "support/temporary_folder.hpp"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <set>
 
 namespace vug {
@@ -142,6 +144,23 @@ TEST(Pool, SaysInTheLogWhyAProgramCannotBeRun) {
   EXPECT_EQ(code, 2 * 127);
   EXPECT_EQ(test::contents(log), nothing + ": cannot be run: No such file or directory\n");
   EXPECT_EQ(test::contents(folder / "b.log"), "/bin/true: cannot be run: Argument list too long\n");
+}
+
+/// A stop may come while a process is no program yet and has the handlers of this one.
+TEST(Pool, StopsJobsThatHaveJustBegun) {
+  const test::TemporaryFolder folder;
+  std::signal(SIGTERM, [](int) {});  // notes it and goes on, like that of vug
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    int code = 0;
+    run_jobs({{{"/bin/sleep", "10"}, folder / "a.log"}}, 1, [&](const Ended& ended) { code = ended.code; },
+             [](std::size_t) {
+               request_stop(SIGTERM);
+               return true;
+             });
+    EXPECT_EQ(code, 128 + SIGTERM);
+    request_stop(0);
+  }
+  std::signal(SIGTERM, SIG_DFL);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ from matplotlib import pyplot as plt
 
 from ..errors import VugError
 from . import fields
-from .style import readable
+from .style import complete, readable
 
 
 def scales_of(run, names, creeping=None):
@@ -56,9 +56,11 @@ def movie(run, path, heading="", names=None, frames_per_second=8):
     figure = plt.figure(figsize=(width * columns, height * -(-len(names) // columns) + 0.6), layout="constrained")
     writer = animation.PillowWriter(fps=frames_per_second) if str(path).endswith(".gif") else \
         animation.FFMpegWriter(fps=frames_per_second)
-    with writer.saving(figure, str(path), dpi=90):
-        for snapshot in run:
-            draw(figure, snapshot)
-            writer.grab_frame(facecolor="white")
-    plt.close(figure)
+    try:
+        with complete(path) as place, writer.saving(figure, str(place), dpi=90):
+            for snapshot in run:
+                draw(figure, snapshot)
+                writer.grab_frame(facecolor="white")
+    finally:
+        plt.close(figure)
     return path

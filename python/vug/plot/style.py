@@ -1,7 +1,10 @@
 """What all pictures share: colours that people with any colour vision tell apart, tidy axes, one way to save."""
+import contextlib
 import pathlib
 
 from matplotlib import pyplot as plt
+
+from ..errors import FileTrouble
 
 ROCK = "#d9d5cc"
 PORE = "#ffffff"
@@ -63,10 +66,27 @@ def tidy(axes):
         axes.spines[side].set_visible(False)
 
 
-def save(figure, path):
-    """Writes the figure as a PNG, closes it, and returns the path."""
+@contextlib.contextmanager
+def complete(path):
+    """The place at which a picture is written; it gets its own name, in the place of an older one, once it is whole."""
     path = pathlib.Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=150, facecolor="white")
-    plt.close(figure)
+    unfinished = path.with_name("." + path.name)
+    try:
+        yield unfinished
+        unfinished.replace(path)
+    except OSError as error:
+        raise FileTrouble(f"{path}: {error.strerror or error}") from None
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def save(figure, path):
+    """Writes the figure as a PNG, closes it, and returns the path. Raises FileTrouble where it cannot be written."""
+    path = pathlib.Path(path)
+    try:
+        with complete(path) as place:
+            figure.savefig(place, dpi=150, facecolor="white")
+    finally:
+        plt.close(figure)
     return path
