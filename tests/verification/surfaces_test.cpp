@@ -114,8 +114,7 @@ TEST(SurfaceForces, HaveTheirColumnsWhateverTheCornersAre) {
   const std::string given =
       "[boundary.left.flow]\ntype = \"velocity\"\nvelocity = [0.01, 0]\n"
       "[boundary.bottom.flow]\ntype = \"velocity\"\nvelocity = [0, 0.01]\n"
-      "[boundary.right.flow]\ntype = \"velocity\"\nvelocity = [0.01, 0]\n"
-      "[boundary.top.flow]\ntype = \"velocity\"\nvelocity = [0, 0.01]\n";
+      "[boundary.right.flow]\ntype = \"pressure\"\npressure = 3e5\n";
   for (const std::string& sides : {std::string(), given}) {
     const auto inside = columns(corner(4, 3) + sides);
     for (const auto& [x, y] : {std::pair{0, 0}, {8, 0}, {0, 6}, {8, 6}})
@@ -142,10 +141,10 @@ TEST(SurfaceForces, OnTheWallsOfAChannelAreTheShearThatDrivesIt) {
 TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
   for (const auto& [nx, ny] : {std::pair{24, 8}, {8, 16}}) {
     test::CoupledRun run(lattice(nx, ny) + flow + told +
-                         "[boundary.left.flow]\ntype = \"pressure\"\npressure = 3.002e5\n"
+                         "[boundary.left.flow]\ntype = \"pressure\"\npressure = 3.00002e5\n"
                          "[boundary.right.flow]\ntype = \"pressure\"\npressure = 3e5\n");
     run.steps(6000);
-    const double push = 200 * ny * dx;
+    const double push = 2 * ny * dx;
     EXPECT_NEAR(run.now("bottom_force_x_N_per_m"), push / 2, 1e-4 * push);
     EXPECT_NEAR(run.now("top_force_x_N_per_m"), push / 2, 1e-4 * push);
     EXPECT_NEAR(run.now("left_force_x_N_per_m"), -push, 1e-4 * push);
@@ -158,7 +157,7 @@ TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
 /// Couette's flow: rho nu U/h on every length of wall, and the same along both ends, where pressures or velocities are
 /// given.
 TEST(SurfaceForces, OfCouettesFlowAreItsShear) {
-  const double speed = 0.02 * dx / dt, h = 4 * dx;
+  const double speed = 2e-4 * dx / dt, h = 4 * dx;
   for (const int nx : {4, 12})
     for (const bool given : {false, true})
       for (const bool upright : {false, true}) {
@@ -177,7 +176,7 @@ TEST(SurfaceForces, OfCouettesFlowAreItsShear) {
                 ".flow]\ntype = \"wall\"\nvelocity = " + vector(speed) + "\n";
         test::CoupledRun run(text);
         run.steps(4000);
-        const double shear = density * 1.2e-3 * speed / h;
+        const double shear = 5 * density * 1.2e-3 * speed / h;  // times pressure_scale
         const char* along = upright ? "_force_y_N_per_m" : "_force_x_N_per_m";
         const char* across = upright ? "_force_x_N_per_m" : "_force_y_N_per_m";
         const auto force = [&](const std::string& side, const char* axis) { return run.now(side + axis); };
