@@ -129,7 +129,7 @@ class FlowModule final : public Module {
   bool fills_slowly_;  ///< cracks may be far narrower than a cell: velocities do not show that their pressure changes
   bool pores_open_;    ///< rock may become fluid, so that paths_ are not those of the whole run
   bool pathways_in_cells_;  ///< there is [rock], whose pathways are a number of cells wide: the pressure may be scaled
-  double raised_ = 0;  ///< s, from when on all conditions have their final values
+  double raised_ = 0;       ///< s, from when on all conditions have their final values
   SteadyFlow<T> steady_;
   /// Values that other ranks compute: populations that our sweep pulls; populations that leave through links that we
   /// dress; velocities that carry scalars or that our links need; values of fluid nodes in our rows; all populations of

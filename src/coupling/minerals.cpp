@@ -39,9 +39,10 @@ std::vector<std::string> remarks_on_absent_minerals(const Scene& scene, const Ko
   for (std::size_t n = 0; n < mineral.extent(0); ++n) present[mineral(n)] = true;
   for (std::size_t m = 0; m < scene.minerals.size(); ++m)
     if (!present[m + 1])
-      remarks.push_back(fmt::format("mineral.{}: no node of rock is \"{}\": the picture has none of its labels, or cells of "
-                                    "several pixels have more of others",
-                                    m, scene.minerals[m].name));
+      remarks.push_back(
+          fmt::format("mineral.{}: no node of rock is \"{}\": the picture has none of its labels, or cells of "
+                      "several pixels have more of others",
+                      m, scene.minerals[m].name));
   return remarks;
 }
 

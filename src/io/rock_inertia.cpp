@@ -63,9 +63,11 @@ double slenderness(const Scene& scene) {
   return longer > 2 * shorter ? longer / shorter : 1;
 }
 
+/// Whether gravity may move rock that nothing holds: all of it, or pieces that notches or cracks of a mesh cut off.
 bool falls(const Scene& scene) {
   const auto& gravity = scene.mechanics->gravity;
-  return std::hypot(gravity[0], gravity[1]) > 0 && !is_supported(scene);
+  const bool may_be_in_pieces = scene.rock && (!scene.rock->notches.empty() || scene.rock->mesh);
+  return std::hypot(gravity[0], gravity[1]) > 0 && (may_be_in_pieces || !is_supported(scene));
 }
 
 bool holds(const TractionLoad& load) {

@@ -75,7 +75,7 @@ std::string case_text(const Turn& turn, const Scale& s, const std::string& set) 
   shape(fmt::format("type = \"polygon\"\npoints = [{}, {}, {}]", at(14.1, 9.2), at(24.3, 13.4), at(16.2, 18.3)));
   shape(fmt::format("type = \"disc\"\nname = \"well\"\ncentre = {}\nradius = {:.17g}", at(25.2, 6.4), 2.3 * dx));
   const bool drained =
-      set == "d2q9";  // through an opening with a step inwards, whose node has a face along either axis
+      set == "d2q5";  // through an opening with a step inwards, whose node has a face along either axis
   if (drained)
     shape(fmt::format("type = \"polygon\"\nname = \"drain\"\npoints = [{}, {}, {}, {}, {}, {}]", at(4, 14), at(10, 14),
                       at(10, 16), at(7, 16), at(7, 19), at(4, 19)));

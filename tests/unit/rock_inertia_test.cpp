@@ -45,6 +45,10 @@ TEST(RockInertia, RockThatFallsHasItsOwnMass) {
   };
   EXPECT_EQ(chosen("gravity = [0, -9.81]\n", {}), 1);
   EXPECT_EQ(chosen("gravity = [0, -9.81]\n", {"boundary.bottom.traction.support=\"fixed\""}), 64);
+  EXPECT_EQ(chosen("gravity = [0, -9.81]\n", {"boundary.top.traction.support=\"roller\"",
+                                              "rock.notches=[{ from = [0, 0.02], to = [0.04, 0.02], aperture = 0 }]"}),
+            1)
+      << "what is below the notch";
   EXPECT_EQ(chosen("", {}), 64) << "nothing moves it";
 }
 
