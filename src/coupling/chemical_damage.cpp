@@ -3,6 +3,7 @@
 #include "coupling/run_sum.hpp"
 #include "dem/dissolved_rock.hpp"
 #include "dem/out_of_place.hpp"
+#include "dem/pieces.hpp"
 #include "kernels/launch/launch.hpp"
 #include "kernels/launch/prefetch.hpp"
 
@@ -178,7 +179,8 @@ void DissolvedShares::follow_fragments() {
 
 void DissolvedShares::let_go(const Exec& exec, const Particles& particles, const Bonds& bonds) {
   if (let_go_.extent(0) == 0 || count_out_of_place(exec, particles) == 0) return;
-  const IndexList piece = pieces_.find(exec, particles, bonds);
+  // anew each time: which piece is the heaviest changes as rock dissolves, and must not depend on when it was asked
+  const auto piece = to_device<IndexList>("vug::chemical_damage::pieces", find_loose_pieces(particles, bonds));
   Kokkos::deep_copy(exec, leaving_, 0);
   for_each_node(exec, "vug::chemical_damage::mark_leaving", particles.count, MarkLeaving{particles, piece, leaving_});
   for_each_node(exec, "vug::chemical_damage::let_go", particles.count,

@@ -2,7 +2,6 @@
 // The effect of dissolution on triangles and bonds.
 #include "coupling/wet_nodes.hpp"
 #include "dem/bonds.hpp"
-#include "dem/pieces.hpp"
 
 #include <string>
 
@@ -83,11 +82,10 @@ class DissolvedShares {
   NodeGroups nodes_of_sector_;
   SectorPairs sectors_of_bond_;
   SolidMoved triangles_, sectors_;
-  ScalarField<double> initial_;  ///< (sector) solid volume, pixels
-  ScalarField<double> settled_;  ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
-  ScalarField<double> let_go_;   ///< (triangle) 1 for one that was let go; empty without follow_fragments
-  IndexList leaving_;            ///< (triangle) 1 at the lowest one of a piece that goes now; empty likewise
-  LoosePieces pieces_;
+  ScalarField<double> initial_;     ///< (sector) solid volume, pixels
+  ScalarField<double> settled_;     ///< (sector) dissolved volume of the nodes that have turned fluid, pixels
+  ScalarField<double> let_go_;      ///< (triangle) 1 for one that was let go; empty without follow_fragments
+  IndexList leaving_;               ///< (triangle) 1 at the lowest one of a piece that goes now; empty likewise
   ScalarField<double> sum_, held_;  ///< (sector) work space of an update
   ScalarField<double> solid_fraction_, d_c_;
 };

@@ -36,7 +36,8 @@ struct Passage {
 /// everywhere). Passages that lead nowhere else are dead ends and only store. A passage of n nodes carries what a slit
 /// of n cells does, n^3/12 per pressure gradient; where only one of its nodes is beside a no-slip wall, what a layer
 /// with one wall does, n^3/3; without such nodes, all. The drag of a front is that of its passages side by side, and a
-/// lower bound, because they may be wound or share what they carry otherwise. Each node stores 1/c_s^2 of the pressure; the delay ends where the way does, or at the first front where the other sign is given.
+/// lower bound, because they may be wound or share what they carry otherwise. Each node stores 1/c_s^2 of the pressure;
+/// the delay ends where the way does, or at the first front where the other sign is given.
 Passage find_passage(const NoSlipWalls& walls, const FluidPicture& picture, const std::vector<std::size_t>& begin,
                      const Ways& ways, double beyond = 0);
 

@@ -36,7 +36,7 @@ struct TakeStiffness {
   ScalarField<double> lost;
   KOKKOS_FUNCTION void operator()(int k) const {
     const ScalarField<double>& d_c = energy.bonds.d_c;
-    if (now(k) == d_c(k)) return;
+    if (now(k) <= d_c(k)) return;  // what a reaction that runs back gives to a side does not mend the bond
     lost(k) += (at_most(1, now(k)) - at_most(1, d_c(k))) * energy.undissolved(k);
     d_c(k) = now(k);
   }

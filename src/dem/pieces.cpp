@@ -9,23 +9,6 @@ namespace vug {
 
 namespace {
 
-struct CountFailed {
-  Bonds bonds;
-  KOKKOS_FUNCTION void operator()(int b, int& count) const { count += has_failed(bonds.state(b)); }
-};
-
-struct CountGone {
-  Particles p;
-  KOKKOS_FUNCTION void operator()(int t, int& count) const { count += is_gone(p.solid_fraction(t)); }
-};
-
-template <class Counter>
-int count_all(const Exec& exec, const char* label, int items, const Counter& counter) {
-  int count = 0;
-  Kokkos::parallel_reduce(label, Kokkos::RangePolicy<Exec>(exec, 0, items), counter, count);
-  return count;
-}
-
 /// Disjoint sets of numbers; the root of a set is its lowest member.
 class Sets {
  public:
@@ -91,16 +74,6 @@ bool has_unsupported_piece(const Particles& particles, const Bonds& bonds) {
   for (std::size_t t = 0; t < piece.size(); ++t)
     if (held(t) != 0 || is_gone(fraction(t))) stays[piece[t]] = true;
   return std::any_of(piece.begin(), piece.end(), [&](int own) { return !stays[own]; });
-}
-
-const IndexList& LoosePieces::find(const Exec& exec, const Particles& particles, const Bonds& bonds) {
-  const int failed = count_all(exec, "vug::dem::count_failed", bonds.count, CountFailed{bonds});
-  const int gone = count_all(exec, "vug::dem::count_gone", particles.count, CountGone{particles});
-  if (std::pair(failed, gone) == std::pair(failed_, gone_)) return piece_;
-  failed_ = failed;
-  gone_ = gone;
-  piece_ = to_device<IndexList>("vug::dem::loose_pieces", find_loose_pieces(particles, bonds));
-  return piece_;
 }
 
 }  // namespace vug

@@ -19,16 +19,4 @@ std::vector<int> find_loose_pieces(const Particles& particles, const Bonds& bond
 /// Whether no support holds any triangle of some piece, be it the only one.
 bool has_unsupported_piece(const Particles& particles, const Bonds& bonds);
 
-/// The loose pieces of a rock whose bonds fail and whose triangles dissolve, found anew only when that has happened:
-/// neither is ever undone, so that their numbers tell.
-class LoosePieces {
- public:
-  /// (triangle) find_loose_pieces of the present state. Waits for the device, and allocates where pieces have changed.
-  const IndexList& find(const Exec& exec, const Particles& particles, const Bonds& bonds);
-
- private:
-  IndexList piece_;
-  int failed_ = -1, gone_ = -1;  ///< bonds and triangles when pieces were last found
-};
-
 }  // namespace vug

@@ -1,9 +1,8 @@
 // Von Neumann's analysis against the equations that the schemes stand for, and against what the lattices do.
 #include "coupling/plane_waves.hpp"
 
-#include "coupling/heat_module.hpp"
-
 #include "../reference/reactive_box.hpp"
+#include "coupling/heat_module.hpp"
 #include "kernels/scalar/advective_form.hpp"
 #include "support/flow_setup.hpp"
 #include "support/host_copy.hpp"

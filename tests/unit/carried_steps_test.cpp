@@ -84,9 +84,10 @@ TEST(CarriedSteps, AreWarnedOfOnce) {
   EXPECT_THAT(watch.look_at_row(clock, {{"time_s", 1}}), IsEmpty()) << "no flow in the row";
   EXPECT_THAT(watch.look_at_row(clock, row(0.03125)), IsEmpty());
   const std::vector<std::string> heat = watch.look_at_row(clock, row(0.035));
-  EXPECT_THAT(heat, ElementsAre("step 300, 300 s: warning: accuracy.heat_interval is too long for the speed of the "
-                                "fluid: 16 lattice steps carry it 0.56 cells, 0.5 at most hold; set it to 14 at most, or "
-                                "lower lattice.time_step"));
+  EXPECT_THAT(heat,
+              ElementsAre("step 300, 300 s: warning: accuracy.heat_interval is too long for the speed of the "
+                          "fluid: 16 lattice steps carry it 0.56 cells, 0.5 at most hold; set it to 14 at most, or "
+                          "lower lattice.time_step"));
   EXPECT_THAT(watch.look_at_row(clock, row(0.2)), ElementsAre(HasSubstr("solute_interval is too long")));
   EXPECT_THAT(watch.look_at_row(clock, row(0.3)), IsEmpty());
   EXPECT_THAT(CarriedSteps(scene(), heat).look_at_row(clock, row(0.2)), ElementsAre(HasSubstr("solute_interval")));

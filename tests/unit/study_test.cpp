@@ -152,11 +152,12 @@ TEST(Pool, StopsJobsThatHaveJustBegun) {
   std::signal(SIGTERM, [](int) {});  // notes it and goes on, like that of vug
   for (int attempt = 0; attempt < 5; ++attempt) {
     int code = 0;
-    run_jobs({{{"/bin/sleep", "10"}, folder / "a.log"}}, 1, [&](const Ended& ended) { code = ended.code; },
-             [](std::size_t) {
-               request_stop(SIGTERM);
-               return true;
-             });
+    run_jobs(
+        {{{"/bin/sleep", "10"}, folder / "a.log"}}, 1, [&](const Ended& ended) { code = ended.code; },
+        [](std::size_t) {
+          request_stop(SIGTERM);
+          return true;
+        });
     EXPECT_EQ(code, 128 + SIGTERM);
     request_stop(0);
   }
