@@ -19,8 +19,7 @@ std::optional<std::string> remark_on_porosity(const RockSection& wanted, double 
   if (wanted.pathway_width || std::abs(found - wanted.porosity) <= noticeable * wanted.porosity) return std::nullopt;
   return fmt::format(
       "rock.porosity = {:g}, and pathways and notches take {:.3g} of the rock, the nearest that was found: notches "
-      "always "
-      "do, and pathways come in whole cuts; other triangles or another rock.pathway_aperture may come closer",
+      "always do, and pathways come in whole cuts; other triangles or another rock.pathway_aperture may come closer",
       wanted.porosity, found);
 }
 

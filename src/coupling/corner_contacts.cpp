@@ -74,8 +74,7 @@ std::string remark_on_sides_joined_by_corners(const Scene& scene, const FluidPic
   if (!x && !y) return {};
   return fmt::format(
       "pores lead from {} only through places where they touch at a corner between two rock nodes: {}; close the "
-      "corners, "
-      "or draw the rock finer",
+      "corners, or draw the rock finer",
       x && y ? "side to side"
       : x    ? "left to right"
              : "bottom to top",

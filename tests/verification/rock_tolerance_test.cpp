@@ -1,4 +1,5 @@
 // Rock that sleeps and rock that is made heavier by accuracy.tolerance and presets, against rock that does neither.
+#include "coupling/rock_loads.hpp"
 #include "support/rows.hpp"
 #include "support/tolerance_cases.hpp"
 
@@ -109,6 +110,17 @@ TEST(Tolerance, LetsNoRockSleepThroughASmallLoadOnTop) {
     // four times the mass of `fast` overshoots, awake as well
     EXPECT_NEAR(found.second / (2e4 * 0.01), 1, accuracy.starts_with("preset=\"f") ? 0.08 : 0.02) << accuracy;
   }
+}
+
+/// Whatever changes beside it: otherwise rock sleeps through it.
+TEST(Tolerance, KnowsTheLeastOfTheTractionsThatChange) {
+  const std::string pressed =
+      "[lattice]\nsize = [0.06, 0.01]\nspacing = 1e-3\ntime_step = 2e-6\n[time]\nsteps = 10\n"
+      "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 2.5e-3\n[mechanics]\n"
+      "[boundary.left]\ntraction = { support = \"fixed\" }\n[boundary.right]\n"
+      "traction = { normal_stress = [[0, 0], [2e-3, 5e6]], shear_stress = ";
+  EXPECT_EQ(largest_load(parse_scene(pressed + "[[0, 0], [2e-3, -2e4]] }\n", "a.toml")).change, 2e4);
+  EXPECT_EQ(largest_load(parse_scene(pressed + "2e4 }\n", "a.toml")).change, 5e6);
 }
 
 /// A block that a crack parts from a roof falls by g t^2 / 2, although its weight is nothing beside the stress above.

@@ -149,6 +149,10 @@ TEST(SurfaceForces, OfAPressureDropArePressureTimesArea) {
     EXPECT_NEAR(run.now("top_force_x_N_per_m"), push / 2, 1e-4 * push);
     EXPECT_NEAR(run.now("left_force_x_N_per_m"), -push, 1e-4 * push);
     EXPECT_NEAR(run.now("right_force_x_N_per_m"), 0, 1e-4 * push);
+    EXPECT_NEAR(run.now("left_force_x_N_per_m") + run.now("right_force_x_N_per_m") + run.now("bottom_force_x_N_per_m") +
+                    run.now("top_force_x_N_per_m"),
+                0, 1e-6 * push)
+        << "steady";
     EXPECT_NEAR(run.now("left_mass_flow_kg_per_m_s"), -run.now("right_mass_flow_kg_per_m_s"),
                 1e-9 * run.now("left_mass_flow_kg_per_m_s"));
   }
