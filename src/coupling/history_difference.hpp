@@ -23,8 +23,8 @@ bool is_rounding_of_velocity(const History& history, int column, double sound, d
 /// Each difference is divided by the largest change of that column in `reference` since its first row, that of a
 /// component of the mean velocity by the larger one of both components. Columns that do not change are left out, and
 /// components that are rounding of the other. So are, unless they are requested, counts, energies and momenta of the
-/// rock, all of balances except what is stored, and a mean velocity that is rounding (`sound` as above). Throws
-/// InputError for a column that does not exist.
+/// rock, all of balances except what is stored, and a mean velocity that is rounding (`sound` as above). Rates
+/// (flows, means of what crosses) count from the second row on. Throws InputError for a column that does not exist.
 struct Difference {
   double value = 0;
   std::string column;

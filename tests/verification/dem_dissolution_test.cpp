@@ -114,6 +114,18 @@ TEST(DissolvedSeam, IsAsWideAsTheOutlinesHaveShrunk) {
   }
 }
 
+/// What a reaction that runs back gives to a side of a bond does not mend it.
+TEST(DissolvedRock, GivenBackLeavesTheDamageOfBonds) {
+  Mechanics rock(test::pair_of_triangles(2e-3), elastic(0), {});
+  const ScalarField<double> solid("solid", 2), d_c("d_c", 1);
+  Kokkos::deep_copy(solid, 1.0);
+  for (const auto& [given, kept] : {std::pair{0.3, 0.3}, {0.1, 0.3}, {0.4, 0.4}}) {
+    Kokkos::deep_copy(d_c, given);
+    rock.dissolve(Exec(), 0.1 * rock.critical_step(), solid, d_c);
+    EXPECT_EQ(host_copy(rock.bonds().d_c)(0), kept);
+  }
+}
+
 TEST(DissolvedRock, WeighsNothingAndStaysWhereItIs) {
   const Seam seam;
   Mechanics rock = seam.column(elastic(0));

@@ -20,6 +20,14 @@ using testing::ElementsAre;
 const History truth{{"time_s", "a_J", "still_J", "count_1", "x_initial_J"},
                     {{0, 1, 2}, {5, 7, 9}, {3, 3, 3}, {0, 1, 2}, {0, 1, 2}}};
 
+/// A rate at the start is that of the first step after a jump, however long that is: 4 of 1e8 would be nothing.
+TEST(LargestDifference, OfRatesLeavesOutTheStart) {
+  const auto flow = [](double first, double last) {
+    return History{{"time_s", "left_heat_flow_W_per_m"}, {{0, 1, 2, 3}, {first, 10, 8, last}}};
+  };
+  EXPECT_NEAR(largest_difference(flow(1e8, 6), flow(5e7, 6.04), {"left_heat_flow_W_per_m"}, 0).value, 0.01, 1e-12);
+}
+
 TEST(LargestDifference, IsOverTheChangeOfItsColumn) {
   History other = truth;
   other.values[1][1] += 0.02;  // of a change of 4
