@@ -36,16 +36,23 @@ struct PairLoad {
   }
 };
 
+/// What a contact of a pair keeps from step to step: references into Contacts.
+struct ContactState {
+  double& stretch;
+  double& idle_overlap;
+};
+
 /// Sum of both kinds of contacts of a pair; in `other` the roles of the two particles are exchanged.
 KOKKOS_FORCEINLINE_FUNCTION PairLoad difference(const PairLoad& load, const PairLoad& other) {
   return {load.force - other.force, load.torque_a + other.torque_b, load.torque_b + other.torque_a};
 }
 
 /// Contacts of a pair: corners of each particle with the outline of the other. n points from the outline's body to the
-/// corner's body; overlap = 2 R - distance; springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 act at
-/// the contact point half way between them. Every corner has its own closest point, which may be inside an edge or a
-/// corner. Distances are therefore continuous, and so are forces and energy, however the two slide round each other.
-/// Two corners that meet count twice, once for each. Forces cancel exactly and act on one line.
+/// corner's body. Springs, dashpots and Coulomb friction K_n, K_t, c_n, mu of Table 1 act at the contact point half way
+/// between them, the normal spring on what the overlap 2 R - distance exceeds Contacts::idle_overlap. Every corner has
+/// its own closest point, which may be inside an edge or a corner. Distances are therefore continuous, and so are
+/// forces and energy, however the two slide round each other. Two corners that meet count twice, once for each. Forces
+/// cancel exactly and act on one line.
 template <class Keeper>
 struct ContactForces {
   ContactParameters law;
@@ -72,14 +79,14 @@ struct ContactForces {
   /// Adds the load on corner c of `a` at the point `where` of the outline of b: the whole load, and the part of the
   /// dashpots.
   KOKKOS_FUNCTION void add_corner(const MovingOutline& a, const MovingOutline& b, int c, const ClosestPoint& where,
-                                  double& stretch, PairLoad& load, PairLoad& drag, PairEnergy& energy) const {
+                                  double overlap, double& stretch, PairLoad& load, PairLoad& drag,
+                                  PairEnergy& energy) const {
     const Vec2 n = where.normal, t{-n.y, n.x};
     const Vec2 at = a.outline.corner[c] - (0.5 * where.distance) * n, arm_a = at - a.centre, arm_b = at - b.centre;
     const Vec2 rate = a.v + spin_times(a.spin, arm_a) - b.v - spin_times(b.spin, arm_b);
     const ContactPoint point{law.normal_stiffness, law.tangential_stiffness, law.normal_damping, law.tangential_damping,
                              law.friction};
     const double rate_t = dot(rate, t), before = stretch, offset = before + dt * rate_t;
-    const double overlap = 2 * particles.radius - where.distance;
     const ContactReaction reaction = contact_reaction(point, overlap, -dot(rate, n), offset, rate_t, 0);
     stretch = offset - reaction.slip;
     load.add(reaction.normal * n + reaction.tangential * t, arm_a, arm_b);
@@ -103,20 +110,28 @@ struct ContactForces {
     accounts.keep_pair_drag(pair, drag.force.x, drag.force.y, drag.torque_a, drag.torque_b);
   }
 
-  /// Releases the friction spring of a corner that does not touch; its energy counts as friction.
-  KOKKOS_FUNCTION void forget(double& stretch, PairEnergy& energy) const {
+  KOKKOS_FUNCTION ContactState state(int pair, int generation, int feature) const {
+    return {contacts.stretch(pair, generation, feature), contacts.idle_overlap(pair, generation, feature)};
+  }
+
+  /// Releases the friction spring of a corner that does not push; its energy counts as friction.
+  KOKKOS_FUNCTION void release(double& stretch, PairEnergy& energy) const {
     energy.friction += 0.5 * law.tangential_stiffness * stretch * stretch;
     stretch = 0;
   }
 
-  KOKKOS_FUNCTION void push_corner(const MovingOutline& a, const MovingOutline& b, int c, double& stretch,
+  KOKKOS_FUNCTION void push_corner(const MovingOutline& a, const MovingOutline& b, int c, const ContactState& kept,
                                    PairLoad& load, PairLoad& drag, PairEnergy& energy) const {
     const ClosestPoint where = closest_on_triangle(b.outline, a.outline.corner[c]);
-    if (where.distance < 2 * particles.radius) {
-      add_corner(a, b, c, where, stretch, load, drag, energy);
-    } else {
-      forget(stretch, energy);
-    }
+    const double overlap = 2 * particles.radius - where.distance;
+    if (!(overlap > 0))
+      kept.idle_overlap = 0;
+    else if (kept.idle_overlap == before_first_look)
+      kept.idle_overlap = overlap;
+    if (overlap > kept.idle_overlap)
+      add_corner(a, b, c, where, overlap - kept.idle_overlap, kept.stretch, load, drag, energy);
+    else
+      release(kept.stretch, energy);
   }
 
   KOKKOS_FUNCTION void push_pair(int low, const MovingOutline& a, Vec2 origin, int pair, int generation,
@@ -126,14 +141,17 @@ struct ContactForces {
     const double gap = 2 * particles.radius * (1 + 1e-9);  // beyond rounding
     if (is_gone(particles.solid_fraction(low)) || is_gone(particles.solid_fraction(high)) ||
         keeps_clear(a.outline, b.outline, gap) || keeps_clear(b.outline, a.outline, gap)) {
-      for (int f = 0; f < pair_features; ++f) forget(contacts.stretch(pair, generation, f), energy);
+      for (int f = 0; f < pair_features; ++f) {
+        release(contacts.stretch(pair, generation, f), energy);
+        contacts.idle_overlap(pair, generation, f) = 0;
+      }
       leave(pair, {}, {});
       return;
     }
     PairLoad by_a, by_b, drag_a, drag_b;  // of the corners of a on b, and of b on a, where the roles are exchanged
     for (int c = 0; c < 3; ++c) {
-      push_corner(a, b, c, contacts.stretch(pair, generation, c), by_a, drag_a, energy);
-      push_corner(b, a, c, contacts.stretch(pair, generation, 3 + c), by_b, drag_b, energy);
+      push_corner(a, b, c, state(pair, generation, c), by_a, drag_a, energy);
+      push_corner(b, a, c, state(pair, generation, 3 + c), by_b, drag_b, energy);
     }
     leave(pair, difference(by_a, by_b), difference(drag_a, drag_b));
   }

@@ -36,6 +36,7 @@ Contacts make_contacts(const Particles& particles, const Bonds& bonds, bool awak
   make_zeros(c.first, "vug::dem::contact_first", n + 1);
   make_zeros(c.other, "vug::dem::contact_other", c.capacity);
   make_zeros(c.stretch, "vug::dem::contact_stretch", c.capacity);
+  make_zeros(c.idle_overlap, "vug::dem::contact_idle_overlap", c.capacity);
   make_zeros(c.load, "vug::dem::contact_load", c.capacity);
   make_zeros(c.row, "vug::dem::contact_row", n + 1);
   make_zeros(c.entry, "vug::dem::contact_entry", 2 * c.capacity);

@@ -21,6 +21,9 @@ struct Contacts {
   Kokkos::View<int* [2], Kokkos::LayoutLeft> first;                      ///< (particle + 1, generation)
   Kokkos::View<int* [2], Kokkos::LayoutLeft> other;                      ///< (pair, generation) the higher particle
   Kokkos::View<double* [2][pair_features], Kokkos::LayoutLeft> stretch;  ///< friction springs, m
+  /// Overlaps that do not push, m: those that compression has made of triangles with a common vertex while bonds held
+  /// them apart. Zero again once the two have parted. before_first_look: that of the first evaluation.
+  Kokkos::View<double* [2][pair_features], Kokkos::LayoutLeft> idle_overlap;
   /// (pair, component) force on the lower particle, torque on it, torque on the higher one.
   Kokkos::View<double* [4], Kokkos::LayoutLeft> load;
   IndexList row;    ///< (particle + 1)
@@ -32,6 +35,8 @@ struct Contacts {
   VectorField<double> u_built;      ///< displacements when the list was built, m
   ScalarField<double> angle_built;  ///< rotations then
 };
+
+inline constexpr double before_first_look = -1;  ///< a Contacts::idle_overlap that is not known yet
 
 inline constexpr int contacts_stale = 0, contacts_generation = 1, contacts_lost = 2;
 

@@ -205,6 +205,7 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("contact_first", contacts_.first, 0, contacts_.capacity);
   visit("contact_other", contacts_.other, 0, particles_.count - 1);
   visit("contact_stretch", contacts_.stretch);
+  visit("contact_idle_overlap", contacts_.idle_overlap);
   visit("contact_row", contacts_.row, 0, 2 * contacts_.capacity);
   visit("contact_entry", contacts_.entry, 0, 2 * contacts_.capacity - 1);
   visit("contact_u_built", contacts_.u_built);

@@ -70,11 +70,11 @@ struct RebuildPairs {
     return t;
   }
 
-  /// Whether a bond, or the crack that it left, already transmits the forces between the two.
-  KOKKOS_FUNCTION bool joined(int i, int j) const {
+  /// Whether the two have a bond, or the crack that it left, whose faces are as `joint` says.
+  KOKKOS_FUNCTION bool have_faces(int i, int j, std::uint8_t joint) const {
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
       const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
-      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) == faces_joined) return true;
+      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) == joint) return true;
     }
     return false;
   }
@@ -114,7 +114,7 @@ struct RebuildPairs {
     if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;
     const double touch = reach_of(i) + reach_of(j) + near;  // in graded rock a cell is full of far smaller triangles
     if (dot(gap, gap) > touch * touch) return false;
-    if (joined(i, j) || held_apart(i, j)) return false;
+    if (have_faces(i, j, faces_joined) || held_apart(i, j)) return false;  // the faces transmit their forces
     const Triangle a = outline(i), b = outline(j);
     for (int c = 0; c < 3; ++c) {
       if (closest_on_triangle(a, b.corner[c]).distance < near || closest_on_triangle(b, a.corner[c]).distance < near) {
@@ -179,7 +179,14 @@ struct RebuildPairs {
     return -1;
   }
 
-  /// Lists the pairs of which i is the lower particle, ordered, with the friction that they had in the old list.
+  /// Idle overlap with which a pair is listed. Outlines that take over from the faces of a crack, which have slid past
+  /// each other, push by all of it.
+  KOKKOS_FUNCTION double first_idle_overlap(int i, int j) const {
+    return share_a_vertex(i, j) && !have_faces(i, j, faces_apart) ? before_first_look : 0;
+  }
+
+  /// Lists the pairs of which i is the lower particle, ordered, with the friction and the idle overlaps that they had
+  /// in the old list.
   KOKKOS_FUNCTION void list_pairs(int i, int now, int before) const {
     const int first = contacts.first(i, now), last = contacts.first(i + 1, now);
     if (first == last) contacts.energy(i) = 0;  // no force is computed that would set it
@@ -191,9 +198,10 @@ struct RebuildPairs {
       contacts.other(k, now) = j;
     });
     for (int k = first; k < last; ++k) {
-      const int old = find_pair(i, contacts.other(k, now), before);
+      const int j = contacts.other(k, now), old = find_pair(i, j, before);
       for (int f = 0; f < pair_features; ++f) {
         contacts.stretch(k, now, f) = old < 0 ? 0 : contacts.stretch(old, before, f);
+        contacts.idle_overlap(k, now, f) = old < 0 ? first_idle_overlap(i, j) : contacts.idle_overlap(old, before, f);
       }
     }
   }

@@ -140,11 +140,11 @@ void RockShare::make_whole(const Exec& exec, const MassLoss& loss) const {
   whole(of_particles_, particles_.v, particles_.spin, particles_.reaction, particles_.force, particles_.torque,
         loss.momentum, loss.kinetic, contacts_.energy);
   whole(of_bonds_, bonds_.joint, bonds_.point_damage, bonds_.slip, bonds_.stress, bonds_.load, loss.elastic);
-  // both lists of pairs, because a new one looks up the friction in the old
-  const std::size_t rows = contacts_.stretch.extent(0);
-  for (int generation = 0; generation < 2; ++generation)
-    for (std::size_t feature = 0; feature < pair_features; ++feature)
-      ranks_.make_whole(of_pairs(generation), contacts_.stretch.data() + (generation + 2 * feature) * rows);
+  // both lists of pairs, because a new one looks up what it keeps in the old
+  for (const auto& field : {contacts_.stretch, contacts_.idle_overlap})
+    for (int generation = 0; generation < 2; ++generation)
+      for (std::size_t feature = 0; feature < pair_features; ++feature)
+        ranks_.make_whole(of_pairs(generation), field.data() + (generation + 2 * feature) * field.extent(0));
 }
 
 Owners RockShare::of_pairs(int generation) const {

@@ -48,6 +48,71 @@ TEST(Collision, HasTheRestitutionOfItsDashpot) {
   }
 }
 
+/// Two points of triangles that face each other at one vertex. The right one is held; behind it is a crack, so that
+/// bonds do not keep the two apart.
+class TwoPoints {
+ public:
+  TwoPoints() : rock_(assembly(), undamped(), {}) {
+    const auto held = host_copy(rock_.particles().held);
+    held(0) = held(1) = 7;
+    Kokkos::deep_copy(rock_.particles().held, held);
+  }
+  double radius() const { return rock_.particles().radius; }
+  /// Angular frequency on the two springs, one for each of the two corners.
+  double frequency() const { return std::sqrt(2 * undamped().contact.normal_stiffness / mass()); }
+  void place(double x) { set(rock_.particles().u, x); }
+  void throw_right(double speed) { set(rock_.particles().v, speed); }
+  double x() const { return host_copy(rock_.particles().u)(2, 0); }
+  double velocity() const { return host_copy(rock_.particles().v)(2, 0); }
+  /// Advances by `time`; the furthest place to the right.
+  double furthest(double time) {
+    const double dt = 0.01 / frequency();
+    double most = x();
+    for (int step = 0; step < time / dt; ++step) {
+      rock_.advance(Exec(), dt, 1);
+      most = std::max(most, x());
+    }
+    return most;
+  }
+
+ private:
+  static Assembly assembly() {
+    const double l = 2e-3, half = l / std::sqrt(3.0);  // corners of 60 degrees
+    return {{{0, 0}, {l, -half}, {l, half}, {2 * l, 0}, {-l, half}, {-l, -half}},
+            {{0, 1, 2}, {1, 3, 2}, {0, 4, 5}},
+            {{1, 2}}};
+  }
+  static MechanicsParameters undamped() {
+    MechanicsParameters parameters;
+    parameters.contact.normal_damping = 0;
+    return parameters;
+  }
+  double mass() const { return host_copy(rock_.particles().mass)(2); }
+  static void set(const VectorField<double>& field, double x) {
+    const auto values = host_copy(field);
+    values(2, 0) = x;
+    Kokkos::deep_copy(field, values);
+  }
+  Mechanics rock_;
+};
+
+TEST(Overlap, ThatWasThereBeforeTheContactDoesNotPushUntilTheTwoHaveParted) {
+  TwoPoints points;
+  const double r = points.radius(), touching = 4 * r - 2 * r;  // corners lie R / sin(30 degrees) behind the vertex
+  points.place(touching + r);
+  points.furthest(1e-6);
+  EXPECT_EQ(points.velocity(), 0);
+  EXPECT_EQ(points.x(), touching + r);
+  const double speed = 1, depth = speed / points.frequency();
+  ASSERT_LT(depth, 0.1 * r);
+  points.throw_right(speed);
+  EXPECT_NEAR(points.furthest(2 * r / speed), touching + r + depth, 0.01 * depth);
+  EXPECT_NEAR(points.velocity(), -speed, 1e-3 * speed);
+  ASSERT_LT(points.x(), touching);
+  points.throw_right(speed);
+  EXPECT_NEAR(points.furthest(2 * r / speed), touching + depth, 0.01 * depth);
+}
+
 /// A wedge-shaped block (two bonded triangles) on a fixed base, pushed by gravity g at a slope.
 class Slope {
  public:
