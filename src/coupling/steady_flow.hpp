@@ -22,7 +22,7 @@ class SteadyFlow {
  public:
   SteadyFlow() = default;
   /// The flow is held when three shares are at most `tolerance`: the largest change c_k of velocity between two looks,
-  /// over the largest velocity; the sum of the changes to come when they continue to shrink like the last two,
+  /// over the velocity there plus `tolerance` times the largest (velocity_change); the sum of the changes to come when they continue to shrink like the last two,
   /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held
   /// before two looks have seen the flow under the final values of all boundaries, which these have from `earliest` (s)
   /// on. Looks every `interval` lattice steps.
@@ -53,13 +53,12 @@ class SteadyFlow {
     looks_ = 0;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
-  /// Looks; to be called only when due. Waits for the device. `noise` is the share of the velocity that is rounding: a
-  /// change of at most this size counts as none, whatever the tolerance.
+  /// Looks; to be called only when due. Waits for the device. `noise` is the share of the largest velocity that is
+  /// rounding: a change of at most this size counts as none, whatever the tolerance.
   void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
             const Crossed& crossed) {
     const double before = change_;
-    change_ = velocity_change(exec, nodes, u, previous_);
-    if (change_ <= noise) change_ = 0;
+    change_ = velocity_change(exec, nodes, u, previous_, tolerance_, noise);
     if (change_ == 0)
       left_ = 0;
     else

@@ -83,6 +83,40 @@ flow = { type = "pressure", pressure = 0 }
   }
 }
 
+/// The narrow channel fills in some thousand steps, the wide one in some hundred, and is 256 times as fast.
+TEST(HeldFlow, IsHeldOnlyWhenAPoreThatIsFarSlowerThanAnotherIsSteadyToo) {
+  const std::string two_channels = R"(
+[lattice]
+size = [0.04, 0.018]
+spacing = 1e-3
+time_step = 1e-3
+[time]
+steps = 200000
+[geometry]
+type = "shapes"
+background = "fluid"
+[[geometry.shapes]]
+type = "rectangle"
+from = [0, 1e-3]
+to = [0.04, 2e-3]
+material = "solid"
+[flow]
+viscosity = 1.66667e-4
+initial_pressure = 0
+[boundary.left]
+flow = { type = "pressure", pressure = 1 }
+[boundary.right]
+flow = { type = "pressure", pressure = 0 }
+)";
+  for (const std::string precision : {"double", "single"}) {
+    test::CoupledRun run(two_channels, {"accuracy.flow_tolerance=1e-3", "accuracy.precision=" + precision});
+    run_until_held(run);
+    const auto velocity = run.nodes("velocity");
+    const double exact = 1 / 0.04 / 1000 * 1e-6 / (12 * 1.66667e-4) * (1 + 0.5);  // dp/L n^2/(12 mu), on the lattice
+    for (const std::size_t x : {0, 20, 39}) EXPECT_NEAR(velocity[2 * x] / exact, 1, 3e-3) << precision << ' ' << x;
+  }
+}
+
 /// Nothing crosses a boundary: only how changes shrink tells what is still to come.
 TEST(HeldFlow, IsHeldBesideASlidingWallOnlyWhenAllFluidFollowsIt) {
   const std::string couette = R"(

@@ -82,7 +82,7 @@ struct Channel {
         dress();
         flow.sweep();
       }
-      if (velocity_change(flow.exec, flow.nodes, flow.fields.u, previous) <= tolerance) return;
+      if (velocity_change(flow.exec, flow.nodes, flow.fields.u, previous, 1, 0) <= tolerance) return;
     }
     FAIL() << "the flow did not become steady";
   }

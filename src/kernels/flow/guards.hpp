@@ -28,10 +28,12 @@ template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);
 
-/// Largest |u - previous| over the fluid nodes divided by the largest |u| (0 where nothing moves); previous (fluid,
-/// axis) is u afterwards.
+/// Largest change of velocity of the fluid nodes, (|u - previous| - noise U) / (|u| + slow U) with the largest |u| = U
+/// of all; 0 where nothing moves. Pores that are far slower than others are judged by their own speed, down to the
+/// share `slow` of the largest; changes up to the share `noise` of it are rounding. previous (fluid, axis) is u
+/// afterwards.
 template <class T>
 double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
-                       const VectorField<T>& previous);
+                       const VectorField<T>& previous, double slow, double noise);
 
 }  // namespace vug
