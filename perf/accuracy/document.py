@@ -31,8 +31,8 @@ bonds failed on the reference's side of such a moment (8e-8). Since `trt` keeps 
 takes (docs/acid-fracturing.md, "Acid that the advective form takes"). `advective_form = false` also lets acid pile up
 beside staircases, `face_exchange` does not.
 
-**Held flow.** The rows of `flow_tolerance` were measured before a flow had to be balanced to be held (CHANGELOG). It is
-held later now, which costs more and errs less."""
+**Held flow.** The rows of `flow_tolerance` were measured before a flow had to be balanced, and slow pores steady by their
+own measure, to be held (CHANGELOG). It is held later now, which costs more and errs less."""
 
 TITLES = {
     "wall": ("Diffusion to a reactive wall (Eq. 28)", "Relative L2 error of the steady concentration, 100 x 80 cells, Da = 4.8."),

@@ -10,7 +10,7 @@ from .run_data import Run, vug
 # Of full size, beyond the preset fast: a fifth of the time of the cases' own "careful" (README of the cases has the errors).
 # A step is 25 times shorter than on the coarse lattice, where these intervals were held against the preset's.
 FULL_SIZE = ['accuracy.preset="fast"', "accuracy.heat_interval=7", "accuracy.solute_interval=4", "accuracy.exchange_interval=16",
-             "accuracy.wall_interval=400", "accuracy.update_interval=80", "mechanics.mass_scaling=4.1", "flow.speed_limit=0.1"]
+             "accuracy.wall_interval=400", "accuracy.update_interval=80", "mechanics.mass_scaling=4.1", "flow.speed_limit=0.07"]
 DOUBLE = ['accuracy.precision="double"']  # after these, whose preset is in single precision
 DIVERGED = 3  # exit code: a result, which the tables tell
 

@@ -27,7 +27,7 @@ std::vector<Form> forms_of(const RockRegion& region, const std::vector<MineralSe
 /// the case does not give, but the tolerance stands for, was measured with blocks of rock.
 void choose_mass_scaling(Scene& scene, bool has_preset) {
   double& scaling = scene.mechanics->parameters.mass_scaling;
-  if (!has_preset && bends_or_falls(scene)) scaling = 1;
+  if (!has_preset && feels_its_mass(scene)) scaling = 1;
   const double allowed = quasi_static_mass_scaling(scene, scene.accuracy.tolerance);
   scene.mechanics->scaling_chosen = allowed > scaling;
   scaling = std::max(scaling, allowed);

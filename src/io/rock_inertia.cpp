@@ -70,6 +70,42 @@ bool falls(const Scene& scene) {
   return std::hypot(gravity[0], gravity[1]) > 0 && (may_be_in_pieces || !is_supported(scene));
 }
 
+/// Whether its stress or its platen pushes the rock now more, now less.
+bool changes(const TractionLoad& load) {
+  return quickest(load) < never;
+}
+
+double heaviest_material(const MechanicsParameters& rock) {
+  double density = rock.density;
+  for (const RockMaterial& material : rock.materials) density = std::max(density, material.density);
+  return density;
+}
+
+/// Visits the load of every side and of every part of one, with the length of the rock behind it (m) and the share of
+/// the side that it takes.
+template <class Visit>
+void for_each_load(const Scene& scene, const Visit& visit) {
+  for (const Side side : all_sides) {
+    const TractionBoundary& traction = scene.side(side).traction;
+    const double behind = is_upright(side) ? scene.lattice.length_x : scene.lattice.length_y;
+    const double along = is_upright(side) ? scene.lattice.length_y : scene.lattice.length_x;
+    visit(traction.load, behind, 1.0);
+    for (const TractionPart& part : traction.parts) visit(part.load, behind, (part.to - part.from) / along);
+  }
+}
+
+/// Time in which rock swings on the springs of its sides, over 2 pi: sqrt(rho L / K) with the length L of rock behind a
+/// side of stiffness K (Pa/m); 0 without.
+double time_on_springs(const Scene& scene) {
+  const double density = heaviest_material(scene.mechanics->parameters);
+  double longest = 0;
+  for_each_load(scene, [&](const TractionLoad& load, double behind, double share) {
+    if (load.stiffness > 0 && share > 0)
+      longest = std::max(longest, std::sqrt(density * behind / (load.stiffness * share)));
+  });
+  return longest;
+}
+
 bool holds(const TractionLoad& load) {
   return load.support != Support::free && load.support != Support::servo;
 }
@@ -94,8 +130,10 @@ double quickest_load(const Scene& scene) {
   return shortest;
 }
 
-bool bends_or_falls(const Scene& scene) {
-  return slenderness(scene) > 1 || falls(scene);
+bool feels_its_mass(const Scene& scene) {
+  bool pressed = false;
+  for_each_load(scene, [&](const TractionLoad& load, double, double) { pressed = pressed || changes(load); });
+  return pressed || slenderness(scene) > 1 || falls(scene) || time_on_springs(scene) > 0;
 }
 
 double crossing_time(const Scene& scene) {
@@ -109,7 +147,8 @@ double crossing_time(const Scene& scene) {
 double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
   constexpr double heaviest = 64, share = 6;
   // waves may be slower by this factor
-  const double slower = share * tolerance * quickest_load(scene) / (slenderness(scene) * crossing_time(scene));
+  const double slowest = slenderness(scene) * crossing_time(scene) + time_on_springs(scene);
+  const double slower = share * tolerance * quickest_load(scene) / slowest;
   double scaling = heaviest;
   while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;
   return scaling;

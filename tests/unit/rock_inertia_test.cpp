@@ -68,6 +68,23 @@ TEST(RockInertia, SlenderRockBendsLate) {
   EXPECT_EQ(chosen("0.01"), 1);
 }
 
+/// A block of 4 cm, which a wave crosses in 13 microseconds; 6 t times 10 ms are 60 microseconds.
+TEST(RockInertia, OfABlockThatIsPressedIsChosenByItsLoadAndItsSprings) {
+  const auto chosen = [](const std::string& end, const std::string& held) {
+    return parse_scene(
+               "[lattice]\nsize = [0.04, 0.04]\nspacing = 1e-3\ntime_step = 1e-6\n[time]\nsteps = 10\n"
+               "[geometry]\ntype = \"rock\"\n[rock]\nelement_size = 4e-3\n[mechanics]\n[accuracy]\n"
+               "tolerance = 1e-3\n[boundary.left]\ntraction = { " +
+                   held + " }\n[boundary.right]\ntraction = { normal_stress = [[0, 0], [" + end + ", 1e6]] }\n",
+               "a.toml", {})
+        .mechanics->parameters.mass_scaling;
+  };
+  EXPECT_EQ(chosen("1e-2", "support = \"roller\""), 16) << "4.6 times slower";
+  EXPECT_EQ(chosen("1e-3", "support = \"roller\""), 1) << "0.46 times: not the fourfold mass of `fast`";
+  EXPECT_EQ(chosen("1e-2", "stiffness = 1e9"), 1) << "on the springs it swings in 316 microseconds";
+  EXPECT_EQ(chosen("1e-2", "stiffness = 1e14"), 16) << "in 1 microsecond";
+}
+
 TEST(RockInertia, ATolerancePicksTheLargestMassThatFollows) {
   EXPECT_EQ(rock_of({"accuracy.tolerance=1e-2"}).parameters.mass_scaling, 64);
   EXPECT_TRUE(rock_of({"accuracy.tolerance=1e-2"}).scaling_chosen);
