@@ -24,7 +24,7 @@ LAWS = {
         integrate.cpp laboratory.cpp linear_rock.cpp loads.cpp mass_loss.cpp materials.cpp mean_stress.cpp mechanics.cpp
         mechanics_preload.cpp monitors.cpp outer_forces.cpp particles.cpp pieces.cpp push.hpp quench.cpp
         rest.cpp servo.cpp slab_cooling.cpp soundness.cpp splitting.hpp
-        static_equilibrium.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
+        static_equilibrium.cpp support_growth.cpp thermal_strain.hpp timed_loads.cpp toughness.hpp triangle.hpp""",
     "coupling": """ageing.hpp ageing_looks.hpp ageing_module.cpp amount_share.hpp build_modules.cpp chemical_damage.cpp
         body_forces.cpp body_forces.hpp carried_steps.cpp carried_steps.hpp chemical_damage.hpp concerns.cpp
         corner_contacts.cpp corner_forces.cpp corner_forces.hpp

@@ -82,16 +82,6 @@ Polygon in_cells(Polygon polygon, double spacing) {
 }
 
 /// Calls paint(node) for every node whose centre is in the form, row by row without halo.
-template <class Paint>
-void draw(const Form& shape, const LatticeSection& lattice, const Paint& paint) {
-  const auto draw_form = [&](const auto& form) {
-    for (int y = 0; y < lattice.ny; ++y)
-      for (int x = 0; x < lattice.nx; ++x)
-        if (holds(form, Point{x + 0.5, y + 0.5}, tie)) paint(static_cast<std::size_t>(y) * lattice.nx + x);
-  };
-  std::visit([&](const auto& form) { draw_form(in_cells(form, lattice.spacing)); }, shape);
-}
-
 /// What to give where grey values of a picture are all rock or all pore, as of a mask of 0 and 1.
 std::string told_apart(const ImageSummary& found) {
   if (found.rock.empty() || !(found.largest > found.least)) return "";
@@ -109,8 +99,19 @@ std::string without_rock(const ImageSection& image, const ImageSummary& found) {
 
 }  // namespace
 
+void for_each_cell_in(const Form& form, double spacing, const CellWindow& window,
+                      const std::function<void(int, int)>& visit) {
+  const auto visit_cells = [&](const auto& drawn) {
+    for (int y = window.y0; y < window.y1; ++y)
+      for (int x = window.x0; x < window.x1; ++x)
+        if (holds(drawn, Point{x + 0.5, y + 0.5}, tie)) visit(x, y);
+  };
+  std::visit([&](const auto& drawn) { visit_cells(in_cells(drawn, spacing)); }, form);
+}
+
 void for_each_node_in(const Form& form, const LatticeSection& lattice, const std::function<void(std::size_t)>& visit) {
-  draw(form, lattice, visit);
+  for_each_cell_in(form, lattice.spacing, {0, 0, lattice.nx, lattice.ny},
+                   [&](int x, int y) { visit(static_cast<std::size_t>(y) * lattice.nx + x); });
 }
 
 DrawnRock drawn_rock(const Scene& scene) {
@@ -134,7 +135,7 @@ DrawnRock drawn_rock(const Scene& scene) {
                           geometry.kind == GeometryKind::shapes && geometry.background == "solid");
   if (geometry.kind != GeometryKind::shapes) return {std::move(solid), {}, ""};
   for (const Shape& shape : geometry.shapes)
-    draw(shape.form, scene.lattice, [&](std::size_t n) { solid[n] = shape.solid; });
+    for_each_node_in(shape.form, scene.lattice, [&](std::size_t n) { solid[n] = shape.solid; });
   return {std::move(solid), {}, ""};
 }
 

@@ -67,6 +67,15 @@ std::vector<InnerOpening> make_openings(const Scene& scene, const Lattice& latti
 /// Whether left and right, and bottom and top, are periodic according to the boundaries of flow and scalars.
 std::array<bool, 2> periodic_sides(const Scene& scene);
 
+/// Columns x0 to x1 - 1 and rows y0 to y1 - 1 of cells, also beyond the lattice.
+struct CellWindow {
+  int x0, y0, x1, y1;
+};
+
+/// Calls visit(x, y) for every cell of a window whose centre is in the form.
+void for_each_cell_in(const Form& form, double spacing, const CellWindow& window,
+                      const std::function<void(int, int)>& visit);
+
 /// Calls visit(node) for every node (row by row, without halo) whose centre is in the form.
 void for_each_node_in(const Form& form, const LatticeSection& lattice, const std::function<void(std::size_t)>& visit);
 

@@ -82,31 +82,44 @@ Point centre_of(const Polygon& polygon) {
   return twice_area == 0 ? o : Point{o[0] + x / twice_area, o[1] + y / twice_area};
 }
 
-/// Length of the outline of a form over the sum of the outer faces of its nodes, each multiplied by the cosine between
-/// the face and the outline. It is 1 to within some per cent for a form of many cells, and taken as 1 for one that is
-/// partly outside the lattice.
-double outline_over_faces(const Form& form, const LatticeSection& section, const OutlineNormal& normal) {
+/// The cells in which a form lies, with one more on each side, within a lattice's size of the lattice.
+CellWindow cells_of(const Form& form, const LatticeSection& section) {
   const Box box = box_of(form);
-  if (box.x0 < 0 || box.y0 < 0 || box.x1 > section.length_x || box.y1 > section.length_y) return 1;
-  const auto nx = static_cast<std::size_t>(section.nx);
-  std::vector<bool> inside(nx * static_cast<std::size_t>(section.ny), false);
-  std::vector<std::size_t> nodes;
-  for_each_node_in(form, section, [&](std::size_t n) {
-    inside[n] = true;
-    nodes.push_back(n);
+  const auto cell = [&](double at, double way, int n) {
+    return static_cast<int>(std::clamp(std::floor(at / section.spacing) + way, -1.0 * n, 2.0 * n));
+  };
+  return {cell(box.x0, -1, section.nx), cell(box.y0, -1, section.ny), cell(box.x1, 2, section.nx),
+          cell(box.y1, 2, section.ny)};
+}
+
+/// Length of the outline of a form over the sum of the outer faces of its cells, each multiplied by the cosine between
+/// the face and the outline. It is 1 to within some per cent for a form of many cells. A form that is partly outside
+/// the lattice has the ratio of the whole one; one that reaches further beyond it than the lattice is large has 1.
+double outline_over_faces(const Form& form, const LatticeSection& section, const OutlineNormal& normal) {
+  const CellWindow window = cells_of(form, section);
+  const int columns = window.x1 - window.x0, rows = window.y1 - window.y0;
+  std::vector<bool> inside(static_cast<std::size_t>(columns) * rows, false);
+  const auto place = [&](int x, int y) {
+    return static_cast<std::size_t>(y - window.y0) * columns + static_cast<std::size_t>(x - window.x0);
+  };
+  const auto on_rim = [&](int x, int y) {
+    return x == window.x0 || x == window.x1 - 1 || y == window.y0 || y == window.y1 - 1;
+  };
+  std::vector<std::array<int, 2>> cells;
+  bool cut = false;
+  for_each_cell_in(form, section.spacing, window, [&](int x, int y) {
+    inside[place(x, y)] = true;
+    cells.push_back({x, y});
+    cut = cut || on_rim(x, y);
   });
+  if (cut || cells.empty()) return 1;
   double faces = 0;
-  for (const std::size_t n : nodes) {
-    const std::size_t column = n % nx, row = n / nx;
-    const Point at{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
-    for (const Point& out : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}}) {
-      const double x = at[0] + out[0], y = at[1] + out[1];
-      const bool on_lattice = x > 0 && y > 0 && x < section.nx && y < section.ny;
-      if (on_lattice && inside[static_cast<std::size_t>(y) * nx + static_cast<std::size_t>(x)]) continue;
-      const Point along = normal({at[0] + out[0] / 2, at[1] + out[1] / 2}, out);
+  for (const auto& [x, y] : cells)
+    for (const auto& [i, j] : {std::array{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+      if (inside[place(x + i, y + j)]) continue;
+      const Point out{1.0 * i, 1.0 * j}, along = normal({x + 0.5 + out[0] / 2, y + 0.5 + out[1] / 2}, out);
       faces += std::abs(along[0] * out[0] + along[1] * out[1]);
     }
-  }
   return faces > 0 ? outline_length(form) / section.spacing / faces : 1;
 }
 

@@ -63,6 +63,7 @@ Mechanics::Mechanics(const Assembly& assembly, const MechanicsParameters& parame
       contacts_(make_contacts(particles_, bonds_, faces_itself(assembly, boundary_))),
       grid_(make_neighbour_grid(particles_, contacts_.skin)),
       loads_(apply_loads(assembly, boundary_, loads, particles_)),
+      growth_(find_support_growth(assembly, boundary_, loads, particles_, parameters_.thermal_expansion)),
       outer_forces_(assembly, boundary_, loads, particles_),
       servos_(make_servo_platens(boundary_, assembly, loads, parameters.bond, bonds_)),
       timed_(make_timed_loads(assembly, boundary_, loads, particles_, loads_)),
@@ -139,9 +140,10 @@ void Mechanics::search_contacts(const Exec& exec, RockShare* share) {
 }
 
 void Mechanics::follow_temperature(const Exec& exec) {
-  if (relative_expansion_.extent(0) == 0) return;
-  for_each_node(exec, "vug::dem::follow_temperature", particles_.count,
-                FollowTemperature{relative_expansion_, particles_});
+  if (relative_expansion_.extent(0) > 0)
+    for_each_node(exec, "vug::dem::follow_temperature", particles_.count,
+                  FollowTemperature{relative_expansion_, particles_});
+  grow_at_supports(exec, growth_, parameters_.thermal_expansion, particles_);
 }
 
 void Mechanics::advance(const Exec& exec, double dt, int substeps, RockIs rock, int times) {

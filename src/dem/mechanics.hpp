@@ -13,6 +13,7 @@
 #include "dem/rest.hpp"
 #include "dem/rock_share.hpp"
 #include "dem/servo.hpp"
+#include "dem/support_growth.hpp"
 #include "dem/timed_loads.hpp"
 #include "ranks/ranks.hpp"
 
@@ -148,7 +149,8 @@ class Mechanics {
   /// End of both kinds of preload: the rock is at rest, its displacements become the reference.
   void take_as_reference(const Exec& exec);
   double contact_energy(const Exec& exec) const;
-  /// Updates Particles::warming from the temperatures; one kernel where the rock is of several materials.
+  /// Updates Particles::warming from the temperatures, and what follows from it at supports: one kernel where the rock
+  /// is of several materials, and one where supports hold it.
   void follow_temperature(const Exec& exec);
 
   MechanicsParameters parameters_;
@@ -160,6 +162,7 @@ class Mechanics {
   Contacts contacts_;
   NeighbourGrid grid_;
   BoundaryLoads loads_;
+  SupportGrowth growth_;
   OuterForces outer_forces_;
   std::vector<ServoPlaten> servos_;
   std::optional<TimedLoads> timed_;  ///< where loads change in time or platens move as given by a table
@@ -191,6 +194,7 @@ void Mechanics::visit_state(const Visit& visit) const {
   visit("solid_fraction", particles_.solid_fraction, 0, 1);
   visit("temperature_change", particles_.temperature_change);
   if (relative_expansion_.extent(0) > 0) visit("warming", particles_.warming);
+  if (growth_.warming.extent(0) > 0) visit("support_warming", growth_.warming);
   visit("lost_momentum", loss_.momentum);
   visit("lost_kinetic", loss_.kinetic);
   visit("lost_elastic", loss_.elastic);

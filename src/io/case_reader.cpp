@@ -24,7 +24,7 @@ std::vector<Form> forms_of(const RockRegion& region, const std::vector<MineralSe
 }
 
 /// Sets the mass scaling to the largest that the tolerance allows, unless that of the preset is larger. A preset that
-/// the case does not give, but the tolerance stands for, was measured with blocks of rock.
+/// the case does not give, but the tolerance stands for, was measured with blocks of rock that fluid and heat load.
 void choose_mass_scaling(Scene& scene, bool has_preset) {
   double& scaling = scene.mechanics->parameters.mass_scaling;
   if (!has_preset && feels_its_mass(scene)) scaling = 1;

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 namespace {
 
 using namespace vug;
@@ -63,6 +66,44 @@ TEST(ThermalExpansion, OfAClampedBlockGivesTheStressOfTheBondModuli) {
                                    {"exact", expected / size}});
   EXPECT_NEAR(rock.reaction(RockSide::left).x, expected, 0.01 * expected);
   EXPECT_NEAR(rock.reaction(RockSide::bottom).y, expected, 0.01 * expected);
+}
+
+/// Held along one side of each direction only, it is free to shrink: from the mean planes of what is held.
+TEST(ThermalExpansion, OfABlockOnTwoRollersLeavesNoStress) {
+  const double dT = -200, alpha = 8e-6, size = 0.02;
+  for (const bool of_two_materials : {false, true}) {
+    MechanicsParameters parameters = elastic();
+    parameters.bond.damping = 4.6e-5;
+    parameters.local_damping = 0.7;
+    Assembly assembly = test::block(size, size, 2e-3, 0.2);
+    if (of_two_materials) {
+      RockMaterial other;
+      other.bond = parameters.bond;
+      parameters.materials = {other};
+      assembly.region.assign(assembly.triangles.size(), 0);
+      assembly.region.back() = 1;
+    }
+    Loads loads;
+    loads.support[static_cast<std::size_t>(RockSide::left)] = Support::roller;
+    loads.support[static_cast<std::size_t>(RockSide::bottom)] = Support::roller;
+    Mechanics rock(assembly, parameters, loads);
+    for (const double share : {0.3, 1.0}) {
+      Kokkos::deep_copy(rock.particles().temperature_change, share * dT);
+      rock.advance(Exec(), 0.3 * rock.critical_step(), 8000);
+    }
+    const double held_back = 27.8e9 * alpha * std::abs(dT);
+    const auto stress = host_copy(rock.bonds().stress);
+    for (int k = 0; k < rock.bonds().count; ++k)
+      for (const int component : {0, 1}) ASSERT_LT(std::abs(stress(k, component)), 1e-6 * held_back) << k;
+    const auto x0 = host_copy(rock.particles().x0), u = host_copy(rock.particles().u);
+    std::set<int> left;
+    for (const BoundaryEdge& edge : rock.boundary())
+      if (edge.side == static_cast<int>(RockSide::left)) left.insert(edge.particle);
+    double plane = 0;
+    for (const int i : left) plane += x0(i, 0) / static_cast<double>(left.size());
+    for (int i = 0; i < rock.particles().count; ++i)
+      EXPECT_NEAR(u(i, 0), alpha * dT * (x0(i, 0) - plane), 1e-6 * alpha * std::abs(dT) * size) << i;
+  }
 }
 
 /// Distance between the centroids on the left and on the right side: there the rollers hold and the rock beyond pushes.

@@ -145,8 +145,8 @@ TEST(HeatedPipe, GivesTheFluxOfItsTrueCircumference) {
   }
 }
 
-/// Of rectangles wherever they lie among the cells, discs of some cells and triangles: all of it has their outline, and
-/// what the lattice cuts off has every face that is left.
+/// Of rectangles wherever they lie among the cells, discs of some cells and triangles: all of it has their outline.
+/// What the lattice leaves of one has the outline that is left: a quarter of a disc in the corner a quarter of it.
 TEST(HeatedPipe, GivesTheFluxOfItsOutlineWhereverItLies) {
   constexpr double flux = 1e-3;
   const auto length = [&](const std::string& form) {
@@ -166,6 +166,10 @@ TEST(HeatedPipe, GivesTheFluxOfItsOutlineWhereverItLies) {
   for (const double radius : {0.8, 3.0, 3.3, 5.0})
     for (const double x : {12.0, 12.5})
       EXPECT_NEAR(length(test::disc(x, 10, radius, name)), 2 * std::numbers::pi * radius, 1e-9) << radius << " " << x;
+  for (const double radius : {0.8, 2.0, 3.3, 5.0}) {
+    EXPECT_NEAR(length(test::disc(0, 0, radius, name)), std::numbers::pi * radius / 2, 1e-9) << radius;
+    EXPECT_NEAR(length(test::disc(24, 10, radius, name)), std::numbers::pi * radius, 1e-9) << radius;
+  }
   const auto triangle = [](const char* points) {
     return fmt::format("[[geometry.shapes]]\ntype = \"polygon\"\npoints = {}\nname = \"pipe\"\n", points);
   };
