@@ -133,7 +133,7 @@ double quickest_load(const Scene& scene) {
 bool feels_its_mass(const Scene& scene) {
   bool pressed = false;
   for_each_load(scene, [&](const TractionLoad& load, double, double) { pressed = pressed || changes(load); });
-  return pressed || slenderness(scene) > 1 || falls(scene) || time_on_springs(scene) > 0;
+  return pressed || slenderness(scene) > 1 || falls(scene) || time_on_springs(scene) > crossing_time(scene);
 }
 
 double crossing_time(const Scene& scene) {
@@ -147,7 +147,7 @@ double crossing_time(const Scene& scene) {
 double quasi_static_mass_scaling(const Scene& scene, double tolerance) {
   constexpr double heaviest = 64, share = 6;
   // waves may be slower by this factor
-  const double slowest = slenderness(scene) * crossing_time(scene) + time_on_springs(scene);
+  const double slowest = std::max(slenderness(scene) * crossing_time(scene), time_on_springs(scene));
   const double slower = share * tolerance * quickest_load(scene) / slowest;
   double scaling = heaviest;
   while (scaling > 1 && std::sqrt(scaling) > slower) scaling /= 4;

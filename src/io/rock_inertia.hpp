@@ -15,8 +15,8 @@ double quickest_load(const Scene& scene);
 /// Whether a side, or a part of one, holds the rock.
 bool is_supported(const Scene& scene);
 
-/// Whether even the fourfold mass of a preset may show: stresses or platens that change, springs, rock more than twice as
-/// long as wide, rock that gravity moves and no side supports.
+/// Whether even the fourfold mass of a preset may show: stresses or platens that change, springs, rock more than twice
+/// as long as wide, rock that gravity moves and no side supports.
 bool feels_its_mass(const Scene& scene);
 
 /// Speed up to which a platen, or rock that starts with it, presses as if at rest, m/s: in compression inertia adds 5 %
@@ -31,7 +31,7 @@ double crossing_time(const Scene& scene);
 /// follows its loads within a tolerance t: a wave, of speed sqrt(M_n / (m rho)) in the slowest of its materials,
 /// crosses the longest side within 6 t times quickest_load. The 6 is from the paper's rock (docs/model.md, "Intervals
 /// from a tolerance"). Rock more than twice as long as wide may bend, in a time longer by that ratio; on springs
-/// (`stiffness` K) rock of length L swings, which adds sqrt(rho L / K).
+/// (`stiffness` K) rock of length L swings in 2 pi sqrt(rho L / K): that root counts if it is longer.
 double quasi_static_mass_scaling(const Scene& scene, double tolerance);
 
 /// Says that a tolerance has chosen it, and why: for the log and `vug check`.
