@@ -55,7 +55,7 @@ NO_LAWS = {
     "kernels": """heat/heat_bands.hpp launch/launch.hpp
         launch/launch_lists.hpp launch/own_items.hpp launch/row_launch.hpp nodes/fluid_nodes.cpp nodes/fluid_nodes.hpp
         nodes/fluid_rows.cpp nodes/fluid_surface.cpp nodes/source_windows.hpp nodes/streaming.hpp packs/portable.hpp""",
-    "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp parameters.hpp require_edges.cpp
+    "dem": """gather_contacts.hpp launch_in_turn.hpp mechanics.hpp neighbour_grid.cpp pair_candidates.hpp parameters.hpp require_edges.cpp
         require_parameters.cpp rock_share.cpp""",
     "coupling": """check.cpp check_text.cpp choices.cpp dimensionless.cpp explain.cpp flow_ranks.cpp fluid_picture.cpp
         fluid_picture.hpp geometry.cpp interval_warnings.cpp laboratory_report.cpp laboratory_run.cpp mechanics_ranks.cpp

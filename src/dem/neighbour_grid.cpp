@@ -1,6 +1,6 @@
 #include "dem/neighbour_grid.hpp"
 
-#include "dem/closest_point.hpp"
+#include "dem/pair_candidates.hpp"
 #include "kernels/launch/launch.hpp"
 
 #include <algorithm>
@@ -52,92 +52,8 @@ struct WatchMotion {
 /// up to date. Pairs come out ordered by particle numbers, whatever the order in which cells were filled.
 struct RebuildPairs {
   using Team = Kokkos::TeamPolicy<Exec>::member_type;
-  NeighbourGrid grid;
-  Particles p;
-  Bonds bonds;
+  PairCandidates near;
   Contacts contacts;
-
-  KOKKOS_FUNCTION Vec2 centre(int i) const { return {p.x0(i, 0) + p.u(i, 0), p.x0(i, 1) + p.u(i, 1)}; }
-  KOKKOS_FUNCTION int cell_of(int i) const {
-    const Vec2 x = centre(i);
-    return grid.line(x.y) * grid.nx + grid.column(x.x);
-  }
-
-  KOKKOS_FUNCTION Triangle outline(int i) const {
-    const Rotation rotation{p.rotation(i, 0), p.rotation(i, 1)};
-    Triangle t;
-    for (int c = 0; c < 3; ++c) t.corner[c] = centre(i) + rotation.turn({p.eroded(i, c, 0), p.eroded(i, c, 1)});
-    return t;
-  }
-
-  /// Whether the two have a bond, or the crack that it left, whose faces are as `joint` says.
-  KOKKOS_FUNCTION bool have_faces(int i, int j, std::uint8_t joint) const {
-    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
-      const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
-      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) == joint) return true;
-    }
-    return false;
-  }
-
-  KOKKOS_FUNCTION bool beside_a_crack(int i) const {
-    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e)
-      if (has_failed(bonds.state(bonds.entry(e) / 2))) return true;
-    return false;
-  }
-
-  KOKKOS_FUNCTION bool share_a_vertex(int i, int j) const {
-    for (int c = 0; c < 3; ++c)
-      for (int d = 0; d < 3; ++d)
-        if (p.vertex(i, c) == p.vertex(j, d)) return true;
-    return false;
-  }
-
-  /// Whether bonds keep the two apart: triangles that share a vertex are, until a bond of one of them has failed.
-  /// Without this, corners that touch from the start would stiffen intact rock, and most pairs would be such idle ones.
-  KOKKOS_FUNCTION bool held_apart(int i, int j) const {
-    return share_a_vertex(i, j) && !beside_a_crack(i) && !beside_a_crack(j);
-  }
-
-  KOKKOS_FUNCTION double reach_of(int i) const {
-    double most = 0;
-    for (int c = 0; c < 3; ++c) {
-      const Vec2 r{p.corner(i, c, 0), p.corner(i, c, 1)};
-      most = Kokkos::max(most, dot(r, r));
-    }
-    return Kokkos::sqrt(most);
-  }
-
-  KOKKOS_FUNCTION bool candidate(int i, int j) const {
-    if (is_gone(p.solid_fraction(i)) || is_gone(p.solid_fraction(j))) return false;
-    const Vec2 gap = centre(j) - centre(i);
-    const double near = 2 * p.radius + contacts.skin;
-    if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;
-    const double touch = reach_of(i) + reach_of(j) + near;  // in graded rock a cell is full of far smaller triangles
-    if (dot(gap, gap) > touch * touch) return false;
-    if (have_faces(i, j, faces_joined) || held_apart(i, j)) return false;  // the faces transmit their forces
-    const Triangle a = outline(i), b = outline(j);
-    for (int c = 0; c < 3; ++c) {
-      if (closest_on_triangle(a, b.corner[c]).distance < near || closest_on_triangle(b, a.corner[c]).distance < near) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Calls found(j) for every candidate j of i, in no particular order.
-  template <class Found>
-  KOKKOS_FUNCTION void for_candidates(int i, const Found& found) const {
-    const Vec2 x = centre(i);
-    const int cx = grid.column(x.x), cy = grid.line(x.y);
-    for (int y = Kokkos::max(0, cy - 1); y <= Kokkos::min(grid.ny - 1, cy + 1); ++y) {
-      for (int c = y * grid.nx + Kokkos::max(0, cx - 1); c <= y * grid.nx + Kokkos::min(grid.nx - 1, cx + 1); ++c) {
-        for (int k = grid.start(c); k < grid.start(c + 1); ++k) {
-          const int j = grid.item(k);
-          if (j != i && candidate(i, j)) found(j);
-        }
-      }
-    }
-  }
 
   template <class Body>
   KOKKOS_FUNCTION static void each(const Team& team, int n, const Body& body) {
@@ -157,18 +73,18 @@ struct RebuildPairs {
   }
 
   KOKKOS_FUNCTION void sort_into_cells(const Team& team) const {
-    const int cells = grid.nx * grid.ny;
-    each(team, cells + 1, [&](int c) { grid.start(c) = 0; });
-    each(team, p.count, [&](int i) { Kokkos::atomic_inc(&grid.start(cell_of(i))); });
+    const int cells = near.grid.nx * near.grid.ny;
+    each(team, cells + 1, [&](int c) { near.grid.start(c) = 0; });
+    each(team, near.p.count, [&](int i) { Kokkos::atomic_inc(&near.grid.start(near.cell_of(i))); });
     Kokkos::parallel_scan(Kokkos::TeamThreadRange(team, cells + 1), [&](int c, int& sum, bool last) {
-      sum += grid.start(c);
-      if (last) grid.start(c) = sum;  // the end of the cell
+      sum += near.grid.start(c);
+      if (last) near.grid.start(c) = sum;  // the end of the cell
     });
     team.team_barrier();
     // cells are filled from their ends, the last particle first: this moves each end to the start of its cell
-    each(team, p.count, [&](int item) {
-      const int i = p.count - 1 - item;
-      grid.item(Kokkos::atomic_fetch_sub(&grid.start(cell_of(i)), 1) - 1) = i;
+    each(team, near.p.count, [&](int item) {
+      const int i = near.p.count - 1 - item;
+      near.grid.item(Kokkos::atomic_fetch_sub(&near.grid.start(near.cell_of(i)), 1) - 1) = i;
     });
   }
 
@@ -179,19 +95,13 @@ struct RebuildPairs {
     return -1;
   }
 
-  /// Idle overlap with which a pair is listed. Outlines that take over from the faces of a crack, which have slid past
-  /// each other, push by all of it.
-  KOKKOS_FUNCTION double first_idle_overlap(int i, int j) const {
-    return share_a_vertex(i, j) && !have_faces(i, j, faces_apart) ? before_first_look : 0;
-  }
-
   /// Lists the pairs of which i is the lower particle, ordered, with the friction and the idle overlaps that they had
   /// in the old list.
   KOKKOS_FUNCTION void list_pairs(int i, int now, int before) const {
     const int first = contacts.first(i, now), last = contacts.first(i + 1, now);
     if (first == last) contacts.energy(i) = 0;  // no force is computed that would set it
     int count = first;
-    for_candidates(i, [&](int j) {
+    near.for_candidates(i, [&](int j) {
       if (j < i || count == last) return;
       int k = count++;
       for (; k > first && contacts.other(k - 1, now) > j; --k) contacts.other(k, now) = contacts.other(k - 1, now);
@@ -201,15 +111,27 @@ struct RebuildPairs {
       const int j = contacts.other(k, now), old = find_pair(i, j, before);
       for (int f = 0; f < pair_features; ++f) {
         contacts.stretch(k, now, f) = old < 0 ? 0 : contacts.stretch(old, before, f);
-        contacts.idle_overlap(k, now, f) = old < 0 ? first_idle_overlap(i, j) : contacts.idle_overlap(old, before, f);
+        contacts.idle_overlap(k, now, f) =
+            old < 0 ? near.first_idle_overlap(i, j) : contacts.idle_overlap(old, before, f);
       }
     }
+  }
+
+  /// Clears what a longer list left behind the present one: ranks know all of a list, but not of what was before.
+  KOKKOS_FUNCTION void clear_rest(const Team& team, int now, int used) const {
+    const int end = contacts.first(near.p.count, now);
+    each(team, used - end, [&](int k) {
+      for (int f = 0; f < pair_features; ++f) {
+        contacts.stretch(end + k, now, f) = 0;
+        contacts.idle_overlap(end + k, now, f) = 0;
+      }
+    });
   }
 
   KOKKOS_FUNCTION void list_rows(int i, int now) const {
     int at = contacts.row(i);
     const int first = at;
-    for_candidates(i, [&](int j) {
+    near.for_candidates(i, [&](int j) {
       const int pair = find_pair(i < j ? i : j, i < j ? j : i, now);
       if (pair < 0) return;
       const int value = 2 * pair + (i < j ? 0 : 1);
@@ -221,40 +143,42 @@ struct RebuildPairs {
 
   KOKKOS_FUNCTION void count_pairs(const Team& team, int now) const {
     const auto first = Kokkos::subview(contacts.first, Kokkos::ALL, now);
-    each(team, p.count, [&](int i) {
+    each(team, near.p.count, [&](int i) {
       int higher = 0;
-      for_candidates(i, [&](int j) { higher += j > i; });
+      near.for_candidates(i, [&](int j) { higher += j > i; });
       first(i) = higher;
     });
-    accumulate(team, p.count, first);
+    accumulate(team, near.p.count, first);
     Kokkos::single(Kokkos::PerTeam(team),
-                   [&] { contacts.status(contacts_lost) = Kokkos::max(0, first(p.count) - contacts.capacity); });
+                   [&] { contacts.status(contacts_lost) = Kokkos::max(0, first(near.p.count) - contacts.capacity); });
     team.team_barrier();
-    each(team, p.count + 1, [&](int i) { first(i) = Kokkos::min(first(i), contacts.capacity); });
+    each(team, near.p.count + 1, [&](int i) { first(i) = Kokkos::min(first(i), contacts.capacity); });
   }
 
   KOKKOS_FUNCTION void count_rows(const Team& team, int now) const {
-    each(team, p.count, [&](int i) {
+    each(team, near.p.count, [&](int i) {
       int pairs = 0;
-      for_candidates(i, [&](int j) { pairs += find_pair(i < j ? i : j, i < j ? j : i, now) >= 0; });
+      near.for_candidates(i, [&](int j) { pairs += find_pair(i < j ? i : j, i < j ? j : i, now) >= 0; });
       contacts.row(i) = pairs;
     });
-    accumulate(team, p.count, contacts.row);
+    accumulate(team, near.p.count, contacts.row);
   }
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    if (bonds.events(bond_has_failed) == 0 || contacts.status(contacts_stale) == 0) return;
+    if (near.bonds.events(bond_has_failed) == 0 || contacts.status(contacts_stale) == 0) return;
     const int before = contacts.status(contacts_generation), now = 1 - before;
-    team.team_barrier();  // all threads have read the status
+    const int used = contacts.first(near.p.count, now);
+    team.team_barrier();  // all threads have read these
     sort_into_cells(team);
     count_pairs(team, now);
-    each(team, p.count, [&](int i) { list_pairs(i, now, before); });
+    each(team, near.p.count, [&](int i) { list_pairs(i, now, before); });
+    clear_rest(team, now, used);
     count_rows(team, now);
-    each(team, p.count, [&](int i) {
+    each(team, near.p.count, [&](int i) {
       list_rows(i, now);
-      contacts.u_built(i, 0) = p.u(i, 0);
-      contacts.u_built(i, 1) = p.u(i, 1);
-      contacts.angle_built(i) = p.angle(i);
+      contacts.u_built(i, 0) = near.p.u(i, 0);
+      contacts.u_built(i, 1) = near.p.u(i, 1);
+      contacts.angle_built(i) = near.p.angle(i);
     });
     Kokkos::single(Kokkos::PerTeam(team), [&] {
       contacts.status(contacts_stale) = 0;
@@ -268,7 +192,8 @@ struct RebuildPairs {
 void update_contacts(const Exec& exec, const NeighbourGrid& grid, const Particles& particles, const Bonds& bonds,
                      const Contacts& contacts) {
   for_each_node(exec, "vug::dem::watch_motion", particles.count, WatchMotion{grid.reach, particles, bonds, contacts});
-  for_each_team(exec, "vug::dem::rebuild_pairs", 1, 1024, RebuildPairs{grid, particles, bonds, contacts});
+  for_each_team(exec, "vug::dem::rebuild_pairs", 1, 1024,
+                RebuildPairs{{grid, contacts.skin, particles, bonds}, contacts});
 }
 
 }  // namespace vug
