@@ -215,7 +215,7 @@ class Acid(Called):
                      "--vug", "/bin/false", says="vug ended with code 1; see")
 
     def test_double_precision_comes_after_the_preset(self):
-        for words, settings in (([], 'speed_limit=0.1 *$'), (["--double"], 'speed_limit=0.1 --set accuracy.precision="double" *$')):
+        for words, settings in (([], 'speed_limit=0.07 *$'), (["--double"], 'speed_limit=0.07 --set accuracy.precision="double" *$')):
             self.require(1, ROOT / "scripts/reproduce-paper", "--medium", *words, "--only", "p10_da1.5", "-o", self.runs,
                          "--vug", "/bin/echo", says="no run has got anywhere yet")
             self.assertRegex((self.runs / "p10_da1.5.log").read_text().splitlines()[-1], settings)

@@ -227,7 +227,7 @@ TEST(RestingRock, LaunchesNothingBetweenLooks) {
     ++launches;
     overheard->region_began(label);
   });
-  rock.advance(Exec(), dt, 15);
+  rock.advance(Exec(), dt, 15, RockIs::the_same);
   const int between = launches;
   rock.advance(Exec(), dt, 1);
   // a GPU would have to wait for the number of those awake: it launches a recording, which finds nothing to do
