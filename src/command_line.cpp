@@ -25,6 +25,13 @@ std::string fault_of_positive(const std::string& text) {
   return number && value > 0 && std::isfinite(value) ? "" : "must be a number above 0";
 }
 
+/// Error message for a text that is not a strength of rock in MPa; else empty.
+std::string fault_of_strength(const std::string& text) {
+  const std::string fault = fault_of_positive(text);
+  if (!fault.empty()) return fault;
+  return std::stod(text) <= 1e4 ? "" : "is in MPa: at most 10000 expected";
+}
+
 void take_case(CLI::App& command, CommandLine& line, const char* what = "Case file (TOML)") {
   command.add_option("case", line.case_file, what)->required();
 }
@@ -82,7 +89,7 @@ void describe_lab(CLI::App& app, CommandLine& line) {
       ->add_option("--seeds", line.seeds, "Specimens that differ in the scatter of their bonds (default: 1, to fit 5)")
       ->check(CLI::Range(1, 1000));
   line.lab->add_option("--fit-cohesion", line.fit_cohesion, "Find the cohesion of this mean strength, MPa")
-      ->check(fault_of_positive);
+      ->check(fault_of_strength);
   take_threads(*line.lab, line);
   line.lab->add_flag("--overwrite", line.overwrite, "Replace the results that the directory holds");
   take_quiet(*line.lab, line);

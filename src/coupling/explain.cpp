@@ -18,7 +18,7 @@ class Numbers {
   }
 
   void put(const std::string& key, double value, const char* unit, double lattice, double one, const char* of) {
-    add(key, fmt::format("{:.5g}", value), unit, fmt::format("{:.5g}", lattice), fmt::format("{:.4g} {}", one, of));
+    add(key, fmt::format("{:.8g}", value), unit, fmt::format("{:.5g}", lattice), fmt::format("{:.4g} {}", one, of));
   }
   /// Adds a number that is its lattice value times `one`.
   void put(const std::string& key, double value, const char* unit, double one) {

@@ -140,6 +140,8 @@ class Pictures(unittest.TestCase):
         corners = frame.scale * last.rock.triangles["vertices"].values[:3, :2]
         np.testing.assert_allclose(drawn.get_paths()[0].vertices[:3], corners)
         plt.close(figure)
+        with unittest.mock.patch.dict(os.environ, {"PATH": ""}), self.assertRaisesRegex(vug.VugError, r"movie.mp4: needs the program ffmpeg"):
+            vug.plot.movie(run, self.folder / "movie.mp4")
         done = self.plot("--movie")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertLessEqual({"displacement.png", "stress_xx.png", "overview.png", "movie.gif", "history_heat.png"}, self.pictures())

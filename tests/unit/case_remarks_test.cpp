@@ -53,6 +53,32 @@ TEST(CaseRemarks, TemperaturesThatAreMeantInDegreesAreRemarked) {
   EXPECT_THAT(warnings("\"90 degC\"", "\"20 degC\""), Not(Contains(HasSubstr("kelvin"))));
 }
 
+/// 15 for 15 MPa; not a weak rock.
+TEST(CaseRemarks, StressesThatAreMeantInMegapascalsAreRemarked) {
+  const auto warnings = [](const std::string& key, const std::string& value) {
+    return shipped("laboratory/compression.toml", {key + "=" + value}).warnings;
+  };
+  for (const std::string key :
+       {"mechanics.bond.normal_strength", "mechanics.bond.cohesion", "laboratory.confinement"}) {
+    EXPECT_THAT(warnings(key, "15"), Contains(HasSubstr("is written \"15 MPa\""))) << key;
+    EXPECT_THAT(warnings(key, "\"0.1 MPa\""), Not(Contains(HasSubstr("pascals")))) << key;
+    EXPECT_THAT(warnings(key, "0"), Not(Contains(HasSubstr("pascals")))) << key;
+  }
+}
+
+/// 6 and 0 for a difference of 6 Pa; not what is given beside an initial pressure of zero.
+TEST(CaseRemarks, PressuresThatAreMeantAboveTheInitialOneAreRemarked) {
+  const auto warnings = [](const std::string& initial, const std::string& left) {
+    return parsed("[boundary.left]\nflow = { type = \"pressure\", pressure = " + left +
+                      " }\n[boundary.right]\nflow = { type = \"pressure\", pressure = 0 }\n",
+                  {"flow.initial_pressure=" + initial})
+        .warnings;
+  };
+  EXPECT_THAT(warnings("1e5", "6"), Contains(HasSubstr("pressures are absolute")));
+  EXPECT_THAT(warnings("0", "6"), Not(Contains(HasSubstr("pressures are absolute"))));
+  EXPECT_THAT(warnings("1e5", "1.00006e5"), Not(Contains(HasSubstr("pressures are absolute"))));
+}
+
 /// Brine, of which [heat] still says water; not what differs by a few degrees.
 TEST(CaseRemarks, TwoDensitiesOfOneFluidAreRemarked) {
   const auto warnings = [](const std::vector<std::string>& set) { return shipped("quickstart.toml", set).warnings; };

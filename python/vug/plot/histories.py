@@ -44,6 +44,7 @@ def _rest_of_budget(history, amount, drawn):
 def acid(history):
     """Where each species has gone, mol/m: in the pores is the sum of the others, less what was spent or flowed out."""
     axes = []
+    ages = np.any(history.get("dissolution_factor", 1) != 1)  # a slow scene: rock ages faster than acid flows and reacts
     for name in species_of(history):
         by_reaction = [column for column in history  # with rock, and of what each further reactant did
                        if column == f"{name}_gain_reaction" or column.startswith(f"{name}_gain_reaction_of_")]
@@ -54,7 +55,7 @@ def acid(history):
             curves.append(Curve("made by reaction", reacted) if made else Curve("spent on rock", -reacted))
         curves += _named(history, (f"{name}_gain_outflow", "flowed out", -1))
         curves += _rest_of_budget(history, name, [*by_reaction, f"{name}_gain_injected", f"{name}_gain_outflow"])
-        axes.append((name, "mol/m", curves + _named(history, (f"{name}_stored", "in the pores", 1))))
+        axes.append((f"{name}, of the lattice steps taken" if ages else name, "mol/m", curves + _named(history, (f"{name}_stored", "in the pores", 1))))
     return axes
 
 

@@ -2,7 +2,7 @@
 from matplotlib import animation
 from matplotlib import pyplot as plt
 
-from ..errors import VugError
+from ..errors import FileTrouble, VugError
 from . import fields
 from .style import complete, readable
 
@@ -51,6 +51,8 @@ def movie(run, path, heading="", names=None, frames_per_second=8):
         factor, unit = readable("s", run.times[-1])  # one unit for all frames
         figure.suptitle(f"{heading}t = {factor * snapshot.time:.4g} {unit}", fontsize=12)
 
+    if not str(path).endswith(".gif") and not animation.FFMpegWriter.isAvailable():
+        raise FileTrouble(f"{path}: needs the program ffmpeg; end the name in .gif to do without")
     columns = min(2, len(names))
     width, height = fields.panel_size(frame.shape, 4.8)
     figure = plt.figure(figsize=(width * columns, height * -(-len(names) // columns) + 0.6), layout="constrained")

@@ -35,5 +35,7 @@ void collect_warnings(Scene& scene);
 void warn_about_circles(Scene& scene);
 /// Those about the fluid in the pores.
 void warn_about_pores(Scene& scene);
+/// Those about numbers that are probably meant in another unit, or from another zero.
+void warn_about_units(Scene& scene);
 
 }  // namespace vug

@@ -139,10 +139,12 @@ void warn_about_platens(Scene& scene) {
 
 void collect_warnings(Scene& scene) {
   if (scene.laboratory) {
+    warn_about_units(scene);
     warn_about_press(scene);
     return warn_about_materials_of_a_disc(scene);
   }
   warn_about_pores(scene);
+  warn_about_units(scene);
   if (scene.rock && scene.rock->hole && !scene.injections.empty()) warn_about_injections(scene);
   if (scene.rock) warn_about_small_cavities(scene);
   if (scene.rock && scene.damage && !scene.rock->mesh)  // the size of a mesh's triangles is known once it is read

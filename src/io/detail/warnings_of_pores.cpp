@@ -1,7 +1,6 @@
 // Warnings about fluid, heat, solutes and their reaction: what a case may say but probably does not mean.
 #include "io/detail/case_checks.hpp"
 #include "io/form.hpp"
-#include "io/named_temperatures.hpp"
 #include "io/narrow_cracks.hpp"
 #include "io/periodic.hpp"
 #include "io/units.hpp"
@@ -49,17 +48,6 @@ void warn_about_ageing(Scene& scene) {
       fmt::format("accuracy.dissolution_tolerance: the rock may age faster than the fluid, and nothing that dissolves "
                   "depends on {}, which changes in the time of the fluid: what the output says of {} may be late",
                   fmt::join(passive, ", "), passive.size() > 1 ? "them" : "it"));
-}
-
-/// A temperature that is probably meant in degrees Celsius: no fluid of rock is as cold, and geothermal rock as hot.
-void warn_about_kelvin(Scene& scene) {
-  const auto named = named_temperatures(scene);
-  const double coldest = *std::min_element(named.begin(), named.end());
-  if (coldest < 250)
-    scene.warnings.push_back(
-        fmt::format("[heat] has a temperature of {0:g} K: numbers without a unit are in kelvin; in "
-                    "degrees Celsius it is written \"{0:g} degC\"",
-                    coldest));
 }
 
 /// The fluid of heat.fluid_density, which has a default of its own, is that of flow.density.
@@ -189,7 +177,6 @@ void warn_about_pores(Scene& scene) {
   if (scene.reaction) warn_about_reaction(scene);
   if (scene.reaction) warn_about_circles(scene);
   warn_about_ageing(scene);
-  if (scene.heat) warn_about_kelvin(scene);
   if (scene.heat && scene.flow) warn_about_two_densities(scene);
   warn_about_outlets(scene);
   warn_about_cut_shapes(scene);
