@@ -69,7 +69,7 @@ NO_LAWS = {
         detail/input_file.cpp detail/line.hpp detail/mesh_sections.cpp detail/nearest_name.cpp
         detail/poisson_disc.cpp detail/rock_mesher.cpp detail/rock_outline.cpp detail/rock_snapshots.cpp detail/toml_cursor.cpp
         detail/toml_cursor_read.cpp detail/toml_document.cpp
-        detail/toml_hazards.cpp detail/toml_hint.cpp detail/toml_override.cpp detail/warnings.cpp detail/warnings_of_pores.cpp
+        detail/toml_hazards.cpp detail/toml_hint.cpp detail/toml_override.cpp detail/warnings.cpp detail/warnings_of_pores.cpp detail/warnings_of_units.cpp
         form.cpp
         history_writer.cpp image_reader.cpp json_text.cpp mesh_reader.cpp message.cpp notch_remarks.cpp
         palette_picture.cpp progress.cpp rock_generator.cpp rock_regions.cpp run_folder.cpp
