@@ -96,9 +96,10 @@ void look_for_ways_around(const Scene& scene, const FluidPicture& picture, bool 
     if (scene.flow->body_force[axis] == 0 || !picture.joined(axis)) continue;
     if (!joined) joined = joined_pores(picture);
     if ((axis == 0 ? joined->along_x : joined->along_y) == 0)
-      found.warnings.push_back(fmt::format(
-          "flow.body_force: no path of fluid leads around from {} through the joined sides: nothing flows{}",
-          axis == 0 ? "left to right" : "bottom to top", rock_opens ? " until rock opens" : ""));
+      found.warnings.push_back(
+          fmt::format("flow.body_force: no path of fluid leads around from {} through the joined sides: it "
+                      "drives nothing around that way{}",
+                      axis == 0 ? "left to right" : "bottom to top", rock_opens ? " until rock opens" : ""));
   }
 }
 

@@ -22,10 +22,10 @@ class SteadyFlow {
  public:
   SteadyFlow() = default;
   /// The flow is held when three shares are at most `tolerance`: the largest change c_k of velocity between two looks,
-  /// over the velocity there plus `tolerance` times the largest (velocity_change); the sum of the changes to come when they continue to shrink like the last two,
-  /// c_k^2/(c_(k-1) - c_k); and the net gain of the pores over what crosses their boundaries. It is not held
-  /// before two looks have seen the flow under the final values of all boundaries, which these have from `earliest` (s)
-  /// on. Looks every `interval` lattice steps.
+  /// over the velocity there, or over the largest where it is less than `tolerance` of that (velocity_change); the sum
+  /// of the changes to come when they continue to shrink like the last two, c_k^2/(c_(k-1) - c_k); and the net gain of
+  /// the pores over what crosses their boundaries. It is not held before two looks have seen the flow under the final
+  /// values of all boundaries, which these have from `earliest` (s) on. Looks every `interval` lattice steps.
   SteadyFlow(double tolerance, double earliest, int interval)
       : tolerance_(tolerance), earliest_(earliest), interval_(interval) {}
 
@@ -50,28 +50,36 @@ class SteadyFlow {
   void wake(const Exec& exec, int capacity) {
     if (!on()) return;
     held_ = false;
-    looks_ = 0;
+    looks_ = changed_ = 0;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
   /// Looks; to be called only when due. Waits for the device. `noise` is the share of the largest velocity that is
-  /// rounding: a change of at most this size counts as none, whatever the tolerance.
+  /// rounding: a change of at most this size counts as none, whatever the tolerance. A drift that is less from look to
+  /// look adds up, unlike rounding: the flow is held if there is no change for as long as there was one before.
   void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
             const Crossed& crossed) {
     const double before = change_;
+    const std::int64_t since = looks_ - changed_;  // looks
     change_ = velocity_change(exec, nodes, u, previous_, tolerance_, noise);
     if (change_ == 0)
-      left_ = 0;
+      left_ = since >= changed_ ? 0 : all;
     else
-      left_ = looks_ == most_looks && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
+      left_ =
+          looks_ > 1 && since == 1 && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
     balanced_ = std::abs(crossed.net) <= tolerance_ * crossed.all + crossed.rounding;
     held_ = looks_ > 0 && settled() && (earliest_ == 0 || clock.time() >= earliest_ + unseen(clock));
-    looks_ = std::min(looks_ + 1, most_looks);
+    if (change_ > 0 || looks_ == 0) {
+      Kokkos::deep_copy(exec, previous_, u);
+      changed_ = looks_;
+    }
+    ++looks_;
     age_ = 0;
   }
   void state(StateList& list) {
     if (!on()) return;
     list.add("flow/steady/previous", previous_);
-    list.add_value("flow/steady/looks", looks_, {0, most_looks});
+    list.add_value("flow/steady/looks", looks_, {0, most_steps});
+    list.add_value("flow/steady/changed", changed_, {0, most_steps});
     list.add_value("flow/steady/change", change_);
     list.add_value("flow/steady/left", left_, {0, all});
     list.add_value("flow/steady/balanced", balanced_);
@@ -85,18 +93,19 @@ class SteadyFlow {
   /// values at its beginning, and the two after it still feel a jump (without_alternation).
   double unseen(const Clock& clock) const { return (interval_ + 3) * clock.time_step; }
 
-  static constexpr int most_looks = 2;
   static constexpr double all = 2;  ///< more than any tolerance
 
   double tolerance_ = 0, earliest_ = 0;
   int interval_ = 1;
   bool held_ = false;
-  double change_ = 1;      ///< at the last look
-  double left_ = all;      ///< sum of changes to come, at the last look
-  bool balanced_ = false;  ///< as much left as entered, at the last look
-  int looks_ = 0;          ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
+  double change_ = 1;         ///< at the last look
+  double left_ = all;         ///< sum of changes to come, at the last look
+  bool balanced_ = false;     ///< as much left as entered, at the last look
+  std::int64_t looks_ = 0;    ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
+  std::int64_t changed_ = 0;  ///< the look at which previous_ was taken
   std::int64_t age_ = 0, held_steps_ = 0;
-  VectorField<T> previous_{"vug::flow::steady::previous", 0};  ///< (fluid, axis) velocity at the last look
+  /// (fluid, axis) Velocity at the last look that saw it change.
+  VectorField<T> previous_{"vug::flow::steady::previous", 0};
 };
 
 }  // namespace vug

@@ -124,6 +124,24 @@ struct BondFailure {
     model.accounts.add_bond(k, 0, width * friction, 0.5 * model.dt * width * damped);
   }
 
+  /// Books as friction what the faces of a crack store when they have slid past each other: outlines bear the two from
+  /// then on, without what the faces have borne (Contacts::idle_overlap).
+  KOKKOS_FUNCTION void let_go_of_faces(int k, const BondMotion& motion) const {
+    const BondPoint point = model.material(k, model.chemical_damage(k));
+    const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
+    double stored = 0, damped = 0;
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening &o = motion.opening[s], &b = before.opening[s];
+      const double slip = model.bonds.slip(k, s);
+      if (b.delta_n < 0)
+        stored += 0.5 * (point.k_n * b.delta_n * o.delta_n + point.k_t * (b.delta_t - slip) * (o.delta_t - slip));
+      damped += model.accounts.drag_before(k, s, 0) * o.rate_n + model.accounts.drag_before(k, s, 1) * o.rate_t;
+      model.accounts.keep_drag(k, s, 0, 0);
+    }
+    const double width = 0.5 * model.bonds.length(k);
+    model.accounts.add_bond(k, 0, width * stored, 0.5 * model.dt * width * damped);
+  }
+
   /// Most bonds are neither damaged nor overstressed: this is all that is done for them.
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const {
     const BondState state = model.bonds.state(k);
@@ -142,11 +160,14 @@ struct BondFailure {
     }
     if (!has_failed(state)) return;
     PointStress stress[2];
+    const bool were_apart = model.bonds.joint(k) == faces_apart;
     if (faces_meet(k, motion.opening)) {
       const BondPoint point = model.material(k, model.chemical_damage(k));
       for (int s = 0; s < 2; ++s) stress[s] = crack_stress(k, s, point, motion.opening[s]);
       if constexpr (Keeper::kept) keep_account(k, point, motion, stress, fresh);
       for (int s = 0; s < 2; ++s) model.bonds.slip(k, s) = stress[s].slip;
+    } else if constexpr (Keeper::kept) {
+      if (!fresh && !were_apart && model.bonds.joint(k) == faces_apart) let_go_of_faces(k, motion);
     }
     model.store(k, motion, stress);
   }

@@ -21,8 +21,9 @@ struct Contacts {
   Kokkos::View<int* [2], Kokkos::LayoutLeft> first;                      ///< (particle + 1, generation)
   Kokkos::View<int* [2], Kokkos::LayoutLeft> other;                      ///< (pair, generation) the higher particle
   Kokkos::View<double* [2][pair_features], Kokkos::LayoutLeft> stretch;  ///< friction springs, m
-  /// Overlaps that do not push, m: those that compression has made of triangles with a common vertex while bonds held
-  /// them apart. Zero again once the two have parted. before_first_look: that of the first evaluation.
+  /// Overlaps that do not push, m: those that compression has made of triangles with a common vertex while bonds, or
+  /// the faces of a crack, held them apart. Zero again once the two have parted. before_first_look: that of the first
+  /// evaluation.
   Kokkos::View<double* [2][pair_features], Kokkos::LayoutLeft> idle_overlap;
   /// (pair, component) force on the lower particle, torque on it, torque on the higher one.
   Kokkos::View<double* [4], Kokkos::LayoutLeft> load;

@@ -98,11 +98,9 @@ struct PairCandidates {
     }
   }
 
-  /// Idle overlap with which a pair is listed. Outlines that take over from the faces of a crack, which have slid past
-  /// each other, push by all of it.
-  KOKKOS_FUNCTION double first_idle_overlap(int i, int j) const {
-    return share_a_vertex(i, j) && !have_faces(i, j, faces_apart) ? before_first_look : 0;
-  }
+  /// Idle overlap with which a pair is listed: bonds, or the faces of a crack, have borne what pressed the two
+  /// together.
+  KOKKOS_FUNCTION double first_idle_overlap(int i, int j) const { return share_a_vertex(i, j) ? before_first_look : 0; }
 };
 
 }  // namespace

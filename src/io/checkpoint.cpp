@@ -84,7 +84,8 @@ void Checkpoint::load(const StateList& state) const {
     const auto found =
         std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.name == wanted.name; });
     if (found == blocks_.end())
-      throw FileError(fmt::format("{}: the checkpoint has no block '{}'", path_, wanted.name));
+      throw FileError(
+          fmt::format("{}: the checkpoint has no block '{}'; another version of vug wrote it", path_, wanted.name));
     try {
       detail::require_size(wanted.name, found->size, wanted.bytes);
       wanted.load([&](std::size_t at, std::span<std::byte> to) {

@@ -133,7 +133,8 @@ double quickest_load(const Scene& scene) {
 bool feels_its_mass(const Scene& scene) {
   bool pressed = false;
   for_each_load(scene, [&](const TractionLoad& load, double, double) { pressed = pressed || changes(load); });
-  return pressed || slenderness(scene) > 1 || falls(scene) || time_on_springs(scene) > crossing_time(scene);
+  return pressed || !scene.mechanics->initial_velocities.empty() || slenderness(scene) > 1 || falls(scene) ||
+         time_on_springs(scene) > crossing_time(scene);
 }
 
 double crossing_time(const Scene& scene) {

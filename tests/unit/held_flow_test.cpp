@@ -83,11 +83,12 @@ flow = { type = "pressure", pressure = 0 }
   }
 }
 
-/// The narrow channel fills in some thousand steps, the wide one in some hundred, and is 256 times as fast.
+/// The narrow channel fills in tens of thousands of steps, the wide one in some hundred, and is 256 times as fast. In
+/// single precision what is still to come of the narrow one soon drowns in rounding of the wide one, from look to look.
 TEST(HeldFlow, IsHeldOnlyWhenAPoreThatIsFarSlowerThanAnotherIsSteadyToo) {
   const std::string two_channels = R"(
 [lattice]
-size = [0.04, 0.018]
+size = [0.12, 0.018]
 spacing = 1e-3
 time_step = 1e-3
 [time]
@@ -98,7 +99,7 @@ background = "fluid"
 [[geometry.shapes]]
 type = "rectangle"
 from = [0, 1e-3]
-to = [0.04, 2e-3]
+to = [0.12, 2e-3]
 material = "solid"
 [flow]
 viscosity = 1.66667e-4
@@ -112,8 +113,8 @@ flow = { type = "pressure", pressure = 0 }
     test::CoupledRun run(two_channels, {"accuracy.flow_tolerance=1e-3", "accuracy.precision=" + precision});
     run_until_held(run);
     const auto velocity = run.nodes("velocity");
-    const double exact = 1 / 0.04 / 1000 * 1e-6 / (12 * 1.66667e-4) * (1 + 0.5);  // dp/L n^2/(12 mu), on the lattice
-    for (const std::size_t x : {0, 20, 39}) EXPECT_NEAR(velocity[2 * x] / exact, 1, 3e-3) << precision << ' ' << x;
+    const double exact = 1 / 0.12 / 1000 * 1e-6 / (12 * 1.66667e-4) * (1 + 0.5);  // dp/L n^2/(12 mu), on the lattice
+    for (const std::size_t x : {0, 60, 119}) EXPECT_NEAR(velocity[2 * x] / exact, 1, 3e-3) << precision << ' ' << x;
   }
 }
 

@@ -85,6 +85,16 @@ TEST(RockInertia, OfABlockThatIsPressedIsChosenByItsLoadAndItsSprings) {
   EXPECT_EQ(chosen("1e-2", "stiffness = 1e14"), 16) << "in 1 microsecond";
 }
 
+/// Its momentum is that of its own mass.
+TEST(RockInertia, OfThrownRockIsItsOwn) {
+  const Scene scene = parse_scene(
+      "[lattice]\nsize = [0.04, 0.04]\nspacing = 1e-3\ntime_step = 1e-6\n[time]\nsteps = 10\n[geometry]\ntype = "
+      "\"rock\"\n[rock]\nelement_size = 4e-3\n[mechanics]\n[accuracy]\ntolerance = 1e-3\n"
+      "[[mechanics.initial_velocity]]\ntype = \"rectangle\"\nfrom = [0, 0]\nto = [0.04, 0.04]\nvelocity = [0.1, 0]\n",
+      "a.toml", {});
+  EXPECT_EQ(scene.mechanics->parameters.mass_scaling, 1);
+}
+
 TEST(RockInertia, ATolerancePicksTheLargestMassThatFollows) {
   EXPECT_EQ(rock_of({"accuracy.tolerance=1e-2"}).parameters.mass_scaling, 64);
   EXPECT_TRUE(rock_of({"accuracy.tolerance=1e-2"}).scaling_chosen);

@@ -152,8 +152,9 @@ TEST(EnergyLedger, OfSoftRockClosesAlthoughItsOutlinesOverlapWhenTheFirstBondFai
   PlatenTest compression;
   compression.speed = 1;
   compression.largest_strain = 0.1;
-  const auto crushed = [&](double radius_factor) {
+  const auto crushed = [&](double radius_factor, double chemical_damage = 0) {
     parameters.contact.radius_factor = radius_factor;
+    compression.chemical_damage = chemical_damage;
     return load_between_platens(Exec(), test::block(0.015, 0.03, 2e-3, 0.25), parameters, compression);
   };
   const PlatenResult small_radius = crushed(0.1), large_radius = crushed(0.9);
@@ -162,6 +163,10 @@ TEST(EnergyLedger, OfSoftRockClosesAlthoughItsOutlinesOverlapWhenTheFirstBondFai
     EXPECT_LT(std::abs(r.energies.imbalance()), 1e-4 * r.energies.work);
   }
   EXPECT_NEAR(small_radius.strength, large_radius.strength, 0.05 * large_radius.strength);
+  // bonds that are nearly dissolved: faces slide past each other while they are pressed together
+  const PlatenResult aged = crushed(0.1, 0.8);
+  EXPECT_GT(aged.bonds_at_end.failed(), 20);
+  EXPECT_LT(std::abs(aged.energies.imbalance()), 2e-3 * aged.energies.work);
 }
 
 TEST(EnergyLedgerLong, ClosesThroughAWholeCompressionTest) {

@@ -80,13 +80,12 @@ struct SpeedSquared {
 template <class T>
 struct CompareVelocity {
   VectorField<T> u, previous;
-  double slow, noise;  // speeds
+  double largest, slow, noise;  // speeds
   KOKKOS_FUNCTION void operator()(int i, double& most) const {
     const double ux = double(u(i, 0)), uy = double(u(i, 1));
     const double dx = ux - double(previous(i, 0)), dy = uy - double(previous(i, 1));
-    previous(i, 0) = u(i, 0);
-    previous(i, 1) = u(i, 1);
-    const double change = (Kokkos::sqrt(dx * dx + dy * dy) - noise) / (Kokkos::sqrt(ux * ux + uy * uy) + slow);
+    const double speed = Kokkos::sqrt(ux * ux + uy * uy);
+    const double change = (Kokkos::sqrt(dx * dx + dy * dy) - noise) / (speed < slow ? largest : speed);
     if (change > most) most = change;
   }
 };
@@ -99,7 +98,8 @@ double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorFi
   Kokkos::parallel_reduce("vug::guards::largest_speed", all, SpeedSquared<T>{u}, Kokkos::Max<double>(square));
   const double speed = Kokkos::sqrt(square);
   Kokkos::parallel_reduce("vug::guards::velocity_change", all,
-                          CompareVelocity<T>{u, previous, slow * speed, noise * speed}, Kokkos::Max<double>(change));
+                          CompareVelocity<T>{u, previous, speed, slow * speed, noise * speed},
+                          Kokkos::Max<double>(change));
   return speed > 0 ? Kokkos::max(change, 0.0) : 0;
 }
 

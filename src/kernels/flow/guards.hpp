@@ -28,10 +28,10 @@ template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);
 
-/// Largest change of velocity of the fluid nodes, (|u - previous| - noise U) / (|u| + slow U) with the largest |u| = U
-/// of all; 0 where nothing moves. Pores that are far slower than others are judged by their own speed, down to the
-/// share `slow` of the largest; changes up to the share `noise` of it are rounding. previous (fluid, axis) is u
-/// afterwards.
+/// Largest change of velocity of the fluid nodes, (|u - previous| - noise U) / s with the largest |u| = U of all and
+/// s = |u| where that is at least slow U, else U; 0 where nothing moves. Pores that are far slower than others are thus
+/// judged by their own speed, down to the share `slow` of the largest; changes up to the share `noise` of it are
+/// rounding. previous: (fluid, axis).
 template <class T>
 double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
                        const VectorField<T>& previous, double slow, double noise);
