@@ -55,17 +55,18 @@ class SteadyFlow {
   }
   /// Looks; to be called only when due. Waits for the device. `noise` is the share of the largest velocity that is
   /// rounding: a change of at most this size counts as none, whatever the tolerance. A drift that is less from look to
-  /// look adds up, unlike rounding: the flow is held if there is no change for as long as there was one before.
+  /// look adds up, unlike rounding: the flow is held if there is no change for half as long as there was one before.
+  /// Rounding that is no far smaller than the tolerance hides how changes shrink: then this is the only way.
   void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
             const Crossed& crossed) {
     const double before = change_;
     const std::int64_t since = looks_ - changed_;  // looks
     change_ = velocity_change(exec, nodes, u, previous_, tolerance_, noise);
+    const bool tells_decay = noise < 1e-3 * tolerance_ * tolerance_ && looks_ > 1 && since == 1 && before > change_;
     if (change_ == 0)
-      left_ = since >= changed_ ? 0 : all;
+      left_ = 2 * since >= changed_ ? 0 : all;
     else
-      left_ =
-          looks_ > 1 && since == 1 && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
+      left_ = tells_decay ? std::min(change_ * change_ / (before - change_), all) : all;
     balanced_ = std::abs(crossed.net) <= tolerance_ * crossed.all + crossed.rounding;
     held_ = looks_ > 0 && settled() && (earliest_ == 0 || clock.time() >= earliest_ + unseen(clock));
     if (change_ > 0 || looks_ == 0) {

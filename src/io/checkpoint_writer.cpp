@@ -78,7 +78,7 @@ bool is_of(const CheckpointOwner& owner, const fs::path& path) {
 }
 
 // Removes the checkpoints that this run no longer needs: all but its newest two up to `step`, and all after `step`,
-// which are left where it was resumed from an earlier one.
+// which are left where it was resumed from an earlier one; and those that a killed process did not finish.
 void prune(const std::string& directory, std::int64_t step, const CheckpointOwner& owner) {
   std::error_code error;
   int kept = 0;
@@ -87,6 +87,7 @@ void prune(const std::string& directory, std::int64_t step, const CheckpointOwne
     const bool later = path.stem().string() > detail::step_name(step);
     if (later || ++kept > 2) fs::remove(path, error);
   }
+  for (const auto& path : detail::unfinished_checkpoints(directory)) fs::remove(path, error);
 }
 
 }  // namespace

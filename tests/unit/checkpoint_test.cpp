@@ -82,6 +82,16 @@ TEST(Checkpoint, KeepsTheNewestTwo) {
       << "a state of a future that was left is none of them";
 }
 
+TEST(Checkpoint, RemovesWhatAKilledProcessDidNotFinish) {
+  const test::TemporaryFolder folder;
+  State state;
+  for (const char* name : {"step_000000000007.checkpoint.tmp", "mine.tmp"}) std::ofstream(folder.path() + "/" + name);
+  write_checkpoint(folder.path(), state.list(), 5, 0, {"abc", "r1"});
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.path())) names.push_back(entry.path().filename());
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("step_000000000005.checkpoint", "mine.tmp"));
+}
+
 TEST(Checkpoint, LeavesThoseOfAnotherRunAlone) {
   const test::TemporaryFolder folder;
   State state;

@@ -20,9 +20,9 @@ void steps(test::CoupledRun& run, int n) {
   for (int step = 0; step < n; step += 20) run.steps(20);
 }
 
-/// Runs until the flow is held, for 150 000 steps at most.
+/// Runs until the flow is held, for 250 000 steps at most.
 void run_until_held(test::CoupledRun& run) {
-  for (int look = 0; look < 1500 && run.now("flow_held_steps_1") == 0; ++look) run.steps(100);
+  for (int look = 0; look < 2500 && run.now("flow_held_steps_1") == 0; ++look) run.steps(100);
   EXPECT_GT(run.now("flow_held_steps_1"), 0);
 }
 

@@ -18,4 +18,7 @@ bool is_checkpoint_name(const std::filesystem::path& path);
 /// one.
 std::vector<std::filesystem::path> checkpoints(const std::string& directory);
 
+/// Likewise those of checkpoints that a process began to write and did not finish.
+std::vector<std::filesystem::path> unfinished_checkpoints(const std::string& directory);
+
 }  // namespace vug::detail
