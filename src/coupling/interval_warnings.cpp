@@ -133,7 +133,7 @@ TimeTable from_rest(const TimeTable& table, double rest, double step) {
 void warn_of_mistaken_pulses(const Scene& scene, std::vector<std::string>& warnings) {
   std::optional<Pulse> first;
   const auto look = [&](const TimeTable& table, double rest) {
-    if (!first && table.moments().size() > 1)
+    if (!first && !table.constant())
       first = mistaken_pulse(from_rest(table, rest, scene.lattice.time_step), scene);
   };
   for_each_boundary(scene, [&](const BoundarySection& given) {
@@ -144,7 +144,7 @@ void warn_of_mistaken_pulses(const Scene& scene, std::vector<std::string>& warni
     if (scene.heat) look(given.heat.temperature, scene.heat->initial_temperature);
     if (scene.heat) look(given.heat.flux, 0);
     if (!scene.solute) return;
-    for (const auto& [species, table] : given.solute.concentration) look(table, table.at(table.moments().front()));
+    for (const auto& [species, table] : given.solute.concentration) look(table, table.at(0));
     for (const auto& [species, table] : given.solute.flux) look(table, 0);
   });
   if (first)
