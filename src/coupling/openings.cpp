@@ -35,22 +35,25 @@ Point normal_at(const Disc& disc, const Point& p, const Point&) {
 }
 
 /// Normal of the nearest edge among those that face `out`. At a corner another edge may be nearer, but a line along
-/// `out` does not cross it.
+/// `out` does not cross it. Of two that are as near, which meet at a corner, the one that faces `out` more.
 Point normal_at(const Polygon& polygon, const Point& p, const Point& out) {
   constexpr double aside = 1e-9;  // smallest cosine; with less, `out` is along the edge
   const auto& v = polygon.points;
   const double round = orientation(polygon);
   Point found = unit_vector(out);
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity(), facing = 0;
   for (std::size_t a = 0, b = v.size() - 1; a < v.size(); b = a++) {
     const Point along{v[a][0] - v[b][0], v[a][1] - v[b][1]}, to_p{p[0] - v[b][0], p[1] - v[b][1]};
     const double length2 = along[0] * along[0] + along[1] * along[1];
     const Point normal = unit_vector({round * along[1], -round * along[0]});
-    if (length2 == 0 || normal[0] * out[0] + normal[1] * out[1] < aside) continue;
+    const double faces = normal[0] * out[0] + normal[1] * out[1];
+    if (length2 == 0 || faces < aside) continue;
     const double t = std::clamp((to_p[0] * along[0] + to_p[1] * along[1]) / length2, 0.0, 1.0);
     const double distance = std::hypot(to_p[0] - t * along[0], to_p[1] - t * along[1]);
-    if (distance >= nearest) continue;
+    const double alike = 1e-9 * std::sqrt(length2);  // beyond rounding
+    if (distance > nearest + alike || (distance > nearest - alike && faces <= facing)) continue;
     nearest = distance;
+    facing = faces;
     found = normal;
   }
   return found;
