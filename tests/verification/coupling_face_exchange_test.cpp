@@ -124,46 +124,5 @@ TEST(FaceExchange, LeavesWhatIsUniform) {
   EXPECT_LT(with, 1e-2);
 }
 
-/// A pipe at a concentration of one in a stream that has it as well, at the start too: nothing may come out of it.
-TEST(ConcentrationAtAWall, LeavesWhatIsUniform) {
-  const std::string stream = R"(
-[lattice]
-size = [0.048, 0.024]
-spacing = 1e-3
-time_step = 1e-3
-[time]
-steps = 100000
-[[geometry.shapes]]
-type = "disc"
-name = "pipe"
-centre = [0.018, 0.012]
-radius = 0.005
-[flow]
-viscosity = 1e-4
-[[solute.species]]
-name = "A"
-initial = 1
-diffusivity = 1e-5
-[boundary.left]
-flow = { type = "velocity", velocity = [0.04, 0], profile = "parabolic" }
-solute = { type = "concentration", concentration = { A = 1 } }
-[boundary.right]
-flow = { type = "pressure", pressure = 1e5 }
-solute = { type = "outflow" }
-[boundary.shape.pipe]
-solute = { type = "concentration", concentration = { A = 1 } }
-)";
-  for (const std::string precision : {"double", "single"}) {
-    test::CoupledRun run(stream, {"accuracy.precision=" + precision, "output.flows=true"});
-    run.steps(12000);
-    const std::vector<double> type = run.nodes("node_type"), A = run.nodes("concentration_A");
-    double farthest = 0;
-    for (std::size_t n = 0; n < A.size(); ++n)
-      if (type[n] == 0) farthest = std::max(farthest, std::abs(A[n] - 1));
-    EXPECT_LT(farthest, precision == "double" ? 1e-6 : 1e-3) << "before: -0.2 to 1.2 too much";
-    EXPECT_NEAR(run.now("shape_pipe_A_flow_mol_per_m_s"), 0, 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace vug

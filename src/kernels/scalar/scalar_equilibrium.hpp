@@ -56,13 +56,6 @@ struct Crossing {
       return T(1) + scalar_even_part<T>(q, u(i, 0), u(i, 1));
     }
   }
-
-  /// What the fluid at node i carries into link q at equilibrium, over w C, where no fluid crosses it; otherwise 0.
-  template <class Set>
-  KOKKOS_FORCEINLINE_FUNCTION T carried(int i, int q) const {
-    if (open_links.extent(0) == 0 || (open_links(i) >> q & 1)) return T(0);
-    return scalar_equilibrium<Set, T>(q, u(i, 0), u(i, 1)) - T(1);
-  }
 };
 
 }  // namespace vug

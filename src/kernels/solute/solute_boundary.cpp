@@ -6,16 +6,13 @@
 
 namespace vug {
 
-/// h_in = -A + 2 w C_b, on D2Q9 with the even part of the equilibrium where fluid crosses. Where it does not, what the
-/// fluid carries towards the wall comes back, as from a wall without flux: + 2 A_carried.
+/// h_in = -A + 2 w C_b, on D2Q9 with the even part of the equilibrium where fluid crosses.
 template <class T, class Set>
 struct ConcentrationRule {
   double C_b;
   Crossing<T> crossing;
-  const T* C;
   KOKKOS_FORCEINLINE_FUNCTION T operator()(int, int i, int q, T out) const {
-    return T(2 * Set::w(q) * C_b) * crossing.template pair<Set>(i, q) - out +
-           T(2 * Set::w(q)) * C[i] * crossing.template carried<Set>(i, q);
+    return T(2 * Set::w(q) * C_b) * crossing.template pair<Set>(i, q) - out;
   }
 };
 
@@ -78,7 +75,7 @@ struct DressSolutes {
     if (c.kind == Kind::outflow)
       run(DressOneWay<Outflow>{{c, c.h, capacity, {c.h, c.C, source, capacity, c.turned, c.slope, c.rounding}}, way});
     else if (c.kind == Kind::concentration)
-      run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing, c.C}});
+      run(DressLinks<T, ConcentrationRule<T, Set>>{c, c.h, capacity, {c.value, crossing}});
     else
       run(DressLinks<T, FluxRule<T>>{c, c.h, capacity, {c.part, c.value, c.rounding}});
   }
