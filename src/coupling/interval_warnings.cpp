@@ -113,39 +113,25 @@ std::optional<Pulse> mistaken_pulse(const TimeTable& table, const Scene& scene) 
     if ((top > before) != (top > table.at(time[last + 1]))) continue;
     const Pulse pulse = pulse_at(table, first, last, step);
     const double smallest = 0.01 * step * table.farthest(table.at(time.front()), pulse.time);
-    if (pulse.begin >= -1e-6 * step && pulse.end - pulse.begin <= 100 * step &&
-        std::max(pulse.area, pulse.taken) > smallest && std::abs(pulse.taken - pulse.area) > 0.1 * pulse.area)
+    if (pulse.begin >= 0 && pulse.end - pulse.begin <= 100 * step && std::max(pulse.area, pulse.taken) > smallest &&
+        std::abs(pulse.taken - pulse.area) > 0.1 * pulse.area)
       return pulse;
   }
   return std::nullopt;
 }
 
-/// A table with a point at rest just before its first one, at which a pulse may begin.
-TimeTable from_rest(const TimeTable& table, double rest, double step) {
-  std::vector<double> times{table.moments().front() - 1e-9 * step}, values{rest};
-  for (const double time : table.moments()) {
-    times.push_back(time);
-    values.push_back(table.at(time));
-  }
-  return {times, values};
-}
-
 void warn_of_mistaken_pulses(const Scene& scene, std::vector<std::string>& warnings) {
   std::optional<Pulse> first;
-  const auto look = [&](const TimeTable& table, double rest) {
-    if (!first && !table.constant())
-      first = mistaken_pulse(from_rest(table, rest, scene.lattice.time_step), scene);
+  const auto look = [&](const TimeTable& table) {
+    if (!first) first = mistaken_pulse(table, scene);
   };
   for_each_boundary(scene, [&](const BoundarySection& given) {
-    if (scene.flow)
-      given.flow.for_each_table([&](const TimeTable& table) {
-        look(table, &table == &given.flow.pressure ? scene.flow->initial_pressure : 0);
-      });
-    if (scene.heat) look(given.heat.temperature, scene.heat->initial_temperature);
-    if (scene.heat) look(given.heat.flux, 0);
-    if (!scene.solute) return;
-    for (const auto& [species, table] : given.solute.concentration) look(table, table.at(0));
-    for (const auto& [species, table] : given.solute.flux) look(table, 0);
+    if (scene.flow) given.flow.for_each_table(look);
+    if (scene.heat) look(given.heat.temperature);
+    if (scene.heat) look(given.heat.flux);
+    if (scene.solute)
+      for (const auto* tables : {&given.solute.concentration, &given.solute.flux})
+        for (const auto& [species, table] : *tables) look(table);
   });
   if (first)
     warnings.push_back(fmt::format(

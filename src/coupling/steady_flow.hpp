@@ -50,29 +50,22 @@ class SteadyFlow {
   void wake(const Exec& exec, int capacity) {
     if (!on()) return;
     held_ = false;
-    looks_ = changed_ = 0;
+    looks_ = 0;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
   /// Looks; to be called only when due. Waits for the device. `noise` is the share of the largest velocity that is
-  /// rounding: a change of at most this size counts as none, whatever the tolerance. A drift that is less from look to
-  /// look adds up, unlike rounding: the flow is held if there is no change for half as long as there was one before.
-  /// Rounding that is no far smaller than the tolerance hides how changes shrink: then this is the only way.
+  /// rounding: a change of at most this size counts as none, whatever the tolerance.
   void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
             const Crossed& crossed) {
     const double before = change_;
-    const std::int64_t since = looks_ - changed_;  // looks
     change_ = velocity_change(exec, nodes, u, previous_, tolerance_, noise);
-    const bool tells_decay = noise < 1e-3 * tolerance_ * tolerance_ && looks_ > 1 && since == 1 && before > change_;
     if (change_ == 0)
-      left_ = 2 * since >= changed_ ? 0 : all;
+      left_ = 0;
     else
-      left_ = tells_decay ? std::min(change_ * change_ / (before - change_), all) : all;
+      left_ = looks_ > 1 && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
     balanced_ = std::abs(crossed.net) <= tolerance_ * crossed.all + crossed.rounding;
     held_ = looks_ > 0 && settled() && (earliest_ == 0 || clock.time() >= earliest_ + unseen(clock));
-    if (change_ > 0 || looks_ == 0) {
-      Kokkos::deep_copy(exec, previous_, u);
-      changed_ = looks_;
-    }
+    Kokkos::deep_copy(exec, previous_, u);
     ++looks_;
     age_ = 0;
   }
@@ -80,7 +73,6 @@ class SteadyFlow {
     if (!on()) return;
     list.add("flow/steady/previous", previous_);
     list.add_value("flow/steady/looks", looks_, {0, most_steps});
-    list.add_value("flow/steady/changed", changed_, {0, most_steps});
     list.add_value("flow/steady/change", change_);
     list.add_value("flow/steady/left", left_, {0, all});
     list.add_value("flow/steady/balanced", balanced_);
@@ -99,13 +91,12 @@ class SteadyFlow {
   double tolerance_ = 0, earliest_ = 0;
   int interval_ = 1;
   bool held_ = false;
-  double change_ = 1;         ///< at the last look
-  double left_ = all;         ///< sum of changes to come, at the last look
-  bool balanced_ = false;     ///< as much left as entered, at the last look
-  std::int64_t looks_ = 0;    ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
-  std::int64_t changed_ = 0;  ///< the look at which previous_ was taken
+  double change_ = 1;       ///< at the last look
+  double left_ = all;       ///< sum of changes to come, at the last look
+  bool balanced_ = false;   ///< as much left as entered, at the last look
+  std::int64_t looks_ = 0;  ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
   std::int64_t age_ = 0, held_steps_ = 0;
-  /// (fluid, axis) Velocity at the last look that saw it change.
+  /// (fluid, axis) Velocity at the last look.
   VectorField<T> previous_{"vug::flow::steady::previous", 0};
 };
 

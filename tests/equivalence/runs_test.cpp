@@ -114,9 +114,9 @@ TEST(SameBitsOfAgeingRock, WithThreadsAndAfterARestart) {
   for (const std::string precision : {"double", "single"}) {
     const std::string more = " --set accuracy.precision=" + precision;
     const std::string whole = folder / ("whole_" + precision), parts = folder / ("parts_" + precision);
-    run(whole, "--threads 1 --steps 2900" + more, grain);
-    run(parts, "--threads 1 --steps 2600" + more, grain);
-    run(parts, "--threads 2 --resume --steps 2900" + more, grain);
+    run(whole, "--threads 1 --steps 3000" + more, grain);
+    run(parts, "--threads 1 --steps 2900" + more, grain);
+    run(parts, "--threads 2 --resume --steps 3000" + more, grain);
     EXPECT_EQ(difference(whole, parts), "");
   }
 }

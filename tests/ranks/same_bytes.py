@@ -58,7 +58,7 @@ CASES = {  # case, steps, keys, output at every tenth step
     "sleep": (COUPLED + "small_rock.toml", 120,
               FINE + ["rock.element_size=1e-3", "mechanics.local_damping=0.7", "mechanics.rest_tolerance=0.3", ROCK_OFTEN],
               ROCK_OFTEN),
-    "slow": (COUPLED + "slow_grain.toml", 2900, [], OFTEN),
+    "slow": (COUPLED + "slow_grain.toml", 3000, [], OFTEN),
     "warm_well": (COUPLED + "warm_well.toml", 60, SURFACES, OFTEN),
     "well": (COUPLED + "well.toml", 200, SURFACES + ["lattice.spacing=2.5e-4"], OFTEN),
 }
