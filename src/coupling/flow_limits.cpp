@@ -64,7 +64,7 @@ void FlowModule<T>::look(const Exec& exec, const Clock& clock, const FlowExtreme
   // a pore with one opening gains and loses nothing in the end: the flow through a cell face in it is then the scale
   crossed.all = std::max(crossed.all, steps * extremes.speed);
   crossed.rounding = rounding * extremes.density * std::sqrt(static_cast<double>(geometry_.fluid.count)) * steps;
-  steady_.look(exec, clock, geometry_.fluid, fields_.u, noise, crossed);
+  steady_.look(exec, clock, geometry_.fluid, fields_.u, extremes.speed, noise, crossed);
 }
 
 template <class T>

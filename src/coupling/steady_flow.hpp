@@ -53,26 +53,25 @@ class SteadyFlow {
     looks_ = 0;
     Kokkos::resize(exec, previous_, capacity, 2);
   }
-  /// Looks; to be called only when due. Waits for the device. `noise` is the share of the largest velocity that is
-  /// rounding: a change of at most this size counts as none, whatever the tolerance.
-  void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double noise,
-            const Crossed& crossed) {
+  /// Looks; to be called only when due. Waits for the device. `largest` is the largest speed, `noise` the share of it
+  /// that is rounding: a change of at most this size counts as none, whatever the tolerance.
+  void look(const Exec& exec, const Clock& clock, const FluidNodes& nodes, const VectorField<T>& u, double largest,
+            double noise, const Crossed& crossed) {
     const double before = change_;
-    change_ = velocity_change(exec, nodes, u, previous_, tolerance_, noise);
+    change_ = velocity_change(exec, nodes, u, previous_, {largest, tolerance_, noise});
     if (change_ == 0)
       left_ = 0;
     else
-      left_ = looks_ > 1 && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
+      left_ = looks_ == most_looks && before > change_ ? std::min(change_ * change_ / (before - change_), all) : all;
     balanced_ = std::abs(crossed.net) <= tolerance_ * crossed.all + crossed.rounding;
     held_ = looks_ > 0 && settled() && (earliest_ == 0 || clock.time() >= earliest_ + unseen(clock));
-    Kokkos::deep_copy(exec, previous_, u);
-    ++looks_;
+    looks_ = std::min(looks_ + 1, most_looks);
     age_ = 0;
   }
   void state(StateList& list) {
     if (!on()) return;
     list.add("flow/steady/previous", previous_);
-    list.add_value("flow/steady/looks", looks_, {0, most_steps});
+    list.add_value("flow/steady/looks", looks_, {0, most_looks});
     list.add_value("flow/steady/change", change_);
     list.add_value("flow/steady/left", left_, {0, all});
     list.add_value("flow/steady/balanced", balanced_);
@@ -86,18 +85,18 @@ class SteadyFlow {
   /// values at its beginning, and the two after it still feel a jump (without_alternation).
   double unseen(const Clock& clock) const { return (interval_ + 3) * clock.time_step; }
 
+  static constexpr int most_looks = 2;
   static constexpr double all = 2;  ///< more than any tolerance
 
   double tolerance_ = 0, earliest_ = 0;
   int interval_ = 1;
   bool held_ = false;
-  double change_ = 1;       ///< at the last look
-  double left_ = all;       ///< sum of changes to come, at the last look
-  bool balanced_ = false;   ///< as much left as entered, at the last look
-  std::int64_t looks_ = 0;  ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
+  double change_ = 1;      ///< at the last look
+  double left_ = all;      ///< sum of changes to come, at the last look
+  bool balanced_ = false;  ///< as much left as entered, at the last look
+  int looks_ = 0;          ///< at the present pores: from 1 on, previous_ is valid; at 2, change_ as well
   std::int64_t age_ = 0, held_steps_ = 0;
-  /// (fluid, axis) Velocity at the last look.
-  VectorField<T> previous_{"vug::flow::steady::previous", 0};
+  VectorField<T> previous_{"vug::flow::steady::previous", 0};  ///< (fluid, axis) velocity at the last look
 };
 
 }  // namespace vug

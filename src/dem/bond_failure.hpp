@@ -51,21 +51,29 @@ struct BondFailure {
     Kokkos::atomic_store(&model.bonds.events(cracks_have_changed), 1);
   }
 
+  /// The half step of work that the dashpots of the step before still do in this one, J per m; they are then forgotten.
+  KOKKOS_FUNCTION double take_last_drag(int k, const BondMotion& motion) const {
+    double power = 0;
+    for (int s = 0; s < 2; ++s) {
+      const PointOpening& o = motion.opening[s];
+      power += model.accounts.drag_before(k, s, 0) * o.rate_n + model.accounts.drag_before(k, s, 1) * o.rate_t;
+      model.accounts.keep_drag(k, s, 0, 0);
+    }
+    return 0.25 * model.dt * model.bonds.length(k) * power;
+  }
+
   /// Releases the energy that a dissolved bond still stores, and takes back the viscous work of this step, because a
   /// crack has no viscosity.
   KOKKOS_FUNCTION void close_account(int k, const BondMotion& motion) const {
     const BondPoint material = model.material(k, model.chemical_damage(k));
     const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
-    double released = 0, viscous = 0;
+    double released = 0;
     for (int s = 0; s < 2; ++s) {
       const PointOpening &o = motion.opening[s], &b = before.opening[s];
       released +=
           (1 - model.bonds.point_damage(k, s)) * undamaged_energy(material, o.delta_n, b.delta_n, o.delta_t, b.delta_t);
-      viscous += model.accounts.drag_before(k, s, 0) * o.rate_n + model.accounts.drag_before(k, s, 1) * o.rate_t;
-      model.accounts.keep_drag(k, s, 0, 0);
     }
-    const double width = 0.5 * model.bonds.length(k);
-    model.accounts.add_bond(k, width * released, 0, -0.5 * model.dt * width * viscous);
+    model.accounts.add_bond(k, 0.5 * model.bonds.length(k) * released, 0, -take_last_drag(k, motion));
   }
 
   KOKKOS_FUNCTION BondState settled(int k, BondState state, const BondMotion& motion) const {
@@ -129,17 +137,14 @@ struct BondFailure {
   KOKKOS_FUNCTION void let_go_of_faces(int k, const BondMotion& motion) const {
     const BondPoint point = model.material(k, model.chemical_damage(k));
     const BondMotion before = motion_of_bond_before(model.particles, model.bonds, model.expansion, model.dt, k);
-    double stored = 0, damped = 0;
+    double stored = 0;
     for (int s = 0; s < 2; ++s) {
       const PointOpening &o = motion.opening[s], &b = before.opening[s];
       const double slip = model.bonds.slip(k, s);
       if (b.delta_n < 0)
         stored += 0.5 * (point.k_n * b.delta_n * o.delta_n + point.k_t * (b.delta_t - slip) * (o.delta_t - slip));
-      damped += model.accounts.drag_before(k, s, 0) * o.rate_n + model.accounts.drag_before(k, s, 1) * o.rate_t;
-      model.accounts.keep_drag(k, s, 0, 0);
     }
-    const double width = 0.5 * model.bonds.length(k);
-    model.accounts.add_bond(k, 0, width * stored, 0.5 * model.dt * width * damped);
+    model.accounts.add_bond(k, 0, 0.5 * model.bonds.length(k) * stored, take_last_drag(k, motion));
   }
 
   /// Most bonds are neither damaged nor overstressed: this is all that is done for them.

@@ -29,32 +29,64 @@ struct PairCandidates {
     return t;
   }
 
-  /// Whether the two have a bond, or the crack that it left, whose faces are as `joint` says.
-  KOKKOS_FUNCTION bool have_faces(int i, int j, std::uint8_t joint) const {
+  /// Whether a bond, or the crack that it left, already transmits the forces between the two.
+  KOKKOS_FUNCTION bool joined(int i, int j) const {
     for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
       const int k = bonds.entry(e) / 2, end = bonds.entry(e) % 2;
-      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) == joint) return true;
+      if (bonds.pair(k, 1 - end) == j && bonds.joint(k) == faces_joined) return true;
     }
     return false;
   }
 
-  KOKKOS_FUNCTION bool beside_a_crack(int i) const {
-    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e)
-      if (has_failed(bonds.state(bonds.entry(e) / 2))) return true;
-    return false;
+  /// Number of vertices that the two have in common; `which` is one of them.
+  KOKKOS_FUNCTION int common_vertices(int i, int j, int& which) const {
+    int count = 0;
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d)
+        if (p.vertex(i, c) == p.vertex(j, d)) {
+          which = p.vertex(i, c);
+          ++count;
+        }
+    return count;
   }
 
   KOKKOS_FUNCTION bool share_a_vertex(int i, int j) const {
-    for (int c = 0; c < 3; ++c)
-      for (int d = 0; d < 3; ++d)
-        if (p.vertex(i, c) == p.vertex(j, d)) return true;
+    int which = 0;
+    return common_vertices(i, j, which) > 0;
+  }
+
+  /// Whether bond k holds and lies on an edge with this vertex.
+  KOKKOS_FUNCTION bool holds_at(int k, int vertex) const {
+    return !has_failed(bonds.state(k)) && (bonds.vertex(k, 0) == vertex || bonds.vertex(k, 1) == vertex);
+  }
+
+  /// The bond that leads on around a vertex from triangle i, which bond `from` has led to; -1 where none holds.
+  KOKKOS_FUNCTION int next_around(int i, int vertex, int from) const {
+    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e)
+      if (const int k = bonds.entry(e) / 2; k != from && holds_at(k, vertex)) return k;
+    return -1;
+  }
+
+  /// Whether bonds that hold lead around a vertex of both from i to j.
+  KOKKOS_FUNCTION bool joined_around(int i, int j, int vertex) const {
+    for (int e = bonds.row(i); e < bonds.row(i + 1); ++e) {
+      int at = i, k = holds_at(bonds.entry(e) / 2, vertex) ? bonds.entry(e) / 2 : -1;
+      while (k >= 0) {
+        at = bonds.pair(k, 0) == at ? bonds.pair(k, 1) : bonds.pair(k, 0);
+        if (at == j) return true;
+        if (at == i) break;  // once around
+        k = next_around(at, vertex, k);
+      }
+    }
     return false;
   }
 
-  /// Whether bonds keep the two apart: triangles that share a vertex are, until a bond of one of them has failed.
-  /// Without this, corners that touch from the start would stiffen intact rock, and most pairs would be such idle ones.
+  /// Whether bonds keep the two apart: triangles that share one vertex are, as long as bonds around it join them. Bonds
+  /// carry the load there. Outlines that pushed as well would stiffen intact rock, and most pairs would be such idle
+  /// ones.
   KOKKOS_FUNCTION bool held_apart(int i, int j) const {
-    return share_a_vertex(i, j) && !beside_a_crack(i) && !beside_a_crack(j);
+    int vertex = 0;
+    return common_vertices(i, j, vertex) == 1 && joined_around(i, j, vertex);
   }
 
   KOKKOS_FUNCTION double reach_of(int i) const {
@@ -73,7 +105,7 @@ struct PairCandidates {
     if (dot(gap, gap) > (2 * grid.reach + near) * (2 * grid.reach + near)) return false;
     const double touch = reach_of(i) + reach_of(j) + near;  // in graded rock a cell is full of far smaller triangles
     if (dot(gap, gap) > touch * touch) return false;
-    if (have_faces(i, j, faces_joined) || held_apart(i, j)) return false;  // the faces transmit their forces
+    if (joined(i, j) || held_apart(i, j)) return false;
     const Triangle a = outline(i), b = outline(j);
     for (int c = 0; c < 3; ++c) {
       if (closest_on_triangle(a, b.corner[c]).distance < near || closest_on_triangle(b, a.corner[c]).distance < near) {

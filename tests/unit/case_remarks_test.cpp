@@ -66,15 +66,6 @@ TEST(CaseRemarks, StressesThatAreMeantInMegapascalsAreRemarked) {
   }
 }
 
-TEST(CaseRemarks, ContactsFarStifferThanBondsAreRemarked) {
-  const auto warnings = [](const std::string& modulus) {
-    return shipped("laboratory/compression.toml", {"mechanics.young_modulus=" + modulus, "mechanics.poisson_ratio=0.2"})
-        .warnings;
-  };
-  EXPECT_THAT(warnings("\"0.2 GPa\""), Contains(HasSubstr("times the stiffness of the bonds")));
-  EXPECT_THAT(warnings("\"20 GPa\""), Not(Contains(HasSubstr("times the stiffness of the bonds"))));
-}
-
 /// 6 and 0 for a difference of 6 Pa; not what is given beside an initial pressure of zero.
 TEST(CaseRemarks, PressuresThatAreMeantAboveTheInitialOneAreRemarked) {
   const auto warnings = [](const std::string& initial, const std::string& left) {

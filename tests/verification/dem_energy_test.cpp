@@ -1,9 +1,14 @@
 // The energy ledger: work = kinetic + elastic + fracture + friction + damping.
+#include "dem/edges.hpp"
 #include "dem/laboratory.hpp"
 #include "dem_support.hpp"
 #include "support/record.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
 
 namespace {
 
@@ -167,6 +172,33 @@ TEST(EnergyLedger, OfSoftRockClosesAlthoughItsOutlinesOverlapWhenTheFirstBondFai
   const PlatenResult aged = crushed(0.1, 0.8);
   EXPECT_GT(aged.bonds_at_end.failed(), 20);
   EXPECT_LT(std::abs(aged.energies.imbalance()), 2e-3 * aged.energies.work);
+}
+
+/// Soft rock that does not break, with single cracks from the start: bonds around their ends carry the load alone.
+TEST(Contacts, BesideCracksDoNotStiffenWhatBondsHold) {
+  MechanicsParameters parameters = elastic();
+  parameters.bond.normal_modulus = 1e9;
+  parameters.bond.tangential_modulus = 0.44e9;
+  PlatenTest compression;
+  compression.speed = 2;
+  compression.largest_strain = 0.05;
+  Assembly cracked = test::block(0.01, 0.02, 2e-3, 0.2);
+  std::set<int> taken;  // vertices: no crack meets another one or the surface
+  const std::vector<Edge> edges = find_edges(cracked);
+  for (const Edge& edge : edges)
+    if (edge.triangle[1] < 0) taken.insert(edge.vertex.begin(), edge.vertex.end());
+  for (const Edge& edge : edges) {
+    const auto [low, high] = std::minmax(edge.vertex[0], edge.vertex[1]);
+    if (taken.contains(low) || taken.contains(high)) continue;
+    cracked.initial_cracks.push_back({low, high});
+    taken.insert({low, high});
+  }
+  const auto stress_at_the_end = [&](double radius_factor) {
+    parameters.contact.radius_factor = radius_factor;
+    return load_between_platens(Exec(), cracked, parameters, compression).stress.back();
+  };
+  const double of_sharp_corners = stress_at_the_end(0.1), of_round_ones = stress_at_the_end(0.9);
+  EXPECT_NEAR(of_sharp_corners, of_round_ones, 1e-3 * of_round_ones);
 }
 
 TEST(EnergyLedgerLong, ClosesThroughAWholeCompressionTest) {

@@ -55,7 +55,8 @@ def acid(history):
             curves.append(Curve("made by reaction", reacted) if made else Curve("spent on rock", -reacted))
         curves += _named(history, (f"{name}_gain_outflow", "flowed out", -1))
         curves += _rest_of_budget(history, name, [*by_reaction, f"{name}_gain_injected", f"{name}_gain_outflow"])
-        axes.append((f"{name}, of the lattice steps taken" if ages else name, "mol/m", curves + _named(history, (f"{name}_stored", "in the pores", 1))))
+        title = f"{name}, of the lattice steps taken" if ages else name
+        axes.append((title, "mol/m", curves + _named(history, (f"{name}_stored", "in the pores", 1))))
     return axes
 
 

@@ -82,22 +82,6 @@ void warn_about_mass_scaling(Scene& scene) {
                   scaling, std::sqrt(scaling), undamped));
 }
 
-/// Contacts far stiffer than the bonds lock rock that breaks: with 140 times their stiffness (0.2 GPa) it was 43 % too
-/// strong, with 57 times 17 %, with 28 times less than the scatter.
-void warn_about_stiff_contacts(Scene& scene) {
-  constexpr double notable = 40;
-  const MechanicsParameters& rock = scene.mechanics->parameters;
-  const auto stiffness = [](const BondParameters& bond) { return bond.normal_modulus / bond.length_factor; };
-  double softest = stiffness(rock.bond);
-  for (const RockMaterial& material : rock.materials) softest = std::min(softest, stiffness(material.bond));
-  const double ratio = rock.contact.normal_stiffness / softest;
-  if (ratio > notable)
-    scene.warnings.push_back(fmt::format(
-        "mechanics.contact.normal_stiffness = {:.3g} N/m is {:.2g} times the stiffness of the bonds: rock that breaks "
-        "comes out too strong (43 % at 140 times); give {:.2g}, and tangential_stiffness in proportion",
-        rock.contact.normal_stiffness, ratio, softest));
-}
-
 /// With s times the mass a press acts as if it were sqrt(s) times as fast. Inertia increases the mean strength: in
 /// compression by 5 % at 1 m/s; in tension by 3 % at 0.2 m/s, 7 % at 0.4 m/s and 17 % at 1 m/s; in splitting by nothing
 /// at 1 m/s and 14 % at 5 m/s. These are two (splitting: ten) times the default speeds. Rock that is weak for its
@@ -156,7 +140,6 @@ void warn_about_platens(Scene& scene) {
 void collect_warnings(Scene& scene) {
   if (scene.laboratory) {
     warn_about_units(scene);
-    warn_about_stiff_contacts(scene);
     warn_about_press(scene);
     return warn_about_materials_of_a_disc(scene);
   }
@@ -170,7 +153,6 @@ void collect_warnings(Scene& scene) {
   if (scene.mechanics) warn_about_support(scene);
   if (scene.rock) warn_about_sides(scene);
   if (scene.mechanics) warn_about_mass_scaling(scene);
-  if (scene.mechanics) warn_about_stiff_contacts(scene);
   if (scene.mechanics) warn_about_platens(scene);
   if (scene.mechanics && scene.mechanics->force_unstable) {
     scene.warnings.emplace_back("mechanics.force_unstable accepts a time step that may diverge");

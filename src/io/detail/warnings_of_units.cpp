@@ -24,7 +24,7 @@ void warn_about_kelvin(Scene& scene) {
 }
 
 /// A stress or modulus that is probably meant in megapascals: `least` is far below that of any rock.
-void warn_about_pascals(Scene& scene, const std::string& what, double value, double least) {
+void remark_on_pascals(Scene& scene, const std::string& what, double value, double least) {
   if (value > 0 && value < least)
     scene.warnings.push_back(
         fmt::format("{} is {:g} Pa: numbers without a unit are in pascals; in megapascals it is written \"{:g} MPa\"",
@@ -34,15 +34,15 @@ void warn_about_pascals(Scene& scene, const std::string& what, double value, dou
 void warn_about_pascals(Scene& scene) {
   constexpr double softest = 1e6, weakest = 1e3;  // Pa
   const auto look = [&](const std::string& of, const BondParameters& bond) {
-    warn_about_pascals(scene, of + ": Young's modulus or bond.normal_modulus", bond.normal_modulus, softest);
-    warn_about_pascals(scene, of + ": bond.normal_strength", bond.normal_strength, weakest);
-    warn_about_pascals(scene, of + ": bond.cohesion", bond.cohesion, weakest);
+    remark_on_pascals(scene, of + ": Young's modulus or bond.normal_modulus", bond.normal_modulus, softest);
+    remark_on_pascals(scene, of + ": bond.normal_strength", bond.normal_strength, weakest);
+    remark_on_pascals(scene, of + ": bond.cohesion", bond.cohesion, weakest);
   };
   const MechanicsParameters& rock = scene.mechanics->parameters;
   look("mechanics", rock.bond);
   for (std::size_t m = 0; m < rock.materials.size(); ++m)
     look(fmt::format("mechanics.material.{}", m), rock.materials[m].bond);
-  if (scene.laboratory) warn_about_pascals(scene, "laboratory.confinement", scene.laboratory->confinement, weakest);
+  if (scene.laboratory) remark_on_pascals(scene, "laboratory.confinement", scene.laboratory->confinement, weakest);
 }
 
 /// Pressures that are probably meant above the initial one, as on a gauge.

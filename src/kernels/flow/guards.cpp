@@ -69,21 +69,14 @@ FieldRange field_range(const Exec& exec, const ScalarField<T>& field, const Shar
 }
 
 template <class T>
-struct SpeedSquared {
-  VectorField<T> u;
-  KOKKOS_FUNCTION void operator()(int i, double& most) const {
-    const double ux = double(u(i, 0)), uy = double(u(i, 1));
-    if (ux * ux + uy * uy > most) most = ux * ux + uy * uy;
-  }
-};
-
-template <class T>
 struct CompareVelocity {
   VectorField<T> u, previous;
   double largest, slow, noise;  // speeds
   KOKKOS_FUNCTION void operator()(int i, double& most) const {
     const double ux = double(u(i, 0)), uy = double(u(i, 1));
     const double dx = ux - double(previous(i, 0)), dy = uy - double(previous(i, 1));
+    previous(i, 0) = u(i, 0);
+    previous(i, 1) = u(i, 1);
     const double speed = Kokkos::sqrt(ux * ux + uy * uy);
     const double change = (Kokkos::sqrt(dx * dx + dy * dy) - noise) / (speed < slow ? largest : speed);
     if (change > most) most = change;
@@ -92,15 +85,13 @@ struct CompareVelocity {
 
 template <class T>
 double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
-                       const VectorField<T>& previous, double slow, double noise) {
-  const Kokkos::RangePolicy<Exec> all(exec, 0, nodes.count);
-  double square = 0, change = 0;
-  Kokkos::parallel_reduce("vug::guards::largest_speed", all, SpeedSquared<T>{u}, Kokkos::Max<double>(square));
-  const double speed = Kokkos::sqrt(square);
-  Kokkos::parallel_reduce("vug::guards::velocity_change", all,
-                          CompareVelocity<T>{u, previous, speed, slow * speed, noise * speed},
+                       const VectorField<T>& previous, const VelocityScale& scale) {
+  const double U = scale.largest;
+  double change = 0;
+  Kokkos::parallel_reduce("vug::guards::velocity_change", Kokkos::RangePolicy<Exec>(exec, 0, nodes.count),
+                          CompareVelocity<T>{u, previous, U, scale.slow * U, scale.noise * U},
                           Kokkos::Max<double>(change));
-  return speed > 0 ? Kokkos::max(change, 0.0) : 0;
+  return U > 0 ? Kokkos::max(change, 0.0) : 0;
 }
 
 VUG_COMPILE_FOR_NUMBERS(velocity_change)

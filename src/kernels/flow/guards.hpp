@@ -28,12 +28,17 @@ template <class T>
 FlowExtremes flow_extremes(const Exec& exec, const FluidNodes& nodes, const FlowFields<T>& fields, double speed_bound,
                            double density_bound);
 
-/// Largest change of velocity of the fluid nodes, (|u - previous| - noise U) / s with the largest |u| = U of all and
-/// s = |u| where that is at least slow U, else U; 0 where nothing moves. Pores that are far slower than others are thus
-/// judged by their own speed, down to the share `slow` of the largest; changes up to the share `noise` of it are
-/// rounding. previous: (fluid, axis).
+/// What a change of velocity is compared with, lattice units.
+struct VelocityScale {
+  double largest;    ///< U: |u| of all nodes is at most this
+  double slow = 1;   ///< share of U down to which a pore is judged by its own speed
+  double noise = 0;  ///< share of U that is rounding
+};
+
+/// Largest change of velocity of the fluid nodes, (|u - previous| - noise U) / s with s = |u| where that is at least
+/// slow U, else U; 0 where nothing moves. previous (fluid, axis) is u afterwards.
 template <class T>
 double velocity_change(const Exec& exec, const FluidNodes& nodes, const VectorField<T>& u,
-                       const VectorField<T>& previous, double slow, double noise);
+                       const VectorField<T>& previous, const VelocityScale& scale);
 
 }  // namespace vug
