@@ -174,6 +174,12 @@ class Pictures(unittest.TestCase):
                 found |= {part.label for part in parts}
             self.assertLessEqual(labels, found)
 
+    def test_acid_of_a_slow_scene_says_what_time_it_is_of(self):
+        gains = {"A_gain_injected": np.array([0.0, 2.0]), "A_gain_reaction": np.array([0.0, -1.0])}
+        for factor, title in (((1.0, 1.0), "A"), ((1.0, 20.0), "A, of the lattice steps taken")):
+            (drawn, _, _), = vug.plot.topics_of({**gains, "dissolution_factor": np.array(factor)})["acid"]
+            self.assertEqual(drawn, title)
+
     def test_seeds_are_no_axis_and_means_are_told(self):
         """Of two pressures, one or two rates and four seeds; of seven results the first six are drawn."""
         def study(name, rates):

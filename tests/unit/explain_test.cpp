@@ -82,5 +82,14 @@ TEST(Explain, DividesTheBodyForceByThePressureScale) {
   EXPECT_NEAR(on_lattice(explain(scene, units_of(scene)), "flow.body_force, along x"), 4e-6, 4e-10);
 }
 
+TEST(Explain, TellsPressuresApartThatDifferByATenthOfAPascal) {
+  const Scene scene = parse_scene(
+      "[lattice]\nsize = [8e-3, 4e-3]\nspacing = 2e-4\ntime_step = 1e-3\n[time]\nend = 1\n[flow]\nviscosity = 4e-6\n"
+      "[boundary.left]\nflow = { type = \"pressure\", pressure = 100000.1 }\n",
+      "a.toml", {});
+  const std::string table = explain(scene, units_of(scene));
+  EXPECT_NE(table.find(" 100000.1 Pa "), std::string::npos) << table;
+}
+
 }  // namespace
 }  // namespace vug

@@ -177,6 +177,32 @@ TEST(HeatedPipe, GivesTheFluxOfItsOutlineWhereverItLies) {
     EXPECT_NEAR(length(triangle(points)), 12 + 9 + 15, 1e-9) << points;  // either way round
 }
 
+/// One link of this triangle leads to a corner, at which two edges are as near but for rounding.
+TEST(HeatedPipe, GivesEachLinkTheSameFluxInAnyUnitOfLength) {
+  const auto warmed = [](double unit) {
+    const auto length = [&](double metres) { return fmt::format("{:.17g}", metres * unit); };
+    CoupledRun run("[lattice]\nsize = [" + length(0.022) + ", " + length(0.020) + "]\nspacing = " + length(1e-3) +
+                   "\ntime_step = 1e-3\n[time]\nsteps = 1000\n[geometry]\ntype = \"shapes\"\n[[geometry.shapes]]\n"
+                   "type = \"polygon\"\nname = \"pipe\"\npoints = [[" +
+                   length(0.008315371439405313) + ", " + length(0.012639112523905262) + "], [" +
+                   length(0.0031976914272457808) + ", " + length(0.00630274598485392) + "], [" +
+                   length(0.011243992013614918) + ", " + length(0.0050389277630109265) +
+                   "]]\n[heat]\nfluid_density = 1\nfluid_heat_capacity = 1\n" +
+                   fmt::format("initial_temperature = 300\nfluid_diffusivity = {0:.17g}\nsolid_diffusivity = {0:.17g}\n"
+                               "[boundary.shape.pipe]\nheat = {{ type = \"flux\", flux = {1:.17g} }}\n",
+                               1e-4 * unit * unit, unit));
+    run.steps(100);
+    return run.nodes("temperature");
+  };
+  const std::vector<double> one = warmed(1), other = warmed(1.37);
+  double most = 0;
+  for (std::size_t n = 0; n < one.size(); ++n) {
+    EXPECT_NEAR(other[n], one[n], 1e-6 * (one[n] - 300) + 1e-9) << n;
+    most = std::max(most, one[n] - 300);
+  }
+  EXPECT_GT(most, 1);
+}
+
 /// Fluid from a well: the same flows through every circle, u = U R / r.
 TEST(Well, FeedsARadialFlowThatLeavesAtTheOtherOpening) {
   const Ring r = ring(12);
